@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_EXCEPTIONS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_EXCEPTIONS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// What makes a mesh unfit for the computation.
+enum class Mesh_defect {
+  EMPTY,                   ///< the mesh has no face
+  NOT_TRIANGULATED,        ///< a face is not a triangle
+  BOUNDARY_EDGE,           ///< an edge has a face on one side only
+  NON_MANIFOLD_EDGE,       ///< an edge has more than two faces
+  NON_MANIFOLD_VERTEX,     ///< the faces around a vertex form more than one fan
+  INCONSISTENT_ORIENTATION, ///< two faces traverse their common edge in the same direction
+  DEGENERATE_FACE,         ///< a face names the same vertex twice
+  PARALLEL_EDGES,          ///< two edges join the same two vertices
+  NON_FINITE_COORDINATE,   ///< a coordinate is infinite or not a number
+  TOO_LARGE                ///< more than 2^31 halfedges
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when the mesh is not a closed, oriented 2-manifold triangle mesh with finite
+/// coordinates. The message names the element in the numbering of the caller's index maps.
+class Invalid_mesh_exception : public std::invalid_argument
+{
+public:
+  Invalid_mesh_exception(Mesh_defect defect,
+                         std::vector<std::size_t> vertices,
+                         const std::string& message)
+    : std::invalid_argument(message)
+    , defect_(defect)
+    , vertices_(std::move(vertices)) {}
+
+  /// the kind of the defect.
+  Mesh_defect defect() const { return defect_; }
+
+  /// the indices of the vertices of the offending element: one for a vertex, two for an edge,
+  /// all of a face, none where the defect concerns the whole mesh.
+  const std::vector<std::size_t>& vertices() const { return vertices_; }
+
+private:
+  Mesh_defect defect_;
+  std::vector<std::size_t> vertices_;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when the loops found do not pass their certificate. It signals a defect of the
+/// package, never of the input; no loop has been written when it is thrown.
+class Uncertified_loops_exception : public std::logic_error
+{
+public:
+  using std::logic_error::logic_error;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when the `callback` asked to stop; no loop has been written.
+class Interrupted_exception : public std::runtime_error
+{
+public:
+  Interrupted_exception()
+    : std::runtime_error("the computation was stopped by its callback") {}
+};
+
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_EXCEPTIONS_H

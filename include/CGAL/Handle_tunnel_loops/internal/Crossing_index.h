@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CROSSING_INDEX_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CROSSING_INDEX_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Intersection numbers of one curve with numbered loops: loop -> number, zeros left out.
+using Sparse_numbers = std::map<Index, std::int64_t>;
+
+/*!
+Which loops of a family cross which edges, and how.
+
+Read as functions on the directed edges, the loops are cocycles: a walk on the edges meets loop j in as
+many points, counted with sign, as the sum of loop j's values along it. That number is a matter of
+integers; where on an edge it is crossed, and in which order by several loops, plays no part.
+*/
+class Crossing_index
+{
+public:
+  Crossing_index(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
+    : begin_(mesh.number_of_vertices() + 1, 0)
+  {
+    for(const Crossing_loop& loop : loops)
+      for(const Crossing& c : loop) {
+        ++begin_[c.left];
+        ++begin_[c.right];
+      }
+    Index sum = 0;
+    for(Index& b : begin_) {
+      sum += b;
+      b = sum;
+    }
+    entries_.resize(sum);
+    // Backwards, so that the entries of a vertex are sorted by loop.
+    for(std::size_t j = loops.size(); j-- > 0;)
+      for(const Crossing& c : loops[j]) {
+        entries_[--begin_[c.left]] = {c.right, static_cast<Index>(j), 1};
+        entries_[--begin_[c.right]] = {c.left, static_cast<Index>(j), -1};
+      }
+  }
+
+  bool has_crossing(Index v) const { return begin_[v] != begin_[v + 1]; }
+
+  /// whether the edge u - v is crossed by a loop with number in [first, last).
+  bool is_crossed(Index u, Index v, Index first, Index last) const
+  {
+    for(auto it = lower_bound(u, first); it != end(u) && it->loop < last; ++it)
+      if(it->other == v)
+        return true;
+    return false;
+  }
+
+  /// whether `v` lies immediately to the right of the loop.
+  bool is_on_right(Index v, Index loop) const
+  {
+    for(auto it = lower_bound(v, loop); it != end(v) && it->loop == loop; ++it)
+      if(it->sign < 0)
+        return true;
+    return false;
+  }
+
+  /// adds what the walk from `u` to `v`, an edge, contributes to the intersection numbers.
+  void add_crossings(Index u, Index v, Sparse_numbers& numbers) const
+  {
+    for(auto it = begin(u); it != end(u); ++it)
+      if(it->other == v)
+        numbers[it->loop] += it->sign;
+  }
+
+  /// the intersection numbers of a closed walk on the edges with the loops.
+  Sparse_numbers intersections(const std::vector<Index>& walk) const
+  {
+    Sparse_numbers numbers;
+    for(std::size_t i = 0; i < walk.size(); ++i)
+      add_crossings(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1], numbers);
+    return without_zeros(std::move(numbers));
+  }
+
+  /// the intersection numbers of another loop with the loops.
+  Sparse_numbers intersections(const Crossing_loop& loop) const
+  {
+    Sparse_numbers numbers;
+    for_each_left_edge(loop, [&](Index u, Index v) { add_crossings(u, v, numbers); });
+    return without_zeros(std::move(numbers));
+  }
+
+private:
+  struct Entry
+  {
+    Index other;
+    Index loop;
+    int sign; // 1 if the vertex that has this entry is to the left
+  };
+  using Iterator = std::vector<Entry>::const_iterator;
+
+  Iterator begin(Index v) const { return entries_.begin() + begin_[v]; }
+  Iterator end(Index v) const { return entries_.begin() + begin_[v + 1]; }
+  Iterator lower_bound(Index v, Index loop) const
+  {
+    return std::lower_bound(begin(v), end(v), loop,
+                            [](const Entry& e, Index number) { return e.loop < number; });
+  }
+
+  static Sparse_numbers without_zeros(Sparse_numbers numbers)
+  {
+    for(auto it = numbers.begin(); it != numbers.end();)
+      it = it->second == 0 ? numbers.erase(it) : std::next(it);
+    return numbers;
+  }
+
+  std::vector<Index> begin_; // by vertex
+  std::vector<Entry> entries_;
+};
+
+/// The loops with numbers in [first, last) as walls of a field.
+class Loop_walls
+{
+public:
+  Loop_walls(const Crossing_index& index, Index first, Index last)
+    : index_(index)
+    , first_(first)
+    , last_(last) {}
+
+  bool may_have_wall(Index v) const { return index_.has_crossing(v); }
+  bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, first_, last_); }
+
+private:
+  const Crossing_index& index_;
+  Index first_, last_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CROSSING_INDEX_H

@@ -1,0 +1,325 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOP_TIGHTENING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOP_TIGHTENING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Pulls a loop taut without changing its homotopy class, towards a closed geodesic.
+
+Two moves alternate. The loop is replaced by the shortest path through the strip of triangles that it
+passes, from one of its places back to the same (the strip is laid out in the plane, the path found
+with a funnel; the place moves from round to round). And where that path bends at a vertex and the
+faces on the other side of the vertex span less than a straight angle, the strip is led around that
+other side. Both are homotopies whatever the numbers say: rounding can cost length, not the class.
+*/
+class Loop_tightening
+{
+public:
+  explicit Loop_tightening(const Flat_mesh& mesh)
+    : mesh_(mesh) {}
+
+  /// Stops when a round gains less than a thousandth part of the length and changes no side.
+  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 100)
+  {
+    remove_backtracks(loop);
+    Crossing_loop best = loop;
+    double best_length = length(mesh_, best), previous_length = best_length;
+    int idle_rounds = 0;
+    for(int round = 0; round < maximum_number_of_rounds && loop.size() >= 3; ++round) {
+      rotate_start(loop);
+      shorten_within_strip(loop);
+      const double current = length(mesh_, loop);
+      if(current <= best_length) {
+        best = loop;
+        best_length = current;
+      }
+      const bool changed = change_sides(loop);
+      idle_rounds = changed || current < 0.999 * previous_length ? 0 : idle_rounds + 1;
+      if(idle_rounds == 2)
+        break;
+      previous_length = current;
+    }
+    loop = std::move(best);
+  }
+
+private:
+  using Point_2 = std::array<double, 2>;
+
+  static Point_2 minus(const Point_2& a, const Point_2& b) { return {a[0] - b[0], a[1] - b[1]}; }
+  static double cross(const Point_2& a, const Point_2& b) { return a[0] * b[1] - a[1] * b[0]; }
+  static double dot(const Point_2& a, const Point_2& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+  // The place where the path is held moves by an irrational part of the loop from round to round.
+  static void rotate_start(Crossing_loop& loop)
+  {
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(loop.size() * 0.381966),
+                loop.end());
+  }
+
+  /// Lays the strip out: portal i is crossing i, portal n the first one again.
+  void unfold(const Crossing_loop& loop)
+  {
+    const std::size_t n = loop.size();
+    left_.resize(n + 1);
+    right_.resize(n + 1);
+    left_[0] = {0., 0.};
+    right_[0] = {0., -mesh_.edge_length(loop[0].left, loop[0].right)};
+    for(std::size_t i = 0; i < n; ++i) {
+      const Crossing& from = loop[i];
+      const Crossing& to = loop[i + 1 == n ? 0 : i + 1];
+      left_[i + 1] = left_[i];
+      right_[i + 1] = right_[i];
+      if(to.left == from.left)
+        right_[i + 1] = apex_position(from, to.right, left_[i], right_[i]);
+      else
+        left_[i + 1] = apex_position(from, to.left, left_[i], right_[i]);
+    }
+  }
+
+  // Heading along +x, with left above right, the apex lies to the left of right -> left turned by -90.
+  Point_2 apex_position(const Crossing& edge, Index apex, const Point_2& l, const Point_2& r) const
+  {
+    const double base = mesh_.edge_length(edge.left, edge.right);
+    const double a = mesh_.edge_length(edge.left, apex), b = mesh_.edge_length(edge.right, apex);
+    if(base == 0.)
+      return {l[0] + a, l[1]};
+    const double along = (a * a - b * b + base * base) / (2. * base);
+    const double height = std::sqrt((std::max)(0., a * a - along * along));
+    const Point_2 direction = {(r[0] - l[0]) / base, (r[1] - l[1]) / base};
+    return {l[0] + along * direction[0] - height * direction[1],
+            l[1] + along * direction[1] + height * direction[0]};
+  }
+
+  struct Bend
+  {
+    std::size_t portal;
+    Point_2 point;
+  };
+
+  void shorten_within_strip(Crossing_loop& loop)
+  {
+    unfold(loop);
+    find_bends(loop);
+    set_ratios(loop);
+  }
+
+  static Point_2 between(const Point_2& l, const Point_2& r, double ratio)
+  {
+    return {l[0] + ratio * (r[0] - l[0]), l[1] + ratio * (r[1] - l[1])};
+  }
+
+  // The funnel algorithm: `bends_` are the corners of the shortest path through the portals.
+  void find_bends(const Crossing_loop& loop)
+  {
+    const std::size_t n = loop.size();
+    const double ratio = loop[0].ratio;
+    const Point_2 goal = between(left_[n], right_[n], ratio);
+    bends_.clear();
+    bends_.push_back({0, between(left_[0], right_[0], ratio)});
+    Point_2 apex = bends_[0].point, left = apex, right = apex;
+    std::size_t left_portal = 0, right_portal = 0;
+    const auto restart = [&](const Point_2& corner, std::size_t portal) {
+      bends_.push_back({portal, corner});
+      apex = left = right = corner;
+      left_portal = right_portal = portal;
+      return portal;
+    };
+    for(std::size_t i = 1; i <= n; ++i) {
+      const Point_2 l = i == n ? goal : left_[i], r = i == n ? goal : right_[i];
+      if(cross(minus(right, apex), minus(r, apex)) >= 0.) {
+        if(right == apex || cross(minus(left, apex), minus(r, apex)) < 0.) {
+          right = r;
+          right_portal = i;
+        } else {
+          i = restart(left, left_portal);
+          continue;
+        }
+      }
+      if(cross(minus(left, apex), minus(l, apex)) <= 0.) {
+        if(left == apex || cross(minus(right, apex), minus(l, apex)) > 0.) {
+          left = l;
+          left_portal = i;
+        } else {
+          i = restart(right, right_portal);
+          continue;
+        }
+      }
+    }
+    if(bends_.back().portal != n)
+      bends_.push_back({n, goal});
+  }
+
+  void set_ratios(Crossing_loop& loop) const
+  {
+    for(std::size_t b = 0; b + 1 < bends_.size(); ++b) {
+      const Point_2 from = bends_[b].point;
+      const Point_2 direction = minus(bends_[b + 1].point, from);
+      for(std::size_t i = bends_[b].portal + (b == 0 ? 1 : 0);
+          i < (std::min)(bends_[b + 1].portal + 1, loop.size()); ++i)
+        loop[i].ratio = crossing_ratio(i, from, direction);
+    }
+    for(std::size_t b = 1; b + 1 < bends_.size(); ++b)
+      hold_at_corner(loop, bends_[b]);
+  }
+
+  double crossing_ratio(std::size_t i, const Point_2& from, const Point_2& direction) const
+  {
+    const double across = cross(minus(right_[i], left_[i]), direction);
+    const double ratio =
+        across == 0. ? 0.5 : cross(minus(from, left_[i]), direction) / across;
+    return (std::min)(1., (std::max)(0., ratio));
+  }
+
+  // All the portals that end at the corner are passed exactly there.
+  void hold_at_corner(Crossing_loop& loop, const Bend& bend) const
+  {
+    const bool at_left = left_[bend.portal] == bend.point;
+    const Index corner = at_left ? loop[bend.portal].left : loop[bend.portal].right;
+    const auto ends_there = [&](std::size_t i) {
+      return i < loop.size() && (at_left ? loop[i].left : loop[i].right) == corner;
+    };
+    for(std::size_t i = bend.portal; ends_there(i); ++i)
+      loop[i].ratio = at_left ? 0. : 1.;
+    for(std::size_t i = bend.portal; i > 0 && ends_there(i - 1) && i - 1 > 0; --i)
+      loop[i - 1].ratio = at_left ? 0. : 1.;
+  }
+
+  // A maximal run of portals that end at one corner, at which the path bends.
+  struct Fan
+  {
+    std::size_t first, last;
+    bool at_left;
+  };
+
+  bool change_sides(Crossing_loop& loop)
+  {
+    std::vector<Fan> fans;
+    for(std::size_t b = 1; b + 1 < bends_.size(); ++b) {
+      const Fan fan = fan_of(loop, bends_[b]);
+      const bool is_apart = fans.empty() || fan.first > fans.back().last + 1;
+      // The strip cannot be led around a corner that lies where it is held.
+      if(fan.first > 1 && fan.last + 2 < loop.size() && is_apart &&
+         is_shorter_on_other_side(loop, fan, bends_[b - 1].point, bends_[b + 1].point))
+        fans.push_back(fan);
+    }
+    if(fans.empty())
+      return false;
+    Crossing_loop changed;
+    std::size_t done = 0;
+    for(const Fan& fan : fans) {
+      changed.insert(changed.end(), loop.begin() + done, loop.begin() + fan.first);
+      append_other_side(loop, fan, changed);
+      done = fan.last + 1;
+    }
+    changed.insert(changed.end(), loop.begin() + done, loop.end());
+    loop = std::move(changed);
+    remove_backtracks(loop);
+    return true;
+  }
+
+  Fan fan_of(const Crossing_loop& loop, const Bend& bend) const
+  {
+    const bool at_left = left_[bend.portal] == bend.point;
+    const Index corner = at_left ? loop[bend.portal].left : loop[bend.portal].right;
+    const auto ends_there = [&](std::size_t i) {
+      return (at_left ? loop[i].left : loop[i].right) == corner;
+    };
+    Fan fan = {bend.portal, bend.portal, at_left};
+    while(fan.first > 0 && ends_there(fan.first - 1))
+      --fan.first;
+    while(fan.last + 1 < loop.size() && ends_there(fan.last + 1))
+      ++fan.last;
+    return fan;
+  }
+
+  static double angle(const Point_2& a, const Point_2& b)
+  {
+    return std::abs(std::atan2(cross(a, b), dot(a, b)));
+  }
+
+  double corner_angle(Index v, Index a, Index b) const
+  {
+    const Vector p = mesh_.points[a] - mesh_.points[v], q = mesh_.points[b] - mesh_.points[v];
+    return std::atan2(norm(internal::cross(p, q)), internal::dot(p, q));
+  }
+
+  double total_angle(Index v) const
+  {
+    const Ring ring = mesh_.ring(v);
+    double sum = 0.;
+    for(Index i = 0; i < ring.size(); ++i)
+      sum += corner_angle(v, ring[i], ring[ring.next(i)]);
+    return sum;
+  }
+
+  bool is_shorter_on_other_side(const Crossing_loop& loop, const Fan& fan, const Point_2& before,
+                                const Point_2& after) const
+  {
+    const Index corner = fan.at_left ? loop[fan.first].left : loop[fan.first].right;
+    const auto outer = [&](std::size_t i) { return fan.at_left ? loop[i].right : loop[i].left; };
+    const auto outer_point = [&](std::size_t i) { return fan.at_left ? right_[i] : left_[i]; };
+    const Point_2 corner_point = fan.at_left ? left_[fan.first] : right_[fan.first];
+    double inside = angle(minus(before, corner_point), minus(outer_point(fan.first), corner_point)) +
+                    angle(minus(outer_point(fan.last), corner_point), minus(after, corner_point));
+    for(std::size_t i = fan.first; i < fan.last; ++i)
+      inside += corner_angle(corner, outer(i), outer(i + 1));
+    constexpr double straight = 3.14159265358979;
+    return total_angle(corner) - inside < straight * (1. - 1e-7);
+  }
+
+  // The strip comes from the triangle before the fan and goes to the one after it; between them it
+  // now passes the spokes that it did not pass.
+  void append_other_side(const Crossing_loop& loop, const Fan& fan, Crossing_loop& changed) const
+  {
+    const Crossing &before = loop[fan.first - 1], &after = loop[fan.last + 1];
+    if(fan.at_left) {
+      const Index corner = loop[fan.first].left;
+      const Ring ring = mesh_.ring(corner);
+      const Index end = ring.position(after.left);
+      for(Index p = ring.position(before.left);; p = ring.previous(p)) {
+        changed.push_back({ring[p], corner, 1.});
+        if(p == end)
+          break;
+      }
+    } else {
+      const Index corner = loop[fan.first].right;
+      const Ring ring = mesh_.ring(corner);
+      const Index end = ring.position(after.right);
+      for(Index p = ring.position(before.right);; p = ring.next(p)) {
+        changed.push_back({corner, ring[p], 0.});
+        if(p == end)
+          break;
+      }
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<Point_2> left_, right_;
+  std::vector<Bend> bends_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOP_TIGHTENING_H

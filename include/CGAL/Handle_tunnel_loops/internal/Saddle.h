@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SADDLE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SADDLE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Arrival_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// the number of maximal runs of earlier vertices around `v`: 0 at a minimum, at least 2 at a
+/// saddle; a maximum has one that is the whole ring, as a regular vertex has one that is not.
+inline Index number_of_lower_wedges(const Flat_mesh& mesh, const Arrival_order& order, Index v)
+{
+  const Ring ring = mesh.ring(v);
+  bool previous = order.is_earlier(ring[ring.size() - 1], v);
+  Index changes = 0;
+  for(Index u : ring) {
+    const bool current = order.is_earlier(u, v);
+    changes += current != previous;
+    previous = current;
+  }
+  return changes / 2;
+}
+
+template <typename Execution>
+std::vector<Index> find_saddles(Execution execution, const Flat_mesh& mesh,
+                                const Arrival_order& order)
+{
+  return collect<Index>(execution, mesh.number_of_vertices(),
+                        [&](std::size_t begin, std::size_t end) {
+                          std::vector<Index> saddles;
+                          for(std::size_t v = begin; v < end; ++v)
+                            if(number_of_lower_wedges(mesh, order, static_cast<Index>(v)) > 1)
+                              saddles.push_back(static_cast<Index>(v));
+                          return saddles;
+                        });
+}
+
+/*!
+The contours that meet at a saddle.
+
+The earlier neighbours of the saddle form k >= 2 wedges around it. Outside of its star, the contour
+at its level consists of k arcs; arc i leaves across the edge at the clockwise end of wedge i, keeps
+the earlier side on its left, and arrives at the counterclockwise end of wedge `arrival(i)`. Just below
+the level the arcs are joined around the wedges, just above it around the gaps between them. So the
+permutation `arrival` says which contours meet and which part.
+
+The arcs are walked in turns until all but one have arrived; which wedge the last one comes to is then
+clear, and the longest arc is never walked to its end.
+*/
+class Saddle
+{
+public:
+  Saddle(const Flat_mesh& mesh, const Arrival_order& order, Index center)
+    : mesh_(mesh)
+    , order_(order)
+    , center_(center)
+    , ring_(mesh.ring(center))
+  {
+    find_wedges();
+    walk_arcs();
+  }
+
+  Index center() const { return center_; }
+  Index number_of_wedges() const { return static_cast<Index>(wedges_.size()); }
+
+  /// the wedge at which the arc that leaves wedge `i` arrives.
+  Index arrival(Index i) const { return arcs_[i].arrival; }
+
+  /// whether the arc that leaves wedge `i` is the one that was not walked to its end.
+  bool is_longest(Index i) const { return i == longest_; }
+
+  const Crossing_loop& arc(Index i) const { return arcs_[i].crossings; }
+
+  /// a vertex of wedge `i`.
+  Index wedge_vertex(Index i) const { return ring_[wedges_[i].first]; }
+
+  /// passes from the counterclockwise end of wedge `from` clockwise to the clockwise end of wedge
+  /// `to`, keeping the saddle on the right.
+  void append_clockwise(Index from, Index to, Crossing_loop& loop) const
+  {
+    for(Index p = wedges_[from].last;; p = ring_.previous(p)) {
+      loop.push_back({ring_[p], center_, 0.99});
+      if(p == wedges_[to].first)
+        break;
+    }
+  }
+
+  /// passes from the counterclockwise end of wedge `from` counterclockwise over the gap to the next
+  /// wedge, keeping the saddle on the left.
+  void append_counterclockwise(Index from, Crossing_loop& loop) const
+  {
+    const Index end = wedges_[from + 1 == number_of_wedges() ? 0 : from + 1].first;
+    for(Index p = ring_.next(wedges_[from].last); p != end; p = ring_.next(p))
+      loop.push_back({center_, ring_[p], 0.01});
+  }
+
+private:
+  struct Wedge
+  {
+    Index first, last; // positions in the ring, counterclockwise
+  };
+
+  struct Arc
+  {
+    Crossing_loop crossings;
+    Index arrival = no_index;
+  };
+
+  bool is_lower(Index p) const { return order_.is_earlier(ring_[p], center_); }
+
+  void find_wedges()
+  {
+    Index start = 0;
+    while(is_lower(start) || !is_lower(ring_.next(start)))
+      ++start; // a later vertex before an earlier one
+    Index p = start;
+    do {
+      const Index q = ring_.next(p);
+      if(!is_lower(p) && is_lower(q))
+        wedges_.push_back({q, q});
+      else if(is_lower(q))
+        wedges_.back().last = q;
+      p = q;
+    } while(p != start);
+  }
+
+  void walk_arcs()
+  {
+    const Index k = number_of_wedges();
+    arcs_.resize(k);
+    for(Index i = 0; i < k; ++i) {
+      const Index first = wedges_[i].first;
+      append(arcs_[i].crossings, ring_[first], ring_[ring_.previous(first)]);
+    }
+    Index arrived = 0;
+    while(arrived + 1 < k)
+      for(Index i = 0; i < k && arrived + 1 < k; ++i)
+        if(arcs_[i].arrival == no_index && advance(arcs_[i]))
+          ++arrived;
+    settle_longest();
+  }
+
+  void append(Crossing_loop& arc, Index left, Index right) const
+  {
+    const double from = order_.time(left), to = order_.time(right), at = order_.time(center_);
+    const double ratio = to > from ? (at - from) / (to - from) : 0.5;
+    arc.push_back({left, right, (std::min)(0.99, (std::max)(0.01, ratio))});
+  }
+
+  bool advance(Arc& arc) const
+  {
+    const Crossing last = arc.crossings.back();
+    const Index apex = apex_ahead(mesh_, last);
+    if(apex == center_) {
+      arc.arrival = wedge_that_ends_at(last.left);
+      return true;
+    }
+    if(order_.is_earlier(apex, center_))
+      append(arc.crossings, apex, last.right);
+    else
+      append(arc.crossings, last.left, apex);
+    return false;
+  }
+
+  Index wedge_that_ends_at(Index v) const
+  {
+    Index i = 0;
+    while(ring_[wedges_[i].last] != v)
+      ++i;
+    return i;
+  }
+
+  void settle_longest()
+  {
+    boost::container::small_vector<char, 8> is_taken(arcs_.size(), 0);
+    for(Index i = 0; i < arcs_.size(); ++i)
+      if(arcs_[i].arrival == no_index)
+        longest_ = i;
+      else
+        is_taken[arcs_[i].arrival] = 1;
+    Index free = 0;
+    while(is_taken[free])
+      ++free;
+    arcs_[longest_].arrival = free;
+  }
+
+  const Flat_mesh& mesh_;
+  const Arrival_order& order_;
+  Index center_;
+  Ring ring_;
+  boost::container::small_vector<Wedge, 4> wedges_;
+  boost::container::small_vector<Arc, 4> arcs_;
+  Index longest_ = 0;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SADDLE_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PHASE_FIELD_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PHASE_FIELD_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Field_constants.h>
+
+#include <cmath>
+#include <cstdint>
+
+#ifdef __CUDACC__
+#define CGAL_HTL_HOST_DEVICE __host__ __device__
+#else
+#define CGAL_HTL_HOST_DEVICE
+#endif
+
+/// \file phase_field.h
+/// The formulas of the field at one vertex, for host and device alike.
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A vertex is reached when its value passes this threshold.
+constexpr float front_threshold = 0.5f;
+
+/// The coefficients of one explicit Euler step of the single-layer equation
+/// dphi/dt = (mu/2) [ a^2 L phi + e sqrt(phi (1 - phi)) - w (1 - 2 phi) ],
+/// with L phi = 4 (mean of the neighbours - phi), which is the Laplacian in local edge lengths.
+struct Step_coefficients
+{
+  float diffusion;
+  float drive;
+  float penalty;
+};
+
+/// The largest stable step makes the new value a mean of the neighbours, diffusion = 1.
+inline Step_coefficients step_coefficients(const Field_constants& c)
+{
+  const double largest_step = 1. / (0.5 * c.mobility * 4. * c.gradient_coefficient);
+  const double factor = c.step * largest_step * 0.5 * c.mobility;
+  return {static_cast<float>(factor * 4. * c.gradient_coefficient),
+          static_cast<float>(factor * c.driving_force), static_cast<float>(factor * c.penalty)};
+}
+
+/// the value after one step; `speed` in (0, 1] slows the field down where edges are long.
+CGAL_HTL_HOST_DEVICE inline float
+stepped_value(float phi, float mean_of_neighbors, float speed, const Step_coefficients& k)
+{
+  const float change = k.diffusion * (mean_of_neighbors - phi) +
+                       k.drive * std::sqrt(phi * (1.f - phi)) - k.penalty * (1.f - 2.f * phi);
+  const float value = phi + speed * change;
+  return value < 0.f ? 0.f : (value > 1.f ? 1.f : value);
+}
+
+/// Arrival times are integers, so that their order is exact however long a run is.
+using Time = std::uint32_t;
+constexpr Time never = 0xffffffffu;
+constexpr Time ticks_per_step = 128;
+
+/// the moment, after `step - 1` and at the latest at `step`, at which the value passed the threshold.
+CGAL_HTL_HOST_DEVICE inline Time crossing_time(float before, float after, Time step)
+{
+  const float late = before < front_threshold ? (after - front_threshold) / (after - before) : 1.f;
+  return step * ticks_per_step - static_cast<Time>(late * (ticks_per_step - 2));
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PHASE_FIELD_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_PARAMETERS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_PARAMETERS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+/// \file parameters.h
+/// The named parameters that only this package has. They begin a chain:
+/// `parameters::seed_vertex(v).callback(f)`.
+
+namespace CGAL {
+namespace internal_np {
+
+enum seed_vertex_t { seed_vertex };
+enum field_constants_t { field_constants };
+enum do_refine_handles_t { do_refine_handles };
+enum do_tighten_t { do_tighten };
+
+} // namespace internal_np
+
+namespace parameters {
+
+// CGAL declares its parameters in one central list, by the same two overloads per name.
+#define CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(NAME)                                               \
+  template <typename T> Named_function_parameters<T, internal_np::NAME##_t> NAME(const T& value)   \
+  {                                                                                                \
+    return Named_function_parameters<T, internal_np::NAME##_t>(value);                             \
+  }                                                                                                \
+  template <typename T, typename Base, typename Tag, typename Next>                                \
+  Named_function_parameters<T, internal_np::NAME##_t,                                              \
+                            Named_function_parameters<Base, Tag, Next>>                            \
+  NAME(const T& value, const Named_function_parameters<Base, Tag, Next>& np)                       \
+  {                                                                                                \
+    return Named_function_parameters<T, internal_np::NAME##_t,                                     \
+                                     Named_function_parameters<Base, Tag, Next>>(value, np);       \
+  }
+
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(seed_vertex)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(field_constants)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_refine_handles)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_tighten)
+
+#undef CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_PARAMETERS_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_STAGES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_STAGES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// The stages of the computation, in order.
+enum class Stage { ADAPTOR, INITIAL, TUNNEL, REFINE, CLASSIFY, CERTIFICATE };
+
+/// the number of stages.
+constexpr std::size_t number_of_stages = 6;
+
+/// the name of a stage, as it stands in reports.
+inline const char* stage_name(Stage stage)
+{
+  constexpr std::array<const char*, number_of_stages> names = {
+      "adaptor", "initial", "tunnel", "refine", "classify", "certificate"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+\cgalModels `HandleTunnelLoopsVisitor`
+
+The default visitor, which does nothing. Derive from it to be told of the stages.
+*/
+struct Default_visitor
+{
+  /// is called when a stage begins, in the calling thread.
+  void start_stage(Stage) const {}
+  /// is called when a stage has ended, in the calling thread.
+  void end_stage(Stage) const {}
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// What a computation did: sizes, wall times in seconds and how often a fallback was needed.
+struct Statistics
+{
+  std::size_t number_of_vertices = 0;
+  std::size_t number_of_faces = 0;
+  std::size_t number_of_components = 0;
+  std::size_t genus = 0;                          ///< summed over the components
+  std::array<double, number_of_stages> seconds{}; ///< by stage
+  std::size_t kept_sweep_tunnels = 0;  ///< tunnels for which the loop of the initial pass was kept
+  std::size_t kept_sweep_handles = 0;  ///< handles for which the loop of the initial pass was kept
+
+  /// the wall time of a stage, in seconds.
+  double seconds_of(Stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }
+
+  /// the wall time of all stages, in seconds.
+  double total_seconds() const
+  {
+    double sum = 0.;
+    for(double s : seconds)
+      sum += s;
+    return sum;
+  }
+};
+
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_STAGES_H

@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_SOLVER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_SOLVER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/certificate.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+Keeps what can be prepared of a mesh once, for repeated computations of its handle and tunnel loops, say
+from several seeds. The mesh must outlive the object and must not change meanwhile.
+
+The preparation takes about 60 bytes per vertex and vertex descriptor.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and
+  `GeomTraits::Point_3` as value type; by default the mesh's own
+\tparam GeomTraits a model of `Kernel` with double or exact numbers; by default that of the points
+
+\sa `CGAL::handle_tunnel_loops()`
+*/
+template <typename TriangleMesh, typename VertexPointMap = Default, typename GeomTraits = Default>
+class Handle_tunnel_loops_solver
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using Vertex_point_map = typename Default::Get<
+      VertexPointMap,
+      typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::type;
+  using Point_ = typename boost::property_traits<Vertex_point_map>::value_type;
+  using Geom_traits =
+      typename Default::Get<GeomTraits, typename Kernel_traits<Point_>::Kernel>::type;
+
+public:
+  /// the point type of the mesh.
+  using Point = Point_;
+  /// the type of the results.
+  using Pair = Handle_tunnel_pair<TriangleMesh, Point>;
+
+  /*!
+  checks and prepares a mesh. Linear, but for the sort of the vertices along a space-filling curve.
+
+  \param tm the mesh
+  \param np a sequence of named parameters: `vertex_point_map`, `vertex_index_map`, `geom_traits`,
+    as in `CGAL::handle_tunnel_loops()`
+
+  \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+    triangle mesh with finite coordinates
+  */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Handle_tunnel_loops_solver(const TriangleMesh& tm,
+                                      const NamedParameters& np = parameters::default_values())
+    : Handle_tunnel_loops_solver(Sequential_tag(), tm, np) {}
+
+  /// as above; the preparation is parallel if `ConcurrencyTag` says so.
+  template <typename ConcurrencyTag, typename NamedParameters>
+  Handle_tunnel_loops_solver(ConcurrencyTag, const TriangleMesh& tm, const NamedParameters& np)
+    : tm_(tm)
+    , point_(parameters::choose_parameter(
+          parameters::get_parameter(np, internal_np::vertex_point),
+          get_const_property_map(vertex_point, tm)))
+    , traits_(parameters::choose_parameter<Geom_traits>(
+          parameters::get_parameter(np, internal_np::geom_traits)))
+  {
+    using namespace Handle_tunnel_loops;
+    namespace impl = Handle_tunnel_loops::internal;
+    const auto began = std::chrono::steady_clock::now();
+    const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+    using Execution = decltype(impl::execution<ConcurrencyTag>());
+    impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>,
+                                Vertex_point_map, Execution>
+        builder(tm, vertex_index, point_);
+    mesh_ = builder.build();
+    vertices_ = builder.take_vertices();
+    statistics_.number_of_vertices = mesh_.number_of_vertices();
+    statistics_.number_of_faces = mesh_.number_of_faces();
+    statistics_.number_of_components = mesh_.seeds.size();
+    statistics_.genus = mesh_.genus;
+    statistics_.seconds[static_cast<std::size_t>(Stage::ADAPTOR)] =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  }
+
+  /// the genus, summed over the connected components.
+  std::size_t genus() const { return mesh_.genus; }
+
+  /// the number of connected components.
+  std::size_t number_of_components() const { return mesh_.seeds.size(); }
+
+  /// what the last computation did.
+  const Handle_tunnel_loops::Statistics& statistics() const { return statistics_; }
+
+  /*!
+  computes the loops.
+
+  \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
+    `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same.
+  \param out an output iterator that accepts `Pair`
+  \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but
+    `vertex_point_map` and `geom_traits`
+  \return `out`, past the last pair written
+  */
+  template <typename ConcurrencyTag = Sequential_tag,
+            typename OutputIterator,
+            typename NamedParameters = parameters::Default_named_parameters>
+  OutputIterator find_loops(OutputIterator out,
+                            const NamedParameters& np = parameters::default_values())
+  {
+    using namespace Handle_tunnel_loops;
+    namespace impl = Handle_tunnel_loops::internal;
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    auto visitor = choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
+    impl::Progress progress(
+        choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
+        [&](Stage stage) { unwrapped(visitor).start_stage(stage); },
+        [&](Stage stage) { unwrapped(visitor).end_stage(stage); }, statistics_);
+
+    const std::vector<Pair> pairs = compute<ConcurrencyTag>(np, progress);
+    certify(pairs, np, progress);
+    return std::copy(pairs.begin(), pairs.end(), out);
+  }
+
+private:
+  template <typename T> static T& unwrapped(T& t) { return t; }
+  template <typename T> static T& unwrapped(std::reference_wrapper<T> t) { return t.get(); }
+
+  template <typename ConcurrencyTag, typename NamedParameters>
+  std::vector<Pair> compute(const NamedParameters& np,
+                            Handle_tunnel_loops::internal::Progress& progress)
+  {
+    using namespace Handle_tunnel_loops;
+    namespace impl = Handle_tunnel_loops::internal;
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using Finder = impl::Loop_finder<decltype(impl::execution<ConcurrencyTag>())>;
+    if(mesh_.genus == 0)
+      return {};
+    typename Finder::Options options;
+    options.constants =
+        choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
+    options.do_refine_handles =
+        choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
+    options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
+    check(options.constants);
+
+    Finder finder(mesh_,
+                  seeds(choose_parameter(get_parameter(np, internal_np::seed_vertex),
+                                         Graph_traits::null_vertex())),
+                  options, progress);
+    finder.initial_pass();
+    finder.tunnel_pass(statistics_);
+    if(options.do_refine_handles)
+      finder.refinement_pass(statistics_);
+    return converted(finder.classified_pairs());
+  }
+
+  // The seed takes the place of its component's own one.
+  std::vector<Handle_tunnel_loops::internal::Index> seeds(vertex_descriptor seed) const
+  {
+    std::vector<Handle_tunnel_loops::internal::Index> seeds = mesh_.seeds;
+    if(seed == Graph_traits::null_vertex())
+      return seeds;
+    const auto it = std::find(vertices_.begin(), vertices_.end(), seed);
+    if(it == vertices_.end())
+      throw std::invalid_argument("the seed vertex is isolated or not in the mesh");
+    const std::size_t i = it - vertices_.begin();
+    seeds[mesh_.component[i]] = static_cast<Handle_tunnel_loops::internal::Index>(i);
+    return seeds;
+  }
+
+  static void check(const Handle_tunnel_loops::Field_constants& c)
+  {
+    if(!(c.mobility > 0. && c.gradient_coefficient > 0. && c.penalty > 0. &&
+         c.driving_force > c.penalty))
+      throw std::invalid_argument("the field's constants must be positive, and the driving force "
+                                  "must be larger than the penalty");
+    if(!(c.step > 0. && c.step <= 1.))
+      throw std::invalid_argument("the field's time step must be in (0, 1]");
+  }
+
+  std::vector<Pair>
+  converted(const std::vector<Handle_tunnel_loops::internal::Flat_pair>& flat_pairs) const
+  {
+    using namespace Handle_tunnel_loops;
+    namespace impl = Handle_tunnel_loops::internal;
+    const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(
+        tm_, point_, traits_, mesh_, vertices_);
+    std::vector<Pair> pairs;
+    pairs.reserve(flat_pairs.size());
+    for(std::size_t i = 0; i < flat_pairs.size(); ++i)
+      pairs.emplace_back(convert(flat_pairs[i].handle, Loop_type::HANDLE, i),
+                         convert(flat_pairs[i].tunnel, Loop_type::TUNNEL, i));
+    return pairs;
+  }
+
+  template <typename NamedParameters>
+  void certify(const std::vector<Pair>& pairs, const NamedParameters& np,
+               Handle_tunnel_loops::internal::Progress& progress) const
+  {
+    using namespace Handle_tunnel_loops;
+    progress.start(Stage::CERTIFICATE);
+    if(mesh_.genus != 0 || !pairs.empty()) {
+      const Certificate certificate = CGAL::certify_handle_tunnel_loops(tm_, pairs, np);
+      if(!certificate)
+        throw Uncertified_loops_exception("the loops found fail their certificate: " +
+                                          certificate.failure);
+    }
+    progress.end(Stage::CERTIFICATE);
+  }
+
+  const TriangleMesh& tm_;
+  Vertex_point_map point_;
+  Geom_traits traits_;
+  Handle_tunnel_loops::internal::Flat_mesh mesh_;
+  std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
+  Handle_tunnel_loops::Statistics statistics_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_SOLVER_H
