@@ -37,11 +37,13 @@ class Crossing_index
 public:
   Crossing_index(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
     : begin_(mesh.number_of_vertices() + 1, 0)
+    , has_crossing_(mesh.number_of_vertices(), 0)
   {
     for(const Crossing_loop& loop : loops)
       for(const Crossing& c : loop) {
         ++begin_[c.left];
         ++begin_[c.right];
+        has_crossing_[c.left] = has_crossing_[c.right] = 1;
       }
     Index sum = 0;
     for(Index& b : begin_) {
@@ -57,22 +59,13 @@ public:
       }
   }
 
-  bool has_crossing(Index v) const { return begin_[v] != begin_[v + 1]; }
+  bool has_crossing(Index v) const { return has_crossing_[v] != 0; }
 
-  /// whether the edge u - v is crossed by a loop with number in [first, last).
-  bool is_crossed(Index u, Index v, Index first, Index last) const
+  /// whether the edge u - v is crossed by one of the given loops.
+  template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const
   {
-    for(auto it = lower_bound(u, first); it != end(u) && it->loop < last; ++it)
-      if(it->other == v)
-        return true;
-    return false;
-  }
-
-  /// whether `v` lies immediately to the right of the loop.
-  bool is_on_right(Index v, Index loop) const
-  {
-    for(auto it = lower_bound(v, loop); it != end(v) && it->loop == loop; ++it)
-      if(it->sign < 0)
+    for(auto it = begin(u); it != end(u); ++it)
+      if(it->other == v && loops.contains(it->loop))
         return true;
     return false;
   }
@@ -113,11 +106,6 @@ private:
 
   Iterator begin(Index v) const { return entries_.begin() + begin_[v]; }
   Iterator end(Index v) const { return entries_.begin() + begin_[v + 1]; }
-  Iterator lower_bound(Index v, Index loop) const
-  {
-    return std::lower_bound(begin(v), end(v), loop,
-                            [](const Entry& e, Index number) { return e.loop < number; });
-  }
 
   static Sparse_numbers without_zeros(Sparse_numbers numbers)
   {
@@ -126,25 +114,45 @@ private:
     return numbers;
   }
 
-  std::vector<Index> begin_; // by vertex
+  std::vector<Index> begin_;               // by vertex
+  std::vector<std::uint8_t> has_crossing_; // by vertex; what is asked most often, in least memory
   std::vector<Entry> entries_;
 };
 
-/// The loops with numbers in [first, last) as walls of a field.
+/// The loops with numbers from `first` on.
+struct Loops_from
+{
+  Index first;
+
+  bool contains(Index loop) const { return loop >= first; }
+};
+
+/// A few loops, by number.
+struct Listed_loops
+{
+  std::vector<Index> numbers;
+
+  bool contains(Index loop) const
+  {
+    return std::find(numbers.begin(), numbers.end(), loop) != numbers.end();
+  }
+};
+
+/// Loops as walls of a field.
+template <typename Loop_set>
 class Loop_walls
 {
 public:
-  Loop_walls(const Crossing_index& index, Index first, Index last)
+  Loop_walls(const Crossing_index& index, const Loop_set& loops)
     : index_(index)
-    , first_(first)
-    , last_(last) {}
+    , loops_(loops) {}
 
   bool may_have_wall(Index v) const { return index_.has_crossing(v); }
-  bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, first_, last_); }
+  bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, loops_); }
 
 private:
   const Crossing_index& index_;
-  Index first_, last_;
+  const Loop_set& loops_;
 };
 
 } // namespace internal

@@ -39,18 +39,21 @@ public:
     while(!row.empty()) {
       const std::size_t column = row.begin()->first;
       Row& pivot = rows_[column];
-      if(pivot.empty()) {
-        pivot = std::move(row);
-        return;
-      }
+      number_of_units_ -= is_unit(pivot);
+      if(pivot.empty())
+        std::swap(row, pivot);
       // Euclid's algorithm on the leading entries.
       while(!row.empty() && row.begin()->first == column) {
         subtract_multiple(row, Integer(row.begin()->second / pivot.begin()->second), pivot);
         if(!row.empty() && row.begin()->first == column)
           std::swap(row, pivot);
       }
+      number_of_units_ += is_unit(pivot);
     }
   }
+
+  /// whether the lattice is that of all integer vectors.
+  bool is_full() const { return number_of_units_ == rows_.size(); }
 
   /// the index of the lattice in the lattice of all integer vectors, 0 if that is infinite.
   Integer index() const
@@ -61,17 +64,21 @@ public:
     return product;
   }
 
-  /// the columns whose pivot is not 1 or -1.
-  std::vector<std::size_t> defective_columns() const
+  /// the first column in which the rows do not reach 1; the dimension if there is none.
+  std::size_t first_defect() const
   {
-    std::vector<std::size_t> columns;
-    for(std::size_t i = 0; i < rows_.size(); ++i)
-      if(rows_[i].empty() || abs(rows_[i].begin()->second) != 1)
-        columns.push_back(i);
-    return columns;
+    std::size_t column = 0;
+    while(column < rows_.size() && is_unit(rows_[column]))
+      ++column;
+    return column;
   }
 
 private:
+  static bool is_unit(const Row& row)
+  {
+    return !row.empty() && (row.begin()->second == 1 || row.begin()->second == -1);
+  }
+
   static void subtract_multiple(Row& row, const Integer& factor, const Row& other)
   {
     if(factor == 0)
@@ -85,6 +92,7 @@ private:
   }
 
   std::vector<Row> rows_; // by leading column
+  std::size_t number_of_units_ = 0;
 };
 
 } // namespace internal

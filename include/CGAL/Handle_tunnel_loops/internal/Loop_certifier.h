@@ -24,6 +24,7 @@
 #include <iterator>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -336,10 +337,31 @@ private:
 
   // ---- the intersection numbers span all integer vectors
 
+  // Edges along which the same loops run between the same pieces have the same vector.
+  bool is_before(const Used_edge& a, const Used_edge& b) const
+  {
+    const auto sizes_and_pieces = [](const Used_edge& e) {
+      return std::make_tuple(e.last - e.first, e.left, e.right);
+    };
+    if(sizes_and_pieces(a) != sizes_and_pieces(b))
+      return sizes_and_pieces(a) < sizes_and_pieces(b);
+    return std::lexicographical_compare(
+        chains_.begin() + a.first, chains_.begin() + a.last, chains_.begin() + b.first,
+        chains_.begin() + b.last, [](const Chain_entry& x, const Chain_entry& y) {
+          return std::tie(x.loop, x.value) < std::tie(y.loop, y.value);
+        });
+  }
+
   bool span_everything()
   {
+    std::vector<Used_edge> edges = used_edges_;
+    std::sort(edges.begin(), edges.end(),
+              [this](const Used_edge& a, const Used_edge& b) { return is_before(a, b); });
     std::vector<Row> rows;
-    for(const Used_edge& e : used_edges_) {
+    for(std::size_t i = 0; i < edges.size(); ++i) {
+      if(i != 0 && !is_before(edges[i - 1], edges[i]))
+        continue;
+      const Used_edge& e = edges[i];
       Row row;
       add_edge(e, 1, row);
       for(const auto& [column, value] : potential_.at(e.left))
@@ -355,13 +377,12 @@ private:
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
 
     Integer_lattice lattice(number_of_loops_);
-    for(Row& row : rows)
-      lattice.add(std::move(row));
-    const std::vector<std::size_t> defects = lattice.defective_columns();
-    if(defects.empty())
+    for(auto row = rows.begin(); row != rows.end() && !lattice.is_full(); ++row)
+      lattice.add(std::move(*row));
+    if(lattice.is_full())
       return true;
     return fail("the loops are no basis of the first homology group: their classes have determinant " +
-                lattice.index().str() + "; loop " + std::to_string(defects.front()) +
+                lattice.index().str() + "; loop " + std::to_string(lattice.first_defect()) +
                 " depends on the others");
   }
 

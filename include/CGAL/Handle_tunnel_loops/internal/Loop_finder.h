@@ -57,20 +57,21 @@ public:
     , options_(options)
     , coefficients_(step_coefficients(options.constants))
     , progress_(progress)
-    , speed_(mesh.number_of_vertices(), 1.f) {}
+    , stencils_(execution_, mesh) {}
 
   /// paper, 4.1: the arrival times of one field over the whole mesh, and the handles read off them.
   void initial_pass()
   {
     progress_.start(Stage::INITIAL);
-    Narrow_band band(mesh_, speed_, coefficients_);
+    Narrow_band band(mesh_, stencils_, coefficients_);
     sweep(band);
     time_ = std::move(band.times());
     sweep_handles_ = find_sweep_handles(execution_, mesh_, Arrival_order(time_));
     handles_.resize(sweep_handles_.size());
+    is_refined_.assign(sweep_handles_.size(), 0);
     for_each_index(execution_, handles_.size(), [&](std::size_t k) {
       handles_[k] = sweep_handles_[k].loop;
-      tighten(handles_[k]);
+      tighten(handles_[k], few_rounds);
     }, 1);
     progress_.end(Stage::INITIAL);
   }
@@ -84,14 +85,13 @@ public:
       contours[k] = std::move(sweep_handles_[k].loop);
     contour_index_ = std::make_unique<Crossing_index>(mesh_, contours);
     const Crossing_index& index = *contour_index_;
-    const Index g = static_cast<Index>(contours.size());
-    std::vector<char> is_from_sweep(g, 0);
-    tunnels_.resize(g);
-    for_each_loop([&](Loop_pass& pass, Index k) {
-      const std::vector<Index> walk = pass.dual_walk(contours[k], k, g, index);
-      is_from_sweep[k] = walk.empty();
-      tunnels_[k] = walk.empty() ? sweep_tunnel(mesh_, Arrival_order(time_), sweep_handles_[k])
-                                 : pushed_left(mesh_, walk);
+    std::vector<char> is_from_sweep(contours.size(), 0);
+    tunnels_.resize(contours.size());
+    for_each_loop(all_numbers(), [&](Loop_pass& pass, Index k) {
+      const auto walks = pass.dual_walks(contours[k], k, Loops_from{k}, index, Loop_pass::Limits());
+      is_from_sweep[k] = walks.empty();
+      tunnels_[k] = walks.empty() ? sweep_tunnel(mesh_, Arrival_order(time_), sweep_handles_[k])
+                                  : pushed_left(mesh_, walks.front());
       tighten(tunnels_[k]);
     });
     statistics.kept_sweep_tunnels =
@@ -100,27 +100,31 @@ public:
   }
 
   /// paper, 4.3: for each tunnel the way from its left side around to its right side, which becomes
-  /// the handle if it is shorter and the loops remain a basis.
+  /// the handle if it is shorter and the loops remain a basis. Where they would not, because the tunnels
+  /// of several pairs led to one handle, the next best way is tried.
   void refinement_pass(Statistics& statistics)
   {
     progress_.start(Stage::REFINE);
     const Crossing_index index(mesh_, tunnels_);
-    const Index g = static_cast<Index>(tunnels_.size());
-    std::vector<Crossing_loop> refined(g);
-    for_each_loop([&](Loop_pass& pass, Index k) {
-      const std::vector<Index> walk = pass.dual_walk(tunnels_[k], k, k + 1, index);
-      if(walk.empty())
-        return;
-      refined[k] = pushed_left(mesh_, walk);
-      tighten(refined[k]);
+    std::vector<std::vector<Crossing_loop>> candidates(tunnels_.size());
+    std::vector<Index> open = all_numbers();
+    for_each_loop(open, [&](Loop_pass& pass, Index k) {
+      const Loop_pass::Limits limits = {number_of_candidates, steps_along(handles_[k])};
+      for(const auto& walk :
+          pass.dual_walks(tunnels_[k], k, Listed_loops{{k}}, index, limits))
+        candidates[k].push_back(pushed_left(mesh_, walk));
     });
-    statistics.kept_sweep_handles = replace_handles(refined, index);
+    Refinement_choice choice(tunnels_, *contour_index_, index);
+    for(std::size_t i = 0; i < number_of_candidates && !open.empty(); ++i)
+      open = replace_handles(open, i, candidates, choice);
+    statistics.kept_sweep_handles = open.size();
     progress_.end(Stage::REFINE);
   }
 
   std::vector<Flat_pair> classified_pairs()
   {
     progress_.start(Stage::CLASSIFY);
+    finish_contours();
     const Offset_classifier classifier(execution_, mesh_);
     std::vector<Flat_pair> pairs(handles_.size());
     for_each_index(execution_, pairs.size(), [&](std::size_t k) {
@@ -133,13 +137,22 @@ public:
   }
 
 private:
+  // Handles that are still contours of the sweep have been tightened only a little.
+  void finish_contours()
+  {
+    for_each_index(execution_, handles_.size(), [&](std::size_t k) {
+      if(!is_refined_[k])
+        tighten(handles_[k]);
+    }, 1);
+  }
+
   void sweep(Narrow_band& band)
   {
     const No_walls walls;
     for(Index seed : seeds_) {
-      band.add_source(seed, 0, walls);
+      band.add_source(seed, 0);
       for(Index u : mesh_.ring(seed))
-        band.add_source(u, 1, walls);
+        band.add_source(u, 1);
     }
     band.start(walls);
     const std::size_t n = mesh_.number_of_vertices();
@@ -148,49 +161,77 @@ private:
         progress_.advance(double(band.number_of_reached()) / double(n));
   }
 
-  void tighten(Crossing_loop& loop) const
+  // How many refinements of a handle are tried.
+  static constexpr std::size_t number_of_candidates = 6;
+
+  // Most contours are replaced in the refinement pass; until then it is enough to know about how long they
+  // will be.
+  static constexpr int few_rounds = 8;
+
+  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 200) const
   {
     if(options_.do_tighten)
-      Loop_tightening(mesh_).tighten(loop);
+      Loop_tightening(mesh_).tighten(loop, maximum_number_of_rounds);
   }
 
-  template <typename Function> void for_each_loop(const Function& f)
+  /// calls `f(pass, k)` for all k in \p numbers, with a workspace that no other call has.
+  template <typename Function>
+  void for_each_loop(const std::vector<Index>& numbers, const Function& f)
   {
     Worker_pool<Loop_pass> passes([&] {
-      return std::make_unique<Loop_pass>(mesh_, speed_, coefficients_);
+      return std::make_unique<Loop_pass>(mesh_, stencils_, coefficients_);
     });
-    for_each_index(execution_, sweep_handles_.size(), [&](std::size_t k) {
+    for_each_index(execution_, numbers.size(), [&](std::size_t i) {
       if(progress_.is_interrupted())
         return;
       auto pass = passes.borrow();
-      f(*pass, static_cast<Index>(k));
-      progress_.advance_one(sweep_handles_.size());
+      f(*pass, numbers[i]);
+      progress_.advance_one(numbers.size());
     }, 1);
     progress_.throw_if_interrupted();
   }
 
-  // Returns how many handles had to be kept although their refinements are shorter.
-  std::size_t replace_handles(std::vector<Crossing_loop>& refined,
-                              const Crossing_index& tunnel_index)
+  // A number of steps in which two fronts together go farther than the loop is long: each passes an edge
+  // length in four steps, and a taut loop crosses two edges on it.
+  static Time steps_along(const Crossing_loop& loop)
   {
-    const Index g = static_cast<Index>(refined.size());
-    std::vector<std::pair<double, Index>> gains;
-    for(Index k = 0; k < g; ++k) {
-      const double gain = length(mesh_, handles_[k]) - length(mesh_, refined[k]);
-      if(!refined[k].empty() && gain > 0.)
-        gains.emplace_back(-gain, k);
-    }
-    std::sort(gains.begin(), gains.end());
-    Refinement_choice choice(tunnels_, *contour_index_, tunnel_index);
-    std::size_t number_of_kept = 0;
-    for(const auto& gain_and_handle : gains) {
-      const Index k = gain_and_handle.second;
-      if(choice.accept(k, refined[k]))
-        handles_[k] = std::move(refined[k]);
+    return static_cast<Time>(16 + loop.size() * 3 / 4);
+  }
+
+  // Tries candidate i of the given handles, the largest gains first. Returns the handles that had to be
+  // kept although the candidate is shorter.
+  std::vector<Index> replace_handles(const std::vector<Index>& numbers, std::size_t i,
+                                     std::vector<std::vector<Crossing_loop>>& candidates,
+                                     Refinement_choice& choice)
+  {
+    std::vector<double> gain(candidates.size(), 0.);
+    for_each_index(execution_, numbers.size(), [&](std::size_t j) {
+      const Index k = numbers[j];
+      if(i >= candidates[k].size())
+        return;
+      tighten(candidates[k][i]);
+      gain[k] = length(mesh_, handles_[k]) - length(mesh_, candidates[k][i]);
+    }, 1);
+    std::vector<Index> order = numbers;
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return gain[a] > gain[b]; });
+    std::vector<Index> kept;
+    for(Index k : order) {
+      if(gain[k] <= 0.)
+        continue;
+      is_refined_[k] = choice.accept(k, candidates[k][i]);
+      if(is_refined_[k])
+        handles_[k] = std::move(candidates[k][i]);
       else
-        ++number_of_kept;
+        kept.push_back(k);
     }
-    return number_of_kept;
+    return kept;
+  }
+
+  std::vector<Index> all_numbers() const
+  {
+    std::vector<Index> numbers(sweep_handles_.size());
+    std::iota(numbers.begin(), numbers.end(), Index(0));
+    return numbers;
   }
 
   const Flat_mesh& mesh_;
@@ -199,10 +240,11 @@ private:
   Step_coefficients coefficients_;
   Progress& progress_;
   Execution execution_;
-  std::vector<float> speed_;
+  Stencils stencils_;
   std::vector<Time> time_;
   std::vector<Sweep_handle> sweep_handles_;
   std::vector<Crossing_loop> handles_, tunnels_;
+  std::vector<char> is_refined_; // by handle
   std::unique_ptr<Crossing_index> contour_index_;
 };
 

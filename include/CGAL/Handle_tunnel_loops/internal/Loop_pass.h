@@ -15,8 +15,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/Narrow_band.h>
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -24,55 +25,84 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /*!
-The operation behind the tunnel pass and the refinement pass (paper, 4.2 and 4.3): diffuse from the
-left side of a loop, across no wall, until a vertex on its right side is reached; go back from there to
-the left side, each vertex followed by the neighbour that was reached first; along the left side to where
-the vertex is, the short way; and across the loop.
+The operation behind the tunnel pass and the refinement pass (paper, 4.2 and 4.3): find the way from the
+left side of a loop around to its right side that crosses no wall, and close it across the loop.
+
+The paper lets a field grow from one side until it reaches the other. Here it grows from both sides until
+the two fronts meet: the way is as short, and the fronts cover a fraction of the region where surfaces
+branch. From where they meet the way goes back to either side, each vertex followed by the neighbour that
+was reached first, then across the loop, and along its left side, the short way, to where it began.
 
 The result crosses the loop once and no other wall, counted with sign. This is checked in integers for
-every candidate; on meshes so coarse that an edge is crossed by several walls, the first vertex reached
-may fail, and the next one is waited for.
+every candidate; on meshes so coarse that an edge is crossed by several walls, the first meeting may fail,
+and the next one is waited for.
 */
 class Loop_pass
 {
 public:
-  Loop_pass(const Flat_mesh& mesh, const std::vector<float>& speed, const Step_coefficients& k)
+  Loop_pass(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k)
     : mesh_(mesh)
-    , band_(mesh, speed, k) {}
+    , band_(mesh, stencils, k) {}
 
-  /// returns a closed walk on the edges, empty if there is none; `number` is that of `loop` in
-  /// `index`, and loops `number` to `last - 1` are walls.
-  std::vector<Index> dual_walk(const Crossing_loop& loop, Index number, Index last,
-                               const Crossing_index& index)
+  /// How long to search.
+  struct Limits
   {
-    const Loop_walls walls(index, number, last);
-    set_up(loop, walls);
-    std::vector<Index> walk;
-    std::vector<Index> reached;
-    for(const Crossing& c : loop)
-      if(band_.time(c.right) != never)
-        reached.push_back(c.right);
+    std::size_t number_of_walks = 1; ///< stop when so many are found
+    Time number_of_steps = never;    ///< stop after so many steps
+  };
+
+  /// returns closed walks on the edges, the shortest first as far as the fronts can tell; `number` is that
+  /// of `loop` in `index`, and is among the `barred` ones, which are walls. Where the fronts meet in
+  /// several places, as behind each of several branches of the surface, there is a walk for each; the
+  /// search ends a third later than the first was found.
+  template <typename Loop_set>
+  std::vector<std::vector<Index>> dual_walks(const Crossing_loop& loop, Index number,
+                                             const Loop_set& barred, const Crossing_index& index,
+                                             const Limits& limits)
+  {
+    const Loop_walls<Loop_set> walls(index, barred);
+    measure(loop);
+    start(loop, walls);
+    std::vector<std::vector<Index>> walks;
+    Time last_step = limits.number_of_steps;
     do {
-      for(Index v : reached)
-        if(walk.empty())
-          walk = close(loop, v, number, last, index, walls);
-      reached.clear();
-    } while(walk.empty() && band_.step(walls, [&](Index v) {
-      if(walls.may_have_wall(v) && index.is_on_right(v, number))
-        reached.push_back(v);
-    }));
+      std::sort(meetings_.begin(), meetings_.end());
+      for(const Meeting& meeting : meetings_) {
+        if(walks.size() == limits.number_of_walks || continues_a_meeting(meeting))
+          continue;
+        std::vector<Index> walk = close(loop, meeting, walls);
+        if(!is_dual(index.intersections(walk), number, barred))
+          continue;
+        mark(meeting);
+        if(walks.empty())
+          last_step = (std::min)(last_step, band_.number_of_steps() * 4 / 3 + 1);
+        walks.push_back(std::move(walk));
+      }
+      meetings_.clear();
+    } while(walks.size() < limits.number_of_walks && band_.number_of_steps() < last_step &&
+            band_.step(walls, [&](Index v) { note_meetings(v, walls); }));
     band_.reset();
-    return walk;
+    return walks;
   }
 
   std::size_t number_of_updates() const { return band_.number_of_updates(); }
 
 private:
-  void set_up(const Crossing_loop& loop, const Loop_walls& walls)
+  // An edge, or one vertex, at which what was reached from the left meets what was reached from the
+  // right.
+  struct Meeting
   {
-    for(const Crossing& c : loop)
-      band_.add_source(c.left, 0, walls);
-    band_.start(walls);
+    std::uint64_t time; // on both ways together
+    Index left, right;
+
+    bool operator<(const Meeting& other) const
+    {
+      return std::tie(time, left, right) < std::tie(other.time, other.left, other.right);
+    }
+  };
+
+  void measure(const Crossing_loop& loop)
+  {
     along_.resize(loop.size() + 1);
     along_[0] = 0.;
     for(std::size_t i = 0; i < loop.size(); ++i) {
@@ -81,44 +111,116 @@ private:
     }
   }
 
-  std::vector<Index> close(const Crossing_loop& loop, Index v, Index number, Index last,
-                           const Crossing_index& index, const Loop_walls& walls) const
+  template <typename Walls> void start(const Crossing_loop& loop, const Walls& walls)
   {
-    const std::vector<Index> back = way_back(v, walls);
-    for(std::size_t to = 0; to < loop.size(); ++to) {
-      if(loop[to].right != v)
-        continue;
-      std::vector<Index> walk = back;
-      append_along(loop, nearest_place(loop, back.back(), to), to, walk);
-      remove_spurs(walk);
-      if(is_dual(index.intersections(walk), number, last))
-        return walk;
+    meetings_.clear();
+    for(const Crossing& c : loop)
+      band_.add_source(c.left, 0, Side::LEFT);
+    for(const Crossing& c : loop)
+      if(band_.is_reached(c.right) && band_.side(c.right) == Side::LEFT)
+        meetings_.push_back({0, c.right, c.right});
+      else
+        band_.add_source(c.right, 0, Side::RIGHT);
+    for(const Crossing& c : loop)
+      if(band_.side(c.right) == Side::RIGHT)
+        note_meetings(c.right, walls);
+    band_.start(walls);
+  }
+
+  template <typename Walls> void note_meetings(Index v, const Walls& walls)
+  {
+    const bool near_wall = walls.may_have_wall(v);
+    const Side side = band_.side(v);
+    for(Index u : mesh_.ring(v))
+      if(band_.is_reached(u) && band_.side(u) != side && !(near_wall && walls.is_wall(v, u))) {
+        const std::uint64_t time = std::uint64_t(band_.time(u)) + band_.time(v);
+        meetings_.push_back(side == Side::RIGHT ? Meeting{time, u, v} : Meeting{time, v, u});
+      }
+  }
+
+  // Once the fronts have met in one place, they go on meeting beside it.
+  bool continues_a_meeting(const Meeting& meeting)
+  {
+    for(Index v : {meeting.left, meeting.right}) {
+      bool is_marked = band_.is_marked(v);
+      for(Index u : mesh_.ring(v))
+        is_marked = is_marked || band_.is_marked(u);
+      if(is_marked) {
+        mark(meeting);
+        return true;
+      }
     }
-    return {};
+    return false;
   }
 
-  static bool is_dual(const Sparse_numbers& numbers, Index number, Index last)
+  void mark(const Meeting& meeting)
   {
-    auto it = numbers.lower_bound(number);
-    if(it == numbers.end() || it->first != number || std::abs(it->second) != 1)
-      return false;
-    ++it;
-    return it == numbers.end() || it->first >= last;
+    band_.mark(meeting.left);
+    band_.mark(meeting.right);
   }
 
-  std::vector<Index> way_back(Index v, const Loop_walls& walls) const
+  template <typename Walls>
+  std::vector<Index> close(const Crossing_loop& loop, const Meeting& meeting,
+                           const Walls& walls) const
+  {
+    std::vector<Index> walk = way_back(meeting.right, walls);
+    std::reverse(walk.begin(), walk.end());
+    const std::vector<Index> to_left = way_back(meeting.left, walls);
+    walk.insert(walk.end(), to_left.begin(), to_left.end());
+    append_along(loop, walk.back(), walk.front(), walk);
+    remove_spurs(walk);
+    return walk;
+  }
+
+  // Whether loop `number` is crossed once, and no other wall.
+  template <typename Loop_set>
+  static bool is_dual(const Sparse_numbers& numbers, Index number, const Loop_set& barred)
+  {
+    bool is_crossed_once = false;
+    for(const auto& [loop, count] : numbers)
+      if(loop == number)
+        is_crossed_once = std::abs(count) == 1;
+      else if(barred.contains(loop))
+        return false;
+    return is_crossed_once;
+  }
+
+  // From `v` to a source.
+  template <typename Walls> std::vector<Index> way_back(Index v, const Walls& walls) const
   {
     std::vector<Index> walk(1, v);
     while(band_.time(v) != 0) {
       const bool near_wall = walls.may_have_wall(v);
       Index first = v;
       for(Index u : mesh_.ring(v))
-        if(band_.time(u) < band_.time(first) && !(near_wall && walls.is_wall(v, u)))
+        if(band_.time(u) < band_.time(first) && band_.side(u) == band_.side(v) &&
+           !(near_wall && walls.is_wall(v, u)))
           first = u;
       v = first;
       walk.push_back(v);
     }
     return walk;
+  }
+
+  // Goes on from `left`, a vertex on the left side, along that side to beside `right`.
+  void append_along(const Crossing_loop& loop, Index left, Index right,
+                    std::vector<Index>& walk) const
+  {
+    std::vector<std::size_t> starts, ends;
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      if(loop[i].left == left)
+        starts.push_back(i);
+      if(loop[i].right == right)
+        ends.push_back(i);
+    }
+    std::size_t from = starts.front(), to = ends.front();
+    for(std::size_t i : starts)
+      for(std::size_t j : ends)
+        if(distance_along(i, j) < distance_along(from, to)) {
+          from = i;
+          to = j;
+        }
+    append_the_short_way(loop, from, to, walk);
   }
 
   double distance_along(std::size_t i, std::size_t j) const
@@ -127,18 +229,8 @@ private:
     return (std::min)(d, along_.back() - d);
   }
 
-  std::size_t nearest_place(const Crossing_loop& loop, Index left, std::size_t to) const
-  {
-    std::size_t nearest = loop.size();
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      if(loop[i].left == left &&
-         (nearest == loop.size() || distance_along(i, to) < distance_along(nearest, to)))
-        nearest = i;
-    return nearest;
-  }
-
-  void append_along(const Crossing_loop& loop, std::size_t from, std::size_t to,
-                    std::vector<Index>& walk) const
+  void append_the_short_way(const Crossing_loop& loop, std::size_t from, std::size_t to,
+                            std::vector<Index>& walk) const
   {
     const std::size_t n = loop.size();
     const double forward = along_[to] - along_[from] + (to < from ? along_.back() : 0.);
@@ -151,6 +243,7 @@ private:
 
   const Flat_mesh& mesh_;
   Narrow_band band_;
+  std::vector<Meeting> meetings_;
   std::vector<double> along_; // length of the left side up to each crossing
 };
 

@@ -13,11 +13,12 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/Stencils.h>
 #include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -27,13 +28,16 @@ namespace internal {
 /// No wall anywhere.
 struct No_walls
 {
-  static bool may_have_wall(Index) { return false; }
-  static bool is_wall(Index, Index) { return false; }
+  static constexpr bool may_have_wall(Index) { return false; }
+  static constexpr bool is_wall(Index, Index) { return false; }
 };
+
+/// Where a front comes from, if there are two.
+enum class Side : std::uint8_t { LEFT, RIGHT };
 
 /*!
 The single-layer field in a narrow band: explicit Euler steps on the vertices where the field may
-change, and the time at which each vertex was reached.
+change, and the time at which each vertex was reached, and from which side.
 
 A vertex counts as reached when its value has passed the threshold *and* a neighbour was reached in
 an earlier step. Hence every vertex that is no source has an earlier neighbour, and the arrival time
@@ -44,27 +48,32 @@ The object can be used again and again; `reset()` costs as much as the region th
 class Narrow_band
 {
 public:
-  Narrow_band(const Flat_mesh& mesh, const std::vector<float>& speed, const Step_coefficients& k)
+  Narrow_band(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k)
     : mesh_(mesh)
-    , speed_(speed)
+    , stencils_(stencils)
     , coefficients_(k)
-    , value_(mesh.number_of_vertices(), 0.f)
+    , value_(mesh.number_of_vertices() + 1, 0.f)
     , time_(mesh.number_of_vertices(), never)
-    , is_active_(mesh.number_of_vertices(), 0) {}
-
-  /// makes `v` a source: its value is one for ever.
-  template <typename Walls> void add_source(Index v, Time time, const Walls& walls)
+    , state_(mesh.number_of_vertices(), 0)
+    , band_(new Index[mesh.number_of_vertices() + 1])
+    , touched_(new Index[mesh.number_of_vertices() + 1])
+    , next_(new float[mesh.number_of_vertices()])
   {
-    if(value_[v] == 1.f)
+    for(Index v = 0; v < state_.size(); ++v)
+      if(mesh.ring(v).size() > Stencils::width)
+        state_[v] = long_row;
+  }
+
+  /// makes `v` a source, unless it is one already: its value is one for ever.
+  void add_source(Index v, Time time, Side side = Side::LEFT)
+  {
+    if(state_[v] & fixed)
       return;
-    if(!is_active_[v])
-      touch(v);
-    is_active_[v] = 2; // no longer updated, even if it is in the band already
-    value_[v] = 1.f;
-    time_[v] = time;
-    ++number_of_reached_;
+    touched_[number_of_touched_++] = v;
     sources_.push_back(v);
-    (void)walls;
+    state_[v] |= active | fixed;
+    value_[v] = 1.f;
+    arrive(v, time, side);
   }
 
   /// to be called after the last source was added.
@@ -79,10 +88,10 @@ public:
   /// if there is nothing left to update.
   template <typename Walls, typename Reached> bool step(const Walls& walls, const Reached& reached)
   {
-    if(band_.empty())
+    if(band_size_ == 0 && special_band_.empty())
       return false;
     ++step_;
-    compute(walls);
+    compute();
     const std::size_t reached_before = number_of_reached_;
     commit(walls, reached);
     if(number_of_reached_ != reached_before)
@@ -92,21 +101,30 @@ public:
     return true;
   }
 
+  bool is_reached(Index v) const { return time_[v] != never; }
   Time time(Index v) const { return time_[v]; }
   std::vector<Time>& times() { return time_; }
+  Side side(Index v) const { return state_[v] & right ? Side::RIGHT : Side::LEFT; }
+
+  /// a mark of the caller's on a reached vertex; gone after `reset()`.
+  void mark(Index v) { state_[v] |= marked; }
+  bool is_marked(Index v) const { return (state_[v] & marked) != 0; }
+
   std::size_t number_of_reached() const { return number_of_reached_; }
   std::size_t number_of_updates() const { return number_of_updates_; }
   Time number_of_steps() const { return step_; }
 
   void reset()
   {
-    for(Index v : touched_) {
+    for(std::size_t i = 0; i < number_of_touched_; ++i) {
+      const Index v = touched_[i];
       value_[v] = 0.f;
       time_[v] = never;
-      is_active_[v] = 0;
+      state_[v] &= long_row;
     }
-    touched_.clear();
-    band_.clear();
+    number_of_touched_ = band_size_ = 0;
+    special_band_.clear();
+    special_rows_.clear();
     sources_.clear();
     step_ = last_progress_ = 0;
     number_of_reached_ = 0;
@@ -116,84 +134,127 @@ private:
   // A front that moves at all passes a vertex in far fewer steps.
   static constexpr Time patience = 64;
 
-  void touch(Index v)
+  // The states of a vertex: in the band now or before; not to be updated; reached from the right; having
+  // more neighbours than a stencil has room for; marked by the caller.
+  static constexpr std::uint8_t active = 1, fixed = 2, right = 4, long_row = 8, marked = 16;
+
+  // A vertex of the band that does not use its stencil, because there is a wall beside it or because its
+  // row is too long, and its neighbours, in `special_rows_`.
+  struct Special
   {
-    is_active_[v] = 1;
-    touched_.push_back(v);
+    Index vertex;
+    std::size_t begin, end;
+  };
+
+  void arrive(Index v, Time time, Side side)
+  {
+    time_[v] = time;
+    if(side == Side::RIGHT)
+      state_[v] |= right;
+    ++number_of_reached_;
   }
 
   template <typename Walls> void activate_neighbors(Index v, const Walls& walls)
   {
     const bool near_wall = walls.may_have_wall(v);
+    for(Index u : mesh_.ring(v)) {
+      if(near_wall && walls.is_wall(v, u))
+        continue;
+      const bool is_special = (state_[u] & long_row) != 0 || walls.may_have_wall(u);
+      const bool is_new = (state_[u] & active) == 0;
+      state_[u] |= active;
+      if(is_special && is_new)
+        append_special(u, walls);
+      // What is written behind the end does not count; this way there is no branch to mispredict.
+      touched_[number_of_touched_] = u;
+      band_[band_size_] = u;
+      number_of_touched_ += is_new;
+      band_size_ += is_new && !is_special;
+    }
+  }
+
+  template <typename Walls> void append_special(Index v, const Walls& walls)
+  {
+    const std::size_t begin = special_rows_.size();
     for(Index u : mesh_.ring(v))
-      if(!is_active_[u] && !(near_wall && walls.is_wall(v, u))) {
-        touch(u);
-        band_.push_back(u);
-      }
+      if(!walls.is_wall(v, u))
+        special_rows_.push_back(u);
+    special_band_.push_back({v, begin, special_rows_.size()});
   }
 
-  template <typename Walls> float mean_of_neighbors(Index v, const Walls& walls) const
+  float mean(const Special& special) const
   {
-    const Ring ring = mesh_.ring(v);
     float sum = 0.f;
-    if(!walls.may_have_wall(v)) {
-      for(Index u : ring)
-        sum += value_[u];
-      return sum / static_cast<float>(ring.size());
-    }
-    int count = 0;
-    for(Index u : ring)
-      if(!walls.is_wall(v, u)) {
-        sum += value_[u];
-        ++count;
-      }
-    return count == 0 ? 0.f : sum / static_cast<float>(count);
+    for(std::size_t i = special.begin; i < special.end; ++i)
+      sum += value_[special_rows_[i]];
+    return sum / static_cast<float>(special.end - special.begin);
   }
 
-  template <typename Walls> void compute(const Walls& walls)
+  void compute()
   {
-    next_.resize(band_.size());
-    number_of_updates_ += band_.size();
-    for(std::size_t i = 0; i < band_.size(); ++i) {
+    number_of_updates_ += band_size_ + special_band_.size();
+    for(std::size_t i = 0; i < band_size_; ++i) {
       const Index v = band_[i];
-      next_[i] = stepped_value(value_[v], mean_of_neighbors(v, walls), speed_[v], coefficients_);
+      next_[i] = stepped_value(value_[v], stencils_.mean(v, value_.data()), coefficients_);
     }
+    next_special_.clear();
+    for(const Special& special : special_band_)
+      next_special_.push_back(stepped_value(value_[special.vertex], mean(special), coefficients_));
   }
 
   template <typename Walls, typename Reached>
   void commit(const Walls& walls, const Reached& reached)
   {
-    const std::size_t size = band_.size();
+    // What is activated meanwhile goes behind the old band.
+    const std::size_t size = band_size_, special_size = special_band_.size();
     std::size_t kept = 0;
     for(std::size_t i = 0; i < size; ++i) {
       const Index v = band_[i];
-      if(is_active_[v] == 2)
-        continue;
-      const float before = value_[v], after = next_[i];
-      value_[v] = after;
-      if(after >= front_threshold && time_[v] == never && has_earlier_neighbor(v, walls)) {
-        time_[v] = crossing_time(before, after, step_);
-        ++number_of_reached_;
-        reached(v);
-      }
-      if(before == 0.f && after > 0.f)
-        activate_neighbors(v, walls);
-      if(after < 1.f || time_[v] == never)
-        band_[kept++] = v;
+      band_[kept] = v;
+      kept += settle(v, next_[i], walls, reached);
     }
-    // What was activated meanwhile stands behind the old band.
-    kept = std::copy(band_.begin() + size, band_.end(), band_.begin() + kept) - band_.begin();
-    band_.resize(kept);
+    band_size_ = std::copy(band_.get() + size, band_.get() + band_size_, band_.get() + kept) -
+                 band_.get();
+
+    kept = 0;
+    for(std::size_t i = 0; i < special_size; ++i) {
+      const Special special = special_band_[i];
+      special_band_[kept] = special;
+      kept += settle(special.vertex, next_special_[i], walls, reached);
+    }
+    special_band_.erase(special_band_.begin() + kept, special_band_.begin() + special_size);
   }
 
-  template <typename Walls> bool has_earlier_neighbor(Index v, const Walls& walls) const
+  /// gives a vertex its new value, and says whether it may still change.
+  template <typename Walls, typename Reached>
+  bool settle(Index v, float after, const Walls& walls, const Reached& reached)
   {
-    const Time now = (step_ - 1) * ticks_per_step;
+    if(state_[v] & fixed)
+      return false;
+    const float before = value_[v];
+    value_[v] = after;
+    if(before == 0.f && after > 0.f)
+      activate_neighbors(v, walls);
+    if(after >= front_threshold && !is_reached(v)) {
+      const Index earlier = earliest_neighbor(v, walls);
+      if(earlier != v) {
+        arrive(v, crossing_time(before, after, step_), side(earlier));
+        reached(v);
+      }
+    }
+    return after < 1.f || !is_reached(v);
+  }
+
+  // Among the neighbours reached in earlier steps; `v` itself if there is none.
+  template <typename Walls> Index earliest_neighbor(Index v, const Walls& walls) const
+  {
     const bool near_wall = walls.may_have_wall(v);
+    std::uint64_t earliest = std::uint64_t(step_ - 1) * ticks_per_step << 32 | no_index;
     for(Index u : mesh_.ring(v))
-      if(time_[u] <= now && !(near_wall && walls.is_wall(v, u)))
-        return true;
-    return false;
+      if(!(near_wall && walls.is_wall(v, u)))
+        earliest = (std::min)(earliest, std::uint64_t(time_[u]) << 32 | u);
+    const Index u = static_cast<Index>(earliest);
+    return u == no_index ? v : u;
   }
 
   // On a mesh that is coarser than the front is wide, the front can come to rest: a vertex of high
@@ -201,31 +262,38 @@ private:
   template <typename Walls, typename Reached>
   void push_on(const Walls& walls, const Reached& reached)
   {
-    ++step_;
-    last_progress_ = step_;
-    const std::vector<Index> band = band_;
-    for(Index v : band)
-      if(time_[v] == never && has_earlier_neighbor(v, walls)) {
-        time_[v] = step_ * ticks_per_step;
-        ++number_of_reached_;
-        if(value_[v] == 0.f)
-          activate_neighbors(v, walls);
-        value_[v] = 1.f;
-        is_active_[v] = 2;
-        reached(v);
-      }
+    last_progress_ = ++step_;
+    std::vector<Index> band(band_.get(), band_.get() + band_size_);
+    for(const Special& special : special_band_)
+      band.push_back(special.vertex);
+    for(Index v : band) {
+      const Index earlier = is_reached(v) ? v : earliest_neighbor(v, walls);
+      if(earlier == v)
+        continue;
+      arrive(v, step_ * ticks_per_step, side(earlier));
+      if(value_[v] == 0.f)
+        activate_neighbors(v, walls);
+      value_[v] = 1.f;
+      state_[v] |= fixed;
+      reached(v);
+    }
   }
 
   const Flat_mesh& mesh_;
-  const std::vector<float>& speed_;
+  const Stencils& stencils_;
   Step_coefficients coefficients_;
-  std::vector<float> value_;
+  std::vector<float> value_; // one more than there are vertices, see Stencils
   std::vector<Time> time_;
-  std::vector<std::uint8_t> is_active_;
-  std::vector<Index> band_;
+  std::vector<std::uint8_t> state_;
+  std::unique_ptr<Index[]> band_;    // not initialised: a pass in a small region touches little of it
+  std::unique_ptr<Index[]> touched_;
+  std::unique_ptr<float[]> next_;
+  std::size_t band_size_ = 0;
+  std::size_t number_of_touched_ = 0;
+  std::vector<Special> special_band_;
+  std::vector<Index> special_rows_;
+  std::vector<float> next_special_;
   std::vector<Index> sources_;
-  std::vector<Index> touched_;
-  std::vector<float> next_;
   Time step_ = 0;
   Time last_progress_ = 0;
   std::size_t number_of_reached_ = 0;

@@ -60,8 +60,8 @@ public:
   bool accept(Index k, const Crossing_loop& refined)
   {
     Row row = handle_part(refined);
-    for(std::size_t pivot = first_pivot(row); pivot < accepted_.size(); pivot = first_pivot(row))
-      subtract_multiple(row, accepted_[pivot].first, accepted_[pivot].second);
+    for(std::size_t i = first_pivot(row); i < accepted_.size(); i = first_pivot(row))
+      subtract_multiple(row, accepted_[i].first, accepted_[i].second);
     const auto it = row.find(k);
     if(it == row.end() || (it->second != 1 && it->second != -1))
       return false;

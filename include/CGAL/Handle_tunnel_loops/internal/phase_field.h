@@ -52,14 +52,15 @@ inline Step_coefficients step_coefficients(const Field_constants& c)
           static_cast<float>(factor * c.driving_force), static_cast<float>(factor * c.penalty)};
 }
 
-/// the value after one step; `speed` in (0, 1] slows the field down where edges are long.
-CGAL_HTL_HOST_DEVICE inline float
-stepped_value(float phi, float mean_of_neighbors, float speed, const Step_coefficients& k)
+/// the value after one step.
+CGAL_HTL_HOST_DEVICE inline float stepped_value(float phi, float mean_of_neighbors,
+                                                const Step_coefficients& k)
 {
   const float change = k.diffusion * (mean_of_neighbors - phi) +
                        k.drive * std::sqrt(phi * (1.f - phi)) - k.penalty * (1.f - 2.f * phi);
-  const float value = phi + speed * change;
-  return value < 0.f ? 0.f : (value > 1.f ? 1.f : value);
+  const float value = phi + change;
+  const float positive = value > 0.f ? value : 0.f; // in this form it compiles to no branch
+  return positive < 1.f ? positive : 1.f;
 }
 
 /// Arrival times are integers, so that their order is exact however long a run is.
