@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/Offset_classifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/Pair_reduction.h>
 #include <CGAL/Handle_tunnel_loops/internal/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/Refinement_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/Worker_pool.h>
@@ -124,7 +125,7 @@ public:
   std::vector<Flat_pair> classified_pairs()
   {
     progress_.start(Stage::CLASSIFY);
-    finish_contours();
+    finish_pairs();
     const Offset_classifier classifier(execution_, mesh_);
     std::vector<Flat_pair> pairs(handles_.size());
     for_each_index(execution_, pairs.size(), [&](std::size_t k) {
@@ -138,11 +139,14 @@ public:
 
 private:
   // Handles that are still contours of the sweep have been tightened only a little.
-  void finish_contours()
+  void finish_pairs()
   {
+    if(!options_.do_tighten)
+      return;
     for_each_index(execution_, handles_.size(), [&](std::size_t k) {
       if(!is_refined_[k])
         tighten(handles_[k]);
+      Pair_reduction(mesh_).reduce(handles_[k], tunnels_[k]);
     }, 1);
   }
 
