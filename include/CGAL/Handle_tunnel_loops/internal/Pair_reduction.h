@@ -46,22 +46,31 @@ public:
   }
 
 private:
-  // Enough to see whether it becomes shorter.
-  static constexpr int few_rounds = 10;
-
   bool shorten(Crossing_loop& loop, const Crossing_loop& by)
   {
     const double threshold = 0.99 * length(mesh_, loop);
     for(const bool forward : {true, false}) {
       Crossing_loop sum = pushed_left(mesh_, joined(left_walk(loop), left_walk(by), forward));
-      tightening_.tighten(sum, few_rounds);
-      if(!sum.empty() && length(mesh_, sum) < threshold) {
+      if(!sum.empty() && becomes_shorter(sum, threshold)) {
         tightening_.tighten(sum);
         loop = std::move(sum);
         return true;
       }
     }
     return false;
+  }
+
+  // Tightens a few rounds at a time, as long as the threshold is in sight.
+  bool becomes_shorter(Crossing_loop& loop, double threshold)
+  {
+    double previous = 2. * length(mesh_, loop);
+    double current = 0.5 * previous;
+    while(current >= threshold && current < 0.97 * previous) {
+      tightening_.tighten(loop, 8);
+      previous = current;
+      current = length(mesh_, loop);
+    }
+    return current < threshold;
   }
 
   static std::vector<Index> left_walk(const Crossing_loop& loop)
