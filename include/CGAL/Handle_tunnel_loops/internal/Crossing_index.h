@@ -37,13 +37,11 @@ class Crossing_index
 public:
   Crossing_index(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
     : begin_(mesh.number_of_vertices() + 1, 0)
-    , has_crossing_(mesh.number_of_vertices(), 0)
   {
     for(const Crossing_loop& loop : loops)
       for(const Crossing& c : loop) {
         ++begin_[c.left];
         ++begin_[c.right];
-        has_crossing_[c.left] = has_crossing_[c.right] = 1;
       }
     Index sum = 0;
     for(Index& b : begin_) {
@@ -59,7 +57,7 @@ public:
       }
   }
 
-  bool has_crossing(Index v) const { return has_crossing_[v] != 0; }
+  bool has_crossing(Index v) const { return begin_[v] != begin_[v + 1]; }
 
   /// whether the edge u - v is crossed by one of the given loops.
   template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const
@@ -114,8 +112,7 @@ private:
     return numbers;
   }
 
-  std::vector<Index> begin_;               // by vertex
-  std::vector<std::uint8_t> has_crossing_; // by vertex; what is asked most often, in least memory
+  std::vector<Index> begin_; // by vertex
   std::vector<Entry> entries_;
 };
 
@@ -127,15 +124,12 @@ struct Loops_from
   bool contains(Index loop) const { return loop >= first; }
 };
 
-/// A few loops, by number.
-struct Listed_loops
+/// One loop.
+struct Only_loop
 {
-  std::vector<Index> numbers;
+  Index number;
 
-  bool contains(Index loop) const
-  {
-    return std::find(numbers.begin(), numbers.end(), loop) != numbers.end();
-  }
+  bool contains(Index loop) const { return loop == number; }
 };
 
 /// Loops as walls of a field.
@@ -147,7 +141,6 @@ public:
     : index_(index)
     , loops_(loops) {}
 
-  bool may_have_wall(Index v) const { return index_.has_crossing(v); }
   bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, loops_); }
 
 private:

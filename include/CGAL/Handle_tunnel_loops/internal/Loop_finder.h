@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,7 +65,7 @@ public:
   void initial_pass()
   {
     progress_.start(Stage::INITIAL);
-    Narrow_band band(mesh_, stencils_, coefficients_);
+    Narrow_band band(mesh_, stencils_, coefficients_, [](Index) { return false; });
     sweep(band);
     time_ = std::move(band.times());
     sweep_handles_ = find_sweep_handles(execution_, mesh_, Arrival_order(time_));
@@ -88,8 +89,8 @@ public:
     const Crossing_index& index = *contour_index_;
     std::vector<char> is_from_sweep(contours.size(), 0);
     tunnels_.resize(contours.size());
-    for_each_loop(all_numbers(), [&](Loop_pass& pass, Index k) {
-      const auto walks = pass.dual_walks(contours[k], k, Loops_from{k}, index, Loop_pass::Limits());
+    for_each_loop(index, [&](Loop_pass& pass, Index k) {
+      const auto walks = pass.dual_walks(contours[k], k, Loops_from{k}, Loop_pass::Limits());
       is_from_sweep[k] = walks.empty();
       tunnels_[k] = walks.empty() ? sweep_tunnel(mesh_, Arrival_order(time_), sweep_handles_[k])
                                   : pushed_left(mesh_, walks.front());
@@ -108,14 +109,14 @@ public:
     progress_.start(Stage::REFINE);
     const Crossing_index index(mesh_, tunnels_);
     std::vector<std::vector<Crossing_loop>> candidates(tunnels_.size());
-    std::vector<Index> open = all_numbers();
-    for_each_loop(open, [&](Loop_pass& pass, Index k) {
+    for_each_loop(index, [&](Loop_pass& pass, Index k) {
       const Loop_pass::Limits limits = {number_of_candidates, steps_along(handles_[k])};
-      for(const auto& walk :
-          pass.dual_walks(tunnels_[k], k, Listed_loops{{k}}, index, limits))
+      for(const auto& walk : pass.dual_walks(tunnels_[k], k, Only_loop{k}, limits))
         candidates[k].push_back(pushed_left(mesh_, walk));
     });
     Refinement_choice choice(tunnels_, *contour_index_, index);
+    std::vector<Index> open(tunnels_.size());
+    std::iota(open.begin(), open.end(), Index(0));
     for(std::size_t i = 0; i < number_of_candidates && !open.empty(); ++i)
       open = replace_handles(open, i, candidates, choice);
     statistics.kept_sweep_handles = open.size();
@@ -178,19 +179,19 @@ private:
       Loop_tightening(mesh_).tighten(loop, maximum_number_of_rounds);
   }
 
-  /// calls `f(pass, k)` for all k in \p numbers, with a workspace that no other call has.
-  template <typename Function>
-  void for_each_loop(const std::vector<Index>& numbers, const Function& f)
+  /// calls `f(pass, k)` for the loops k in the index, with a workspace that no other call has.
+  template <typename Function> void for_each_loop(const Crossing_index& index, const Function& f)
   {
+    const std::size_t g = sweep_handles_.size();
     Worker_pool<Loop_pass> passes([&] {
-      return std::make_unique<Loop_pass>(mesh_, stencils_, coefficients_);
+      return std::make_unique<Loop_pass>(mesh_, stencils_, coefficients_, index);
     });
-    for_each_index(execution_, numbers.size(), [&](std::size_t i) {
+    for_each_index(execution_, g, [&](std::size_t k) {
       if(progress_.is_interrupted())
         return;
       auto pass = passes.borrow();
-      f(*pass, numbers[i]);
-      progress_.advance_one(numbers.size());
+      f(*pass, static_cast<Index>(k));
+      progress_.advance_one(g);
     }, 1);
     progress_.throw_if_interrupted();
   }
@@ -209,12 +210,15 @@ private:
                                      Refinement_choice& choice)
   {
     std::vector<double> gain(candidates.size(), 0.);
+    std::vector<std::optional<Refinement_choice::Row>> rows(candidates.size());
     for_each_index(execution_, numbers.size(), [&](std::size_t j) {
       const Index k = numbers[j];
       if(i >= candidates[k].size())
         return;
       tighten(candidates[k][i]);
       gain[k] = length(mesh_, handles_[k]) - length(mesh_, candidates[k][i]);
+      if(gain[k] > 0.)
+        rows[k] = choice.handle_part(candidates[k][i]);
     }, 1);
     std::vector<Index> order = numbers;
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return gain[a] > gain[b]; });
@@ -222,20 +226,13 @@ private:
     for(Index k : order) {
       if(gain[k] <= 0.)
         continue;
-      is_refined_[k] = choice.accept(k, candidates[k][i]);
+      is_refined_[k] = rows[k] && choice.accept(k, *rows[k]);
       if(is_refined_[k])
         handles_[k] = std::move(candidates[k][i]);
       else
         kept.push_back(k);
     }
     return kept;
-  }
-
-  std::vector<Index> all_numbers() const
-  {
-    std::vector<Index> numbers(sweep_handles_.size());
-    std::iota(numbers.begin(), numbers.end(), Index(0));
-    return numbers;
   }
 
   const Flat_mesh& mesh_;

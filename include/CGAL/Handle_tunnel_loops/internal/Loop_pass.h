@@ -40,9 +40,12 @@ and the next one is waited for.
 class Loop_pass
 {
 public:
-  Loop_pass(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k)
+  /// `index` tells where the loops are that can be searched for or barred.
+  Loop_pass(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k,
+            const Crossing_index& index)
     : mesh_(mesh)
-    , band_(mesh, stencils, k) {}
+    , index_(index)
+    , band_(mesh, stencils, k, [&](Index v) { return index.has_crossing(v); }) {}
 
   /// How long to search.
   struct Limits
@@ -52,15 +55,14 @@ public:
   };
 
   /// returns closed walks on the edges, the shortest first as far as the fronts can tell; `number` is that
-  /// of `loop` in `index`, and is among the `barred` ones, which are walls. Where the fronts meet in
+  /// of `loop` in the index, and is among the `barred` ones, which are walls. Where the fronts meet in
   /// several places, as behind each of several branches of the surface, there is a walk for each; the
   /// search ends a third later than the first was found.
   template <typename Loop_set>
   std::vector<std::vector<Index>> dual_walks(const Crossing_loop& loop, Index number,
-                                             const Loop_set& barred, const Crossing_index& index,
-                                             const Limits& limits)
+                                             const Loop_set& barred, const Limits& limits)
   {
-    const Loop_walls<Loop_set> walls(index, barred);
+    const Loop_walls<Loop_set> walls(index_, barred);
     measure(loop);
     start(loop, walls);
     std::vector<std::vector<Index>> walks;
@@ -71,7 +73,7 @@ public:
         if(walks.size() == limits.number_of_walks || continues_a_meeting(meeting))
           continue;
         std::vector<Index> walk = close(loop, meeting, walls);
-        if(!is_dual(index.intersections(walk), number, barred))
+        if(!is_dual(index_.intersections(walk), number, barred))
           continue;
         mark(meeting);
         if(walks.empty())
@@ -129,10 +131,9 @@ private:
 
   template <typename Walls> void note_meetings(Index v, const Walls& walls)
   {
-    const bool near_wall = walls.may_have_wall(v);
     const Side side = band_.side(v);
     for(Index u : mesh_.ring(v))
-      if(band_.is_reached(u) && band_.side(u) != side && !(near_wall && walls.is_wall(v, u))) {
+      if(band_.is_reached(u) && band_.side(u) != side && !band_.is_wall(v, u, walls)) {
         const std::uint64_t time = std::uint64_t(band_.time(u)) + band_.time(v);
         meetings_.push_back(side == Side::RIGHT ? Meeting{time, u, v} : Meeting{time, v, u});
       }
@@ -190,11 +191,10 @@ private:
   {
     std::vector<Index> walk(1, v);
     while(band_.time(v) != 0) {
-      const bool near_wall = walls.may_have_wall(v);
       Index first = v;
       for(Index u : mesh_.ring(v))
         if(band_.time(u) < band_.time(first) && band_.side(u) == band_.side(v) &&
-           !(near_wall && walls.is_wall(v, u)))
+           !band_.is_wall(v, u, walls))
           first = u;
       v = first;
       walk.push_back(v);
@@ -242,6 +242,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
+  const Crossing_index& index_;
   Narrow_band band_;
   std::vector<Meeting> meetings_;
   std::vector<double> along_; // length of the left side up to each crossing

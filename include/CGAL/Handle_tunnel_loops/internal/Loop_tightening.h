@@ -252,39 +252,59 @@ private:
     return fan;
   }
 
-  static double angle(const Point_2& a, const Point_2& b)
+  /// Adds up angles between 0 and a straight one, without trigonometric functions.
+  class Angle_sum
   {
-    return std::abs(std::atan2(cross(a, b), dot(a, b)));
+  public:
+    /// adds the angle whose cosine and sine are in the ratio of the arguments. Returns whether the sum is
+    /// still less than straight.
+    bool add(double cosine, double sine)
+    {
+      const double c = cosine_ * cosine - sine_ * sine, s = cosine_ * sine + sine_ * cosine;
+      const double size = (std::max)(std::abs(c), std::abs(s));
+      cosine_ = size > 0. ? c / size : 1.;
+      sine_ = size > 0. ? s / size : 0.;
+      constexpr double tolerance = 1e-7;
+      return sine_ > tolerance || (sine_ >= 0. && cosine_ > 0.);
+    }
+
+  private:
+    double cosine_ = 1., sine_ = 0.;
+  };
+
+  static bool add_angle(const Point_2& a, const Point_2& b, Angle_sum& sum)
+  {
+    return sum.add(dot(a, b), std::abs(cross(a, b)));
   }
 
-  double corner_angle(Index v, Index a, Index b) const
+  bool add_corner(Index v, Index a, Index b, Angle_sum& sum) const
   {
     const Vector p = mesh_.points[a] - mesh_.points[v], q = mesh_.points[b] - mesh_.points[v];
-    return std::atan2(norm(internal::cross(p, q)), internal::dot(p, q));
+    return sum.add(internal::dot(p, q), norm(internal::cross(p, q)));
   }
 
-  double total_angle(Index v) const
-  {
-    const Ring ring = mesh_.ring(v);
-    double sum = 0.;
-    for(Index i = 0; i < ring.size(); ++i)
-      sum += corner_angle(v, ring[i], ring[ring.next(i)]);
-    return sum;
-  }
-
+  // Whether the faces on the other side of the corner, from the way in to the way out, span less than a
+  // straight angle.
   bool is_shorter_on_other_side(const Crossing_loop& loop, const Fan& fan, const Point_2& before,
                                 const Point_2& after) const
   {
-    const Index corner = fan.at_left ? loop[fan.first].left : loop[fan.first].right;
-    const auto outer = [&](std::size_t i) { return fan.at_left ? loop[i].right : loop[i].left; };
-    const auto outer_point = [&](std::size_t i) { return fan.at_left ? right_[i] : left_[i]; };
-    const Point_2 corner_point = fan.at_left ? left_[fan.first] : right_[fan.first];
-    double inside = angle(minus(before, corner_point), minus(outer_point(fan.first), corner_point)) +
-                    angle(minus(outer_point(fan.last), corner_point), minus(after, corner_point));
-    for(std::size_t i = fan.first; i < fan.last; ++i)
-      inside += corner_angle(corner, outer(i), outer(i + 1));
-    constexpr double straight = 3.14159265358979;
-    return total_angle(corner) - inside < straight * (1. - 1e-7);
+    const auto& near = fan.at_left ? left_ : right_;
+    const Point_2 corner = near[fan.first];
+    Angle_sum sum;
+    if(!add_angle(minus(before, corner), minus(near[fan.first - 1], corner), sum))
+      return false;
+    const Index v = fan.at_left ? loop[fan.first].left : loop[fan.first].right;
+    const Index from = fan.at_left ? loop[fan.first - 1].left : loop[fan.first - 1].right;
+    const Index to = fan.at_left ? loop[fan.last + 1].left : loop[fan.last + 1].right;
+    const Ring ring = mesh_.ring(v);
+    const Index end = ring.position(to);
+    for(Index p = ring.position(from); p != end;) {
+      const Index q = fan.at_left ? ring.previous(p) : ring.next(p);
+      if(!add_corner(v, ring[p], ring[q], sum))
+        return false;
+      p = q;
+    }
+    return add_angle(minus(near[fan.last + 1], corner), minus(after, corner), sum);
   }
 
   // The strip comes from the triangle before the fan and goes to the one after it; between them it

@@ -28,7 +28,6 @@ namespace internal {
 /// No wall anywhere.
 struct No_walls
 {
-  static constexpr bool may_have_wall(Index) { return false; }
   static constexpr bool is_wall(Index, Index) { return false; }
 };
 
@@ -48,7 +47,10 @@ The object can be used again and again; `reset()` costs as much as the region th
 class Narrow_band
 {
 public:
-  Narrow_band(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k)
+  /// Walls, in this and all later runs, are only at vertices for which `may_have_wall(v)` holds.
+  template <typename May_have_wall>
+  Narrow_band(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k,
+              const May_have_wall& may_have_wall)
     : mesh_(mesh)
     , stencils_(stencils)
     , coefficients_(k)
@@ -60,8 +62,8 @@ public:
     , next_(new float[mesh.number_of_vertices()])
   {
     for(Index v = 0; v < state_.size(); ++v)
-      if(mesh.ring(v).size() > Stencils::width)
-        state_[v] = long_row;
+      if(mesh.ring(v).size() > Stencils::width || may_have_wall(v))
+        state_[v] = special;
   }
 
   /// makes `v` a source, unless it is one already: its value is one for ever.
@@ -120,7 +122,7 @@ public:
       const Index v = touched_[i];
       value_[v] = 0.f;
       time_[v] = never;
-      state_[v] &= long_row;
+      state_[v] &= special;
     }
     number_of_touched_ = band_size_ = 0;
     special_band_.clear();
@@ -130,16 +132,21 @@ public:
     number_of_reached_ = 0;
   }
 
+  /// whether there is a wall between two neighbours.
+  template <typename Walls> bool is_wall(Index u, Index v, const Walls& walls) const
+  {
+    return (state_[u] & special) != 0 && walls.is_wall(u, v);
+  }
+
 private:
   // A front that moves at all passes a vertex in far fewer steps.
   static constexpr Time patience = 64;
 
-  // The states of a vertex: in the band now or before; not to be updated; reached from the right; having
-  // more neighbours than a stencil has room for; marked by the caller.
-  static constexpr std::uint8_t active = 1, fixed = 2, right = 4, long_row = 8, marked = 16;
+  // The states of a vertex: in the band now or before; not to be updated; reached from the right; marked by
+  // the caller; having more neighbours than a stencil has room for, or perhaps a wall beside it.
+  static constexpr std::uint8_t active = 1, fixed = 2, right = 4, marked = 8, special = 16;
 
-  // A vertex of the band that does not use its stencil, because there is a wall beside it or because its
-  // row is too long, and its neighbours, in `special_rows_`.
+  // A special vertex of the band, and its neighbours, in `special_rows_`.
   struct Special
   {
     Index vertex;
@@ -156,11 +163,10 @@ private:
 
   template <typename Walls> void activate_neighbors(Index v, const Walls& walls)
   {
-    const bool near_wall = walls.may_have_wall(v);
     for(Index u : mesh_.ring(v)) {
-      if(near_wall && walls.is_wall(v, u))
+      if(is_wall(v, u, walls))
         continue;
-      const bool is_special = (state_[u] & long_row) != 0 || walls.may_have_wall(u);
+      const bool is_special = (state_[u] & special) != 0;
       const bool is_new = (state_[u] & active) == 0;
       state_[u] |= active;
       if(is_special && is_new)
@@ -248,10 +254,9 @@ private:
   // Among the neighbours reached in earlier steps; `v` itself if there is none.
   template <typename Walls> Index earliest_neighbor(Index v, const Walls& walls) const
   {
-    const bool near_wall = walls.may_have_wall(v);
     std::uint64_t earliest = std::uint64_t(step_ - 1) * ticks_per_step << 32 | no_index;
     for(Index u : mesh_.ring(v))
-      if(!(near_wall && walls.is_wall(v, u)))
+      if(!is_wall(v, u, walls))
         earliest = (std::min)(earliest, std::uint64_t(time_[u]) << 32 | u);
     const Index u = static_cast<Index>(earliest);
     return u == no_index ? v : u;

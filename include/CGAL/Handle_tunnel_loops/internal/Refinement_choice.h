@@ -14,10 +14,13 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Crossing_index.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
-#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
 #include <map>
+#include <optional>
+#include <queue>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -32,13 +35,14 @@ Let h_i and t_i be the loops before. The handles are disjoint, and t_i crosses h
 j > i; so (h, t) is a basis, and the class of any curve x = sum of a_i h_i + b_i t_i follows from its
 intersection numbers with the basis by two triangular substitutions. Replacing h_k for all k in a set S
 gives a basis if and only if the matrix (a_i of the refinement of h_k), i and k in S, has determinant 1
-or -1. The set is grown by elimination with pivots 1 and -1. All numbers are integers of any size.
+or -1. The set is grown by elimination with pivots 1 and -1, in integers. Should a number ever need more
+than 31 bits, the replacement is refused.
 */
 class Refinement_choice
 {
 public:
-  using Integer = boost::multiprecision::cpp_int;
-  using Row = std::map<Index, Integer>;
+  /// Coefficients a_i of a class, by i; no zeros.
+  using Row = std::vector<std::pair<Index, std::int64_t>>;
 
   Refinement_choice(const std::vector<Crossing_loop>& tunnels, const Crossing_index& handle_index,
                     const Crossing_index& tunnel_index)
@@ -47,93 +51,156 @@ public:
     , tunnel_index_(tunnel_index)
     , crossed_handles_(tunnels.size())
     , crossing_tunnels_(tunnels.size())
-    , place_(tunnels.size(), tunnels.size())
+    , place_(tunnels.size(), static_cast<std::size_t>(-1))
+    , value_(tunnels.size(), 0)
   {
     for(Index i = 0; i < tunnels.size(); ++i) {
       crossed_handles_[i] = handle_index.intersections(tunnels[i]);
       for(const auto& [j, number] : crossed_handles_[i])
-        crossing_tunnels_[j][i] = number;
+        crossing_tunnels_[j].emplace_back(i, number);
     }
   }
 
-  /// whether handle `k` can be replaced by `refined`, besides those accepted before.
-  bool accept(Index k, const Crossing_loop& refined)
+  /// the coefficients of the class of a loop at the handles; nothing if they are too large. May be called
+  /// by many threads.
+  std::optional<Row> handle_part(const Crossing_loop& loop) const
   {
-    Row row = handle_part(refined);
-    for(std::size_t i = first_pivot(row); i < accepted_.size(); i = first_pivot(row))
-      subtract_multiple(row, accepted_[i].first, accepted_[i].second);
-    const auto it = row.find(k);
-    if(it == row.end() || (it->second != 1 && it->second != -1))
+    try {
+      Sparse_numbers with_handles = handle_index_.intersections(loop);
+      Sparse_numbers with_tunnels = tunnel_index_.intersections(loop);
+      subtract_tunnel_part(with_handles, with_tunnels);
+      return solve_handle_part(with_tunnels);
+    } catch(const Too_large&) {
+      return std::nullopt;
+    }
+  }
+
+  /// whether handle `k` can be replaced by a loop with the given coefficients, besides those replaced
+  /// before.
+  bool accept(Index k, const Row& coefficients)
+  {
+    bool is_unit = false;
+    try {
+      reduce(coefficients);
+      is_unit = std::abs(value_[k]) == 1;
+    } catch(const Too_large&) {
+    }
+    Row row = take_values();
+    if(!is_unit)
       return false;
     place_[k] = accepted_.size();
-    accepted_.emplace_back(k, std::move(row));
+    accepted_.push_back({k, std::move(row)});
     return true;
   }
 
 private:
-  /// the coefficients a_i of the class of `loop`.
-  Row handle_part(const Crossing_loop& loop) const
+  struct Too_large : std::runtime_error
   {
-    Row with_handles, with_tunnels;
-    for(const auto& [j, number] : handle_index_.intersections(loop))
-      with_handles[j] = number;
-    for(const auto& [j, number] : tunnel_index_.intersections(loop))
-      with_tunnels[j] = number;
+    Too_large()
+      : std::runtime_error("an integer is too large") {}
+  };
 
-    // b from the intersections with the handles, the last one first.
+  struct Accepted
+  {
+    Index pivot;
+    Row row;
+  };
+
+  /// a - b c.
+  static std::int64_t minus_product(std::int64_t a, std::int64_t b, std::int64_t c)
+  {
+    constexpr std::int64_t limit = std::int64_t(1) << 31;
+    const auto is_large = [](std::int64_t x) { return x >= limit || x <= -limit; };
+    if(is_large(b) || is_large(c) || is_large(a - b * c))
+      throw Too_large();
+    return a - b * c;
+  }
+
+  // The b_i follow from the intersections with the handles, the last one first.
+  void subtract_tunnel_part(Sparse_numbers& with_handles, Sparse_numbers& with_tunnels) const
+  {
     while(!with_handles.empty()) {
       const auto [j, number] = *with_handles.rbegin();
-      if(number == 0) {
-        with_handles.erase(j);
-        continue;
+      const std::int64_t b = number * crossed_handles_[j].at(j);
+      if(b != 0) {
+        for(const auto& [i, crossing] : crossed_handles_[j])
+          with_handles[i] = minus_product(with_handles[i], b, crossing);
+        for(const auto& [i, crossing] : tunnel_index_.intersections(tunnels_[j]))
+          with_tunnels[i] = minus_product(with_tunnels[i], b, crossing);
       }
-      const Integer b = number * crossed_handles_[j].at(j);
-      for(const auto& [i, crossing] : crossed_handles_[j])
-        with_handles[i] -= b * crossing;
-      for(const auto& [i, crossing] : tunnel_index_.intersections(tunnels_[j]))
-        with_tunnels[i] -= b * crossing;
+      with_handles.erase(j);
     }
+  }
 
-    // a from what is left of the intersections with the tunnels, the first one first.
-    Row a;
+  // The a_i follow from what is left of the intersections with the tunnels, the first one first.
+  Row solve_handle_part(Sparse_numbers& with_tunnels) const
+  {
+    Row row;
     while(!with_tunnels.empty()) {
       const auto [j, number] = *with_tunnels.begin();
-      if(number == 0) {
-        with_tunnels.erase(j);
-        continue;
+      const std::int64_t a = -number * crossed_handles_[j].at(j);
+      if(a != 0) {
+        row.emplace_back(j, a);
+        for(const auto& [i, crossing] : crossing_tunnels_[j])
+          with_tunnels[i] = minus_product(with_tunnels[i], -a, crossing);
       }
-      const Integer coefficient = -number * crossed_handles_[j].at(j);
-      a[j] = coefficient;
-      for(const auto& [i, crossing] : crossing_tunnels_[j])
-        with_tunnels[i] += coefficient * crossing;
+      with_tunnels.erase(j);
     }
-    return a;
+    return row;
   }
 
-  /// the first of the accepted rows whose pivot column is occupied; their number if none is.
-  std::size_t first_pivot(const Row& row) const
+  // Spreads the row out in `value_` and eliminates the columns of the accepted pivots, in their order.
+  void reduce(const Row& row)
   {
-    std::size_t first = accepted_.size();
-    for(const auto& [i, value] : row)
-      if(value != 0)
-        first = (std::min)(first, place_[i]);
-    return first;
+    std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> places;
+    const auto subtract = [&](const Row& other, std::int64_t factor) {
+      for(const auto& [i, number] : other) {
+        const bool was_zero = value_[i] == 0;
+        value_[i] = minus_product(value_[i], factor, number);
+        if(!was_zero || value_[i] == 0)
+          continue;
+        touched_.push_back(i);
+        if(place_[i] < accepted_.size())
+          places.push(place_[i]);
+      }
+    };
+    subtract(row, -1);
+    while(!places.empty()) {
+      const Accepted& next = accepted_[places.top()];
+      places.pop();
+      const std::int64_t pivot = value_at(next.row, next.pivot);
+      subtract(next.row, value_[next.pivot] * pivot);
+    }
   }
 
-  static void subtract_multiple(Row& row, Index pivot, const Row& pivot_row)
+  static std::int64_t value_at(const Row& row, Index i)
   {
-    const Integer factor = row.at(pivot) * pivot_row.at(pivot);
-    for(const auto& [i, value] : pivot_row)
-      row[i] -= factor * value;
+    return std::lower_bound(row.begin(), row.end(), std::make_pair(i, INT64_MIN))->second;
+  }
+
+  // Gathers what is spread out, and clears it.
+  Row take_values()
+  {
+    std::sort(touched_.begin(), touched_.end());
+    Row row;
+    for(Index i : touched_)
+      if(value_[i] != 0) {
+        row.emplace_back(i, value_[i]);
+        value_[i] = 0;
+      }
+    touched_.clear();
+    return row;
   }
 
   const std::vector<Crossing_loop>& tunnels_;
   const Crossing_index& handle_index_;
   const Crossing_index& tunnel_index_;
-  std::vector<Sparse_numbers> crossed_handles_;  // t_i . h_j by i
-  std::vector<Sparse_numbers> crossing_tunnels_; // t_i . h_j by j
-  std::vector<std::pair<Index, Row>> accepted_;
-  std::vector<std::size_t> place_; // in `accepted_`, by handle; their number if not accepted
+  std::vector<Sparse_numbers> crossed_handles_; // t_i . h_j by i
+  std::vector<Row> crossing_tunnels_;           // t_i . h_j by j
+  std::vector<Accepted> accepted_;
+  std::vector<std::size_t> place_; // in `accepted_`, by handle; very large if not accepted
+  std::vector<std::int64_t> value_;
+  std::vector<Index> touched_;
 };
 
 } // namespace internal
