@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "generators.h"
+
+#include "Random.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+
+Soup permute_vertices(const Soup& soup, unsigned seed) {
+  Random random(seed);
+  std::vector<std::uint32_t> new_index(soup.points.size());
+  std::iota(new_index.begin(), new_index.end(), 0u);
+  random.shuffle(new_index);
+
+  Soup permuted;
+  permuted.points.resize(soup.points.size());
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    permuted.points[new_index[v]] = soup.points[v];
+  permuted.triangles = soup.triangles;
+  for(auto& triangle : permuted.triangles)
+    for(std::uint32_t& v : triangle)
+      v = new_index[v];
+  random.shuffle(permuted.triangles);
+  return permuted;
+}
+
+Soup disjoint_union(const std::vector<Soup>& soups) {
+  Soup all;
+  double x = 0.;
+  for(const Soup& soup : soups) {
+    if(soup.points.empty())
+      continue;
+    if(all.points.size() + soup.points.size() > std::numeric_limits<std::uint32_t>::max())
+      throw std::invalid_argument("too many vertices for one mesh");
+    const auto [lowest, highest] =
+        std::minmax_element(soup.points.begin(), soup.points.end(),
+                            [](const auto& a, const auto& b) { return a[0] < b[0]; });
+    const double width = (*highest)[0] - (*lowest)[0], shift = x - (*lowest)[0];
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    for(const auto& point : soup.points)
+      all.points.push_back({point[0] + shift, point[1], point[2]});
+    for(const auto& [a, b, c] : soup.triangles)
+      all.triangles.push_back({first + a, first + b, first + c});
+    x += 1.1 * width;
+  }
+  return all;
+}
+
+std::ptrdiff_t euler_characteristic(const Soup& soup) {
+  std::vector<char> is_used(soup.points.size(), 0);
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * soup.triangles.size());
+  for(const auto& triangle : soup.triangles)
+    for(int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      edges.push_back(std::uint64_t(low) << 32 | high);
+      is_used[triangle[i]] = 1;
+    }
+  std::sort(edges.begin(), edges.end());
+  const auto number_of_edges = std::unique(edges.begin(), edges.end()) - edges.begin();
+  const auto number_of_vertices = std::count(is_used.begin(), is_used.end(), 1);
+  return number_of_vertices - number_of_edges + static_cast<std::ptrdiff_t>(soup.triangles.size());
+}
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL

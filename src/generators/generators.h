@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_GENERATORS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_GENERATORS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// \file generators.h
+/// Meshes to test and measure with: closed, connected, oriented (outwards where the surface is
+/// embedded), each edge in two triangles, each vertex in one fan, no two edges with the same two
+/// vertices, and a genus that is known because the construction gives it.
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+
+/// A triangle mesh as points and indices.
+struct Soup
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// What is wanted. The genus is met exactly, the number of faces within about 20% where the kind
+/// allows it; the same request gives the same mesh.
+struct Request
+{
+  std::size_t faces = 10000;
+  std::size_t genus = 1;
+  unsigned seed = 0;
+};
+
+/// A family of meshes.
+struct Kind
+{
+  const char* name;
+  const char* description; ///< what it looks like, and the requests that can be met
+
+  /// makes the mesh; throws `std::invalid_argument` if the request cannot be met.
+  Soup (*make)(const Request&);
+};
+
+/// all families.
+const std::vector<Kind>& kinds();
+
+/// the mesh with its vertices and its triangles in random order.
+Soup permute_vertices(const Soup& soup, unsigned seed);
+
+/// one mesh of all the given ones, beside each other along the x axis.
+Soup disjoint_union(const std::vector<Soup>& soups);
+
+/// \f$ V - E + F \f$, counting the vertices that a triangle uses.
+std::ptrdiff_t euler_characteristic(const Soup& soup);
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_GENERATORS_H

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "kinds.h"
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all = {sphere_kind,  torus_kind,  knot_kind,   multi_torus_kind,
+                                        lattice_kind, gyroid_kind, sponge_kind, random_kind};
+  return all;
+}
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_KINDS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_KINDS_H
+
+#include "generators.h"
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+
+// One per file of the same name.
+extern const Kind sphere_kind;
+extern const Kind torus_kind;
+extern const Kind knot_kind;
+extern const Kind multi_torus_kind;
+extern const Kind lattice_kind;
+extern const Kind gyroid_kind;
+extern const Kind sponge_kind;
+extern const Kind random_kind;
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_KINDS_H

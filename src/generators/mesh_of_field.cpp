@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "mesh_of_field.h"
+
+#include "isosurface.h"
+#include "request_checks.h"
+#include "smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+namespace {
+
+/// Looks for the spacing of the lattice that gives a number of faces, which grows about as
+/// spacing^-2.
+class Spacing_search
+{
+public:
+  explicit Spacing_search(const Field& field)
+      : field_(field)
+      , spacing_(length(field.box().high - field.box().low) / 40.) {}
+
+  Soup mesh_with_faces(std::size_t wanted) {
+    too_fine_ = 0.;
+    too_coarse_ = std::numeric_limits<double>::infinity();
+    std::size_t expected = 0;
+    while(true) {
+      Soup soup = isosurface(field_, spacing_, expected);
+      const double faces = static_cast<double>(soup.triangles.size());
+      // Meshes of a few triangles jump from one number to another: be content with too many then.
+      if(std::abs(faces - wanted) <= 0.05 * wanted || spacing_ == too_fine_)
+        return soup;
+      // From coarse to fine by small factors: coarse meshes are cheap, and each tells more.
+      const double factor = std::clamp(wanted / (std::max)(faces, 1.), 1. / 16., 16.);
+      expected = static_cast<std::size_t>(1.1 * factor * faces);
+      change_spacing(faces < wanted, factor);
+    }
+  }
+
+  double spacing() const { return spacing_; }
+
+private:
+  void change_spacing(bool is_too_coarse, double factor) {
+    (is_too_coarse ? too_coarse_ : too_fine_) = spacing_;
+    spacing_ /= std::sqrt(factor);
+    if(too_coarse_ < 1.01 * too_fine_)
+      spacing_ = too_fine_;
+    else if(spacing_ <= too_fine_ || spacing_ >= too_coarse_)
+      spacing_ = std::sqrt(too_fine_ * too_coarse_);
+  }
+
+  const Field& field_;
+  double spacing_, too_fine_, too_coarse_;
+};
+
+/// evens out the triangles and moves them onto the surface of the solid.
+void fit_to_surface(Soup& soup, const Field& field, double spacing) {
+  for(int round = 0; round < 2; ++round) {
+    relax(soup, 2);
+    approach_surface(soup, field, spacing / 2.);
+  }
+}
+
+} // namespace
+
+Soup mesh_of_field(const Field& field, const Request& request, const char* kind) {
+  Spacing_search search(field);
+  // A mesh whose spacing is close to the size of the details may miss one by bad luck: try finer
+  // ones.
+  for(const double excess : {1., 1.07, 1.15}) {
+    Soup soup = search.mesh_with_faces(static_cast<std::size_t>(excess * request.faces));
+    if(is_connected_of_genus(soup, request.genus)) {
+      fit_to_surface(soup, field, search.spacing());
+      return soup;
+    }
+  }
+  throw std::invalid_argument(std::to_string(request.faces) +
+                              " faces are too few for a mesh of the kind '" + kind + "' of genus " +
+                              std::to_string(request.genus));
+}
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_MESH_OF_FIELD_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_MESH_OF_FIELD_H
+
+#include "Field.h"
+#include "generators.h"
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+
+/// meshes a solid whose surface is connected and has the genus asked for, with about as many faces
+/// as asked for and even triangles. Throws `std::invalid_argument` if the faces are too few to show
+/// all handles.
+Soup mesh_of_field(const Field& field, const Request& request, const char* kind);
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_MESH_OF_FIELD_H

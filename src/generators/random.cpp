@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "Random.h"
+#include "Flippable_triangulation.h"
+#include "kinds.h"
+#include "request_checks.h"
+#include "smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+namespace {
+
+using Triangle = Flippable_triangulation::Triangle;
+
+/// A surface as a list of triangles.
+struct Surface
+{
+  std::vector<Triangle> triangles;
+  std::uint32_t number_of_vertices;
+};
+
+Surface tetrahedron() { return {{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}, 4}; }
+
+/// the torus with seven vertices, each of which is joined to all others.
+Surface smallest_torus() {
+  Surface torus{{}, 7};
+  for(std::uint32_t i = 0; i < 7; ++i) {
+    torus.triangles.push_back({i, (i + 1) % 7, (i + 3) % 7});
+    torus.triangles.push_back({i, (i + 3) % 7, (i + 2) % 7});
+  }
+  return torus;
+}
+
+/// glues a torus in place of a triangle.
+void add_handle(Surface& surface, std::size_t t) {
+  const Surface torus = smallest_torus();
+  const Triangle removed = torus.triangles.front(), hole = surface.triangles[t];
+  std::array<std::uint32_t, 7> image;
+  image.fill(0);
+  for(std::uint32_t v = 0; v < 7; ++v)
+    if(std::find(removed.begin(), removed.end(), v) == removed.end())
+      image[v] = surface.number_of_vertices++;
+  // Turned over, so that the two sides of the cut are traversed in opposite directions.
+  image[removed[0]] = hole[0];
+  image[removed[1]] = hole[2];
+  image[removed[2]] = hole[1];
+
+  for(std::size_t i = 1; i < torus.triangles.size(); ++i) {
+    const auto& [a, b, c] = torus.triangles[i];
+    const Triangle triangle = {image[a], image[b], image[c]};
+    if(i == 1)
+      surface.triangles[t] = triangle;
+    else
+      surface.triangles.push_back(triangle);
+  }
+}
+
+void flip_edges(Flippable_triangulation& surface, std::size_t times, Random& random) {
+  for(std::size_t i = 0; i < times; ++i)
+    surface.flip(static_cast<std::uint32_t>(random.below(surface.number_of_halfedges())));
+}
+
+Flippable_triangulation random_triangulation(std::size_t genus, std::size_t faces, Random& random) {
+  Surface start = genus == 0 ? tetrahedron() : smallest_torus();
+  for(std::size_t handle = 1; handle < genus; ++handle)
+    add_handle(start, random.below(start.triangles.size()));
+
+  Flippable_triangulation surface(start.triangles, start.number_of_vertices);
+  while(surface.number_of_triangles() + 2 <= faces) {
+    surface.split_triangle(static_cast<std::uint32_t>(random.below(surface.number_of_triangles())));
+    flip_edges(surface, 2, random);
+  }
+  // From hardly mixed to thoroughly.
+  flip_edges(surface, surface.number_of_halfedges() * random.below(4), random);
+  return surface;
+}
+
+/// Ways to place the vertices of a surface, from a cloud of points to nearly degenerate.
+class Random_placement
+{
+public:
+  Random_placement(Soup& soup, Random& random)
+      : soup_(soup)
+      , random_(random) {
+    for(auto& point : soup_.points)
+      for(double& x : point)
+        x = random_.uniform(-1., 1.);
+  }
+
+  /// moves vertices together that are close on the surface.
+  void relax() {
+    generators::relax(soup_, 5 + static_cast<int>(random_.below(30)));
+    for(int axis = 0; axis < 3; ++axis) {
+      double largest = 0.;
+      for(const auto& point : soup_.points)
+        largest = (std::max)(largest, std::abs(point[axis]));
+      for(auto& point : soup_.points)
+        point[axis] /= largest > 0. ? largest : 1.;
+    }
+  }
+
+  /// makes the surface very small or very large, and flat.
+  void flatten() {
+    const double scale = std::pow(10., random_.uniform(-9., 9.));
+    const std::array<double, 3> stretch = {scale, scale, scale * 1e-6};
+    for(auto& point : soup_.points)
+      for(int axis = 0; axis < 3; ++axis)
+        point[axis] *= stretch[axis];
+  }
+
+  /// moves vertices almost, or quite, onto neighbours.
+  void collapse_edges() {
+    for(std::size_t i = 0; i < soup_.points.size() / 3; ++i) {
+      const Triangle& triangle = soup_.triangles[random_.below(soup_.triangles.size())];
+      const double rest = random_.below(4) == 0 ? 0. : std::pow(10., random_.uniform(-12., -1.));
+      auto& moved = soup_.points[triangle[0]];
+      const auto& target = soup_.points[triangle[1]];
+      for(int axis = 0; axis < 3; ++axis)
+        moved[axis] = target[axis] + rest * (moved[axis] - target[axis]);
+    }
+  }
+
+private:
+  Soup& soup_;
+  Random& random_;
+};
+
+void place_vertices(Soup& soup, Random& random) {
+  Random_placement placement(soup, random);
+  const std::size_t manner = random.below(4);
+  if(manner != 0)
+    placement.relax();
+  if(manner == 2)
+    placement.flatten();
+  if(manner == 3)
+    placement.collapse_edges();
+}
+
+Soup make_random(const Request& request) {
+  // The smallest sphere has 4 triangles, the smallest torus 14; each further torus replaces one
+  // triangle.
+  require_faces(request, "random", request.genus == 0 ? 4 : 2 + 12 * request.genus);
+
+  Random random(request.seed);
+  const auto surface = random_triangulation(request.genus, request.faces, random);
+  Soup soup;
+  for(std::size_t t = 0; t < surface.number_of_triangles(); ++t)
+    soup.triangles.push_back(surface.triangle(t));
+  soup.points.resize(surface.number_of_vertices());
+  place_vertices(soup, random);
+  return permute_vertices(soup, static_cast<unsigned>(random.next()));
+}
+
+} // namespace
+
+const Kind random_kind = {
+    "random",
+    "a random triangulation with random points, often ugly and never embedded: scattered, smooth, "
+    "flat at any scale, or with slivers and coincident points; any genus g, from 4 faces (g = 0) "
+    "or 2 + 12 g faces",
+    make_random};
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_REQUEST_CHECKS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_REQUEST_CHECKS_H
+
+#include "generators.h"
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+
+/// throws `std::invalid_argument` if fewer faces are asked for than the kind needs at this genus,
+/// or more than 32-bit indices can count.
+void require_faces(const Request& request, const char* kind, std::size_t least);
+
+/// throws `std::invalid_argument` if the kind has one genus only and another is asked for.
+void require_genus(const Request& request, const char* kind, std::size_t only);
+
+/// whether a closed manifold mesh is connected and has the given genus.
+bool is_connected_of_genus(const Soup& soup, std::size_t genus);
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_REQUEST_CHECKS_H

@@ -1,0 +1,19 @@
+# The sources of the generators, relative to this folder.
+set(HTL_GENERATOR_SOURCES
+  generators.cpp
+  kinds.cpp
+  grid_surface.cpp
+  gyroid.cpp
+  isosurface.cpp
+  knot.cpp
+  lattice.cpp
+  marching_table.cpp
+  mesh_of_field.cpp
+  multi_torus.cpp
+  random.cpp
+  request_checks.cpp
+  smoothing.cpp
+  sphere.cpp
+  sponge.cpp
+  Srs_net.cpp
+  torus.cpp)

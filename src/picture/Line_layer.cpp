@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "Line_layer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace htl_picture {
+
+Line_layer::Line_layer(const Camera& camera,
+                       const Surface_layer& surface,
+                       const std::vector<Line>& lines,
+                       float radius)
+    : camera_(camera)
+    , surface_(surface)
+    , radius_(radius)
+    , in_front_(std::size_t(surface.width()) * surface.height())
+    , behind_(in_front_.size()) {
+  for(std::size_t i = 0; i < lines.size(); ++i)
+    draw_line(static_cast<std::uint32_t>(i), lines[i]);
+}
+
+void Line_layer::draw_line(std::uint32_t line, const Line& polyline) {
+  if(polyline.points.empty())
+    return;
+  const Projected_point first = camera_.project(camera_.in_frame(polyline.points.front()));
+  Projected_point last = first;
+  for(const Point& point : polyline.points) {
+    const Projected_point next = camera_.project(camera_.in_frame(point));
+    // A loop has far more points than samples where triangles are tiny.
+    if(std::hypot(next.x - last.x, next.y - last.y) < 0.7f)
+      continue;
+    draw_segment(line, last, next);
+    last = next;
+  }
+  const bool is_point = last.x == first.x && last.y == first.y;
+  if(polyline.closed || is_point)
+    draw_segment(line, last, first);
+}
+
+void Line_layer::draw_segment(std::uint32_t line, Projected_point a, Projected_point b) {
+  const int first_x = (std::max)(0, int((std::min)(a.x, b.x) - radius_));
+  const int last_x = (std::min)(surface_.width() - 1, int((std::max)(a.x, b.x) + radius_));
+  const int first_y = (std::max)(0, int((std::min)(a.y, b.y) - radius_));
+  const int last_y = (std::min)(surface_.height() - 1, int((std::max)(a.y, b.y) + radius_));
+  const float dx = b.x - a.x, dy = b.y - a.y, squared_length = dx * dx + dy * dy;
+  for(int y = first_y; y <= last_y; ++y)
+    for(int x = first_x; x <= last_x; ++x) {
+      const float px = x + 0.5f - a.x, py = y + 0.5f - a.y;
+      const float t =
+          squared_length > 0.f ? std::clamp((px * dx + py * dy) / squared_length, 0.f, 1.f) : 0.f;
+      const float squared_distance = (px - t * dx) * (px - t * dx) + (py - t * dy) * (py - t * dy);
+      if(squared_distance <= radius_ * radius_)
+        draw_sample(line, x, y, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth),
+                    std::sqrt(squared_distance));
+    }
+}
+
+void Line_layer::draw_sample(
+    std::uint32_t line, int x, int y, float inverse_depth, float distance) {
+  // The tube is as thick as it is wide. A line on a surface that is seen at a low angle is half
+  // below it: lift it by more than its thickness.
+  constexpr float lift = 2.5f;
+  const float depth = 1.f / inverse_depth;
+  const float radius = radius_ * camera_.pixel_size(inverse_depth);
+  const float across = distance / radius_;
+  const float front = depth - radius * std::sqrt((std::max)(0.f, 1.f - across * across));
+  const float surface = surface_.inverse_depth(x, y);
+  const bool is_in_front = (front - lift * radius) * surface < 1.f;
+
+  Sample& sample = (is_in_front ? in_front_ : behind_)[index(x, y)];
+  // Where segments of a line join, the middle of one covers the rim of the other's round end.
+  const bool is_joint =
+      sample.line == line && std::abs(front * sample.inverse_depth - 1.f) < 2.f * radius / front;
+  if(is_joint ? across < sample.across : front * sample.inverse_depth < 1.f)
+    sample = {1.f / front, line, across};
+}
+
+} // namespace htl_picture

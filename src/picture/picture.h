@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_PICTURE_PICTURE_H
+#define HTL_PICTURE_PICTURE_H
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// \file picture.h
+/// Pictures of triangle meshes with lines on them, drawn in software.
+
+namespace htl_picture {
+
+using Colour = std::array<unsigned char, 3>; ///< sRGB
+using Point = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A polyline, drawn as a tube.
+struct Line
+{
+  std::vector<Point> points;
+  Colour colour;
+  bool closed;
+};
+
+/// How a picture is taken. The mesh always fills the picture.
+struct Options
+{
+  int width = 1600;             ///< in pixels
+  int height = 1200;            ///< in pixels
+  Point view = {0.6, -1., 0.5}; ///< the direction from the mesh to the eye
+  Point up = {0., 0., 1.};      ///< the direction that is upright in the picture
+  double line_width_px = 5.;    ///< the same near and far
+  double surface_opacity = 0.5; ///< 1 hides the lines behind the surface, 0 draws them like others
+  Colour surface_colour = {204, 212, 222};
+  Colour background = {255, 255, 255};
+};
+
+/// writes a PNG file. Throws `std::runtime_error` if the file cannot be written, the size is not
+/// one of a picture, or a coordinate is not finite.
+void write_picture(const std::string& png_file,
+                   const std::vector<Point>& points,
+                   const std::vector<Triangle>& triangles,
+                   const std::vector<Line>& lines,
+                   const Options& options = Options());
+
+/// the same with a colour for each triangle.
+void write_picture(const std::string& png_file,
+                   const std::vector<Point>& points,
+                   const std::vector<Triangle>& triangles,
+                   const std::vector<Colour>& triangle_colours,
+                   const std::vector<Line>& lines,
+                   const Options& options = Options());
+
+} // namespace htl_picture
+
+#endif // HTL_PICTURE_PICTURE_H

@@ -1,0 +1,10 @@
+# The sources of the pictures, relative to this folder. They need libpng.
+set(HTL_PICTURE_SOURCES
+  ambient_occlusion.cpp
+  Camera.cpp
+  Corner_normals.cpp
+  lights.cpp
+  Line_layer.cpp
+  picture.cpp
+  Surface_layer.cpp
+  write_png.cpp)

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write_png.h"
+
+#include <png.h>
+
+#include <stdexcept>
+
+namespace htl_picture {
+
+static_assert(sizeof(Colour) == 3, "pixels are handed over as they are");
+
+void write_png(const std::string& file, int width, int height, const std::vector<Colour>& pixels) {
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
+  image.format = PNG_FORMAT_RGB;
+  if(png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, nullptr) == 0)
+    throw std::runtime_error("cannot write the picture '" + file + "': " + image.message);
+}
+
+} // namespace htl_picture
