@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_ANSWER_H
+#define HTLOOPS_ANSWER_H
+
+#include "mesh_types.h"
+
+#include <CGAL/Handle_tunnel_loops/stages.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace htloops {
+
+/// What a backend returns: certified pairs, and how they were found.
+struct Answer
+{
+  Pairs pairs;
+  CGAL::Handle_tunnel_loops::Statistics statistics;
+  std::string backend;
+  int number_of_threads = 1;
+  double total_seconds = 0.; ///< without reading and writing
+
+  /// How many handles bound inside and how many tunnels bound outside the surface. Linking numbers
+  /// decide that; empty as long as they were not computed.
+  std::optional<std::size_t> handles_bound_inside, tunnels_bound_outside;
+};
+
+} // namespace htloops
+
+#endif // HTLOOPS_ANSWER_H

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_COMMAND_H
+#define HTLOOPS_COMMAND_H
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace htloops {
+
+/// What the command line asks for; throws `Failure` if it cannot be done.
+using Command = std::function<void()>;
+
+// Each declares a command with its options; if the command line asks for it, parsing assigns it to
+// `command`. A new command (`reeb`) is one more function here and its call in main().
+void add_loops_command(CLI::App& app, Command& command);
+void add_check_command(CLI::App& app, Command& command);
+void add_generate_command(CLI::App& app, Command& command);
+
+} // namespace htloops
+
+#endif // HTLOOPS_COMMAND_H

@@ -1,0 +1,25 @@
+# Finds and checks the loops of every mesh of a folder, and sees that the unfit ones are refused.
+include("${CMAKE_CURRENT_LIST_DIR}/run_htloops.cmake")
+
+set(meshes "$ENV{HTL_MESHES}")
+if(NOT meshes)
+  set(meshes "${CMAKE_CURRENT_LIST_DIR}/../../../shared/meshes")
+endif()
+if(NOT IS_DIRECTORY "${meshes}")
+  message("SKIPPED: there is no folder ${meshes}")
+  return()
+endif()
+
+file(GLOB accepted "${meshes}/closed/*.*" "${meshes}/sphere_like/*.*")
+foreach(mesh IN LISTS accepted)
+  run(0 loops "${mesh}" -o loops.json --quiet)
+  run(0 check "${mesh}" loops.json --quiet)
+endforeach()
+
+file(GLOB difficult "${meshes}/difficult/*.*")
+foreach(mesh IN LISTS difficult)
+  run("0|3|4" loops "${mesh}" -o loops.json --quiet)
+  if("${errors}" STREQUAL "")
+    run(0 check "${mesh}" loops.json --quiet)
+  endif()
+endforeach()

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_INTERRUPT_H
+#define HTLOOPS_INTERRUPT_H
+
+#include <exception>
+
+namespace htloops {
+
+/// is thrown where work stops because the user asked for it.
+class Interrupted : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/// While an object lives, Ctrl-C and a request to terminate are noted instead of ending the
+/// program; a second one ends it at once, unless a file is being written.
+class Interrupt_guard
+{
+public:
+  Interrupt_guard();
+  ~Interrupt_guard();
+  Interrupt_guard(const Interrupt_guard&) = delete;
+  Interrupt_guard& operator=(const Interrupt_guard&) = delete;
+
+private:
+  using Handler = void (*)(int);
+  Handler previous_interrupt_, previous_terminate_;
+};
+
+/// While an object lives, a file exists that would have to be removed: nothing ends the program.
+class Unfinished_file
+{
+public:
+  Unfinished_file();
+  ~Unfinished_file();
+  Unfinished_file(const Unfinished_file&) = delete;
+  Unfinished_file& operator=(const Unfinished_file&) = delete;
+};
+
+/// the number of the signal that was noted, 0 if there was none.
+int interrupting_signal();
+
+/// throws `Interrupted` if a signal was noted.
+void throw_if_interrupted();
+
+} // namespace htloops
+
+#endif // HTLOOPS_INTERRUPT_H

@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "atomic_file.h"
+#include "backends.h"
+#include "command.h"
+#include "export_lines.h"
+#include "failure.h"
+#include "help_style.h"
+#include "interrupt.h"
+#include "loops_json_writer.h"
+#include "mesh_reader.h"
+#include "output_paths.h"
+#include "pair_table.h"
+#include "picture_export.h"
+#include "progress_bar.h"
+#include "stopwatch.h"
+#include "terminal.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace htloops {
+namespace {
+
+constexpr int largest_number_of_threads = 1024;
+
+struct Loops_options
+{
+  std::string mesh_file;
+  std::string json_file;
+  std::vector<std::string> lines_files;
+  Picture_options picture;
+  std::string backend = "auto";
+  int number_of_threads = 0;
+  std::optional<std::uint32_t> seed;
+  bool do_not_refine = false;
+  bool do_not_tighten = false;
+  bool show_all = false;
+  bool is_quiet = false;
+  std::string colour = "auto";
+};
+
+std::vector<std::string> outputs_of(const Loops_options& options) {
+  std::vector<std::string> outputs = options.lines_files;
+  for(const std::string& file : {options.json_file, options.picture.file})
+    if(!file.empty())
+      outputs.push_back(file);
+  return outputs;
+}
+
+bool is_zero(double value) { return value == 0.; }
+
+void check_options(const Loops_options& options) {
+  const std::vector<double>& view = options.picture.view;
+  if(!view.empty() && std::all_of(view.begin(), view.end(), is_zero))
+    throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
+  for(const std::string& file : options.lines_files)
+    check_lines_format(file);
+  check_output_paths(options.mesh_file, outputs_of(options));
+}
+
+std::optional<Mesh::Vertex_index> seed_of(const Loops_options& options, const Mesh& mesh) {
+  if(!options.seed)
+    return std::nullopt;
+  const std::string name = "the seed vertex " + std::to_string(*options.seed);
+  if(*options.seed >= mesh.number_of_vertices())
+    throw Failure(Exit_code::WRONG_USAGE, name + " is not one of the " +
+                                              std::to_string(mesh.number_of_vertices()) +
+                                              " vertices (they count from 0)");
+  const Mesh::Vertex_index seed(*options.seed);
+  if(mesh.is_isolated(seed))
+    throw Failure(Exit_code::WRONG_USAGE, name + " belongs to no face");
+  return seed;
+}
+
+Answer solve(const Backend& backend, const Mesh& mesh, const Loops_options& options) {
+  Solve_options solve_options;
+  solve_options.seed = seed_of(options, mesh);
+  solve_options.do_refine_handles = !options.do_not_refine;
+  solve_options.do_tighten = !options.do_not_tighten;
+  solve_options.number_of_threads = options.number_of_threads;
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  return backend.solve(mesh, solve_options, bar);
+}
+
+void write_files(const Loops_options& options,
+                 const Mesh& mesh,
+                 const Answer& answer,
+                 double read_seconds) {
+  if(!options.json_file.empty())
+    write_loops_json(options.json_file, mesh, answer, read_seconds);
+  for(const std::string& file : options.lines_files)
+    export_lines(file, answer.pairs);
+  if(!options.picture.file.empty())
+    export_picture(options.picture, mesh, answer.pairs);
+}
+
+// On the standard output, unless the JSON goes there.
+void show(const Loops_options& options, const Answer& answer, double read_seconds) {
+  if(options.is_quiet)
+    return;
+  const bool is_output_taken = options.json_file == "-";
+  std::FILE* stream = is_output_taken ? stderr : stdout;
+  const Table_options table{options.show_all, use_colour(options.colour, stream)};
+  const std::string text = table_of_pairs(answer.pairs, table) + summary(answer, read_seconds);
+  if(is_output_taken) {
+    std::fputs(text.c_str(), stderr);
+    return;
+  }
+  Atomic_file output("-");
+  output.write(text.data(), text.size());
+  output.commit();
+}
+
+void run(const Loops_options& options) {
+  const Backend& backend = choose_backend(options.backend);
+  check_options(options);
+  const Stopwatch stopwatch;
+  const Mesh mesh = read_mesh(options.mesh_file);
+  const double read_seconds = stopwatch.seconds();
+  const Interrupt_guard guard;
+  const Answer answer = solve(backend, mesh, options);
+  write_files(options, mesh, answer, read_seconds);
+  show(options, answer, read_seconds);
+}
+
+void add_output_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "What to write";
+  command.add_option("-o,--output", options.json_file, "the loops as JSON; - is standard output")
+      ->option_text("FILE.json")
+      ->group(group);
+  command
+      .add_option("--lines", options.lines_files,
+                  "the loops as lines: .ply .obj .vtp .polylines.txt; repeatable")
+      ->option_text("FILE")
+      ->allow_extra_args(false)
+      ->group(group);
+  if(has_pictures) {
+    command.add_option("--picture", options.picture.file, "a picture of the mesh and the loops")
+        ->option_text("FILE.png")
+        ->group(group);
+    command
+        .add_option("--view", options.picture.view,
+                    "direction the picture is seen from; default: oblique")
+        ->option_text("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->needs("--picture")
+        ->group(group);
+  }
+}
+
+void add_computation_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "How to compute";
+  command
+      .add_option("--backend", options.backend,
+                  "auto, host, cuda or reference; default: auto, the fastest there is")
+      ->option_text("NAME")
+      ->check(CLI::IsMember(names_of_backends()))
+      ->group(group);
+  command
+      .add_option("--threads", options.number_of_threads,
+                  "threads to use, 1 to " + std::to_string(largest_number_of_threads) +
+                      "; default: one per core")
+      ->option_text("N")
+      ->check(CLI::Range(1, largest_number_of_threads))
+      ->group(group);
+  command
+      .add_option("--seed", options.seed,
+                  "vertex to grow from, from 0 as in the file; default: the first")
+      ->option_text("VERTEX")
+      ->group(group);
+  command
+      .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")
+      ->group(group);
+  command.add_flag("--no-tighten", options.do_not_tighten, "do not shorten the loops: faster")
+      ->group(group);
+}
+
+void add_display_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "What to show";
+  command.add_flag("--all", options.show_all, "all rows of a long table")->group(group);
+  command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors")->group(group);
+  command.add_option("--color", options.colour, "auto, always or never; default: auto")
+      ->option_text("WHEN")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->group(group);
+}
+
+constexpr char description[] =
+    "Finds the handle and tunnel loops of a closed triangle mesh.\n"
+    "\n"
+    "A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside "
+    "the\n"
+    "surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop "
+    "once.\n"
+    "They are checked to be a basis of H1(S; Z) before they are written.\n";
+
+constexpr char examples[] =
+    "Examples:\n"
+    "  htloops loops cup.off                           a table of the loops\n"
+    "  htloops loops cup.off -o cup.json --lines cup.ply\n"
+    "                                                  the loops for a program and for a viewer\n"
+    "  htloops loops cup.off -qo - | jq '.pairs | length'\n"
+    "                                                  JSON into a pipe\n";
+
+} // namespace
+
+void add_loops_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Loops_options>();
+  CLI::App* loops = app.add_subcommand("loops", description)->group("Commands");
+  loops->add_option("MESH", options->mesh_file, "closed triangle mesh: .off .obj .ply .stl .ts")
+      ->option_text(" ")
+      ->required();
+  add_output_options(*loops, *options);
+  add_computation_options(*loops, *options);
+  add_display_options(*loops, *options);
+  complete_help(*loops, examples);
+  loops->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_LOOPS_JSON_READER_H
+#define HTLOOPS_LOOPS_JSON_READER_H
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// A place on an edge as it stands in a file, not yet known to be on a mesh.
+struct Location_record
+{
+  long long source, target;
+  double ratio;
+};
+
+struct Loop_record
+{
+  double length = 0.;
+  std::vector<Location_record> locations;
+  std::vector<std::array<double, 3>> points;
+};
+
+struct Pair_record
+{
+  Loop_record handle, tunnel;
+
+  const Loop_record& loop(CGAL::Loop_type type) const {
+    return type == CGAL::Loop_type::HANDLE ? handle : tunnel;
+  }
+};
+
+/// What a file of the format "htloops/1" says of a mesh.
+struct Loops_record
+{
+  std::size_t number_of_vertices = 0;
+  std::size_t number_of_faces = 0;
+  std::vector<Pair_record> pairs;
+};
+
+/// reads a file of the format "htloops/1"; throws `Failure`, naming what is missing or of the wrong
+/// type, if it is none. Whether the numbers make sense is not looked at.
+Loops_record read_loops_json(const std::string& file);
+
+} // namespace htloops
+
+#endif // HTLOOPS_LOOPS_JSON_READER_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "loops_json_writer.h"
+
+#include "text_writer.h"
+
+#include <cmath>
+#include <optional>
+
+namespace htloops {
+namespace {
+
+using CGAL::Handle_tunnel_loops::Stage;
+
+// The names of the backends and the stages need no escaping, so JSON is a matter of commas. It is
+// written as it comes, as a thousand long loops are no tree to keep in memory.
+class Loops_json_writer
+{
+public:
+  Loops_json_writer(const std::string& target, const Mesh& mesh)
+      : out_(target)
+      , mesh_(mesh) {}
+
+  void write(const Answer& answer, double read_seconds) {
+    out_ << "{ \"format\": \"htloops/1\",\n";
+    write_mesh(answer);
+    out_ << "  \"backend\": \"" << answer.backend << "\", \"threads\": " << answer.number_of_threads
+         << ",\n";
+    write_timings(answer, read_seconds);
+    write_certificate(answer);
+    write_pairs(answer.pairs);
+    out_ << "}\n";
+    out_.finish();
+  }
+
+private:
+  void write_mesh(const Answer& answer) {
+    out_ << "  \"mesh\": { \"vertices\": " << mesh_.number_of_vertices()
+         << ", \"faces\": " << mesh_.number_of_faces()
+         << ", \"components\": " << answer.statistics.number_of_components
+         << ", \"genus\": " << answer.statistics.genus << " },\n";
+  }
+
+  void write_timings(const Answer& answer, double read_seconds) {
+    out_ << "  \"timings\": { \"read\": ";
+    write_number(read_seconds);
+    for(std::size_t i = 0; i < CGAL::Handle_tunnel_loops::number_of_stages; ++i) {
+      const auto stage = static_cast<Stage>(i);
+      out_ << ", \"" << CGAL::Handle_tunnel_loops::stage_name(stage) << "\": ";
+      write_number(answer.statistics.seconds_of(stage));
+    }
+    out_ << ", \"total\": ";
+    write_number(answer.total_seconds);
+    out_ << " },\n";
+  }
+
+  // Loops that are no certified basis never come here: the library throws instead.
+  void write_certificate(const Answer& answer) {
+    out_ << "  \"certificate\": { \"closed_on_surface\": true, \"basis\": true, "
+            "\"handles_bound_inside\": ";
+    write_count(answer.handles_bound_inside);
+    out_ << ", \"tunnels_bound_outside\": ";
+    write_count(answer.tunnels_bound_outside);
+    out_ << " },\n";
+  }
+
+  void write_pairs(const Pairs& pairs) {
+    out_ << "  \"pairs\": [";
+    for_each_loop(pairs, [this](const Loop& loop, CGAL::Loop_type type, std::size_t pair) {
+      const bool is_first = type == CGAL::Loop_type::HANDLE;
+      out_ << (!is_first   ? ",\n      \""
+               : pair == 0 ? "\n    { \""
+                           : ",\n    { \"")
+           << name_of(type) << "\": ";
+      write_loop(loop);
+      out_ << (is_first ? "" : " }");
+    });
+    out_ << (pairs.empty() ? "]\n" : "\n  ]\n");
+  }
+
+  void write_loop(const Loop& loop) {
+    out_ << "{ \"length\": ";
+    write_number(loop.length());
+    out_ << ",\n        \"locations\": [";
+    const char* separator = "";
+    for(const Loop::Step& step : loop.steps()) {
+      out_ << separator << '[' << mesh_.source(step.halfedge).idx() << ','
+           << mesh_.target(step.halfedge).idx() << ',';
+      write_number(step.ratio);
+      out_ << ']';
+      separator = ", ";
+    }
+    out_ << "],\n        \"points\": [";
+    separator = "";
+    for(const Point& point : loop.points()) {
+      out_ << separator << '[';
+      write_number(point.x());
+      out_ << ',';
+      write_number(point.y());
+      out_ << ',';
+      write_number(point.z());
+      out_ << ']';
+      separator = ", ";
+    }
+    out_ << "] }";
+  }
+
+  // JSON has no infinity, which the length of a loop may reach where coordinates almost do.
+  void write_number(double value) {
+    if(std::isfinite(value))
+      out_ << value;
+    else
+      out_ << "null";
+  }
+
+  void write_count(const std::optional<std::size_t>& count) {
+    if(count)
+      out_ << *count;
+    else
+      out_ << "null";
+  }
+
+  Text_writer out_;
+  const Mesh& mesh_;
+};
+
+} // namespace
+
+void write_loops_json(const std::string& target,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      double read_seconds) {
+  Loops_json_writer(target, mesh).write(answer, read_seconds);
+}
+
+} // namespace htloops

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_SOUP_H
+#define HTLOOPS_SOUP_H
+
+#include "mesh_types.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+
+/// The vertices of a face. Only the first three are kept, as a face with more is refused anyway:
+/// so a million faces need no million allocations, and a damaged file that announces a face of a
+/// billion vertices does no harm. Has what the readers of CGAL ask of a polygon.
+class Soup_face
+{
+public:
+  using value_type = std::uint32_t;
+  using size_type = std::size_t;
+  using iterator = value_type*;
+  using const_iterator = const value_type*;
+
+  void resize(std::size_t size) { size_ = size; }
+  std::size_t size() const { return size_; }
+  bool is_triangle() const { return size_ == 3; }
+
+  value_type& operator[](std::size_t i) { return vertices_[i < 3 ? i : 3]; }
+  value_type operator[](std::size_t i) const { return vertices_[i < 3 ? i : 3]; }
+
+  const_iterator begin() const { return vertices_.data(); }
+  const_iterator end() const { return begin() + (size_ < 3 ? size_ : 3); }
+  iterator begin() { return vertices_.data(); }
+  iterator end() { return begin() + (size_ < 3 ? size_ : 3); }
+
+private:
+  std::array<value_type, 4> vertices_{}; // the last one takes what is not kept
+  std::size_t size_ = 0;
+};
+
+/// A vector that refuses to be resized beyond a limit. Readers that allocate what the header of a
+/// file announces are given one that is limited by the size of the file.
+template <typename T> class Limited_vector : public std::vector<T>
+{
+public:
+  using std::vector<T>::vector;
+
+  void set_limit(std::size_t limit) { limit_ = limit; }
+
+  void resize(std::size_t size) {
+    if(size > limit_)
+      throw std::length_error("its header announces more elements than the file has bytes");
+    std::vector<T>::resize(size);
+  }
+
+private:
+  std::size_t limit_ = static_cast<std::size_t>(-1);
+};
+
+/// Points and faces as they stand in a file, nothing known about them.
+struct Soup
+{
+  Limited_vector<Point> points;
+  Limited_vector<Soup_face> faces;
+
+  /// the vertex at which halfedge 3 * face + i, from corner i to corner i + 1, begins.
+  std::uint32_t source(std::uint32_t halfedge) const { return faces[halfedge / 3][halfedge % 3]; }
+};
+
+/// the halfedge after one in its triangle, where halfedges are numbered by triangles.
+inline std::uint32_t next_in_triangle(std::uint32_t halfedge) {
+  return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1;
+}
+
+} // namespace htloops
+
+#endif // HTLOOPS_SOUP_H

@@ -1,0 +1,42 @@
+set(HTLOOPS_SOURCES
+  atomic_file.cpp
+  backends.cpp
+  check_command.cpp
+  edge_table.cpp
+  export_lines.cpp
+  export_obj.cpp
+  export_ply.cpp
+  export_polylines.cpp
+  export_vtp.cpp
+  generate_command.cpp
+  help_style.cpp
+  host_backend.cpp
+  input_file.cpp
+  interrupt.cpp
+  loops_binding.cpp
+  loops_command.cpp
+  loops_json_reader.cpp
+  loops_json_writer.cpp
+  main.cpp
+  mesh_builder.cpp
+  mesh_reader.cpp
+  mesh_writer.cpp
+  off_reader.cpp
+  output_paths.cpp
+  pair_table.cpp
+  picture_export.cpp
+  ply_guard.cpp
+  ply_header.cpp
+  progress_bar.cpp
+  soup_diagnosis.cpp
+  soup_reader.cpp
+  stl_guard.cpp
+  terminal.cpp
+  text_cursor.cpp
+  text_writer.cpp
+  thread_limit.cpp
+  version.cpp)
+
+# Only one file has to be compiled again when the version changes.
+set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES
+  COMPILE_DEFINITIONS "HTLOOPS_VERSION=\"${PROJECT_VERSION}\"")

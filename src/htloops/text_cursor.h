@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_TEXT_CURSOR_H
+#define HTLOOPS_TEXT_CURSOR_H
+
+#include <cstddef>
+#include <string_view>
+
+namespace htloops {
+
+/// A place in a text of lines of numbers and words, where # begins a comment.
+class Text_cursor
+{
+public:
+  explicit Text_cursor(std::string_view text)
+      : begin_(text.data())
+      , at_(text.data())
+      , end_(text.data() + text.size()) {}
+
+  /// moves to the next number or word, over line ends and comments; false at the end of the text.
+  bool skip_to_content();
+
+  /// moves to the beginning of the next line.
+  void skip_line();
+
+  /// reads the next number of this line; false, without moving, if there is none.
+  bool read(double& value);
+  bool read(long long& value);
+
+  /// reads the next word of this line; empty if there is none.
+  std::string_view word();
+
+  /// the number of the current line, from 1.
+  std::size_t line() const;
+
+private:
+  void skip_blanks();
+  std::string_view next_word() const;
+
+  const char* begin_;
+  const char* at_;
+  const char* end_;
+};
+
+} // namespace htloops
+
+#endif // HTLOOPS_TEXT_CURSOR_H
