@@ -119,6 +119,7 @@ private:
 /// The loops with numbers from `first` on.
 struct Loops_from
 {
+  static constexpr bool is_one = false;
   Index first;
 
   bool contains(Index loop) const { return loop >= first; }
@@ -127,6 +128,7 @@ struct Loops_from
 /// One loop.
 struct Only_loop
 {
+  static constexpr bool is_one = true;
   Index number;
 
   bool contains(Index loop) const { return loop == number; }

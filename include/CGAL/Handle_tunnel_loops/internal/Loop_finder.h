@@ -65,7 +65,7 @@ public:
   void initial_pass()
   {
     progress_.start(Stage::INITIAL);
-    Narrow_band band(mesh_, stencils_, coefficients_, [](Index) { return false; });
+    Narrow_band band(mesh_, stencils_, coefficients_);
     sweep(band);
     time_ = std::move(band.times());
     sweep_handles_ = find_sweep_handles(execution_, mesh_, Arrival_order(time_));
@@ -89,8 +89,9 @@ public:
     const Crossing_index& index = *contour_index_;
     std::vector<char> is_from_sweep(contours.size(), 0);
     tunnels_.resize(contours.size());
-    for_each_loop(index, [&](Loop_pass& pass, Index k) {
-      const auto walks = pass.dual_walks(contours[k], k, Loops_from{k}, Loop_pass::Limits());
+    using Pass = Loop_pass<Loops_from>;
+    for_each_loop<Pass>(index, [&](Pass& pass, Index k) {
+      const auto walks = pass.dual_walks(contours[k], k, {k}, {});
       is_from_sweep[k] = walks.empty();
       tunnels_[k] = walks.empty() ? sweep_tunnel(mesh_, Arrival_order(time_), sweep_handles_[k])
                                   : pushed_left(mesh_, walks.front());
@@ -109,9 +110,10 @@ public:
     progress_.start(Stage::REFINE);
     const Crossing_index index(mesh_, tunnels_);
     std::vector<std::vector<Crossing_loop>> candidates(tunnels_.size());
-    for_each_loop(index, [&](Loop_pass& pass, Index k) {
-      const Loop_pass::Limits limits = {number_of_candidates, steps_along(handles_[k])};
-      for(const auto& walk : pass.dual_walks(tunnels_[k], k, Only_loop{k}, limits))
+    using Pass = Loop_pass<Only_loop>;
+    for_each_loop<Pass>(index, [&](Pass& pass, Index k) {
+      const typename Pass::Limits limits = {number_of_candidates, steps_along(handles_[k])};
+      for(const auto& walk : pass.dual_walks(tunnels_[k], k, {k}, limits))
         candidates[k].push_back(pushed_left(mesh_, walk));
     });
     Refinement_choice choice(tunnels_, *contour_index_, index);
@@ -180,11 +182,12 @@ private:
   }
 
   /// calls `f(pass, k)` for the loops k in the index, with a workspace that no other call has.
-  template <typename Function> void for_each_loop(const Crossing_index& index, const Function& f)
+  template <typename Pass, typename Function>
+  void for_each_loop(const Crossing_index& index, const Function& f)
   {
     const std::size_t g = sweep_handles_.size();
-    Worker_pool<Loop_pass> passes([&] {
-      return std::make_unique<Loop_pass>(mesh_, stencils_, coefficients_, index);
+    Worker_pool<Pass> passes([&] {
+      return std::make_unique<Pass>(mesh_, stencils_, coefficients_, index);
     });
     for_each_index(execution_, g, [&](std::size_t k) {
       if(progress_.is_interrupted())

@@ -37,15 +37,22 @@ The result crosses the loop once and no other wall, counted with sign. This is c
 every candidate; on meshes so coarse that an edge is crossed by several walls, the first meeting may fail,
 and the next one is waited for.
 */
+template <typename Loop_set>
 class Loop_pass
 {
 public:
-  /// `index` tells where the loops are that can be searched for or barred.
+  /// `index` tells where the loops are that can be barred: in each search a set of type `Loop_set`.
   Loop_pass(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k,
             const Crossing_index& index)
     : mesh_(mesh)
     , index_(index)
-    , band_(mesh, stencils, k, [&](Index v) { return index.has_crossing(v); }) {}
+    , band_(mesh, stencils, k)
+  {
+    if(!Loop_set::is_one)
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+        if(index.has_crossing(v))
+          band_.expect_walls(v);
+  }
 
   /// How long to search.
   struct Limits
@@ -58,11 +65,10 @@ public:
   /// of `loop` in the index, and is among the `barred` ones, which are walls. Where the fronts meet in
   /// several places, as behind each of several branches of the surface, there is a walk for each; the
   /// search ends a third later than the first was found.
-  template <typename Loop_set>
   std::vector<std::vector<Index>> dual_walks(const Crossing_loop& loop, Index number,
                                              const Loop_set& barred, const Limits& limits)
   {
-    const Loop_walls<Loop_set> walls(index_, barred);
+    const Walls walls(index_, barred);
     measure(loop);
     start(loop, walls);
     std::vector<std::vector<Index>> walks;
@@ -90,6 +96,8 @@ public:
   std::size_t number_of_updates() const { return band_.number_of_updates(); }
 
 private:
+  using Walls = Loop_walls<Loop_set>;
+
   // An edge, or one vertex, at which what was reached from the left meets what was reached from the
   // right.
   struct Meeting
@@ -113,9 +121,14 @@ private:
     }
   }
 
-  template <typename Walls> void start(const Crossing_loop& loop, const Walls& walls)
+  void start(const Crossing_loop& loop, const Walls& walls)
   {
     meetings_.clear();
+    for(const Crossing& c : loop)
+      if(Loop_set::is_one) {
+        band_.expect_walls_now(c.left);
+        band_.expect_walls_now(c.right);
+      }
     for(const Crossing& c : loop)
       band_.add_source(c.left, 0, Side::LEFT);
     for(const Crossing& c : loop)
@@ -129,7 +142,7 @@ private:
     band_.start(walls);
   }
 
-  template <typename Walls> void note_meetings(Index v, const Walls& walls)
+  void note_meetings(Index v, const Walls& walls)
   {
     const Side side = band_.side(v);
     for(Index u : mesh_.ring(v))
@@ -160,7 +173,6 @@ private:
     band_.mark(meeting.right);
   }
 
-  template <typename Walls>
   std::vector<Index> close(const Crossing_loop& loop, const Meeting& meeting,
                            const Walls& walls) const
   {
@@ -174,7 +186,6 @@ private:
   }
 
   // Whether loop `number` is crossed once, and no other wall.
-  template <typename Loop_set>
   static bool is_dual(const Sparse_numbers& numbers, Index number, const Loop_set& barred)
   {
     bool is_crossed_once = false;
@@ -187,7 +198,7 @@ private:
   }
 
   // From `v` to a source.
-  template <typename Walls> std::vector<Index> way_back(Index v, const Walls& walls) const
+  std::vector<Index> way_back(Index v, const Walls& walls) const
   {
     std::vector<Index> walk(1, v);
     while(band_.time(v) != 0) {

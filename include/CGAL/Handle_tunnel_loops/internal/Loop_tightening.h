@@ -47,8 +47,7 @@ public:
     int idle_rounds = 0;
     for(int round = 0; round < maximum_number_of_rounds && loop.size() >= 3; ++round) {
       rotate_start(loop);
-      shorten_within_strip(loop);
-      const double current = length(mesh_, loop);
+      const double current = shorten_within_strip(loop);
       if(current <= best_length) {
         best = loop;
         best_length = current;
@@ -76,38 +75,46 @@ private:
                 loop.end());
   }
 
+  double squared_length(Index u, Index v) const
+  {
+    const Vector e = mesh_.points[v] - mesh_.points[u];
+    return internal::dot(e, e);
+  }
+
   /// Lays the strip out: portal i is crossing i, portal n the first one again.
   void unfold(const Crossing_loop& loop)
   {
     const std::size_t n = loop.size();
     left_.resize(n + 1);
     right_.resize(n + 1);
+    double base = squared_length(loop[0].left, loop[0].right);
     left_[0] = {0., 0.};
-    right_[0] = {0., -mesh_.edge_length(loop[0].left, loop[0].right)};
+    right_[0] = {0., -std::sqrt(base)};
     for(std::size_t i = 0; i < n; ++i) {
       const Crossing& from = loop[i];
       const Crossing& to = loop[i + 1 == n ? 0 : i + 1];
-      left_[i + 1] = left_[i];
-      right_[i + 1] = right_[i];
-      if(to.left == from.left)
-        right_[i + 1] = apex_position(from, to.right, left_[i], right_[i]);
-      else
-        left_[i + 1] = apex_position(from, to.left, left_[i], right_[i]);
+      const bool keeps_left = to.left == from.left;
+      const Index apex = keeps_left ? to.right : to.left;
+      const double to_left = squared_length(from.left, apex);
+      const double to_right = squared_length(from.right, apex);
+      const Point_2 p = apex_position(left_[i], right_[i], base, to_left, to_right);
+      left_[i + 1] = keeps_left ? left_[i] : p;
+      right_[i + 1] = keeps_left ? p : right_[i];
+      base = keeps_left ? to_left : to_right;
     }
   }
 
-  // Heading along +x, with left above right, the apex lies to the left of right -> left turned by -90.
-  Point_2 apex_position(const Crossing& edge, Index apex, const Point_2& l, const Point_2& r) const
+  // Of the triangle over l - r with the given squared lengths. Heading along +x, with l above r, the apex
+  // is ahead.
+  static Point_2 apex_position(const Point_2& l, const Point_2& r, double base, double to_left,
+                               double to_right)
   {
-    const double base = mesh_.edge_length(edge.left, edge.right);
-    const double a = mesh_.edge_length(edge.left, apex), b = mesh_.edge_length(edge.right, apex);
     if(base == 0.)
-      return {l[0] + a, l[1]};
-    const double along = (a * a - b * b + base * base) / (2. * base);
-    const double height = std::sqrt((std::max)(0., a * a - along * along));
-    const Point_2 direction = {(r[0] - l[0]) / base, (r[1] - l[1]) / base};
-    return {l[0] + along * direction[0] - height * direction[1],
-            l[1] + along * direction[1] + height * direction[0]};
+      return {l[0] + std::sqrt(to_left), l[1]};
+    const double along = 0.5 * (to_left - to_right + base) / base;
+    const double ahead = std::sqrt((std::max)(0., to_left / base - along * along));
+    const Point_2 d = minus(r, l);
+    return {l[0] + along * d[0] - ahead * d[1], l[1] + along * d[1] + ahead * d[0]};
   }
 
   struct Bend
@@ -116,11 +123,18 @@ private:
     Point_2 point;
   };
 
-  void shorten_within_strip(Crossing_loop& loop)
+  /// Returns the length.
+  double shorten_within_strip(Crossing_loop& loop)
   {
     unfold(loop);
     find_bends(loop);
     set_ratios(loop);
+    double length = 0.;
+    for(std::size_t b = 0; b + 1 < bends_.size(); ++b) {
+      const Point_2 d = minus(bends_[b + 1].point, bends_[b].point);
+      length += std::sqrt(dot(d, d));
+    }
+    return length;
   }
 
   static Point_2 between(const Point_2& l, const Point_2& r, double ratio)

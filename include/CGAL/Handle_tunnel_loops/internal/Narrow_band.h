@@ -47,13 +47,11 @@ The object can be used again and again; `reset()` costs as much as the region th
 class Narrow_band
 {
 public:
-  /// Walls, in this and all later runs, are only at vertices for which `may_have_wall(v)` holds.
-  template <typename May_have_wall>
-  Narrow_band(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k,
-              const May_have_wall& may_have_wall)
+  Narrow_band(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k)
     : mesh_(mesh)
     , stencils_(stencils)
     , coefficients_(k)
+    , spark_(k.penalty / k.diffusion)
     , value_(mesh.number_of_vertices() + 1, 0.f)
     , time_(mesh.number_of_vertices(), never)
     , state_(mesh.number_of_vertices(), 0)
@@ -62,8 +60,20 @@ public:
     , next_(new float[mesh.number_of_vertices()])
   {
     for(Index v = 0; v < state_.size(); ++v)
-      if(mesh.ring(v).size() > Stencils::width || may_have_wall(v))
+      if(mesh.ring(v).size() > Stencils::width)
         state_[v] = special;
+  }
+
+  /// says that there may be walls at \p v, in all runs to come; walls elsewhere are not seen.
+  void expect_walls(Index v) { state_[v] |= special; }
+
+  /// says that there may be walls at \p v, until `reset()`.
+  void expect_walls_now(Index v)
+  {
+    if(state_[v] & (special | special_now))
+      return;
+    state_[v] |= special_now;
+    special_now_.push_back(v);
   }
 
   /// makes `v` a source, unless it is one already: its value is one for ever.
@@ -124,7 +134,10 @@ public:
       time_[v] = never;
       state_[v] &= special;
     }
+    for(Index v : special_now_)
+      state_[v] = 0;
     number_of_touched_ = band_size_ = 0;
+    special_now_.clear();
     special_band_.clear();
     special_rows_.clear();
     sources_.clear();
@@ -135,7 +148,7 @@ public:
   /// whether there is a wall between two neighbours.
   template <typename Walls> bool is_wall(Index u, Index v, const Walls& walls) const
   {
-    return (state_[u] & special) != 0 && walls.is_wall(u, v);
+    return is_special(u) && walls.is_wall(u, v);
   }
 
 private:
@@ -143,8 +156,12 @@ private:
   static constexpr Time patience = 64;
 
   // The states of a vertex: in the band now or before; not to be updated; reached from the right; marked by
-  // the caller; having more neighbours than a stencil has room for, or perhaps a wall beside it.
-  static constexpr std::uint8_t active = 1, fixed = 2, right = 4, marked = 8, special = 16;
+  // the caller; having more neighbours than a stencil has room for, or perhaps a wall beside it, always or
+  // in this run.
+  static constexpr std::uint8_t active = 1, fixed = 2, right = 4, marked = 8, special = 16,
+                                special_now = 32;
+
+  bool is_special(Index v) const { return (state_[v] & (special | special_now)) != 0; }
 
   // A special vertex of the band, and its neighbours, in `special_rows_`.
   struct Special
@@ -166,16 +183,16 @@ private:
     for(Index u : mesh_.ring(v)) {
       if(is_wall(v, u, walls))
         continue;
-      const bool is_special = (state_[u] & special) != 0;
+      const bool has_stencil = !is_special(u);
       const bool is_new = (state_[u] & active) == 0;
       state_[u] |= active;
-      if(is_special && is_new)
+      if(is_new && !has_stencil)
         append_special(u, walls);
       // What is written behind the end does not count; this way there is no branch to mispredict.
       touched_[number_of_touched_] = u;
       band_[band_size_] = u;
       number_of_touched_ += is_new;
-      band_size_ += is_new && !is_special;
+      band_size_ += is_new && has_stencil;
     }
   }
 
@@ -239,7 +256,7 @@ private:
       return false;
     const float before = value_[v];
     value_[v] = after;
-    if(before == 0.f && after > 0.f)
+    if(before <= spark_ && after > spark_)
       activate_neighbors(v, walls);
     if(after >= front_threshold && !is_reached(v)) {
       const Index earlier = earliest_neighbor(v, walls);
@@ -276,7 +293,7 @@ private:
       if(earlier == v)
         continue;
       arrive(v, step_ * ticks_per_step, side(earlier));
-      if(value_[v] == 0.f)
+      if(value_[v] <= spark_)
         activate_neighbors(v, walls);
       value_[v] = 1.f;
       state_[v] |= fixed;
@@ -287,6 +304,7 @@ private:
   const Flat_mesh& mesh_;
   const Stencils& stencils_;
   Step_coefficients coefficients_;
+  float spark_; // a vertex stays at zero as long as all its neighbours are below this value
   std::vector<float> value_; // one more than there are vertices, see Stencils
   std::vector<Time> time_;
   std::vector<std::uint8_t> state_;
@@ -297,6 +315,7 @@ private:
   std::size_t number_of_touched_ = 0;
   std::vector<Special> special_band_;
   std::vector<Index> special_rows_;
+  std::vector<Index> special_now_;
   std::vector<float> next_special_;
   std::vector<Index> sources_;
   Time step_ = 0;

@@ -48,9 +48,12 @@ public:
 private:
   bool shorten(Crossing_loop& loop, const Crossing_loop& by)
   {
+    // Of two loops of nearly the same length, the sum is hardly ever shorter than both.
+    if(length(mesh_, loop) < 1.1 * length(mesh_, by))
+      return false;
     const double threshold = 0.99 * length(mesh_, loop);
     for(const bool forward : {true, false}) {
-      Crossing_loop sum = pushed_left(mesh_, joined(left_walk(loop), left_walk(by), forward));
+      Crossing_loop sum = pushed_left(mesh_, joined(loop, by, forward));
       if(!sum.empty() && becomes_shorter(sum, threshold)) {
         tightening_.tighten(sum);
         loop = std::move(sum);
@@ -73,30 +76,32 @@ private:
     return current < threshold;
   }
 
-  static std::vector<Index> left_walk(const Crossing_loop& loop)
+  // Crossings with the same left end, one on each loop; there are some, because the loops cross.
+  static std::pair<std::size_t, std::size_t> common_place(const Crossing_loop& a,
+                                                          const Crossing_loop& b)
   {
-    std::vector<Index> walk;
-    for(const Crossing& c : loop)
-      if(walk.empty() || walk.back() != c.left)
-        walk.push_back(c.left);
-    return walk;
+    std::vector<std::pair<Index, std::size_t>> sorted;
+    for(std::size_t j = 0; j < b.size(); ++j)
+      sorted.emplace_back(b[j].left, j);
+    std::sort(sorted.begin(), sorted.end());
+    for(std::size_t i = 0; i < a.size(); ++i) {
+      const auto it = std::lower_bound(sorted.begin(), sorted.end(),
+                                       std::make_pair(a[i].left, std::size_t(0)));
+      if(it != sorted.end() && it->first == a[i].left)
+        return {i, it->second};
+    }
+    return {a.size(), b.size()};
   }
 
-  // The loops cross once, so the walks have a vertex in common. There one is followed by the other.
-  static std::vector<Index> joined(std::vector<Index> walk, std::vector<Index> other, bool forward)
+  // One loop followed by the other, as a walk along their left ends.
+  static std::vector<Index> joined(const Crossing_loop& a, const Crossing_loop& b, bool forward)
   {
-    std::vector<Index> sorted = other;
-    std::sort(sorted.begin(), sorted.end());
-    const auto common = std::find_if(walk.begin(), walk.end(), [&](Index v) {
-      return std::binary_search(sorted.begin(), sorted.end(), v);
-    });
-    if(common == walk.end())
-      return {};
-    if(!forward)
-      std::reverse(other.begin(), other.end());
-    std::rotate(other.begin(), std::find(other.begin(), other.end(), *common), other.end());
-    std::rotate(walk.begin(), common, walk.end());
-    walk.insert(walk.end(), other.begin(), other.end());
+    const auto [i, j] = common_place(a, b);
+    std::vector<Index> walk;
+    for(std::size_t k = 0; k < a.size(); ++k)
+      walk.push_back(a[(i + k) % a.size()].left);
+    for(std::size_t k = 0; k < b.size(); ++k)
+      walk.push_back(b[(forward ? j + k : j + b.size() - k) % b.size()].left);
     remove_spurs(walk);
     return walk;
   }
