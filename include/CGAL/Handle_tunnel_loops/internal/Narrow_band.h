@@ -79,11 +79,11 @@ public:
   /// makes `v` a source, unless it is one already: its value is one for ever.
   void add_source(Index v, Time time, Side side = Side::LEFT)
   {
-    if(state_[v] & fixed)
+    if(is_reached(v))
       return;
     touched_[number_of_touched_++] = v;
     sources_.push_back(v);
-    state_[v] |= active | fixed;
+    state_[v] |= active;
     value_[v] = 1.f;
     arrive(v, time, side);
   }
@@ -152,14 +152,14 @@ public:
   }
 
 private:
+  static constexpr float just_below_threshold = 0.499f;
+
   // A front that moves at all passes a vertex in far fewer steps.
   static constexpr Time patience = 64;
 
-  // The states of a vertex: in the band now or before; not to be updated; reached from the right; marked by
-  // the caller; having more neighbours than a stencil has room for, or perhaps a wall beside it, always or
-  // in this run.
-  static constexpr std::uint8_t active = 1, fixed = 2, right = 4, marked = 8, special = 16,
-                                special_now = 32;
+  // The states of a vertex: in the band now or before; reached from the right; marked by the caller; having
+  // more neighbours than a stencil has room for, or perhaps a wall beside it, always or in this run.
+  static constexpr std::uint8_t active = 1, right = 2, marked = 4, special = 8, special_now = 16;
 
   bool is_special(Index v) const { return (state_[v] & (special | special_now)) != 0; }
 
@@ -248,24 +248,25 @@ private:
     special_band_.erase(special_band_.begin() + kept, special_band_.begin() + special_size);
   }
 
-  /// gives a vertex its new value, and says whether it may still change.
+  /// gives a vertex its new value, and says whether it may still change. No vertex passes the threshold
+  /// before a neighbour has.
   template <typename Walls, typename Reached>
   bool settle(Index v, float after, const Walls& walls, const Reached& reached)
   {
-    if(state_[v] & fixed)
-      return false;
     const float before = value_[v];
-    value_[v] = after;
-    if(before <= spark_ && after > spark_)
-      activate_neighbors(v, walls);
-    if(after >= front_threshold && !is_reached(v)) {
+    if(before < front_threshold && after >= front_threshold) {
       const Index earlier = earliest_neighbor(v, walls);
-      if(earlier != v) {
+      if(earlier == v)
+        after = just_below_threshold;
+      else {
         arrive(v, crossing_time(before, after, step_), side(earlier));
         reached(v);
       }
     }
-    return after < 1.f || !is_reached(v);
+    value_[v] = after;
+    if(before <= spark_ && after > spark_)
+      activate_neighbors(v, walls);
+    return after < 1.f;
   }
 
   // Among the neighbours reached in earlier steps; `v` itself if there is none.
@@ -296,9 +297,20 @@ private:
       if(value_[v] <= spark_)
         activate_neighbors(v, walls);
       value_[v] = 1.f;
-      state_[v] |= fixed;
       reached(v);
     }
+    leave_band();
+  }
+
+  // What has come to 1 is updated no more.
+  void leave_band()
+  {
+    const auto is_full = [&](Index v) { return value_[v] == 1.f; };
+    band_size_ = std::remove_if(band_.get(), band_.get() + band_size_, is_full) - band_.get();
+    special_band_.erase(
+        std::remove_if(special_band_.begin(), special_band_.end(),
+                       [&](const Special& special) { return is_full(special.vertex); }),
+        special_band_.end());
   }
 
   const Flat_mesh& mesh_;
