@@ -173,7 +173,7 @@ private:
 
   // Most contours are replaced in the refinement pass; until then it is enough to know about how long they
   // will be.
-  static constexpr int few_rounds = 8;
+  static constexpr int few_rounds = 3;
 
   void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 200) const
   {
