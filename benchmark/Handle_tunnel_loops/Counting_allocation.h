@@ -15,8 +15,7 @@ namespace counting_allocation {
 
 inline std::atomic<std::size_t> in_use{0}, peak{0};
 
-inline void* allocate(std::size_t size)
-{
+inline void* allocate(std::size_t size) {
   void* p = std::malloc(size);
   if(p == nullptr)
     throw std::bad_alloc();
@@ -27,16 +26,14 @@ inline void* allocate(std::size_t size)
   return p;
 }
 
-inline void release(void* p) noexcept
-{
+inline void release(void* p) noexcept {
   if(p != nullptr)
     in_use -= malloc_usable_size(p);
   std::free(p);
 }
 
 /// forgets the peak; returns the bytes in use.
-inline std::size_t restart()
-{
+inline std::size_t restart() {
   peak = in_use.load();
   return in_use;
 }

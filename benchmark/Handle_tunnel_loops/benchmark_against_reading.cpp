@@ -1,10 +1,11 @@
-// Measures the whole computation (all passes, classification and certificate) as a multiple of the time that
-// CGAL::IO::read_polygon_mesh takes for the same mesh as an OFF file, in one run, and the memory that it takes
-// beyond the mesh.
+// Measures the whole computation (all passes, classification and certificate) as a multiple of the
+// time that CGAL::IO::read_polygon_mesh takes for the same mesh as an OFF file, in one run, and the
+// memory that it takes beyond the mesh.
 //
 //   benchmark_against_reading [-n RUNS] [KIND:FACES:GENUS | FILE]...
 //
-// Without arguments: the suite of the README, on generated meshes. Each figure is the median of the runs.
+// Without arguments: the suite of the README, on generated meshes. Each figure is the median of the
+// runs.
 
 #include "Counting_allocation.h"
 
@@ -34,19 +35,16 @@ namespace HTL = CGAL::Handle_tunnel_loops;
 
 namespace {
 
-double seconds_now()
-{
+double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double median(std::vector<double> values)
-{
+double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
 
-void write_off(const HTL::generators::Soup& soup, const std::string& file)
-{
+void write_off(const HTL::generators::Soup& soup, const std::string& file) {
   std::FILE* f = std::fopen(file.c_str(), "w");
   if(f == nullptr)
     throw std::runtime_error("cannot write " + file);
@@ -58,8 +56,7 @@ void write_off(const HTL::generators::Soup& soup, const std::string& file)
   std::fclose(f);
 }
 
-HTL::generators::Soup generate(const std::string& request)
-{
+HTL::generators::Soup generate(const std::string& request) {
   std::istringstream in(request);
   std::string name, faces, genus;
   std::getline(in, name, ':');
@@ -76,8 +73,7 @@ HTL::generators::Soup generate(const std::string& request)
 }
 
 // The mesh as an OFF file, whatever it was.
-std::string as_off(const std::string& input, const std::string& scratch)
-{
+std::string as_off(const std::string& input, const std::string& scratch) {
   const std::size_t dot = input.rfind('.');
   if(dot != std::string::npos && input.substr(dot) == ".off")
     return input;
@@ -92,8 +88,7 @@ std::string as_off(const std::string& input, const std::string& scratch)
   return scratch;
 }
 
-void measure(const std::string& input, int number_of_runs)
-{
+void measure(const std::string& input, int number_of_runs) {
   const std::string scratch =
       (std::filesystem::temp_directory_path() / "benchmark_against_reading.off").string();
   const std::string file = as_off(input, scratch);
@@ -134,8 +129,7 @@ void measure(const std::string& input, int number_of_runs)
 
 } // namespace
 
-int main(int argc, char* argv[])
-{
+int main(int argc, char* argv[]) {
   int number_of_runs = 3;
   std::vector<std::string> inputs;
   for(int i = 1; i < argc; ++i)
@@ -144,9 +138,9 @@ int main(int argc, char* argv[])
     else
       inputs.push_back(argv[i]);
   if(inputs.empty())
-    inputs = {"torus:1000000:1",        "multi-torus:1000000:50", "multi-torus:1000000:250",
-              "gyroid:1000000:250",     "lattice:1000000:250",    "gyroid:1700000:1500",
-              "lattice:1700000:1500",   "sponge:1000000:250"};
+    inputs = {"torus:1000000:1",      "multi-torus:1000000:50", "multi-torus:1000000:250",
+              "gyroid:1000000:250",   "lattice:1000000:250",    "gyroid:1700000:1500",
+              "lattice:1700000:1500", "sponge:1000000:250"};
   try {
     std::printf("| mesh | faces | genus | reading s | loops s | ratio | bytes per face |");
     for(std::size_t i = 0; i < HTL::number_of_stages; ++i)

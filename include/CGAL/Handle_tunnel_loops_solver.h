@@ -38,8 +38,8 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-Keeps what can be prepared of a mesh once, for repeated computations of its handle and tunnel loops, say
-from several seeds. The mesh must outlive the object and must not change meanwhile.
+Keeps what can be prepared of a mesh once, for repeated computations of its handle and tunnel loops,
+say from several seeds. The mesh must outlive the object and must not change meanwhile.
 
 The preparation takes about 60 bytes per vertex and vertex descriptor.
 
@@ -81,25 +81,24 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Handle_tunnel_loops_solver(const TriangleMesh& tm,
                                       const NamedParameters& np = parameters::default_values())
-    : Handle_tunnel_loops_solver(Sequential_tag(), tm, np) {}
+      : Handle_tunnel_loops_solver(Sequential_tag(), tm, np) {}
 
   /// as above; the preparation is parallel if `ConcurrencyTag` says so.
   template <typename ConcurrencyTag, typename NamedParameters>
   Handle_tunnel_loops_solver(ConcurrencyTag, const TriangleMesh& tm, const NamedParameters& np)
-    : tm_(tm)
-    , point_(parameters::choose_parameter(
-          parameters::get_parameter(np, internal_np::vertex_point),
-          get_const_property_map(vertex_point, tm)))
-    , traits_(parameters::choose_parameter<Geom_traits>(
-          parameters::get_parameter(np, internal_np::geom_traits)))
-  {
+      : tm_(tm)
+      , point_(
+            parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                         get_const_property_map(vertex_point, tm)))
+      , traits_(parameters::choose_parameter<Geom_traits>(
+            parameters::get_parameter(np, internal_np::geom_traits))) {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const auto began = std::chrono::steady_clock::now();
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
     using Execution = decltype(impl::execution<ConcurrencyTag>());
-    impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>,
-                                Vertex_point_map, Execution>
+    impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map,
+                            Execution>
         builder(tm, vertex_index, point_);
     mesh_ = builder.build();
     vertices_ = builder.take_vertices();
@@ -124,18 +123,16 @@ public:
   computes the loops.
 
   \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-    `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same.
-  \param out an output iterator that accepts `Pair`
-  \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but
-    `vertex_point_map` and `geom_traits`
-  \return `out`, past the last pair written
+    `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is
+  the same. \param out an output iterator that accepts `Pair` \param np a sequence of named
+  parameters: all of `CGAL::handle_tunnel_loops()` but `vertex_point_map` and `geom_traits` \return
+  `out`, past the last pair written
   */
   template <typename ConcurrencyTag = Sequential_tag,
             typename OutputIterator,
             typename NamedParameters = parameters::Default_named_parameters>
   OutputIterator find_loops(OutputIterator out,
-                            const NamedParameters& np = parameters::default_values())
-  {
+                            const NamedParameters& np = parameters::default_values()) {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
@@ -157,8 +154,7 @@ private:
 
   template <typename ConcurrencyTag, typename NamedParameters>
   std::vector<Pair> compute(const NamedParameters& np,
-                            Handle_tunnel_loops::internal::Progress& progress)
-  {
+                            Handle_tunnel_loops::internal::Progress& progress) {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
@@ -186,8 +182,7 @@ private:
   }
 
   // The seed takes the place of its component's own one.
-  std::vector<Handle_tunnel_loops::internal::Index> seeds(vertex_descriptor seed) const
-  {
+  std::vector<Handle_tunnel_loops::internal::Index> seeds(vertex_descriptor seed) const {
     std::vector<Handle_tunnel_loops::internal::Index> seeds = mesh_.seeds;
     if(seed == Graph_traits::null_vertex())
       return seeds;
@@ -199,8 +194,7 @@ private:
     return seeds;
   }
 
-  static void check(const Handle_tunnel_loops::Field_constants& c)
-  {
+  static void check(const Handle_tunnel_loops::Field_constants& c) {
     if(!(c.mobility > 0. && c.gradient_coefficient > 0. && c.penalty > 0. &&
          c.driving_force > c.penalty))
       throw std::invalid_argument("the field's constants must be positive, and the driving force "
@@ -210,8 +204,7 @@ private:
   }
 
   std::vector<Pair>
-  converted(const std::vector<Handle_tunnel_loops::internal::Flat_pair>& flat_pairs) const
-  {
+  converted(const std::vector<Handle_tunnel_loops::internal::Flat_pair>& flat_pairs) const {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(
@@ -225,9 +218,9 @@ private:
   }
 
   template <typename NamedParameters>
-  void certify(const std::vector<Pair>& pairs, const NamedParameters& np,
-               Handle_tunnel_loops::internal::Progress& progress) const
-  {
+  void certify(const std::vector<Pair>& pairs,
+               const NamedParameters& np,
+               Handle_tunnel_loops::internal::Progress& progress) const {
     using namespace Handle_tunnel_loops;
     progress.start(Stage::CERTIFICATE);
     if(mesh_.genus != 0 || !pairs.empty()) {

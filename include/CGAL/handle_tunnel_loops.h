@@ -28,26 +28,27 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes, for a closed surface of genus g, g handle loops and g tunnel loops: short closed curves that
-form a basis of the first homology group over the integers, in pairs that cross once. This is proved for
-every answer, by a method of its own, before it is returned (`certify_handle_tunnel_loops()`).
+computes, for a closed surface of genus g, g handle loops and g tunnel loops: short closed curves
+that form a basis of the first homology group over the integers, in pairs that cross once. This is
+proved for every answer, by a method of its own, before it is returned
+(`certify_handle_tunnel_loops()`).
 
-The method follows \cgalCite{weinrauch2023variational}: a phase field grows from one vertex over the surface; where two of
-its fronts meet there is a handle (section 4.1). A field from one side of that front to the other finds the
-tunnel (4.2), a field from one side of the tunnel to the other a better handle (4.3). The loops are then
-pulled taut in their homotopy classes, and told apart by their growth along the normals (4.5). Several
-connected components are treated at once; a component of genus 0 contributes nothing.
+The method follows \cgalCite{weinrauch2023variational}: a phase field grows from one vertex over the
+surface; where two of its fronts meet there is a handle (section 4.1). A field from one side of that
+front to the other finds the tunnel (4.2), a field from one side of the tunnel to the other a better
+handle (4.3). The loops are then pulled taut in their homotopy classes, and told apart by their
+growth along the normals (4.5). Several connected components are treated at once; a component of
+genus 0 contributes nothing.
 
-Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover; memory
-is about 60 bytes per face, and 5 more for each thread.
+Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover;
+memory is about 60 bytes per face, and 5 more for each thread.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
-  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does not
-  depend on it, nor on the number of threads.
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam OutputIterator a model of `OutputIterator` that accepts `Handle_tunnel_pair<TriangleMesh>`, with
-  the value type of the vertex point map as second argument if that is not the mesh's own
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
+not depend on it, nor on the number of threads. \tparam TriangleMesh a model of `FaceListGraph`
+\tparam OutputIterator a model of `OutputIterator` that accepts `Handle_tunnel_pair<TriangleMesh>`,
+with the value type of the vertex point map as second argument if that is not the mesh's own \tparam
+NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
 \param out the iterator that the pairs are written to
@@ -80,15 +81,12 @@ is about 60 bytes per face, and 5 more for each thread.
     \cgalParamDefault{the vertex of smallest index, in each component}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{is told the progress, from 0 to 1, and asks to stop by returning `false`; it is
-      called by one thread at a time, not always the same}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{an empty function}
-    \cgalParamExtra{After a stop, nothing has been written to `out`.}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told when a stage begins and ends; copied, unless passed by `std::ref()`}
-    \cgalParamType{a class model of `HandleTunnelLoopsVisitor`}
+    \cgalParamDescription{is told the progress, from 0 to 1, and asks to stop by returning `false`;
+it is called by one thread at a time, not always the same} \cgalParamType{an instance of
+`std::function<bool(double)>`} \cgalParamDefault{an empty function} \cgalParamExtra{After a stop,
+nothing has been written to `out`.} \cgalParamNEnd \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told when a stage begins and ends; copied, unless passed by
+`std::ref()`} \cgalParamType{a class model of `HandleTunnelLoopsVisitor`}
     \cgalParamDefault{`Handle_tunnel_loops::Default_visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{field_constants}
@@ -110,10 +108,10 @@ is about 60 bytes per face, and 5 more for each thread.
 
 \return `out`, past the last pair written
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold triangle
-  mesh with finite coordinates; the message names an element
-\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
-\throws Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that is a
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+triangle mesh with finite coordinates; the message names an element \throws
+Handle_tunnel_loops::Interrupted_exception if the callback asked to stop \throws
+Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that is a
   defect of the package, and nothing has been written
 \throws std::invalid_argument if the seed vertex or the constants of the field are not valid
 
@@ -126,8 +124,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename NamedParameters = parameters::Default_named_parameters>
 OutputIterator handle_tunnel_loops(const TriangleMesh& tm,
                                    OutputIterator out,
-                                   const NamedParameters& np = parameters::default_values())
-{
+                                   const NamedParameters& np = parameters::default_values()) {
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
   using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
   Handle_tunnel_loops_solver<TriangleMesh, Vertex_point_map, Geom_traits> solver(ConcurrencyTag(),

@@ -62,11 +62,11 @@ public:
                   double length,
                   Loop_type type,
                   std::size_t pair_index)
-    : steps_(std::move(steps))
-    , points_(std::move(points))
-    , length_(length)
-    , type_(type)
-    , pair_index_(pair_index) {}
+      : steps_(std::move(steps))
+      , points_(std::move(points))
+      , length_(length)
+      , type_(type)
+      , pair_index_(pair_index) {}
 
   /// the steps, in cyclic order; the first is not repeated at the end.
   const std::vector<Step>& steps() const { return steps_; }
@@ -113,8 +113,8 @@ public:
   Handle_tunnel_pair() = default;
 
   Handle_tunnel_pair(Loop handle, Loop tunnel)
-    : handle_(std::move(handle))
-    , tunnel_(std::move(tunnel)) {}
+      : handle_(std::move(handle))
+      , tunnel_(std::move(tunnel)) {}
 
   const Loop& handle() const { return handle_; }
   const Loop& tunnel() const { return tunnel_; }
@@ -123,8 +123,7 @@ public:
   const Loop& loop(Loop_type type) const { return type == Loop_type::HANDLE ? handle_ : tunnel_; }
 
   /// the other loop of the pair.
-  const Loop& partner(const Loop& loop) const
-  {
+  const Loop& partner(const Loop& loop) const {
     return loop.type() == Loop_type::HANDLE ? tunnel_ : handle_;
   }
 

@@ -45,15 +45,15 @@ struct Certificate
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes whether the loops of `pairs` are closed curves on `tm` that form a basis of the first homology
-group with integer coefficients.
+computes whether the loops of `pairs` are closed curves on `tm` that form a basis of the first
+homology group with integer coefficients.
 
-The loops are moved onto the edges, and the mesh is cut along them. The intersection numbers of the loops
-with the closed curves of a tree-cotree decomposition of the dual graph that crosses them as rarely as
-possible are integers; the loops are a basis if and only if these vectors span all integer vectors, which
-integer elimination decides. Nothing is shared with the code that finds the loops, nothing rests on
-floating-point numbers, and the surface need not be connected. Almost linear in the size of the mesh where
-the loops are short.
+The loops are moved onto the edges, and the mesh is cut along them. The intersection numbers of the
+loops with the closed curves of a tree-cotree decomposition of the dual graph that crosses them as
+rarely as possible are integers; the loops are a basis if and only if these vectors span all integer
+vectors, which integer elimination decides. Nothing is shared with the code that finds the loops,
+nothing rests on floating-point numbers, and the surface need not be connected. Almost linear in the
+size of the mesh where the loops are short.
 
 \tparam TriangleMesh a model of `FaceListGraph`, a closed triangle mesh
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
@@ -84,8 +84,7 @@ template <typename TriangleMesh,
 Handle_tunnel_loops::Certificate
 certify_handle_tunnel_loops(const TriangleMesh& tm,
                             const PairRange& pairs,
-                            const NamedParameters& np = parameters::default_values())
-{
+                            const NamedParameters& np = parameters::default_values()) {
   const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
   Handle_tunnel_loops::internal::Loop_certifier<TriangleMesh, decltype(vertex_index),

@@ -24,16 +24,16 @@ namespace Handle_tunnel_loops {
 /// \ingroup PkgHandleTunnelLoopsRef
 /// What makes a mesh unfit for the computation.
 enum class Mesh_defect {
-  EMPTY,                   ///< the mesh has no face
-  NOT_TRIANGULATED,        ///< a face is not a triangle
-  BOUNDARY_EDGE,           ///< an edge has a face on one side only
-  NON_MANIFOLD_EDGE,       ///< an edge has more than two faces
-  NON_MANIFOLD_VERTEX,     ///< the faces around a vertex form more than one fan
+  EMPTY,                    ///< the mesh has no face
+  NOT_TRIANGULATED,         ///< a face is not a triangle
+  BOUNDARY_EDGE,            ///< an edge has a face on one side only
+  NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
+  NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
   INCONSISTENT_ORIENTATION, ///< two faces traverse their common edge in the same direction
-  DEGENERATE_FACE,         ///< a face names the same vertex twice
-  PARALLEL_EDGES,          ///< two edges join the same two vertices
-  NON_FINITE_COORDINATE,   ///< a coordinate is infinite or not a number
-  TOO_LARGE                ///< more than 2^31 halfedges
+  DEGENERATE_FACE,          ///< a face names the same vertex twice
+  PARALLEL_EDGES,           ///< two edges join the same two vertices
+  NON_FINITE_COORDINATE,    ///< a coordinate is infinite or not a number
+  TOO_LARGE                 ///< more than 2^31 halfedges
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
@@ -45,9 +45,9 @@ public:
   Invalid_mesh_exception(Mesh_defect defect,
                          std::vector<std::size_t> vertices,
                          const std::string& message)
-    : std::invalid_argument(message)
-    , defect_(defect)
-    , vertices_(std::move(vertices)) {}
+      : std::invalid_argument(message)
+      , defect_(defect)
+      , vertices_(std::move(vertices)) {}
 
   /// the kind of the defect.
   Mesh_defect defect() const { return defect_; }
@@ -76,7 +76,7 @@ class Interrupted_exception : public std::runtime_error
 {
 public:
   Interrupted_exception()
-    : std::runtime_error("the computation was stopped by its callback") {}
+      : std::runtime_error("the computation was stopped by its callback") {}
 };
 
 } // namespace Handle_tunnel_loops

@@ -32,15 +32,12 @@ namespace parameters {
 
 // CGAL declares its parameters in one central list, by the same two overloads per name.
 #define CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(NAME)                                               \
-  template <typename T> Named_function_parameters<T, internal_np::NAME##_t> NAME(const T& value)   \
-  {                                                                                                \
+  template <typename T> Named_function_parameters<T, internal_np::NAME##_t> NAME(const T& value) { \
     return Named_function_parameters<T, internal_np::NAME##_t>(value);                             \
   }                                                                                                \
   template <typename T, typename Base, typename Tag, typename Next>                                \
-  Named_function_parameters<T, internal_np::NAME##_t,                                              \
-                            Named_function_parameters<Base, Tag, Next>>                            \
-  NAME(const T& value, const Named_function_parameters<Base, Tag, Next>& np)                       \
-  {                                                                                                \
+  Named_function_parameters<T, internal_np::NAME##_t, Named_function_parameters<Base, Tag, Next>>  \
+  NAME(const T& value, const Named_function_parameters<Base, Tag, Next>& np) {                     \
     return Named_function_parameters<T, internal_np::NAME##_t,                                     \
                                      Named_function_parameters<Base, Tag, Next>>(value, np);       \
   }

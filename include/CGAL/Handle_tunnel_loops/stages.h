@@ -26,8 +26,7 @@ enum class Stage { ADAPTOR, INITIAL, TUNNEL, REFINE, CLASSIFY, CERTIFICATE };
 constexpr std::size_t number_of_stages = 6;
 
 /// the name of a stage, as it stands in reports.
-inline const char* stage_name(Stage stage)
-{
+inline const char* stage_name(Stage stage) {
   constexpr std::array<const char*, number_of_stages> names = {
       "adaptor", "initial", "tunnel", "refine", "classify", "certificate"};
   return names[static_cast<std::size_t>(stage)];
@@ -56,15 +55,14 @@ struct Statistics
   std::size_t number_of_components = 0;
   std::size_t genus = 0;                          ///< summed over the components
   std::array<double, number_of_stages> seconds{}; ///< by stage
-  std::size_t kept_sweep_tunnels = 0;  ///< tunnels for which the loop of the initial pass was kept
-  std::size_t kept_sweep_handles = 0;  ///< handles for which the loop of the initial pass was kept
+  std::size_t kept_sweep_tunnels = 0; ///< tunnels for which the loop of the initial pass was kept
+  std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was kept
 
   /// the wall time of a stage, in seconds.
   double seconds_of(Stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }
 
   /// the wall time of all stages, in seconds.
-  double total_seconds() const
-  {
+  double total_seconds() const {
     double sum = 0.;
     for(double s : seconds)
       sum += s;

@@ -27,18 +27,16 @@ class Arrival_order
 {
 public:
   explicit Arrival_order(const std::vector<Time>& time)
-    : time_(&time) {}
+      : time_(&time) {}
 
-  bool is_earlier(Index u, Index v) const
-  {
+  bool is_earlier(Index u, Index v) const {
     const Time a = (*time_)[u], b = (*time_)[v];
     return a < b || (a == b && u < v);
   }
 
   Time time(Index v) const { return (*time_)[v]; }
 
-  Index earliest_neighbor(const Flat_mesh& mesh, Index v) const
-  {
+  Index earliest_neighbor(const Flat_mesh& mesh, Index v) const {
     const Ring ring = mesh.ring(v);
     return *std::min_element(ring.begin(), ring.end(),
                              [this](Index a, Index b) { return is_earlier(a, b); });

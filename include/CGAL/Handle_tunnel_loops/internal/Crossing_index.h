@@ -28,16 +28,15 @@ using Sparse_numbers = std::map<Index, std::int64_t>;
 /*!
 Which loops of a family cross which edges, and how.
 
-Read as functions on the directed edges, the loops are cocycles: a walk on the edges meets loop j in as
-many points, counted with sign, as the sum of loop j's values along it. That number is a matter of
-integers; where on an edge it is crossed, and in which order by several loops, plays no part.
+Read as functions on the directed edges, the loops are cocycles: a walk on the edges meets loop j in
+as many points, counted with sign, as the sum of loop j's values along it. That number is a matter
+of integers; where on an edge it is crossed, and in which order by several loops, plays no part.
 */
 class Crossing_index
 {
 public:
   Crossing_index(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-    : begin_(mesh.number_of_vertices() + 1, 0)
-  {
+      : begin_(mesh.number_of_vertices() + 1, 0) {
     for(const Crossing_loop& loop : loops)
       for(const Crossing& c : loop) {
         ++begin_[c.left];
@@ -60,8 +59,7 @@ public:
   bool has_crossing(Index v) const { return begin_[v] != begin_[v + 1]; }
 
   /// whether the edge u - v is crossed by one of the given loops.
-  template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const
-  {
+  template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const {
     for(auto it = begin(u); it != end(u); ++it)
       if(it->other == v && loops.contains(it->loop))
         return true;
@@ -69,16 +67,14 @@ public:
   }
 
   /// adds what the walk from `u` to `v`, an edge, contributes to the intersection numbers.
-  void add_crossings(Index u, Index v, Sparse_numbers& numbers) const
-  {
+  void add_crossings(Index u, Index v, Sparse_numbers& numbers) const {
     for(auto it = begin(u); it != end(u); ++it)
       if(it->other == v)
         numbers[it->loop] += it->sign;
   }
 
   /// the intersection numbers of a closed walk on the edges with the loops.
-  Sparse_numbers intersections(const std::vector<Index>& walk) const
-  {
+  Sparse_numbers intersections(const std::vector<Index>& walk) const {
     Sparse_numbers numbers;
     for(std::size_t i = 0; i < walk.size(); ++i)
       add_crossings(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1], numbers);
@@ -86,8 +82,7 @@ public:
   }
 
   /// the intersection numbers of another loop with the loops.
-  Sparse_numbers intersections(const Crossing_loop& loop) const
-  {
+  Sparse_numbers intersections(const Crossing_loop& loop) const {
     Sparse_numbers numbers;
     for_each_left_edge(loop, [&](Index u, Index v) { add_crossings(u, v, numbers); });
     return without_zeros(std::move(numbers));
@@ -105,8 +100,7 @@ private:
   Iterator begin(Index v) const { return entries_.begin() + begin_[v]; }
   Iterator end(Index v) const { return entries_.begin() + begin_[v + 1]; }
 
-  static Sparse_numbers without_zeros(Sparse_numbers numbers)
-  {
+  static Sparse_numbers without_zeros(Sparse_numbers numbers) {
     for(auto it = numbers.begin(); it != numbers.end();)
       it = it->second == 0 ? numbers.erase(it) : std::next(it);
     return numbers;
@@ -135,13 +129,12 @@ struct Only_loop
 };
 
 /// Loops as walls of a field.
-template <typename Loop_set>
-class Loop_walls
+template <typename Loop_set> class Loop_walls
 {
 public:
   Loop_walls(const Crossing_index& index, const Loop_set& loops)
-    : index_(index)
-    , loops_(loops) {}
+      : index_(index)
+      , loops_(loops) {}
 
   bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, loops_); }
 

@@ -38,20 +38,17 @@ struct Crossing
 using Crossing_loop = std::vector<Crossing>;
 
 /// the vertex ahead of a crossing, opposite to the edge.
-inline Index apex_ahead(const Flat_mesh& mesh, const Crossing& c)
-{
+inline Index apex_ahead(const Flat_mesh& mesh, const Crossing& c) {
   return mesh.ring(c.left).after(c.right);
 }
 
-inline Vector position(const Flat_mesh& mesh, const Crossing& c)
-{
+inline Vector position(const Flat_mesh& mesh, const Crossing& c) {
   const Vector& p = mesh.points[c.left];
   return p + c.ratio * (mesh.points[c.right] - p);
 }
 
 /// the length in the unit of `mesh.points`.
-inline double length(const Flat_mesh& mesh, const Crossing_loop& loop)
-{
+inline double length(const Flat_mesh& mesh, const Crossing_loop& loop) {
   double sum = 0.;
   if(loop.empty())
     return sum;
@@ -65,8 +62,7 @@ inline double length(const Flat_mesh& mesh, const Crossing_loop& loop)
 }
 
 /// calls `f(u, v)` for each edge of the closed walk along the left ends.
-template <typename Function> void for_each_left_edge(const Crossing_loop& loop, const Function& f)
-{
+template <typename Function> void for_each_left_edge(const Crossing_loop& loop, const Function& f) {
   if(loop.empty())
     return;
   Index previous = loop.back().left;
@@ -77,14 +73,12 @@ template <typename Function> void for_each_left_edge(const Crossing_loop& loop, 
   }
 }
 
-inline bool is_backtrack(const Crossing& a, const Crossing& b)
-{
+inline bool is_backtrack(const Crossing& a, const Crossing& b) {
   return a.left == b.right && a.right == b.left;
 }
 
 /// takes out pairs of consecutive crossings of one edge in opposite directions.
-inline void remove_backtracks(Crossing_loop& loop)
-{
+inline void remove_backtracks(Crossing_loop& loop) {
   Crossing_loop reduced;
   reduced.reserve(loop.size());
   for(const Crossing& c : loop)
@@ -101,8 +95,7 @@ inline void remove_backtracks(Crossing_loop& loop)
 }
 
 /// takes out, from a closed walk on the vertices, each step there and back.
-inline void remove_spurs(std::vector<Index>& walk)
-{
+inline void remove_spurs(std::vector<Index>& walk) {
   std::vector<Index> reduced;
   reduced.reserve(walk.size());
   for(Index v : walk) {
@@ -129,8 +122,7 @@ inline void remove_spurs(std::vector<Index>& walk)
 }
 
 /// pushes a closed walk on the edges a little to its left. The walk must have no spurs.
-inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>& walk)
-{
+inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>& walk) {
   Crossing_loop loop;
   for(std::size_t i = 0; i < walk.size(); ++i) {
     const Index v = walk[i];

@@ -28,21 +28,17 @@ constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
 using Vector = std::array<double, 3>;
 
-inline Vector operator-(const Vector& a, const Vector& b)
-{
+inline Vector operator-(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-inline Vector operator+(const Vector& a, const Vector& b)
-{
+inline Vector operator+(const Vector& a, const Vector& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vector& a, const Vector& b)
-{
+inline double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline Vector cross(const Vector& a, const Vector& b)
-{
+inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
@@ -53,16 +49,15 @@ class Ring
 {
 public:
   Ring(const Index* first, Index size)
-    : first_(first)
-    , size_(size) {}
+      : first_(first)
+      , size_(size) {}
 
   Index size() const { return size_; }
   Index operator[](Index i) const { return first_[i]; }
   const Index* begin() const { return first_; }
   const Index* end() const { return first_ + size_; }
 
-  Index position(Index v) const
-  {
+  Index position(Index v) const {
     Index i = 0;
     while(i < size_ && first_[i] != v)
       ++i;
@@ -98,8 +93,7 @@ struct Flat_mesh
   std::size_t number_of_vertices() const { return points.size(); }
   std::size_t number_of_faces() const { return neighbor.size() / 3; }
 
-  Ring ring(Index v) const
-  {
+  Ring ring(Index v) const {
     return Ring(neighbor.data() + row_begin[v], row_begin[v + 1] - row_begin[v]);
   }
   double edge_length(Index u, Index v) const { return norm(points[v] - points[u]); }

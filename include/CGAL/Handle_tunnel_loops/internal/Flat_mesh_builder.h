@@ -32,9 +32,11 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// Turns any `FaceListGraph` into a `Flat_mesh`, and refuses, naming the element, whatever is not a
-/// closed oriented 2-manifold triangle mesh. Linear in the size of the mesh, but for the sort of the
-/// vertices. Isolated vertices are left out.
-template <typename TriangleMesh, typename VertexIndexMap, typename VertexPointMap,
+/// closed oriented 2-manifold triangle mesh. Linear in the size of the mesh, but for the sort of
+/// the vertices. Isolated vertices are left out.
+template <typename TriangleMesh,
+          typename VertexIndexMap,
+          typename VertexPointMap,
           typename Execution>
 class Flat_mesh_builder
 {
@@ -44,12 +46,11 @@ class Flat_mesh_builder
 
 public:
   Flat_mesh_builder(const TriangleMesh& tm, VertexIndexMap index, VertexPointMap point)
-    : tm_(tm)
-    , index_(index)
-    , point_(point) {}
+      : tm_(tm)
+      , index_(index)
+      , point_(point) {}
 
-  Flat_mesh build()
-  {
+  Flat_mesh build() {
     collect_vertices();
     count_valences();
     read_points();
@@ -63,14 +64,12 @@ public:
   std::vector<vertex_descriptor> take_vertices() { return std::move(vertices_); }
 
 private:
-  std::size_t caller_index(vertex_descriptor v) const
-  {
+  std::size_t caller_index(vertex_descriptor v) const {
     return static_cast<std::size_t>(get(index_, v));
   }
 
   // The number of caller's indices, which may leave gaps.
-  void collect_vertices()
-  {
+  void collect_vertices() {
     std::size_t bound = 0;
     for(vertex_descriptor v : vertices(tm_))
       bound = (std::max)(bound, caller_index(v) + 1);
@@ -79,8 +78,7 @@ private:
       throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many vertices");
   }
 
-  void count_valences()
-  {
+  void count_valences() {
     std::size_t number_of_halfedges = 0;
     for(halfedge_descriptor h : halfedges(tm_)) {
       if(is_border(h, tm_))
@@ -98,8 +96,7 @@ private:
       throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
   }
 
-  void read_points()
-  {
+  void read_points() {
     for(vertex_descriptor v : vertices(tm_)) {
       const std::size_t i = caller_index(v);
       if(valence_[i] == 0)
@@ -114,8 +111,7 @@ private:
     move_into_unit_box();
   }
 
-  void move_into_unit_box()
-  {
+  void move_into_unit_box() {
     Vector low, high;
     low.fill((std::numeric_limits<double>::max)());
     high.fill(std::numeric_limits<double>::lowest());
@@ -137,8 +133,7 @@ private:
     });
   }
 
-  void number_vertices()
-  {
+  void number_vertices() {
     const std::vector<Index> order = space_filling_order(execution_, points_);
     const std::size_t n = order.size();
     flat_index_.assign(valence_.size(), no_index);
@@ -166,8 +161,7 @@ private:
     mesh_.neighbor.resize(begin);
   }
 
-  void fill_rings()
-  {
+  void fill_rings() {
     First_index several_fans, parallel_edges;
     for_each_index(execution_, vertices_.size(), [&](std::size_t i) {
       const Index begin = mesh_.row_begin[i], end = mesh_.row_begin[i + 1];
@@ -193,8 +187,7 @@ private:
                           "two edges join a vertex to the same neighbour");
   }
 
-  static bool has_repetition(Ring ring)
-  {
+  static bool has_repetition(Ring ring) {
     if(ring.size() <= 16) {
       for(Index i = 1; i < ring.size(); ++i)
         for(Index j = 0; j < i; ++j)
@@ -208,8 +201,7 @@ private:
   }
 
   // The seed of a component is its vertex of smallest caller's index.
-  void find_components()
-  {
+  void find_components() {
     const std::size_t n = mesh_.number_of_vertices();
     mesh_.component.assign(n, no_index);
     std::vector<Index> queue;

@@ -32,10 +32,9 @@ public:
   using Row = std::map<std::size_t, Integer>; // no zeros
 
   explicit Integer_lattice(std::size_t dimension)
-    : rows_(dimension) {}
+      : rows_(dimension) {}
 
-  void add(Row row)
-  {
+  void add(Row row) {
     while(!row.empty()) {
       const std::size_t column = row.begin()->first;
       Row& pivot = rows_[column];
@@ -56,8 +55,7 @@ public:
   bool is_full() const { return number_of_units_ == rows_.size(); }
 
   /// the index of the lattice in the lattice of all integer vectors, 0 if that is infinite.
-  Integer index() const
-  {
+  Integer index() const {
     Integer product = 1;
     for(const Row& row : rows_)
       product *= row.empty() ? Integer(0) : Integer(abs(row.begin()->second));
@@ -65,8 +63,7 @@ public:
   }
 
   /// the first column in which the rows do not reach 1; the dimension if there is none.
-  std::size_t first_defect() const
-  {
+  std::size_t first_defect() const {
     std::size_t column = 0;
     while(column < rows_.size() && is_unit(rows_[column]))
       ++column;
@@ -74,13 +71,11 @@ public:
   }
 
 private:
-  static bool is_unit(const Row& row)
-  {
+  static bool is_unit(const Row& row) {
     return !row.empty() && (row.begin()->second == 1 || row.begin()->second == -1);
   }
 
-  static void subtract_multiple(Row& row, const Integer& factor, const Row& other)
-  {
+  static void subtract_multiple(Row& row, const Integer& factor, const Row& other) {
     if(factor == 0)
       return;
     for(const auto& [column, value] : other) {

@@ -25,8 +25,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// Turns loops on the flat mesh into loops on the caller's mesh.
-template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
-class Loop_converter
+template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits> class Loop_converter
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
@@ -34,16 +33,18 @@ public:
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   using Loop = Loop_on_surface<TriangleMesh, Point>;
 
-  Loop_converter(const TriangleMesh& tm, VertexPointMap point, const GeomTraits& traits,
-                 const Flat_mesh& mesh, const std::vector<vertex_descriptor>& vertices)
-    : tm_(tm)
-    , point_(point)
-    , traits_(traits)
-    , mesh_(mesh)
-    , vertices_(vertices) {}
+  Loop_converter(const TriangleMesh& tm,
+                 VertexPointMap point,
+                 const GeomTraits& traits,
+                 const Flat_mesh& mesh,
+                 const std::vector<vertex_descriptor>& vertices)
+      : tm_(tm)
+      , point_(point)
+      , traits_(traits)
+      , mesh_(mesh)
+      , vertices_(vertices) {}
 
-  Loop operator()(const Crossing_loop& loop, Loop_type type, std::size_t pair_index) const
-  {
+  Loop operator()(const Crossing_loop& loop, Loop_type type, std::size_t pair_index) const {
     std::vector<typename Loop::Step> steps;
     std::vector<Point> points;
     const Crossing* previous = loop.empty() ? nullptr : &loop.back();
@@ -60,13 +61,11 @@ public:
   }
 
 private:
-  static Index vertex_of(const Crossing& c)
-  {
+  static Index vertex_of(const Crossing& c) {
     return c.ratio == 0. ? c.left : (c.ratio == 1. ? c.right : no_index);
   }
 
-  Point point_at(const Crossing& c) const
-  {
+  Point point_at(const Crossing& c) const {
     if(vertex_of(c) != no_index)
       return get(point_, vertices_[vertex_of(c)]);
     return traits_.construct_barycenter_3_object()(get(point_, vertices_[c.left]), 1. - c.ratio,

@@ -40,8 +40,7 @@ struct Flat_pair
 };
 
 /// The passes on the flat mesh, one after the other.
-template <typename Execution>
-class Loop_finder
+template <typename Execution> class Loop_finder
 {
 public:
   struct Options
@@ -52,18 +51,19 @@ public:
   };
 
   /// \p seeds are the vertices to start from, one in each component.
-  Loop_finder(const Flat_mesh& mesh, std::vector<Index> seeds, const Options& options,
+  Loop_finder(const Flat_mesh& mesh,
+              std::vector<Index> seeds,
+              const Options& options,
               Progress& progress)
-    : mesh_(mesh)
-    , seeds_(std::move(seeds))
-    , options_(options)
-    , coefficients_(step_coefficients(options.constants))
-    , progress_(progress)
-    , stencils_(execution_, mesh) {}
+      : mesh_(mesh)
+      , seeds_(std::move(seeds))
+      , options_(options)
+      , coefficients_(step_coefficients(options.constants))
+      , progress_(progress)
+      , stencils_(execution_, mesh) {}
 
   /// paper, 4.1: the arrival times of one field over the whole mesh, and the handles read off them.
-  void initial_pass()
-  {
+  void initial_pass() {
     progress_.start(Stage::INITIAL);
     Narrow_band band(mesh_, stencils_, coefficients_);
     sweep(band);
@@ -71,16 +71,18 @@ public:
     sweep_handles_ = find_sweep_handles(execution_, mesh_, Arrival_order(time_));
     handles_.resize(sweep_handles_.size());
     is_refined_.assign(sweep_handles_.size(), 0);
-    for_each_index(execution_, handles_.size(), [&](std::size_t k) {
-      handles_[k] = sweep_handles_[k].loop;
-      tighten(handles_[k], few_rounds);
-    }, 1);
+    for_each_index(
+        execution_, handles_.size(),
+        [&](std::size_t k) {
+          handles_[k] = sweep_handles_[k].loop;
+          tighten(handles_[k], few_rounds);
+        },
+        1);
     progress_.end(Stage::INITIAL);
   }
 
   /// paper, 4.2: for each handle the way from its left side around to its right side.
-  void tunnel_pass(Statistics& statistics)
-  {
+  void tunnel_pass(Statistics& statistics) {
     progress_.start(Stage::TUNNEL);
     std::vector<Crossing_loop> contours(sweep_handles_.size());
     for(std::size_t k = 0; k < contours.size(); ++k)
@@ -103,10 +105,9 @@ public:
   }
 
   /// paper, 4.3: for each tunnel the way from its left side around to its right side, which becomes
-  /// the handle if it is shorter and the loops remain a basis. Where they would not, because the tunnels
-  /// of several pairs led to one handle, the next best way is tried.
-  void refinement_pass(Statistics& statistics)
-  {
+  /// the handle if it is shorter and the loops remain a basis. Where they would not, because the
+  /// tunnels of several pairs led to one handle, the next best way is tried.
+  void refinement_pass(Statistics& statistics) {
     progress_.start(Stage::REFINE);
     const Crossing_index index(mesh_, tunnels_);
     std::vector<std::vector<Crossing_loop>> candidates(tunnels_.size());
@@ -125,36 +126,39 @@ public:
     progress_.end(Stage::REFINE);
   }
 
-  std::vector<Flat_pair> classified_pairs()
-  {
+  std::vector<Flat_pair> classified_pairs() {
     progress_.start(Stage::CLASSIFY);
     finish_pairs();
     const Offset_classifier classifier(execution_, mesh_);
     std::vector<Flat_pair> pairs(handles_.size());
-    for_each_index(execution_, pairs.size(), [&](std::size_t k) {
-      pairs[k] = {std::move(handles_[k]), std::move(tunnels_[k])};
-      if(classifier.growth(pairs[k].handle) < classifier.growth(pairs[k].tunnel))
-        std::swap(pairs[k].handle, pairs[k].tunnel);
-    }, 1);
+    for_each_index(
+        execution_, pairs.size(),
+        [&](std::size_t k) {
+          pairs[k] = {std::move(handles_[k]), std::move(tunnels_[k])};
+          if(classifier.growth(pairs[k].handle) < classifier.growth(pairs[k].tunnel))
+            std::swap(pairs[k].handle, pairs[k].tunnel);
+        },
+        1);
     progress_.end(Stage::CLASSIFY);
     return pairs;
   }
 
 private:
   // Handles that are still contours of the sweep have been tightened only a little.
-  void finish_pairs()
-  {
+  void finish_pairs() {
     if(!options_.do_tighten)
       return;
-    for_each_index(execution_, handles_.size(), [&](std::size_t k) {
-      if(!is_refined_[k])
-        tighten(handles_[k]);
-      Pair_reduction(mesh_).reduce(handles_[k], tunnels_[k]);
-    }, 1);
+    for_each_index(
+        execution_, handles_.size(),
+        [&](std::size_t k) {
+          if(!is_refined_[k])
+            tighten(handles_[k]);
+          Pair_reduction(mesh_).reduce(handles_[k], tunnels_[k]);
+        },
+        1);
   }
 
-  void sweep(Narrow_band& band)
-  {
+  void sweep(Narrow_band& band) {
     const No_walls walls;
     for(Index seed : seeds_) {
       band.add_source(seed, 0);
@@ -171,60 +175,63 @@ private:
   // How many refinements of a handle are tried.
   static constexpr std::size_t number_of_candidates = 6;
 
-  // Most contours are replaced in the refinement pass; until then it is enough to know about how long they
-  // will be.
+  // Most contours are replaced in the refinement pass; until then it is enough to know about how
+  // long they will be.
   static constexpr int few_rounds = 3;
 
-  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 200) const
-  {
+  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 200) const {
     if(options_.do_tighten)
       Loop_tightening(mesh_).tighten(loop, maximum_number_of_rounds);
   }
 
   /// calls `f(pass, k)` for the loops k in the index, with a workspace that no other call has.
   template <typename Pass, typename Function>
-  void for_each_loop(const Crossing_index& index, const Function& f)
-  {
+  void for_each_loop(const Crossing_index& index, const Function& f) {
     const std::size_t g = sweep_handles_.size();
-    Worker_pool<Pass> passes([&] {
-      return std::make_unique<Pass>(mesh_, stencils_, coefficients_, index);
-    });
-    for_each_index(execution_, g, [&](std::size_t k) {
-      if(progress_.is_interrupted())
-        return;
-      auto pass = passes.borrow();
-      f(*pass, static_cast<Index>(k));
-      progress_.advance_one(g);
-    }, 1);
+    Worker_pool<Pass> passes(
+        [&] { return std::make_unique<Pass>(mesh_, stencils_, coefficients_, index); });
+    for_each_index(
+        execution_, g,
+        [&](std::size_t k) {
+          if(progress_.is_interrupted())
+            return;
+          auto pass = passes.borrow();
+          f(*pass, static_cast<Index>(k));
+          progress_.advance_one(g);
+        },
+        1);
     progress_.throw_if_interrupted();
   }
 
-  // A number of steps in which two fronts together go farther than the loop is long: each passes an edge
-  // length in four steps, and a taut loop crosses two edges on it.
-  static Time steps_along(const Crossing_loop& loop)
-  {
+  // A number of steps in which two fronts together go farther than the loop is long: each passes an
+  // edge length in four steps, and a taut loop crosses two edges on it.
+  static Time steps_along(const Crossing_loop& loop) {
     return static_cast<Time>(16 + loop.size() * 3 / 4);
   }
 
-  // Tries candidate i of the given handles, the largest gains first. Returns the handles that had to be
-  // kept although the candidate is shorter.
-  std::vector<Index> replace_handles(const std::vector<Index>& numbers, std::size_t i,
+  // Tries candidate i of the given handles, the largest gains first. Returns the handles that had
+  // to be kept although the candidate is shorter.
+  std::vector<Index> replace_handles(const std::vector<Index>& numbers,
+                                     std::size_t i,
                                      std::vector<std::vector<Crossing_loop>>& candidates,
-                                     Refinement_choice& choice)
-  {
+                                     Refinement_choice& choice) {
     std::vector<double> gain(candidates.size(), 0.);
     std::vector<std::optional<Refinement_choice::Row>> rows(candidates.size());
-    for_each_index(execution_, numbers.size(), [&](std::size_t j) {
-      const Index k = numbers[j];
-      if(i >= candidates[k].size())
-        return;
-      tighten(candidates[k][i]);
-      gain[k] = length(mesh_, handles_[k]) - length(mesh_, candidates[k][i]);
-      if(gain[k] > 0.)
-        rows[k] = choice.handle_part(candidates[k][i]);
-    }, 1);
+    for_each_index(
+        execution_, numbers.size(),
+        [&](std::size_t j) {
+          const Index k = numbers[j];
+          if(i >= candidates[k].size())
+            return;
+          tighten(candidates[k][i]);
+          gain[k] = length(mesh_, handles_[k]) - length(mesh_, candidates[k][i]);
+          if(gain[k] > 0.)
+            rows[k] = choice.handle_part(candidates[k][i]);
+        },
+        1);
     std::vector<Index> order = numbers;
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return gain[a] > gain[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return gain[a] > gain[b]; });
     std::vector<Index> kept;
     for(Index k : order) {
       if(gain[k] <= 0.)

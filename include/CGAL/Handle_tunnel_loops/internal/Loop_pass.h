@@ -25,29 +25,30 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /*!
-The operation behind the tunnel pass and the refinement pass (paper, 4.2 and 4.3): find the way from the
-left side of a loop around to its right side that crosses no wall, and close it across the loop.
+The operation behind the tunnel pass and the refinement pass (paper, 4.2 and 4.3): find the way from
+the left side of a loop around to its right side that crosses no wall, and close it across the loop.
 
-The paper lets a field grow from one side until it reaches the other. Here it grows from both sides until
-the two fronts meet: the way is as short, and the fronts cover a fraction of the region where surfaces
-branch. From where they meet the way goes back to either side, each vertex followed by the neighbour that
-was reached first, then across the loop, and along its left side, the short way, to where it began.
+The paper lets a field grow from one side until it reaches the other. Here it grows from both sides
+until the two fronts meet: the way is as short, and the fronts cover a fraction of the region where
+surfaces branch. From where they meet the way goes back to either side, each vertex followed by the
+neighbour that was reached first, then across the loop, and along its left side, the short way, to
+where it began.
 
-The result crosses the loop once and no other wall, counted with sign. This is checked in integers for
-every candidate; on meshes so coarse that an edge is crossed by several walls, the first meeting may fail,
-and the next one is waited for.
+The result crosses the loop once and no other wall, counted with sign. This is checked in integers
+for every candidate; on meshes so coarse that an edge is crossed by several walls, the first meeting
+may fail, and the next one is waited for.
 */
-template <typename Loop_set>
-class Loop_pass
+template <typename Loop_set> class Loop_pass
 {
 public:
   /// `index` tells where the loops are that can be barred: in each search a set of type `Loop_set`.
-  Loop_pass(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k,
+  Loop_pass(const Flat_mesh& mesh,
+            const Stencils& stencils,
+            const Step_coefficients& k,
             const Crossing_index& index)
-    : mesh_(mesh)
-    , index_(index)
-    , band_(mesh, stencils, k)
-  {
+      : mesh_(mesh)
+      , index_(index)
+      , band_(mesh, stencils, k) {
     if(!Loop_set::is_one)
       for(Index v = 0; v < mesh.number_of_vertices(); ++v)
         if(index.has_crossing(v))
@@ -61,13 +62,14 @@ public:
     Time number_of_steps = never;    ///< stop after so many steps
   };
 
-  /// returns closed walks on the edges, the shortest first as far as the fronts can tell; `number` is that
-  /// of `loop` in the index, and is among the `barred` ones, which are walls. Where the fronts meet in
-  /// several places, as behind each of several branches of the surface, there is a walk for each; the
-  /// search ends a third later than the first was found.
-  std::vector<std::vector<Index>> dual_walks(const Crossing_loop& loop, Index number,
-                                             const Loop_set& barred, const Limits& limits)
-  {
+  /// returns closed walks on the edges, the shortest first as far as the fronts can tell; `number`
+  /// is that of `loop` in the index, and is among the `barred` ones, which are walls. Where the
+  /// fronts meet in several places, as behind each of several branches of the surface, there is a
+  /// walk for each; the search ends a third later than the first was found.
+  std::vector<std::vector<Index>> dual_walks(const Crossing_loop& loop,
+                                             Index number,
+                                             const Loop_set& barred,
+                                             const Limits& limits) {
     const Walls walls(index_, barred);
     measure(loop);
     start(loop, walls);
@@ -105,14 +107,12 @@ private:
     std::uint64_t time; // on both ways together
     Index left, right;
 
-    bool operator<(const Meeting& other) const
-    {
+    bool operator<(const Meeting& other) const {
       return std::tie(time, left, right) < std::tie(other.time, other.left, other.right);
     }
   };
 
-  void measure(const Crossing_loop& loop)
-  {
+  void measure(const Crossing_loop& loop) {
     along_.resize(loop.size() + 1);
     along_[0] = 0.;
     for(std::size_t i = 0; i < loop.size(); ++i) {
@@ -121,8 +121,7 @@ private:
     }
   }
 
-  void start(const Crossing_loop& loop, const Walls& walls)
-  {
+  void start(const Crossing_loop& loop, const Walls& walls) {
     meetings_.clear();
     for(const Crossing& c : loop)
       if(Loop_set::is_one) {
@@ -142,8 +141,7 @@ private:
     band_.start(walls);
   }
 
-  void note_meetings(Index v, const Walls& walls)
-  {
+  void note_meetings(Index v, const Walls& walls) {
     const Side side = band_.side(v);
     for(Index u : mesh_.ring(v))
       if(band_.is_reached(u) && band_.side(u) != side && !band_.is_wall(v, u, walls)) {
@@ -153,8 +151,7 @@ private:
   }
 
   // Once the fronts have met in one place, they go on meeting beside it.
-  bool continues_a_meeting(const Meeting& meeting)
-  {
+  bool continues_a_meeting(const Meeting& meeting) {
     for(Index v : {meeting.left, meeting.right}) {
       bool is_marked = band_.is_marked(v);
       for(Index u : mesh_.ring(v))
@@ -167,15 +164,13 @@ private:
     return false;
   }
 
-  void mark(const Meeting& meeting)
-  {
+  void mark(const Meeting& meeting) {
     band_.mark(meeting.left);
     band_.mark(meeting.right);
   }
 
-  std::vector<Index> close(const Crossing_loop& loop, const Meeting& meeting,
-                           const Walls& walls) const
-  {
+  std::vector<Index>
+  close(const Crossing_loop& loop, const Meeting& meeting, const Walls& walls) const {
     std::vector<Index> walk = way_back(meeting.right, walls);
     std::reverse(walk.begin(), walk.end());
     const std::vector<Index> to_left = way_back(meeting.left, walls);
@@ -186,8 +181,7 @@ private:
   }
 
   // Whether loop `number` is crossed once, and no other wall.
-  static bool is_dual(const Sparse_numbers& numbers, Index number, const Loop_set& barred)
-  {
+  static bool is_dual(const Sparse_numbers& numbers, Index number, const Loop_set& barred) {
     bool is_crossed_once = false;
     for(const auto& [loop, count] : numbers)
       if(loop == number)
@@ -198,8 +192,7 @@ private:
   }
 
   // From `v` to a source.
-  std::vector<Index> way_back(Index v, const Walls& walls) const
-  {
+  std::vector<Index> way_back(Index v, const Walls& walls) const {
     std::vector<Index> walk(1, v);
     while(band_.time(v) != 0) {
       Index first = v;
@@ -214,9 +207,8 @@ private:
   }
 
   // Goes on from `left`, a vertex on the left side, along that side to beside `right`.
-  void append_along(const Crossing_loop& loop, Index left, Index right,
-                    std::vector<Index>& walk) const
-  {
+  void
+  append_along(const Crossing_loop& loop, Index left, Index right, std::vector<Index>& walk) const {
     std::vector<std::size_t> starts, ends;
     for(std::size_t i = 0; i < loop.size(); ++i) {
       if(loop[i].left == left)
@@ -234,15 +226,15 @@ private:
     append_the_short_way(loop, from, to, walk);
   }
 
-  double distance_along(std::size_t i, std::size_t j) const
-  {
+  double distance_along(std::size_t i, std::size_t j) const {
     const double d = std::abs(along_[i] - along_[j]);
     return (std::min)(d, along_.back() - d);
   }
 
-  void append_the_short_way(const Crossing_loop& loop, std::size_t from, std::size_t to,
-                            std::vector<Index>& walk) const
-  {
+  void append_the_short_way(const Crossing_loop& loop,
+                            std::size_t from,
+                            std::size_t to,
+                            std::vector<Index>& walk) const {
     const std::size_t n = loop.size();
     const double forward = along_[to] - along_[from] + (to < from ? along_.back() : 0.);
     const bool go_forward = forward <= along_.back() - forward;

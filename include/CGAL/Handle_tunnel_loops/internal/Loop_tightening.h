@@ -26,21 +26,21 @@ namespace internal {
 /*!
 Pulls a loop taut without changing its homotopy class, towards a closed geodesic.
 
-Two moves alternate. The loop is replaced by the shortest path through the strip of triangles that it
-passes, from one of its places back to the same (the strip is laid out in the plane, the path found
-with a funnel; the place moves from round to round). And where that path bends at a vertex and the
-faces on the other side of the vertex span less than a straight angle, the strip is led around that
-other side. Both are homotopies whatever the numbers say: rounding can cost length, not the class.
+Two moves alternate. The loop is replaced by the shortest path through the strip of triangles that
+it passes, from one of its places back to the same (the strip is laid out in the plane, the path
+found with a funnel; the place moves from round to round). And where that path bends at a vertex and
+the faces on the other side of the vertex span less than a straight angle, the strip is led around
+that other side. Both are homotopies whatever the numbers say: rounding can cost length, not the
+class.
 */
 class Loop_tightening
 {
 public:
   explicit Loop_tightening(const Flat_mesh& mesh)
-    : mesh_(mesh) {}
+      : mesh_(mesh) {}
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side.
-  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 100)
-  {
+  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 100) {
     remove_backtracks(loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
@@ -69,21 +69,18 @@ private:
   static double dot(const Point_2& a, const Point_2& b) { return a[0] * b[0] + a[1] * b[1]; }
 
   // The place where the path is held moves by an irrational part of the loop from round to round.
-  static void rotate_start(Crossing_loop& loop)
-  {
+  static void rotate_start(Crossing_loop& loop) {
     std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(loop.size() * 0.381966),
                 loop.end());
   }
 
-  double squared_length(Index u, Index v) const
-  {
+  double squared_length(Index u, Index v) const {
     const Vector e = mesh_.points[v] - mesh_.points[u];
     return internal::dot(e, e);
   }
 
   /// Lays the strip out: portal i is crossing i, portal n the first one again.
-  void unfold(const Crossing_loop& loop)
-  {
+  void unfold(const Crossing_loop& loop) {
     const std::size_t n = loop.size();
     left_.resize(n + 1);
     right_.resize(n + 1);
@@ -104,11 +101,10 @@ private:
     }
   }
 
-  // Of the triangle over l - r with the given squared lengths. Heading along +x, with l above r, the apex
-  // is ahead.
-  static Point_2 apex_position(const Point_2& l, const Point_2& r, double base, double to_left,
-                               double to_right)
-  {
+  // Of the triangle over l - r with the given squared lengths. Heading along +x, with l above r,
+  // the apex is ahead.
+  static Point_2
+  apex_position(const Point_2& l, const Point_2& r, double base, double to_left, double to_right) {
     if(base == 0.)
       return {l[0] + std::sqrt(to_left), l[1]};
     const double along = 0.5 * (to_left - to_right + base) / base;
@@ -124,8 +120,7 @@ private:
   };
 
   /// Returns the length.
-  double shorten_within_strip(Crossing_loop& loop)
-  {
+  double shorten_within_strip(Crossing_loop& loop) {
     unfold(loop);
     find_bends(loop);
     set_ratios(loop);
@@ -137,14 +132,12 @@ private:
     return length;
   }
 
-  static Point_2 between(const Point_2& l, const Point_2& r, double ratio)
-  {
+  static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
     return {l[0] + ratio * (r[0] - l[0]), l[1] + ratio * (r[1] - l[1])};
   }
 
   // The funnel algorithm: `bends_` are the corners of the shortest path through the portals.
-  void find_bends(const Crossing_loop& loop)
-  {
+  void find_bends(const Crossing_loop& loop) {
     const std::size_t n = loop.size();
     const double ratio = loop[0].ratio;
     const Point_2 goal = between(left_[n], right_[n], ratio);
@@ -183,8 +176,7 @@ private:
       bends_.push_back({n, goal});
   }
 
-  void set_ratios(Crossing_loop& loop) const
-  {
+  void set_ratios(Crossing_loop& loop) const {
     for(std::size_t b = 0; b + 1 < bends_.size(); ++b) {
       const Point_2 from = bends_[b].point;
       const Point_2 direction = minus(bends_[b + 1].point, from);
@@ -196,17 +188,14 @@ private:
       hold_at_corner(loop, bends_[b]);
   }
 
-  double crossing_ratio(std::size_t i, const Point_2& from, const Point_2& direction) const
-  {
+  double crossing_ratio(std::size_t i, const Point_2& from, const Point_2& direction) const {
     const double across = cross(minus(right_[i], left_[i]), direction);
-    const double ratio =
-        across == 0. ? 0.5 : cross(minus(from, left_[i]), direction) / across;
+    const double ratio = across == 0. ? 0.5 : cross(minus(from, left_[i]), direction) / across;
     return (std::min)(1., (std::max)(0., ratio));
   }
 
   // All the portals that end at the corner are passed exactly there.
-  void hold_at_corner(Crossing_loop& loop, const Bend& bend) const
-  {
+  void hold_at_corner(Crossing_loop& loop, const Bend& bend) const {
     const bool at_left = left_[bend.portal] == bend.point;
     const Index corner = at_left ? loop[bend.portal].left : loop[bend.portal].right;
     const auto ends_there = [&](std::size_t i) {
@@ -225,8 +214,7 @@ private:
     bool at_left;
   };
 
-  bool change_sides(Crossing_loop& loop)
-  {
+  bool change_sides(Crossing_loop& loop) {
     std::vector<Fan> fans;
     for(std::size_t b = 1; b + 1 < bends_.size(); ++b) {
       const Fan fan = fan_of(loop, bends_[b]);
@@ -251,8 +239,7 @@ private:
     return true;
   }
 
-  Fan fan_of(const Crossing_loop& loop, const Bend& bend) const
-  {
+  Fan fan_of(const Crossing_loop& loop, const Bend& bend) const {
     const bool at_left = left_[bend.portal] == bend.point;
     const Index corner = at_left ? loop[bend.portal].left : loop[bend.portal].right;
     const auto ends_there = [&](std::size_t i) {
@@ -270,10 +257,9 @@ private:
   class Angle_sum
   {
   public:
-    /// adds the angle whose cosine and sine are in the ratio of the arguments. Returns whether the sum is
-    /// still less than straight.
-    bool add(double cosine, double sine)
-    {
+    /// adds the angle whose cosine and sine are in the ratio of the arguments. Returns whether the
+    /// sum is still less than straight.
+    bool add(double cosine, double sine) {
       const double c = cosine_ * cosine - sine_ * sine, s = cosine_ * sine + sine_ * cosine;
       const double size = (std::max)(std::abs(c), std::abs(s));
       cosine_ = size > 0. ? c / size : 1.;
@@ -286,22 +272,21 @@ private:
     double cosine_ = 1., sine_ = 0.;
   };
 
-  static bool add_angle(const Point_2& a, const Point_2& b, Angle_sum& sum)
-  {
+  static bool add_angle(const Point_2& a, const Point_2& b, Angle_sum& sum) {
     return sum.add(dot(a, b), std::abs(cross(a, b)));
   }
 
-  bool add_corner(Index v, Index a, Index b, Angle_sum& sum) const
-  {
+  bool add_corner(Index v, Index a, Index b, Angle_sum& sum) const {
     const Vector p = mesh_.points[a] - mesh_.points[v], q = mesh_.points[b] - mesh_.points[v];
     return sum.add(internal::dot(p, q), norm(internal::cross(p, q)));
   }
 
-  // Whether the faces on the other side of the corner, from the way in to the way out, span less than a
-  // straight angle.
-  bool is_shorter_on_other_side(const Crossing_loop& loop, const Fan& fan, const Point_2& before,
-                                const Point_2& after) const
-  {
+  // Whether the faces on the other side of the corner, from the way in to the way out, span less
+  // than a straight angle.
+  bool is_shorter_on_other_side(const Crossing_loop& loop,
+                                const Fan& fan,
+                                const Point_2& before,
+                                const Point_2& after) const {
     const auto& near = fan.at_left ? left_ : right_;
     const Point_2 corner = near[fan.first];
     Angle_sum sum;
@@ -323,8 +308,7 @@ private:
 
   // The strip comes from the triangle before the fan and goes to the one after it; between them it
   // now passes the spokes that it did not pass.
-  void append_other_side(const Crossing_loop& loop, const Fan& fan, Crossing_loop& changed) const
-  {
+  void append_other_side(const Crossing_loop& loop, const Fan& fan, Crossing_loop& changed) const {
     const Crossing &before = loop[fan.first - 1], &after = loop[fan.last + 1];
     if(fan.at_left) {
       const Index corner = loop[fan.first].left;

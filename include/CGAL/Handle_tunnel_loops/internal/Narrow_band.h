@@ -48,17 +48,16 @@ class Narrow_band
 {
 public:
   Narrow_band(const Flat_mesh& mesh, const Stencils& stencils, const Step_coefficients& k)
-    : mesh_(mesh)
-    , stencils_(stencils)
-    , coefficients_(k)
-    , spark_(k.penalty / k.diffusion)
-    , value_(mesh.number_of_vertices() + 1, 0.f)
-    , time_(mesh.number_of_vertices(), never)
-    , state_(mesh.number_of_vertices(), 0)
-    , band_(new Index[mesh.number_of_vertices() + 1])
-    , touched_(new Index[mesh.number_of_vertices() + 1])
-    , next_(new float[mesh.number_of_vertices()])
-  {
+      : mesh_(mesh)
+      , stencils_(stencils)
+      , coefficients_(k)
+      , spark_(k.penalty / k.diffusion)
+      , value_(mesh.number_of_vertices() + 1, 0.f)
+      , time_(mesh.number_of_vertices(), never)
+      , state_(mesh.number_of_vertices(), 0)
+      , band_(new Index[mesh.number_of_vertices() + 1])
+      , touched_(new Index[mesh.number_of_vertices() + 1])
+      , next_(new float[mesh.number_of_vertices()]) {
     for(Index v = 0; v < state_.size(); ++v)
       if(mesh.ring(v).size() > Stencils::width)
         state_[v] = special;
@@ -68,8 +67,7 @@ public:
   void expect_walls(Index v) { state_[v] |= special; }
 
   /// says that there may be walls at \p v, until `reset()`.
-  void expect_walls_now(Index v)
-  {
+  void expect_walls_now(Index v) {
     if(state_[v] & (special | special_now))
       return;
     state_[v] |= special_now;
@@ -77,8 +75,7 @@ public:
   }
 
   /// makes `v` a source, unless it is one already: its value is one for ever.
-  void add_source(Index v, Time time, Side side = Side::LEFT)
-  {
+  void add_source(Index v, Time time, Side side = Side::LEFT) {
     if(is_reached(v))
       return;
     touched_[number_of_touched_++] = v;
@@ -89,8 +86,7 @@ public:
   }
 
   /// to be called after the last source was added.
-  template <typename Walls> void start(const Walls& walls)
-  {
+  template <typename Walls> void start(const Walls& walls) {
     for(Index v : sources_)
       activate_neighbors(v, walls);
     sources_.clear();
@@ -98,8 +94,8 @@ public:
 
   /// makes one step and calls `reached(v)` for each vertex that was reached in it. Returns false
   /// if there is nothing left to update.
-  template <typename Walls, typename Reached> bool step(const Walls& walls, const Reached& reached)
-  {
+  template <typename Walls, typename Reached>
+  bool step(const Walls& walls, const Reached& reached) {
     if(band_size_ == 0 && special_band_.empty())
       return false;
     ++step_;
@@ -126,8 +122,7 @@ public:
   std::size_t number_of_updates() const { return number_of_updates_; }
   Time number_of_steps() const { return step_; }
 
-  void reset()
-  {
+  void reset() {
     for(std::size_t i = 0; i < number_of_touched_; ++i) {
       const Index v = touched_[i];
       value_[v] = 0.f;
@@ -146,8 +141,7 @@ public:
   }
 
   /// whether there is a wall between two neighbours.
-  template <typename Walls> bool is_wall(Index u, Index v, const Walls& walls) const
-  {
+  template <typename Walls> bool is_wall(Index u, Index v, const Walls& walls) const {
     return is_special(u) && walls.is_wall(u, v);
   }
 
@@ -157,8 +151,9 @@ private:
   // A front that moves at all passes a vertex in far fewer steps.
   static constexpr Time patience = 64;
 
-  // The states of a vertex: in the band now or before; reached from the right; marked by the caller; having
-  // more neighbours than a stencil has room for, or perhaps a wall beside it, always or in this run.
+  // The states of a vertex: in the band now or before; reached from the right; marked by the
+  // caller; having more neighbours than a stencil has room for, or perhaps a wall beside it, always
+  // or in this run.
   static constexpr std::uint8_t active = 1, right = 2, marked = 4, special = 8, special_now = 16;
 
   bool is_special(Index v) const { return (state_[v] & (special | special_now)) != 0; }
@@ -170,16 +165,14 @@ private:
     std::size_t begin, end;
   };
 
-  void arrive(Index v, Time time, Side side)
-  {
+  void arrive(Index v, Time time, Side side) {
     time_[v] = time;
     if(side == Side::RIGHT)
       state_[v] |= right;
     ++number_of_reached_;
   }
 
-  template <typename Walls> void activate_neighbors(Index v, const Walls& walls)
-  {
+  template <typename Walls> void activate_neighbors(Index v, const Walls& walls) {
     for(Index u : mesh_.ring(v)) {
       if(is_wall(v, u, walls))
         continue;
@@ -196,8 +189,7 @@ private:
     }
   }
 
-  template <typename Walls> void append_special(Index v, const Walls& walls)
-  {
+  template <typename Walls> void append_special(Index v, const Walls& walls) {
     const std::size_t begin = special_rows_.size();
     for(Index u : mesh_.ring(v))
       if(!walls.is_wall(v, u))
@@ -205,29 +197,26 @@ private:
     special_band_.push_back({v, begin, special_rows_.size()});
   }
 
-  float mean(const Special& special) const
-  {
+  float mean(const Special& entry) const {
     float sum = 0.f;
-    for(std::size_t i = special.begin; i < special.end; ++i)
+    for(std::size_t i = entry.begin; i < entry.end; ++i)
       sum += value_[special_rows_[i]];
-    return sum / static_cast<float>(special.end - special.begin);
+    return sum / static_cast<float>(entry.end - entry.begin);
   }
 
-  void compute()
-  {
+  void compute() {
     number_of_updates_ += band_size_ + special_band_.size();
     for(std::size_t i = 0; i < band_size_; ++i) {
       const Index v = band_[i];
       next_[i] = stepped_value(value_[v], stencils_.mean(v, value_.data()), coefficients_);
     }
     next_special_.clear();
-    for(const Special& special : special_band_)
-      next_special_.push_back(stepped_value(value_[special.vertex], mean(special), coefficients_));
+    for(const Special& entry : special_band_)
+      next_special_.push_back(stepped_value(value_[entry.vertex], mean(entry), coefficients_));
   }
 
   template <typename Walls, typename Reached>
-  void commit(const Walls& walls, const Reached& reached)
-  {
+  void commit(const Walls& walls, const Reached& reached) {
     // What is activated meanwhile goes behind the old band.
     const std::size_t size = band_size_, special_size = special_band_.size();
     std::size_t kept = 0;
@@ -236,23 +225,22 @@ private:
       band_[kept] = v;
       kept += settle(v, next_[i], walls, reached);
     }
-    band_size_ = std::copy(band_.get() + size, band_.get() + band_size_, band_.get() + kept) -
-                 band_.get();
+    band_size_ =
+        std::copy(band_.get() + size, band_.get() + band_size_, band_.get() + kept) - band_.get();
 
     kept = 0;
     for(std::size_t i = 0; i < special_size; ++i) {
-      const Special special = special_band_[i];
-      special_band_[kept] = special;
-      kept += settle(special.vertex, next_special_[i], walls, reached);
+      const Special entry = special_band_[i];
+      special_band_[kept] = entry;
+      kept += settle(entry.vertex, next_special_[i], walls, reached);
     }
     special_band_.erase(special_band_.begin() + kept, special_band_.begin() + special_size);
   }
 
-  /// gives a vertex its new value, and says whether it may still change. No vertex passes the threshold
-  /// before a neighbour has.
+  /// gives a vertex its new value, and says whether it may still change. No vertex passes the
+  /// threshold before a neighbour has.
   template <typename Walls, typename Reached>
-  bool settle(Index v, float after, const Walls& walls, const Reached& reached)
-  {
+  bool settle(Index v, float after, const Walls& walls, const Reached& reached) {
     const float before = value_[v];
     if(before < front_threshold && after >= front_threshold) {
       const Index earlier = earliest_neighbor(v, walls);
@@ -270,8 +258,7 @@ private:
   }
 
   // Among the neighbours reached in earlier steps; `v` itself if there is none.
-  template <typename Walls> Index earliest_neighbor(Index v, const Walls& walls) const
-  {
+  template <typename Walls> Index earliest_neighbor(Index v, const Walls& walls) const {
     std::uint64_t earliest = std::uint64_t(step_ - 1) * ticks_per_step << 32 | no_index;
     for(Index u : mesh_.ring(v))
       if(!is_wall(v, u, walls))
@@ -283,12 +270,11 @@ private:
   // On a mesh that is coarser than the front is wide, the front can come to rest: a vertex of high
   // degree with one reached neighbour, say. Then all that it touches is declared reached.
   template <typename Walls, typename Reached>
-  void push_on(const Walls& walls, const Reached& reached)
-  {
+  void push_on(const Walls& walls, const Reached& reached) {
     last_progress_ = ++step_;
     std::vector<Index> band(band_.get(), band_.get() + band_size_);
-    for(const Special& special : special_band_)
-      band.push_back(special.vertex);
+    for(const Special& entry : special_band_)
+      band.push_back(entry.vertex);
     for(Index v : band) {
       const Index earlier = is_reached(v) ? v : earliest_neighbor(v, walls);
       if(earlier == v)
@@ -303,14 +289,12 @@ private:
   }
 
   // What has come to 1 is updated no more.
-  void leave_band()
-  {
+  void leave_band() {
     const auto is_full = [&](Index v) { return value_[v] == 1.f; };
     band_size_ = std::remove_if(band_.get(), band_.get() + band_size_, is_full) - band_.get();
-    special_band_.erase(
-        std::remove_if(special_band_.begin(), special_band_.end(),
-                       [&](const Special& special) { return is_full(special.vertex); }),
-        special_band_.end());
+    special_band_.erase(std::remove_if(special_band_.begin(), special_band_.end(),
+                                       [&](const Special& entry) { return is_full(entry.vertex); }),
+                        special_band_.end());
   }
 
   const Flat_mesh& mesh_;
@@ -320,7 +304,7 @@ private:
   std::vector<float> value_; // one more than there are vertices, see Stencils
   std::vector<Time> time_;
   std::vector<std::uint8_t> state_;
-  std::unique_ptr<Index[]> band_;    // not initialised: a pass in a small region touches little of it
+  std::unique_ptr<Index[]> band_; // not initialised: a pass in a small region touches little of it
   std::unique_ptr<Index[]> touched_;
   std::unique_ptr<float[]> next_;
   std::size_t band_size_ = 0;

@@ -30,14 +30,12 @@ class Offset_classifier
 public:
   template <typename Execution>
   Offset_classifier(Execution execution, const Flat_mesh& mesh)
-    : mesh_(mesh)
-  {
+      : mesh_(mesh) {
     orient_components(execution);
   }
 
   /// the derivative of the length of the loop when it is moved along the outward normals.
-  double growth(const Crossing_loop& loop) const
-  {
+  double growth(const Crossing_loop& loop) const {
     if(loop.empty())
       return 0.;
     double sum = 0.;
@@ -54,10 +52,9 @@ public:
   }
 
 private:
-  // A component encloses a positive volume if its faces look outwards. Volumes are summed by runs of
-  // vertices of one component, in an order that does not depend on the threads.
-  template <typename Execution> void orient_components(Execution execution)
-  {
+  // A component encloses a positive volume if its faces look outwards. Volumes are summed by runs
+  // of vertices of one component, in an order that does not depend on the threads.
+  template <typename Execution> void orient_components(Execution execution) {
     using Volume = std::pair<Index, double>;
     const std::vector<Volume> volumes = collect<Volume>(
         execution, mesh_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
@@ -75,9 +72,9 @@ private:
       volume_[component] += volume;
   }
 
-  // Six times the volume of the cones from the seed over the faces that v is the smallest vertex of.
-  double volume_at(Index v) const
-  {
+  // Six times the volume of the cones from the seed over the faces that v is the smallest vertex
+  // of.
+  double volume_at(Index v) const {
     const Vector& origin = mesh_.points[mesh_.seeds[mesh_.component[v]]];
     const Ring ring = mesh_.ring(v);
     double sum = 0.;
@@ -90,8 +87,7 @@ private:
     return sum;
   }
 
-  Vector normal(Index v) const
-  {
+  Vector normal(Index v) const {
     const Ring ring = mesh_.ring(v);
     Vector sum = {0., 0., 0.};
     for(Index i = 0; i < ring.size(); ++i)
@@ -100,13 +96,11 @@ private:
     return normalized(sum);
   }
 
-  Vector normal(const Crossing& c) const
-  {
+  Vector normal(const Crossing& c) const {
     return normalized((1. - c.ratio) * normal(c.left) + c.ratio * normal(c.right));
   }
 
-  static Vector normalized(const Vector& a)
-  {
+  static Vector normalized(const Vector& a) {
     const double length = norm(a);
     return length > 0. ? (1. / length) * a : a;
   }

@@ -23,9 +23,10 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /*!
-Takes the twist out of a pair: as long as it becomes shorter by it, the longer loop is replaced by its sum
-or difference with the shorter one, as in Gauss's reduction of a lattice basis in the plane. A field
-counts edges; where triangles are long and thin, the way that it finds may wind around the other loop.
+Takes the twist out of a pair: as long as it becomes shorter by it, the longer loop is replaced by
+its sum or difference with the shorter one, as in Gauss's reduction of a lattice basis in the plane.
+A field counts edges; where triangles are long and thin, the way that it finds may wind around the
+other loop.
 
 Adding one element of a basis to another gives a basis again, so nothing has to be checked.
 */
@@ -33,11 +34,10 @@ class Pair_reduction
 {
 public:
   explicit Pair_reduction(const Flat_mesh& mesh)
-    : mesh_(mesh)
-    , tightening_(mesh) {}
+      : mesh_(mesh)
+      , tightening_(mesh) {}
 
-  void reduce(Crossing_loop& a, Crossing_loop& b)
-  {
+  void reduce(Crossing_loop& a, Crossing_loop& b) {
     Crossing_loop *shorter = &a, *longer = &b;
     do {
       if(length(mesh_, *longer) < length(mesh_, *shorter))
@@ -46,8 +46,7 @@ public:
   }
 
 private:
-  bool shorten(Crossing_loop& loop, const Crossing_loop& by)
-  {
+  bool shorten(Crossing_loop& loop, const Crossing_loop& by) {
     // Of two loops of nearly the same length, the sum is hardly ever shorter than both.
     if(length(mesh_, loop) < 1.1 * length(mesh_, by))
       return false;
@@ -64,8 +63,7 @@ private:
   }
 
   // Tightens a few rounds at a time, as long as the threshold is in sight.
-  bool becomes_shorter(Crossing_loop& loop, double threshold)
-  {
+  bool becomes_shorter(Crossing_loop& loop, double threshold) {
     double previous = 2. * length(mesh_, loop);
     double current = 0.5 * previous;
     while(current >= threshold && current < 0.97 * previous) {
@@ -78,15 +76,14 @@ private:
 
   // Crossings with the same left end, one on each loop; there are some, because the loops cross.
   static std::pair<std::size_t, std::size_t> common_place(const Crossing_loop& a,
-                                                          const Crossing_loop& b)
-  {
+                                                          const Crossing_loop& b) {
     std::vector<std::pair<Index, std::size_t>> sorted;
     for(std::size_t j = 0; j < b.size(); ++j)
       sorted.emplace_back(b[j].left, j);
     std::sort(sorted.begin(), sorted.end());
     for(std::size_t i = 0; i < a.size(); ++i) {
-      const auto it = std::lower_bound(sorted.begin(), sorted.end(),
-                                       std::make_pair(a[i].left, std::size_t(0)));
+      const auto it =
+          std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(a[i].left, std::size_t(0)));
       if(it != sorted.end() && it->first == a[i].left)
         return {i, it->second};
     }
@@ -94,8 +91,7 @@ private:
   }
 
   // One loop followed by the other, as a walk along their left ends.
-  static std::vector<Index> joined(const Crossing_loop& a, const Crossing_loop& b, bool forward)
-  {
+  static std::vector<Index> joined(const Crossing_loop& a, const Crossing_loop& b, bool forward) {
     const auto [i, j] = common_place(a, b);
     std::vector<Index> walk;
     for(std::size_t k = 0; k < a.size(); ++k)

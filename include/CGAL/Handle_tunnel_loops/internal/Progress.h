@@ -34,15 +34,16 @@ class Progress
 public:
   using Stage_function = std::function<void(Stage)>;
 
-  Progress(std::function<bool(double)> callback, Stage_function start_stage, Stage_function end_stage,
+  Progress(std::function<bool(double)> callback,
+           Stage_function start_stage,
+           Stage_function end_stage,
            Statistics& statistics)
-    : callback_(std::move(callback))
-    , start_stage_(std::move(start_stage))
-    , end_stage_(std::move(end_stage))
-    , statistics_(statistics) {}
+      : callback_(std::move(callback))
+      , start_stage_(std::move(start_stage))
+      , end_stage_(std::move(end_stage))
+      , statistics_(statistics) {}
 
-  void start(Stage stage)
-  {
+  void start(Stage stage) {
     start_stage_(stage);
     stage_ = stage;
     done_ = 0;
@@ -51,8 +52,7 @@ public:
     throw_if_interrupted();
   }
 
-  void end(Stage stage)
-  {
+  void end(Stage stage) {
     const std::chrono::duration<double> seconds = Clock::now() - began_;
     statistics_.seconds[static_cast<std::size_t>(stage)] = seconds.count();
     end_stage_(stage);
@@ -61,15 +61,13 @@ public:
   }
 
   /// tells how far the stage has come, in [0, 1]; for one thread only.
-  void advance(double part)
-  {
+  void advance(double part) {
     report(part);
     throw_if_interrupted();
   }
 
   /// tells that one of `number` equal parts of the stage is done; for many threads.
-  void advance_one(std::size_t number)
-  {
+  void advance_one(std::size_t number) {
     const std::size_t done = ++done_;
     if(!callback_)
       return;
@@ -80,8 +78,7 @@ public:
 
   bool is_interrupted() const { return is_interrupted_; }
 
-  void throw_if_interrupted() const
-  {
+  void throw_if_interrupted() const {
     if(is_interrupted_)
       throw Interrupted_exception();
   }
@@ -89,8 +86,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  void report(double part)
-  {
+  void report(double part) {
     // What the stages take of the whole, roughly.
     constexpr std::array<double, number_of_stages + 1> begin = {0., 0.1, 0.3, 0.6, 0.85, 0.87, 1.};
     if(!callback_)

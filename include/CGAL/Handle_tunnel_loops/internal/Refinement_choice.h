@@ -31,12 +31,12 @@ namespace internal {
 /*!
 Chooses which handle loops can be replaced by their refinements so that the loops remain a basis.
 
-Let h_i and t_i be the loops before. The handles are disjoint, and t_i crosses h_i once and no h_j with
-j > i; so (h, t) is a basis, and the class of any curve x = sum of a_i h_i + b_i t_i follows from its
-intersection numbers with the basis by two triangular substitutions. Replacing h_k for all k in a set S
-gives a basis if and only if the matrix (a_i of the refinement of h_k), i and k in S, has determinant 1
-or -1. The set is grown by elimination with pivots 1 and -1, in integers. Should a number ever need more
-than 31 bits, the replacement is refused.
+Let h_i and t_i be the loops before. The handles are disjoint, and t_i crosses h_i once and no h_j
+with j > i; so (h, t) is a basis, and the class of any curve x = sum of a_i h_i + b_i t_i follows
+from its intersection numbers with the basis by two triangular substitutions. Replacing h_k for all
+k in a set S gives a basis if and only if the matrix (a_i of the refinement of h_k), i and k in S,
+has determinant 1 or -1. The set is grown by elimination with pivots 1 and -1, in integers. Should a
+number ever need more than 31 bits, the replacement is refused.
 */
 class Refinement_choice
 {
@@ -44,16 +44,16 @@ public:
   /// Coefficients a_i of a class, by i; no zeros.
   using Row = std::vector<std::pair<Index, std::int64_t>>;
 
-  Refinement_choice(const std::vector<Crossing_loop>& tunnels, const Crossing_index& handle_index,
+  Refinement_choice(const std::vector<Crossing_loop>& tunnels,
+                    const Crossing_index& handle_index,
                     const Crossing_index& tunnel_index)
-    : tunnels_(tunnels)
-    , handle_index_(handle_index)
-    , tunnel_index_(tunnel_index)
-    , crossed_handles_(tunnels.size())
-    , crossing_tunnels_(tunnels.size())
-    , place_(tunnels.size(), static_cast<std::size_t>(-1))
-    , value_(tunnels.size(), 0)
-  {
+      : tunnels_(tunnels)
+      , handle_index_(handle_index)
+      , tunnel_index_(tunnel_index)
+      , crossed_handles_(tunnels.size())
+      , crossing_tunnels_(tunnels.size())
+      , place_(tunnels.size(), static_cast<std::size_t>(-1))
+      , value_(tunnels.size(), 0) {
     for(Index i = 0; i < tunnels.size(); ++i) {
       crossed_handles_[i] = handle_index.intersections(tunnels[i]);
       for(const auto& [j, number] : crossed_handles_[i])
@@ -61,10 +61,9 @@ public:
     }
   }
 
-  /// the coefficients of the class of a loop at the handles; nothing if they are too large. May be called
-  /// by many threads.
-  std::optional<Row> handle_part(const Crossing_loop& loop) const
-  {
+  /// the coefficients of the class of a loop at the handles; nothing if they are too large. May be
+  /// called by many threads.
+  std::optional<Row> handle_part(const Crossing_loop& loop) const {
     try {
       Sparse_numbers with_handles = handle_index_.intersections(loop);
       Sparse_numbers with_tunnels = tunnel_index_.intersections(loop);
@@ -75,10 +74,9 @@ public:
     }
   }
 
-  /// whether handle `k` can be replaced by a loop with the given coefficients, besides those replaced
-  /// before.
-  bool accept(Index k, const Row& coefficients)
-  {
+  /// whether handle `k` can be replaced by a loop with the given coefficients, besides those
+  /// replaced before.
+  bool accept(Index k, const Row& coefficients) {
     bool is_unit = false;
     try {
       reduce(coefficients);
@@ -97,7 +95,7 @@ private:
   struct Too_large : std::runtime_error
   {
     Too_large()
-      : std::runtime_error("an integer is too large") {}
+        : std::runtime_error("an integer is too large") {}
   };
 
   struct Accepted
@@ -107,8 +105,7 @@ private:
   };
 
   /// a - b c.
-  static std::int64_t minus_product(std::int64_t a, std::int64_t b, std::int64_t c)
-  {
+  static std::int64_t minus_product(std::int64_t a, std::int64_t b, std::int64_t c) {
     constexpr std::int64_t limit = std::int64_t(1) << 31;
     const auto is_large = [](std::int64_t x) { return x >= limit || x <= -limit; };
     if(is_large(b) || is_large(c) || is_large(a - b * c))
@@ -117,8 +114,7 @@ private:
   }
 
   // The b_i follow from the intersections with the handles, the last one first.
-  void subtract_tunnel_part(Sparse_numbers& with_handles, Sparse_numbers& with_tunnels) const
-  {
+  void subtract_tunnel_part(Sparse_numbers& with_handles, Sparse_numbers& with_tunnels) const {
     while(!with_handles.empty()) {
       const auto [j, number] = *with_handles.rbegin();
       const std::int64_t b = number * crossed_handles_[j].at(j);
@@ -133,8 +129,7 @@ private:
   }
 
   // The a_i follow from what is left of the intersections with the tunnels, the first one first.
-  Row solve_handle_part(Sparse_numbers& with_tunnels) const
-  {
+  Row solve_handle_part(Sparse_numbers& with_tunnels) const {
     Row row;
     while(!with_tunnels.empty()) {
       const auto [j, number] = *with_tunnels.begin();
@@ -149,9 +144,9 @@ private:
     return row;
   }
 
-  // Spreads the row out in `value_` and eliminates the columns of the accepted pivots, in their order.
-  void reduce(const Row& row)
-  {
+  // Spreads the row out in `value_` and eliminates the columns of the accepted pivots, in their
+  // order.
+  void reduce(const Row& row) {
     std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> places;
     const auto subtract = [&](const Row& other, std::int64_t factor) {
       for(const auto& [i, number] : other) {
@@ -173,14 +168,12 @@ private:
     }
   }
 
-  static std::int64_t value_at(const Row& row, Index i)
-  {
+  static std::int64_t value_at(const Row& row, Index i) {
     return std::lower_bound(row.begin(), row.end(), std::make_pair(i, INT64_MIN))->second;
   }
 
   // Gathers what is spread out, and clears it.
-  Row take_values()
-  {
+  Row take_values() {
     std::sort(touched_.begin(), touched_.end());
     Row row;
     for(Index i : touched_)

@@ -26,8 +26,7 @@ namespace internal {
 
 /// the number of maximal runs of earlier vertices around `v`: 0 at a minimum, at least 2 at a
 /// saddle; a maximum has one that is the whole ring, as a regular vertex has one that is not.
-inline Index number_of_lower_wedges(const Flat_mesh& mesh, const Arrival_order& order, Index v)
-{
+inline Index number_of_lower_wedges(const Flat_mesh& mesh, const Arrival_order& order, Index v) {
   const Ring ring = mesh.ring(v);
   bool previous = order.is_earlier(ring[ring.size() - 1], v);
   Index changes = 0;
@@ -40,9 +39,8 @@ inline Index number_of_lower_wedges(const Flat_mesh& mesh, const Arrival_order& 
 }
 
 template <typename Execution>
-std::vector<Index> find_saddles(Execution execution, const Flat_mesh& mesh,
-                                const Arrival_order& order)
-{
+std::vector<Index>
+find_saddles(Execution execution, const Flat_mesh& mesh, const Arrival_order& order) {
   return collect<Index>(execution, mesh.number_of_vertices(),
                         [&](std::size_t begin, std::size_t end) {
                           std::vector<Index> saddles;
@@ -58,22 +56,21 @@ The contours that meet at a saddle.
 
 The earlier neighbours of the saddle form k >= 2 wedges around it. Outside of its star, the contour
 at its level consists of k arcs; arc i leaves across the edge at the clockwise end of wedge i, keeps
-the earlier side on its left, and arrives at the counterclockwise end of wedge `arrival(i)`. Just below
-the level the arcs are joined around the wedges, just above it around the gaps between them. So the
-permutation `arrival` says which contours meet and which part.
+the earlier side on its left, and arrives at the counterclockwise end of wedge `arrival(i)`. Just
+below the level the arcs are joined around the wedges, just above it around the gaps between them.
+So the permutation `arrival` says which contours meet and which part.
 
-The arcs are walked in turns until all but one have arrived; which wedge the last one comes to is then
-clear, and the longest arc is never walked to its end.
+The arcs are walked in turns until all but one have arrived; which wedge the last one comes to is
+then clear, and the longest arc is never walked to its end.
 */
 class Saddle
 {
 public:
   Saddle(const Flat_mesh& mesh, const Arrival_order& order, Index center)
-    : mesh_(mesh)
-    , order_(order)
-    , center_(center)
-    , ring_(mesh.ring(center))
-  {
+      : mesh_(mesh)
+      , order_(order)
+      , center_(center)
+      , ring_(mesh.ring(center)) {
     find_wedges();
     walk_arcs();
   }
@@ -94,8 +91,7 @@ public:
 
   /// passes from the counterclockwise end of wedge `from` clockwise to the clockwise end of wedge
   /// `to`, keeping the saddle on the right.
-  void append_clockwise(Index from, Index to, Crossing_loop& loop) const
-  {
+  void append_clockwise(Index from, Index to, Crossing_loop& loop) const {
     for(Index p = wedges_[from].last;; p = ring_.previous(p)) {
       loop.push_back({ring_[p], center_, 0.99});
       if(p == wedges_[to].first)
@@ -105,8 +101,7 @@ public:
 
   /// passes from the counterclockwise end of wedge `from` counterclockwise over the gap to the next
   /// wedge, keeping the saddle on the left.
-  void append_counterclockwise(Index from, Crossing_loop& loop) const
-  {
+  void append_counterclockwise(Index from, Crossing_loop& loop) const {
     const Index end = wedges_[from + 1 == number_of_wedges() ? 0 : from + 1].first;
     for(Index p = ring_.next(wedges_[from].last); p != end; p = ring_.next(p))
       loop.push_back({center_, ring_[p], 0.01});
@@ -126,8 +121,7 @@ private:
 
   bool is_lower(Index p) const { return order_.is_earlier(ring_[p], center_); }
 
-  void find_wedges()
-  {
+  void find_wedges() {
     Index start = 0;
     while(is_lower(start) || !is_lower(ring_.next(start)))
       ++start; // a later vertex before an earlier one
@@ -142,8 +136,7 @@ private:
     } while(p != start);
   }
 
-  void walk_arcs()
-  {
+  void walk_arcs() {
     const Index k = number_of_wedges();
     arcs_.resize(k);
     for(Index i = 0; i < k; ++i) {
@@ -158,15 +151,13 @@ private:
     settle_longest();
   }
 
-  void append(Crossing_loop& arc, Index left, Index right) const
-  {
+  void append(Crossing_loop& arc, Index left, Index right) const {
     const double from = order_.time(left), to = order_.time(right), at = order_.time(center_);
     const double ratio = to > from ? (at - from) / (to - from) : 0.5;
     arc.push_back({left, right, (std::min)(0.99, (std::max)(0.01, ratio))});
   }
 
-  bool advance(Arc& arc) const
-  {
+  bool advance(Arc& arc) const {
     const Crossing last = arc.crossings.back();
     const Index apex = apex_ahead(mesh_, last);
     if(apex == center_) {
@@ -180,16 +171,14 @@ private:
     return false;
   }
 
-  Index wedge_that_ends_at(Index v) const
-  {
+  Index wedge_that_ends_at(Index v) const {
     Index i = 0;
     while(ring_[wedges_[i].last] != v)
       ++i;
     return i;
   }
 
-  void settle_longest()
-  {
+  void settle_longest() {
     boost::container::small_vector<char, 8> is_taken(arcs_.size(), 0);
     for(Index i = 0; i < arcs_.size(); ++i)
       if(arcs_[i].arrival == no_index)

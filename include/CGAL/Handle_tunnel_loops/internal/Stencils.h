@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The rows of the Laplacian with room for eight neighbours each, so that the inner loop has a fixed
-/// length: valences vary at random, and a mispredicted branch costs as much as the sum itself. Short
-/// rows are filled up with a vertex that does not exist, `n`, whose value is zero; vertices with longer
-/// rows are left to the ring.
+/// The rows of the Laplacian with room for eight neighbours each, so that the inner loop has a
+/// fixed length: valences vary at random, and a mispredicted branch costs as much as the sum
+/// itself. Short rows are filled up with a vertex that does not exist, `n`, whose value is zero;
+/// vertices with longer rows are left to the ring.
 class Stencils
 {
 public:
@@ -34,8 +34,7 @@ public:
 
   template <typename Execution>
   Stencils(Execution execution, const Flat_mesh& mesh)
-    : rows_(mesh.number_of_vertices())
-  {
+      : rows_(mesh.number_of_vertices()) {
     for_each_index(execution, rows_.size(), [&](std::size_t v) {
       const Ring ring = mesh.ring(static_cast<Index>(v));
       Row& row = rows_[v];
@@ -46,8 +45,7 @@ public:
     });
   }
 
-  float mean(Index v, const float* values) const
-  {
+  float mean(Index v, const float* values) const {
     const Row& row = rows_[v];
     const auto& u = row.neighbors;
     return row.weight * (((values[u[0]] + values[u[1]]) + (values[u[2]] + values[u[3]])) +

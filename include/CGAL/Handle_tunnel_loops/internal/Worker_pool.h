@@ -23,16 +23,14 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// Workspaces that are large to make and cheap to use again: as many as are in use at one time.
-template <typename Workspace>
-class Worker_pool
+template <typename Workspace> class Worker_pool
 {
 public:
   explicit Worker_pool(std::function<std::unique_ptr<Workspace>()> make)
-    : make_(std::move(make)) {}
+      : make_(std::move(make)) {}
 
   /// lends a workspace until the returned object goes out of scope.
-  auto borrow()
-  {
+  auto borrow() {
     const auto give_back = [this](Workspace* workspace) {
       const std::lock_guard<std::mutex> lock(mutex_);
       free_.emplace_back(workspace);
@@ -41,8 +39,7 @@ public:
   }
 
 private:
-  std::unique_ptr<Workspace> take()
-  {
+  std::unique_ptr<Workspace> take() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if(!free_.empty()) {

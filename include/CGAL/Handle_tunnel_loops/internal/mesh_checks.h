@@ -26,8 +26,7 @@ namespace internal {
 class First_index
 {
 public:
-  void see(std::size_t i)
-  {
+  void see(std::size_t i) {
     std::size_t current = first_.load(std::memory_order_relaxed);
     while(i < current && !first_.compare_exchange_weak(current, i, std::memory_order_relaxed))
       ;
@@ -40,14 +39,12 @@ private:
   std::atomic<std::size_t> first_{none};
 };
 
-inline void throw_vertex_defect(Mesh_defect defect, std::size_t v, const std::string& what)
-{
+inline void throw_vertex_defect(Mesh_defect defect, std::size_t v, const std::string& what) {
   throw Invalid_mesh_exception(defect, {v}, what + ": vertex " + std::to_string(v));
 }
 
-inline void throw_edge_defect(Mesh_defect defect, std::size_t u, std::size_t v,
-                              const std::string& what)
-{
+inline void
+throw_edge_defect(Mesh_defect defect, std::size_t u, std::size_t v, const std::string& what) {
   throw Invalid_mesh_exception(defect, {u, v},
                                what + ": edge " + std::to_string(u) + " - " + std::to_string(v));
 }

@@ -40,8 +40,7 @@ struct Sequential_execution
   static constexpr bool is_parallel = false;
 
   template <typename Function>
-  static void for_ranges(std::size_t n, std::size_t grain, const Function& f)
-  {
+  static void for_ranges(std::size_t n, std::size_t grain, const Function& f) {
     for(std::size_t begin = 0; begin < n; begin += grain)
       f(begin, (std::min)(n, begin + grain));
   }
@@ -53,18 +52,15 @@ struct Parallel_execution
   static constexpr bool is_parallel = true;
 
   template <typename Function>
-  static void for_ranges(std::size_t n, std::size_t grain, const Function& f)
-  {
+  static void for_ranges(std::size_t n, std::size_t grain, const Function& f) {
     const std::size_t number_of_ranges = (n + grain - 1) / grain;
-    tbb::parallel_for(std::size_t(0), number_of_ranges, [&](std::size_t i) {
-      f(i * grain, (std::min)(n, (i + 1) * grain));
-    });
+    tbb::parallel_for(std::size_t(0), number_of_ranges,
+                      [&](std::size_t i) { f(i * grain, (std::min)(n, (i + 1) * grain)); });
   }
 };
 #endif
 
-template <typename ConcurrencyTag> constexpr auto execution()
-{
+template <typename ConcurrencyTag> constexpr auto execution() {
 #ifdef CGAL_LINKED_WITH_TBB
   return std::conditional_t<Is_parallel<ConcurrencyTag>::value, Parallel_execution,
                             Sequential_execution>();
@@ -77,8 +73,7 @@ template <typename ConcurrencyTag> constexpr auto execution()
 
 /// calls `f(i)` for all i in [0, n).
 template <typename Execution, typename Function>
-void for_each_index(Execution, std::size_t n, const Function& f, std::size_t grain = 4096)
-{
+void for_each_index(Execution, std::size_t n, const Function& f, std::size_t grain = 4096) {
   Execution::for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i < end; ++i)
       f(i);
@@ -87,12 +82,10 @@ void for_each_index(Execution, std::size_t n, const Function& f, std::size_t gra
 
 /// concatenates `f(begin, end)`, vectors computed range by range, in the order of the ranges.
 template <typename T, typename Execution, typename Function>
-std::vector<T> collect(Execution, std::size_t n, const Function& f, std::size_t grain = 16384)
-{
+std::vector<T> collect(Execution, std::size_t n, const Function& f, std::size_t grain = 16384) {
   std::vector<std::vector<T>> parts((n + grain - 1) / grain);
-  Execution::for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
-    parts[begin / grain] = f(begin, end);
-  });
+  Execution::for_ranges(
+      n, grain, [&](std::size_t begin, std::size_t end) { parts[begin / grain] = f(begin, end); });
   std::vector<T> all;
   for(const std::vector<T>& part : parts)
     all.insert(all.end(), part.begin(), part.end());

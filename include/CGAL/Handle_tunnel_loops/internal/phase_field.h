@@ -44,8 +44,7 @@ struct Step_coefficients
 };
 
 /// The largest stable step makes the new value a mean of the neighbours, diffusion = 1.
-inline Step_coefficients step_coefficients(const Field_constants& c)
-{
+inline Step_coefficients step_coefficients(const Field_constants& c) {
   const double largest_step = 1. / (0.5 * c.mobility * 4. * c.gradient_coefficient);
   const double factor = c.step * largest_step * 0.5 * c.mobility;
   return {static_cast<float>(factor * 4. * c.gradient_coefficient),
@@ -53,9 +52,8 @@ inline Step_coefficients step_coefficients(const Field_constants& c)
 }
 
 /// the value after one step.
-CGAL_HTL_HOST_DEVICE inline float stepped_value(float phi, float mean_of_neighbors,
-                                                const Step_coefficients& k)
-{
+CGAL_HTL_HOST_DEVICE inline float
+stepped_value(float phi, float mean_of_neighbors, const Step_coefficients& k) {
   const float change = k.diffusion * (mean_of_neighbors - phi) +
                        k.drive * std::sqrt(phi * (1.f - phi)) - k.penalty * (1.f - 2.f * phi);
   const float value = phi + change;
@@ -68,9 +66,9 @@ using Time = std::uint32_t;
 constexpr Time never = 0xffffffffu;
 constexpr Time ticks_per_step = 128;
 
-/// the moment, after `step - 1` and at the latest at `step`, at which the value passed the threshold.
-CGAL_HTL_HOST_DEVICE inline Time crossing_time(float before, float after, Time step)
-{
+/// the moment, after `step - 1` and at the latest at `step`, at which the value passed the
+/// threshold.
+CGAL_HTL_HOST_DEVICE inline Time crossing_time(float before, float after, Time step) {
   const float late = before < front_threshold ? (after - front_threshold) / (after - before) : 1.f;
   return step * ticks_per_step - static_cast<Time>(late * (ticks_per_step - 2));
 }

@@ -25,8 +25,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// spreads the ten low bits of `x` to every third bit.
-inline std::uint64_t every_third_bit(std::uint64_t x)
-{
+inline std::uint64_t every_third_bit(std::uint64_t x) {
   x = (x | x << 16) & 0x030000ff;
   x = (x | x << 8) & 0x0300f00f;
   x = (x | x << 4) & 0x030c30c3;
@@ -36,8 +35,7 @@ inline std::uint64_t every_third_bit(std::uint64_t x)
 /// the numbers 0 .. n - 1 of points in the unit box, sorted along a Morton curve. Meshes come in
 /// any order; a field that walks them in file order waits for memory.
 template <typename Execution>
-std::vector<Index> space_filling_order(Execution execution, const std::vector<Vector>& points)
-{
+std::vector<Index> space_filling_order(Execution execution, const std::vector<Vector>& points) {
   constexpr double cells = 1023.;
   std::vector<std::uint64_t> keys(points.size());
   for_each_index(execution, points.size(), [&](std::size_t i) {

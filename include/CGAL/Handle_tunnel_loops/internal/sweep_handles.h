@@ -32,24 +32,23 @@ struct Sweep_handle
 };
 
 /*!
-Unfolds a saddle into k - 1 simple ones: in step i the strand around wedges 0 .. i - 1 and the strand
-around wedge i are cut and joined crosswise. If they belong to different contours, these meet, and a
-handle is found; if not, a contour parts. On a surface that is swept from one minimum the handles so
-found are exactly as many as the genus, because Euler's formula leaves no other number.
+Unfolds a saddle into k - 1 simple ones: in step i the strand around wedges 0 .. i - 1 and the
+strand around wedge i are cut and joined crosswise. If they belong to different contours, these
+meet, and a handle is found; if not, a contour parts. On a surface that is swept from one minimum
+the handles so found are exactly as many as the genus, because Euler's formula leaves no other
+number.
 */
 class Saddle_unfolding
 {
 public:
   explicit Saddle_unfolding(const Saddle& saddle)
-    : saddle_(saddle)
-    , target_(saddle.number_of_wedges())
-  {
+      : saddle_(saddle)
+      , target_(saddle.number_of_wedges()) {
     for(Index i = 0; i < target_.size(); ++i)
       target_[i] = i;
   }
 
-  std::vector<Sweep_handle> handles()
-  {
+  std::vector<Sweep_handle> handles() {
     std::vector<Sweep_handle> found;
     for(Index i = 1; i < target_.size(); ++i) {
       const Cycle a = cycle_through(i - 1), b = cycle_through(i);
@@ -68,14 +67,12 @@ private:
     std::size_t size = 0; // crossings on its arcs
     bool has_longest = false;
 
-    bool contains(Index wedge) const
-    {
+    bool contains(Index wedge) const {
       return std::find(arrivals.begin(), arrivals.end(), wedge) != arrivals.end();
     }
   };
 
-  Cycle cycle_through(Index arrival) const
-  {
+  Cycle cycle_through(Index arrival) const {
     Cycle cycle;
     Index at = arrival;
     do {
@@ -88,15 +85,13 @@ private:
     return cycle;
   }
 
-  Sweep_handle make_handle(const Cycle& a, const Cycle& b, Index wedge) const
-  {
+  Sweep_handle make_handle(const Cycle& a, const Cycle& b, Index wedge) const {
     const bool take_a = b.has_longest || (!a.has_longest && a.size <= b.size);
     return {trace(take_a ? a : b), saddle_.center(), saddle_.wedge_vertex(wedge - 1),
             saddle_.wedge_vertex(wedge)};
   }
 
-  Crossing_loop trace(const Cycle& cycle) const
-  {
+  Crossing_loop trace(const Cycle& cycle) const {
     Crossing_loop loop;
     for(Index at : cycle.arrivals) {
       const Index leaving = target_[at];
@@ -116,9 +111,8 @@ private:
 
 /// the handles of the sweep, in the order in which they are found.
 template <typename Execution>
-std::vector<Sweep_handle> find_sweep_handles(Execution execution, const Flat_mesh& mesh,
-                                             const Arrival_order& order)
-{
+std::vector<Sweep_handle>
+find_sweep_handles(Execution execution, const Flat_mesh& mesh, const Arrival_order& order) {
   std::vector<Index> saddles = find_saddles(execution, mesh, order);
   std::sort(saddles.begin(), saddles.end(),
             [&](Index u, Index v) { return order.is_earlier(u, v); });
@@ -136,11 +130,11 @@ std::vector<Sweep_handle> find_sweep_handles(Execution execution, const Flat_mes
 
 /// the walk from `v` down to the source of the sweep, each vertex followed by its earliest
 /// neighbour.
-inline std::vector<Index> descent(const Flat_mesh& mesh, const Arrival_order& order, Index v)
-{
+inline std::vector<Index> descent(const Flat_mesh& mesh, const Arrival_order& order, Index v) {
   std::vector<Index> walk(1, v);
   for(Index u = order.earliest_neighbor(mesh, v); order.is_earlier(u, v);
-      u = order.earliest_neighbor(mesh, v)) {
+      u = order.earliest_neighbor(mesh, v))
+  {
     walk.push_back(u);
     v = u;
   }
@@ -149,9 +143,8 @@ inline std::vector<Index> descent(const Flat_mesh& mesh, const Arrival_order& or
 
 /// the tunnel of a handle that the sweep itself offers: from the saddle down on either side to the
 /// source. It crosses its own handle once and no handle that was found later, whatever the mesh.
-inline Crossing_loop sweep_tunnel(const Flat_mesh& mesh, const Arrival_order& order,
-                                  const Sweep_handle& handle)
-{
+inline Crossing_loop
+sweep_tunnel(const Flat_mesh& mesh, const Arrival_order& order, const Sweep_handle& handle) {
   std::vector<Index> walk = descent(mesh, order, handle.foot_a);
   std::vector<Index> other = descent(mesh, order, handle.foot_b);
   walk.insert(walk.end(), other.rbegin(), other.rend());

@@ -1,0 +1,21 @@
+# The target htl_build_options: flags for what this project itself compiles; never for its users.
+add_library(htl_build_options INTERFACE)
+
+if(MSVC)
+  target_compile_options(htl_build_options INTERFACE /W4 $<$<BOOL:${HTL_WARNINGS_AS_ERRORS}>:/WX>)
+else()
+  target_compile_options(htl_build_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+    $<$<BOOL:${HTL_WARNINGS_AS_ERRORS}>:-Werror>
+    $<$<BOOL:${HTL_NATIVE}>:-march=native>)
+endif()
+
+if(HTL_SANITIZE)
+  target_compile_options(htl_build_options INTERFACE
+    -fsanitize=${HTL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(htl_build_options INTERFACE -fsanitize=${HTL_SANITIZE})
+  if(HTL_SANITIZE STREQUAL "thread")
+    target_include_directories(htl_build_options BEFORE INTERFACE
+      "${CMAKE_CURRENT_SOURCE_DIR}/developer_scripts/tsan")
+  endif()
+endif()

@@ -1,0 +1,26 @@
+# Install rules: the headers, the tool, and what find_package(Handle_tunnel_loops) reads.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(_htl_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Handle_tunnel_loops")
+
+install(DIRECTORY include/CGAL DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  FILES_MATCHING PATTERN "*.h")
+if(TARGET htloops)
+  install(TARGETS htloops RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
+install(FILES LICENSE README.md CHANGES.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+install(TARGETS Handle_tunnel_loops EXPORT Handle_tunnel_loopsTargets)
+install(EXPORT Handle_tunnel_loopsTargets
+  NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
+
+configure_package_config_file(cmake/Handle_tunnel_loopsConfig.cmake.in
+  Handle_tunnel_loopsConfig.cmake INSTALL_DESTINATION "${_htl_config_dir}")
+write_basic_package_version_file(Handle_tunnel_loopsConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES
+  "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfig.cmake"
+  "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfigVersion.cmake"
+  DESTINATION "${_htl_config_dir}")
+unset(_htl_config_dir)
