@@ -47,7 +47,9 @@ public:
     int idle_rounds = 0;
     for(int round = 0; round < maximum_number_of_rounds && loop.size() >= 3; ++round) {
       rotate_start(loop);
-      const double current = shorten_within_strip(loop);
+      shorten_within_strip(loop);
+      // On the mesh, not in the plane: on slivers rounding can make the two differ.
+      const double current = length(mesh_, loop);
       if(current <= best_length) {
         best = loop;
         best_length = current;
@@ -119,17 +121,10 @@ private:
     Point_2 point;
   };
 
-  /// Returns the length.
-  double shorten_within_strip(Crossing_loop& loop) {
+  void shorten_within_strip(Crossing_loop& loop) {
     unfold(loop);
     find_bends(loop);
     set_ratios(loop);
-    double length = 0.;
-    for(std::size_t b = 0; b + 1 < bends_.size(); ++b) {
-      const Point_2 d = minus(bends_[b + 1].point, bends_[b].point);
-      length += std::sqrt(dot(d, d));
-    }
-    return length;
   }
 
   static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
