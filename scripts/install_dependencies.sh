@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing: for the tool, for the tests too, or for all checks.
+#
+#   scripts/install_dependencies.sh [tool|tests|checks]
+#
+# Touches nothing, and needs no network, where all is there. Where there is no apt-get it names the
+# libraries and goes on: the build then says itself what it lacks.
+set -euo pipefail
+
+tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-dev libpng-dev)
+tests=("${tool[@]}" libgtest-dev libbenchmark-dev)
+checks=("${tests[@]}" clang-format)
+
+case "${1:-tool}" in
+  tool) wanted=("${tool[@]}") ;;
+  tests) wanted=("${tests[@]}") ;;
+  checks) wanted=("${checks[@]}") ;;
+  *)
+    echo "usage: $0 [tool|tests|checks]" >&2
+    exit 2
+    ;;
+esac
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  echo "There is no apt-get here. Needed: a C++17 compiler, CMake 3.21, Ninja, CGAL 5.5, CLI11," >&2
+  echo "nlohmann-json; used if present: oneTBB, libpng, GoogleTest, Google Benchmark." >&2
+  exit 0
+fi
+
+is_installed() {
+  [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+missing=()
+for package in "${wanted[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+[ "${#missing[@]}" -gt 0 ] || exit 0
+
+echo "Installing: ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "Neither root nor sudo: as root, run  apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+"${as_root[@]}" apt-get update --quiet
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install --yes --quiet --no-install-recommends "${missing[@]}"
