@@ -1,0 +1,205 @@
+// Loops across edges, walks along edges, and their intersection numbers.
+
+#include "Crossing_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using CGAL::Handle_tunnel_loops::internal::for_each_left_edge;
+using CGAL::Handle_tunnel_loops::internal::Listed_loops;
+using CGAL::Handle_tunnel_loops::internal::Loop_walls;
+using CGAL::Handle_tunnel_loops::internal::Loops_from;
+using CGAL::Handle_tunnel_loops::internal::pushed_left;
+using CGAL::Handle_tunnel_loops::internal::remove_backtracks;
+using CGAL::Handle_tunnel_loops::internal::remove_spurs;
+
+class Crossing_loops : public testing::TestWithParam<Recipe>
+{
+protected:
+  const Flat_mesh mesh = flat_mesh_of(GetParam());
+  Random random{1};
+};
+
+INSTANTIATE_TEST_SUITE_P(Surfaces,
+                         Crossing_loops,
+                         testing::Values(Recipe{"sphere", {200, 0, 0}},
+                                         Recipe{"torus", {200, 1, 0}},
+                                         Recipe{"multi-torus", {1200, 3, 0}},
+                                         Recipe{"random", {14, 1, 0}},
+                                         Recipe{"random", {100, 7, 1}},
+                                         Recipe{"random", {800, 5, 2}}),
+                         [](const auto& test) { return "Mesh" + std::to_string(test.index); });
+
+TEST_P(Crossing_loops, PushedOffAWalkAreLoops) {
+  for(const Crossing_loop& loop : random_loops(mesh, random, 50))
+    expect_crossing_loop(mesh, loop);
+}
+
+// What a loop crosses has the walk on one side; the left ends of the other direction are the walk.
+TEST_P(Crossing_loops, PushedOffAWalkRunBesideIt) {
+  for(int i = 0; i < 50; ++i) {
+    const Vertex_walk walk = random_walk_without_spurs(mesh, random);
+    const std::set<Index> vertices(walk.begin(), walk.end());
+    for(const Crossing& c : pushed_left(mesh, walk))
+      EXPECT_EQ(vertices.count(c.right), 1u);
+  }
+}
+
+TEST_P(Crossing_loops, HaveAntisymmetricIntersectionNumbers) {
+  const std::vector<Crossing_loop> loops = random_loops(mesh, random, 40);
+  const Integer_matrix matrix =
+      intersection_matrix(loops, Crossing_index(mesh, loops), loops.size());
+  bool has_intersections = false;
+  for(std::size_t i = 0; i < loops.size(); ++i)
+    for(std::size_t j = 0; j <= i; ++j) {
+      EXPECT_EQ(matrix[i][j], -matrix[j][i]);
+      has_intersections = has_intersections || matrix[i][j] != 0;
+    }
+  EXPECT_EQ(has_intersections, mesh.genus != 0);
+}
+
+TEST_P(Crossing_loops, ChangeSignWithTheirDirection) {
+  const std::vector<Crossing_loop> loops = random_loops(mesh, random, 20);
+  const Crossing_index index(mesh, loops);
+  for(const Crossing_loop& loop : random_loops(mesh, random, 20)) {
+    expect_crossing_loop(mesh, reversed(loop));
+    Sparse_numbers negated = index.intersections(reversed(loop));
+    for(auto& entry : negated)
+      entry.second = -entry.second;
+    EXPECT_EQ(index.intersections(loop), negated);
+  }
+}
+
+// A walk, the loop beside it, and both after they were simplified, are homotopic.
+TEST_P(Crossing_loops, HaveTheNumbersOfTheirWalks) {
+  const std::vector<Crossing_loop> loops = random_loops(mesh, random, 20);
+  const Crossing_index index(mesh, loops);
+  for(int i = 0; i < 50; ++i) {
+    Vertex_walk walk = random_walk(mesh, random, 3 + random.below(40));
+    const Sparse_numbers numbers = index.intersections(walk);
+    remove_spurs(walk);
+    EXPECT_EQ(index.intersections(walk), numbers);
+    if(walk.size() < 3)
+      continue;
+    Crossing_loop loop = pushed_left(mesh, walk);
+    EXPECT_EQ(index.intersections(loop), numbers);
+    std::rotate(loop.begin(), loop.begin() + loop.size() / 2, loop.end());
+    EXPECT_EQ(index.intersections(loop), numbers);
+  }
+}
+
+TEST_P(Crossing_loops, AreNotChangedByBacktracks) {
+  const std::vector<Crossing_loop> loops = random_loops(mesh, random, 20);
+  const Crossing_index index(mesh, loops);
+  for(Crossing_loop loop : random_loops(mesh, random, 50)) {
+    if(loop.empty())
+      continue;
+    const Crossing_loop expected = loop;
+    // Into the triangle ahead, out through its left edge, and back: all over the loop.
+    for(int i = 0; i < 5; ++i) {
+      const std::size_t at = random.below(loop.size());
+      const Crossing c = loop[at];
+      const Index apex = mesh.ring(c.left).after(c.right);
+      const Crossing out = {c.left, apex, 0.5}, back = {apex, c.left, 0.5};
+      loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(at) + 1, {out, back});
+    }
+    EXPECT_EQ(index.intersections(loop), index.intersections(expected));
+    remove_backtracks(loop);
+    expect_crossing_loop(mesh, loop);
+    EXPECT_EQ(loop.size(), expected.size());
+    EXPECT_EQ(index.intersections(loop), index.intersections(expected));
+  }
+}
+
+TEST_P(Crossing_loops, HaveNoBacktracksLeft) {
+  for(const Crossing_loop& loop : random_loops(mesh, random, 50))
+    for(std::size_t i = 0; loop.size() > 1 && i < loop.size(); ++i) {
+      const Crossing &a = loop[i], &b = loop[(i + 1) % loop.size()];
+      EXPECT_FALSE(a.left == b.right && a.right == b.left);
+    }
+}
+
+TEST_P(Crossing_loops, HaveNoSpursLeft) {
+  for(int i = 0; i < 50; ++i) {
+    Vertex_walk walk = random_walk(mesh, random, random.below(40));
+    remove_spurs(walk);
+    const std::size_t n = walk.size();
+    for(std::size_t j = 0; n >= 3 && j < n; ++j) {
+      EXPECT_NE(walk[j], walk[(j + 1) % n]);
+      EXPECT_NE(walk[j], walk[(j + 2) % n]);
+    }
+  }
+}
+
+TEST_P(Crossing_loops, AreWallsWhereTheyCross) {
+  const std::vector<Crossing_loop> loops = random_loops(mesh, random, 4);
+  const Crossing_index index(mesh, loops);
+  const Listed_loops odd = {{1, 3}};
+  const Loop_walls<Listed_loops> listed(index, odd);
+  const Loop_walls<Loops_from> late(index, Loops_from{2});
+  std::vector<std::set<std::pair<Index, Index>>> crossed(loops.size());
+  for(std::size_t j = 0; j < loops.size(); ++j)
+    for(const Crossing& c : loops[j])
+      crossed[j].insert({{c.left, c.right}, {c.right, c.left}});
+  for(Index u = 0; u < mesh.number_of_vertices(); ++u)
+    for(const Index v : mesh.ring(u)) {
+      const auto is_crossed_by = [&](std::size_t j) { return crossed[j].count({u, v}) != 0; };
+      EXPECT_EQ(listed.is_wall(u, v), is_crossed_by(1) || is_crossed_by(3));
+      EXPECT_EQ(late.is_wall(u, v), is_crossed_by(2) || is_crossed_by(3));
+      if(listed.is_wall(u, v)) {
+        EXPECT_TRUE(listed.may_have_wall(u));
+        EXPECT_TRUE(listed.may_have_wall(v));
+      }
+    }
+}
+
+TEST_P(Crossing_loops, HaveAClosedWalkOnTheirLeft) {
+  for(const Crossing_loop& loop : random_loops(mesh, random, 20)) {
+    std::vector<std::pair<Index, Index>> edges;
+    for_each_left_edge(loop, [&](Index u, Index v) { edges.emplace_back(u, v); });
+    for(std::size_t i = 0; i < edges.size(); ++i) {
+      const auto [u, v] = edges[i];
+      EXPECT_LT(mesh.ring(u).position(v), mesh.ring(u).size());
+      EXPECT_EQ(v, edges[(i + 1) % edges.size()].first);
+    }
+  }
+}
+
+// The circles of a torus in both directions of its grid cross once.
+TEST(Circles_of_torus, CrossOnce) {
+  const Flat_mesh mesh = flat_mesh_of({"torus", {400, 1, 0}});
+  std::vector<Crossing_loop> loops;
+  // The vertices of a row and of a column are those that go straight on.
+  for(const Index first : {mesh.ring(0)[0], mesh.ring(0)[1]}) {
+    Vertex_walk walk = {0, first};
+    while(walk.back() != 0) {
+      const auto ring = mesh.ring(walk.back());
+      ASSERT_EQ(ring.size(), 6u);
+      walk.push_back(ring[(ring.position(walk[walk.size() - 2]) + 3) % 6]);
+    }
+    walk.pop_back();
+    loops.push_back(pushed_left(mesh, walk));
+  }
+  const Integer_matrix matrix = intersection_matrix(loops, Crossing_index(mesh, loops), 2);
+  EXPECT_EQ(abs(determinant(matrix)), 1);
+}
+
+TEST(Empty_loop, MeetsNothing) {
+  const Flat_mesh mesh = flat_mesh_of({"torus", {100, 1, 0}});
+  Random random(2);
+  const Crossing_index index(mesh, random_loops(mesh, random, 5));
+  EXPECT_TRUE(index.intersections(Crossing_loop()).empty());
+  EXPECT_TRUE(index.intersections(Vertex_walk()).empty());
+  EXPECT_EQ(length(mesh, Crossing_loop()), 0.);
+  EXPECT_TRUE(pushed_left(mesh, {}).empty());
+  Crossing_loop empty;
+  remove_backtracks(empty);
+  EXPECT_TRUE(empty.empty());
+}
+
+} // namespace

@@ -1,0 +1,270 @@
+#include "generators/generators.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace generators = CGAL::Handle_tunnel_loops::generators;
+using generators::Request;
+using generators::Soup;
+using Index = std::uint32_t;
+
+namespace {
+
+const generators::Kind& kind(const std::string& name) {
+  for(const generators::Kind& k : generators::kinds())
+    if(name == k.name)
+      return k;
+  throw std::logic_error("no kind " + name);
+}
+
+using Directed_edges = std::map<std::pair<Index, Index>, Index>; // to the third vertex
+
+Directed_edges directed_edges(const Soup& soup) {
+  Directed_edges edges;
+  for(const auto& t : soup.triangles)
+    for(int i = 0; i < 3; ++i) {
+      const bool is_new = edges.emplace(std::pair(t[i], t[(i + 1) % 3]), t[(i + 2) % 3]).second;
+      EXPECT_TRUE(is_new) << "edge " << t[i] << ' ' << t[(i + 1) % 3] << " occurs twice";
+    }
+  return edges;
+}
+
+/// Each edge in two triangles that traverse it in opposite directions, and the edges all different.
+void expect_closed_and_oriented(const Directed_edges& edges) {
+  for(const auto& [edge, third] : edges) {
+    EXPECT_NE(edge.first, edge.second);
+    EXPECT_TRUE(edges.count({edge.second, edge.first}) != 0)
+        << "edge " << edge.first << ' ' << edge.second << " is on the boundary";
+  }
+}
+
+/// The triangles at each vertex form one fan, and no vertex is without.
+void expect_one_fan_per_vertex(const Soup& soup, const Directed_edges& edges) {
+  std::vector<Index> degree(soup.points.size(), 0), some_neighbour(soup.points.size());
+  for(const auto& [edge, third] : edges) {
+    ++degree[edge.first];
+    some_neighbour[edge.first] = edge.second;
+  }
+  for(Index v = 0; v < soup.points.size(); ++v) {
+    ASSERT_GT(degree[v], 0u) << "vertex " << v << " is isolated";
+    Index steps = 0, neighbour = some_neighbour[v];
+    do {
+      neighbour = edges.at({v, neighbour});
+      ++steps;
+    } while(neighbour != some_neighbour[v] && steps <= degree[v]);
+    EXPECT_EQ(steps, degree[v]) << "vertex " << v << " has more than one fan";
+  }
+}
+
+std::size_t number_of_components(const Soup& soup) {
+  std::vector<Index> root(soup.points.size());
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](Index v) {
+    while(root[v] != v)
+      v = root[v] = root[root[v]];
+    return v;
+  };
+  for(const auto& [a, b, c] : soup.triangles) {
+    root[find(a)] = find(b);
+    root[find(b)] = find(c);
+  }
+  std::size_t count = 0;
+  for(Index v = 0; v < root.size(); ++v)
+    count += root[v] == v;
+  return count;
+}
+
+void expect_closed_surface(const Soup& soup, std::size_t genus) {
+  const Directed_edges edges = directed_edges(soup);
+  expect_closed_and_oriented(edges);
+  if(testing::Test::HasFailure())
+    return;
+  expect_one_fan_per_vertex(soup, edges);
+  EXPECT_EQ(number_of_components(soup), 1u);
+  EXPECT_EQ(generators::euler_characteristic(soup), 2 - 2 * static_cast<std::ptrdiff_t>(genus));
+  for(const auto& point : soup.points)
+    for(double x : point)
+      ASSERT_TRUE(std::isfinite(x));
+}
+
+double signed_volume(const Soup& soup) {
+  double volume = 0.;
+  for(const auto& [a, b, c] : soup.triangles) {
+    const auto &p = soup.points[a], &q = soup.points[b], &r = soup.points[c];
+    volume += p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
+              p[2] * (q[0] * r[1] - q[1] * r[0]);
+  }
+  return volume / 6.;
+}
+
+bool is_embedded(const Soup& soup) {
+  CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> mesh;
+  std::vector<decltype(mesh)::Vertex_index> vertices;
+  for(const auto& [x, y, z] : soup.points)
+    vertices.push_back(mesh.add_vertex({x, y, z}));
+  for(const auto& [a, b, c] : soup.triangles)
+    mesh.add_face(vertices[a], vertices[b], vertices[c]);
+  return !CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+}
+
+struct Case
+{
+  const char* kind;
+  Request request;
+};
+
+std::ostream& operator<<(std::ostream& os, const Case& c) {
+  return os << c.kind << " faces " << c.request.faces << " genus " << c.request.genus << " seed "
+            << c.request.seed;
+}
+
+std::string name_of_case(const testing::TestParamInfo<Case>& info) {
+  std::string name = info.param.kind;
+  name += "_f" + std::to_string(info.param.request.faces) + "_g" +
+          std::to_string(info.param.request.genus) + "_s" + std::to_string(info.param.request.seed);
+  for(char& c : name)
+    c = c == '-' ? '_' : c;
+  return name;
+}
+
+class Generated_mesh : public testing::TestWithParam<Case>
+{};
+
+TEST_P(Generated_mesh, IsAsAskedFor) {
+  const auto& [name, request] = GetParam();
+  const Soup soup = kind(name).make(request);
+  expect_closed_surface(soup, request.genus);
+  EXPECT_NEAR(static_cast<double>(soup.triangles.size()) / request.faces, 1., 0.2);
+  if(std::strcmp(name, "random") != 0) {
+    EXPECT_GT(signed_volume(soup), 0.);
+    EXPECT_TRUE(is_embedded(soup));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fixed_genus,
+                         Generated_mesh,
+                         testing::Values(Case{"sphere", {4, 0, 0}},
+                                         Case{"sphere", {100, 0, 0}},
+                                         Case{"sphere", {20000, 0, 0}},
+                                         Case{"torus", {18, 1, 0}},
+                                         Case{"torus", {1000, 1, 0}},
+                                         Case{"torus", {20001, 1, 0}},
+                                         Case{"knot", {150, 1, 0}},
+                                         Case{"knot", {20000, 1, 0}}),
+                         name_of_case);
+
+std::vector<Case> cases_of_any_genus() {
+  std::vector<Case> cases;
+  for(const char* name : {"multi-torus", "lattice", "gyroid", "sponge", "random"})
+    for(std::size_t genus : {0, 1, 2, 3, 5, 8, 13, 30})
+      for(std::size_t faces : {800 + 400 * genus, std::size_t(15000)})
+        for(unsigned seed : {0u, 1u})
+          cases.push_back({name, {faces, genus, seed}});
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Any_genus,
+                         Generated_mesh,
+                         testing::ValuesIn(cases_of_any_genus()),
+                         name_of_case);
+
+INSTANTIATE_TEST_SUITE_P(High_genus,
+                         Generated_mesh,
+                         testing::Values(Case{"multi-torus", {150000, 500, 0}},
+                                         Case{"lattice", {150000, 500, 0}},
+                                         Case{"gyroid", {200000, 500, 0}},
+                                         Case{"sponge", {40000, 1000, 0}},
+                                         Case{"random", {20000, 1000, 0}}),
+                         name_of_case);
+
+TEST(Random_generator, MakesSurfacesOfAllSmallSizes) {
+  for(std::size_t genus = 0; genus <= 6; ++genus)
+    for(std::size_t faces = genus == 0 ? 4 : 2 + 12 * genus; faces < 120; ++faces) {
+      const Request request = {faces, genus, static_cast<unsigned>(faces)};
+      const Soup soup = kind("random").make(request);
+      const Case c = {"random", request};
+      SCOPED_TRACE(testing::PrintToString(c));
+      EXPECT_EQ(soup.triangles.size(), faces - faces % 2);
+      expect_closed_surface(soup, genus);
+    }
+}
+
+TEST(Generators, NamesAreDistinct) {
+  std::set<std::string> names;
+  for(const generators::Kind& k : generators::kinds())
+    EXPECT_TRUE(names.insert(k.name).second) << k.name;
+}
+
+TEST(Generators, RefuseWhatTheyCannotMake) {
+  EXPECT_THROW(kind("sphere").make({1000, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(kind("torus").make({1000, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(kind("knot").make({1000, 2, 0}), std::invalid_argument);
+  for(const generators::Kind& k : generators::kinds()) {
+    const std::size_t genus = std::strcmp(k.name, "sphere") == 0 ? 0 : 1;
+    EXPECT_THROW(k.make({2, genus, 0}), std::invalid_argument) << k.name;
+    EXPECT_THROW(k.make({2000000000, genus, 0}), std::invalid_argument) << k.name;
+  }
+}
+
+TEST(Generators, SayHowManyFacesTheyNeed) {
+  try {
+    kind("multi-torus").make({100, 7, 0});
+    FAIL() << "100 faces for genus 7";
+  } catch(const std::invalid_argument& e) {
+    EXPECT_STREQ(e.what(),
+                 "a mesh of the kind 'multi-torus' of genus 7 needs at least 1600 faces, not 100");
+  }
+}
+
+TEST(Generators, RepeatThemselves) {
+  for(const generators::Kind& k : generators::kinds()) {
+    const Request request = {3000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
+    const Soup first = k.make(request), second = k.make(request);
+    EXPECT_EQ(first.points, second.points) << k.name;
+    EXPECT_EQ(first.triangles, second.triangles) << k.name;
+  }
+}
+
+TEST(Generators, DependOnTheSeed) {
+  for(const char* name : {"lattice", "gyroid", "sponge", "random"})
+    EXPECT_NE(kind(name).make({9000, 4, 1}).triangles, kind(name).make({9000, 4, 2}).triangles)
+        << name;
+}
+
+TEST(Permute_vertices, KeepsTheSurface) {
+  const Soup soup = kind("lattice").make({5000, 3, 0});
+  const Soup permuted = generators::permute_vertices(soup, 5);
+  EXPECT_NE(permuted.triangles, soup.triangles);
+  EXPECT_NEAR(signed_volume(permuted), signed_volume(soup), 1e-9);
+  expect_closed_surface(permuted, 3);
+}
+
+TEST(Disjoint_union, PutsSurfacesBesideEachOther) {
+  const Soup both = generators::disjoint_union(
+      {kind("torus").make({500, 1, 0}), kind("sphere").make({500, 0, 0})});
+  EXPECT_EQ(number_of_components(both), 2u);
+  EXPECT_EQ(generators::euler_characteristic(both), 2);
+  EXPECT_TRUE(generators::disjoint_union({}).points.empty());
+}
+
+TEST(Euler_characteristic, IgnoresIsolatedVertices) {
+  Soup soup = kind("sphere").make({4, 0, 0});
+  soup.points.push_back({0., 0., 0.});
+  EXPECT_EQ(generators::euler_characteristic(soup), 2);
+}
+
+} // namespace

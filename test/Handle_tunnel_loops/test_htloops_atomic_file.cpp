@@ -1,0 +1,101 @@
+#include "htloops/atomic_file.h"
+
+#include "Temporary_folder.h"
+
+#include "htloops/failure.h"
+#include "htloops/text_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace fs = std::filesystem;
+using namespace htloops;
+
+namespace {
+
+void write(const std::string& file, const std::string& text) {
+  Text_writer out(file);
+  out << text;
+  out.finish();
+}
+
+Exit_code code_of_failure(const std::string& file) {
+  try {
+    check_writable(file);
+  } catch(const Failure& failure) {
+    return failure.code();
+  }
+  return Exit_code::DONE;
+}
+
+} // namespace
+
+TEST(Atomic_file, appears_when_it_is_committed) {
+  const Temporary_folder folder;
+  Text_writer out(folder.path("a.txt"));
+  out << "text " << 0.1 << ' ' << 7u;
+  EXPECT_FALSE(fs::exists(folder.path("a.txt")));
+  out.finish();
+  EXPECT_EQ(folder.read("a.txt"), "text 0.1 7");
+  EXPECT_EQ(folder.number_of_files(), 1u);
+}
+
+TEST(Atomic_file, leaves_nothing_when_it_is_not_committed) {
+  const Temporary_folder folder;
+  folder.write("old.txt", "old");
+  {
+    Text_writer out(folder.path("old.txt"));
+    out << std::string(1 << 20, 'x');
+    EXPECT_EQ(folder.number_of_files(), 2u);
+  }
+  EXPECT_EQ(folder.number_of_files(), 1u);
+  EXPECT_EQ(folder.read("old.txt"), "old");
+}
+
+TEST(Atomic_file, replaces_a_file_and_keeps_its_permissions) {
+  const Temporary_folder folder;
+  folder.write("a.txt", "old");
+  fs::permissions(folder.path("a.txt"), fs::perms::owner_read | fs::perms::owner_write);
+  write(folder.path("a.txt"), "new");
+  EXPECT_EQ(folder.read("a.txt"), "new");
+  EXPECT_EQ(fs::status(folder.path("a.txt")).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(Atomic_file, writes_through_a_symbolic_link) {
+  const Temporary_folder folder;
+  folder.write("real.txt", "old");
+  fs::create_symlink("real.txt", folder.path("link.txt"));
+  write(folder.path("link.txt"), "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path("link.txt")));
+  EXPECT_EQ(folder.read("real.txt"), "new");
+}
+
+TEST(Atomic_file, says_beforehand_that_a_path_cannot_be_written) {
+  const Temporary_folder folder;
+  EXPECT_EQ(code_of_failure(folder.path("a.txt")), Exit_code::DONE);
+  EXPECT_EQ(code_of_failure(folder.path("")), Exit_code::WRONG_USAGE);
+  EXPECT_EQ(code_of_failure(folder.path("no/such/folder.txt")), Exit_code::WRONG_USAGE);
+  EXPECT_EQ(folder.number_of_files(), 0u);
+}
+
+TEST(Atomic_file, reports_a_full_disk) {
+  if(!fs::exists("/dev/full"))
+    GTEST_SKIP() << "no /dev/full here";
+  try {
+    write("/dev/full", "text");
+    FAIL() << "nothing was thrown";
+  } catch(const Failure& failure) {
+    EXPECT_EQ(failure.code(), Exit_code::WRONG_USAGE);
+  }
+  EXPECT_TRUE(fs::exists("/dev/full")) << "a device must not be replaced";
+}
+
+TEST(Append_number, reads_back_as_itself) {
+  for(const double value : {0., -0., 0.1, 1. / 3., 1e300, -4.9e-324, 123456789012345678.}) {
+    std::string text;
+    append_number(text, value);
+    EXPECT_EQ(std::strtod(text.c_str(), nullptr), value) << text;
+  }
+}

@@ -1,0 +1,123 @@
+#include "htloops/export_lines.h"
+
+#include "Small_answer.h"
+#include "Temporary_folder.h"
+
+#include "htloops/failure.h"
+#include "htloops/mesh_writer.h"
+#include "htloops/pair_table.h"
+#include "htloops/soup_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace htloops;
+
+namespace {
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for(std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+class Exports : public testing::Test
+{
+protected:
+  std::string exported(const std::string& name) {
+    export_lines(folder_.path(name), answer_.pairs);
+    return folder_.read(name);
+  }
+
+  Temporary_folder folder_;
+  const Mesh mesh_ = small_mesh();
+  const Answer answer_ = small_answer(mesh_); // two pairs of loops of three points
+};
+
+} // namespace
+
+TEST_F(Exports, ply_has_a_vertex_and_an_edge_for_each_point) {
+  const std::string text = exported("a.ply");
+  EXPECT_EQ(count_of(text, "element vertex 12\n"), 1u);
+  EXPECT_EQ(count_of(text, "element edge 12\n"), 1u);
+  EXPECT_EQ(count_of(text, "\n2 0\n"), 1u); // the first loop is closed
+  EXPECT_EQ(count_of(text, "\n"), 14u + 12u + 12u);
+}
+
+TEST_F(Exports, obj_has_a_closed_line_for_each_loop) {
+  const std::string text = exported("a.obj");
+  EXPECT_EQ(count_of(text, "\nv "), 12u);
+  EXPECT_EQ(count_of(text, "\no handle_"), 2u);
+  EXPECT_EQ(count_of(text, "\nl 4 5 6 4\n"), 1u);
+}
+
+TEST_F(Exports, polylines_repeat_the_first_point) {
+  std::istringstream lines(exported("a.polylines.txt"));
+  std::string line;
+  std::size_t number_of_lines = 0;
+  while(std::getline(lines, line)) {
+    std::istringstream words(line);
+    std::size_t count;
+    words >> count;
+    std::vector<Point> points(count);
+    for(Point& point : points)
+      words >> point;
+    EXPECT_TRUE(words);
+    EXPECT_EQ(count, 4u);
+    EXPECT_EQ(points.front(), points.back());
+    ++number_of_lines;
+  }
+  EXPECT_EQ(number_of_lines, 4u);
+}
+
+TEST_F(Exports, vtp_has_data_for_each_line) {
+  const std::string text = exported("a.vtp");
+  EXPECT_EQ(count_of(text, "NumberOfPoints=\"12\""), 1u);
+  EXPECT_EQ(count_of(text, "NumberOfLines=\"4\""), 1u);
+  EXPECT_EQ(count_of(text, "\n4\n8\n12\n16\n"), 1u); // offsets
+  EXPECT_EQ(count_of(text, "\n0\n1\n0\n1\n"), 1u);   // kinds
+  EXPECT_EQ(count_of(text, "\n0\n0\n1\n1\n"), 1u);   // pairs
+  EXPECT_EQ(count_of(text, "<DataArray"), count_of(text, "</DataArray>"));
+}
+
+TEST_F(Exports, other_formats_are_refused_beforehand) {
+  EXPECT_NO_THROW(check_lines_format("a.polylines.txt"));
+  for(const char* name : {"a.txt", "a.png", "ply", ".ply"})
+    EXPECT_THROW(check_lines_format(name), Failure) << name;
+  EXPECT_THROW(check_mesh_format("a.vtp"), Failure);
+}
+
+TEST_F(Exports, meshes_read_back_as_they_were) {
+  CGAL::Handle_tunnel_loops::generators::Soup mesh;
+  mesh.points = {{0., 0., 0.}, {1. / 3., 0., 0.}, {0., 1e-300, 0.}, {0., 0., 0.1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for(const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
+    SCOPED_TRACE(name);
+    write_mesh(folder_.path(name), mesh);
+    const Soup soup = read_soup(folder_.path(name));
+    ASSERT_EQ(soup.points.size(), 4u);
+    ASSERT_EQ(soup.faces.size(), 4u);
+    for(std::size_t f = 0; f < 4; ++f)
+      for(std::size_t i = 0; i < 3; ++i)
+        for(int k = 0; k < 3; ++k) {
+          const auto& expected = mesh.points[mesh.triangles[f][i]];
+          EXPECT_EQ(soup.points[soup.faces[f][i]][k], expected[static_cast<std::size_t>(k)]);
+        }
+  }
+}
+
+TEST_F(Exports, a_long_table_is_abbreviated) {
+  Pairs pairs = answer_.pairs;
+  EXPECT_EQ(count_of(table_of_pairs(pairs, {}), "\n"), 3u); // with the header
+  EXPECT_EQ(table_of_pairs({}, {}), "");
+  pairs.resize(100, pairs[0]);
+  const std::string abbreviated = table_of_pairs(pairs, {});
+  EXPECT_EQ(count_of(abbreviated, "... 75 more"), 1u);
+  EXPECT_EQ(count_of(abbreviated, "\n"), 1u + 20u + 1u + 5u);
+  Table_options all;
+  all.show_all = true;
+  EXPECT_EQ(count_of(table_of_pairs(pairs, all), "\n"), 101u);
+  EXPECT_EQ(count_of(abbreviated, "\033"), 0u);
+}

@@ -1,0 +1,158 @@
+#include "htloops/loops_json_writer.h"
+
+#include "Small_answer.h"
+#include "Temporary_folder.h"
+
+#include "htloops/failure.h"
+#include "htloops/loops_binding.h"
+#include "htloops/loops_json_reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace htloops;
+using nlohmann::json;
+
+namespace {
+
+class Loops_json : public testing::Test
+{
+protected:
+  Loops_json() {
+    write_loops_json(folder_.path("a.json"), mesh_, answer_, 0.125);
+    document_ = json::parse(folder_.read("a.json"));
+  }
+
+  Loops_record read_again() { return read_loops_json(folder_.write("b.json", document_.dump())); }
+
+  // what is said of the document after a change that leaves it readable.
+  std::vector<std::string> problems_after(const std::function<void(json&)>& change) {
+    const json original = document_;
+    change(document_);
+    const auto problems = bind_loops(read_again(), mesh_).problems;
+    document_ = original;
+    return problems;
+  }
+
+  void expect_problem(const std::string& words, const std::function<void(json&)>& change) {
+    const auto problems = problems_after(change);
+    ASSERT_FALSE(problems.empty()) << words;
+    EXPECT_NE(problems[0].find(words), std::string::npos) << problems[0];
+  }
+
+  void expect_unreadable(const std::string& words, const std::function<void(json&)>& change) {
+    const json original = document_;
+    change(document_);
+    try {
+      read_again();
+      ADD_FAILURE() << "it was read: " << words;
+    } catch(const Failure& failure) {
+      EXPECT_EQ(failure.code(), Exit_code::UNREADABLE_FILE);
+      EXPECT_NE(std::string(failure.what()).find(words), std::string::npos) << failure.what();
+    }
+    document_ = original;
+  }
+
+  Temporary_folder folder_;
+  const Mesh mesh_ = small_mesh();
+  const Answer answer_ = small_answer(mesh_);
+  json document_;
+};
+
+} // namespace
+
+TEST_F(Loops_json, has_the_fields_of_the_format) {
+  EXPECT_EQ(document_["format"], "htloops/1");
+  const json mesh = {{"vertices", 4}, {"faces", 4}, {"components", 1}, {"genus", 2}};
+  EXPECT_EQ(document_["mesh"], mesh);
+  EXPECT_EQ(document_["backend"], "host");
+  EXPECT_EQ(document_["threads"], 3);
+  const json timings = {{"read", 0.125}, {"adaptor", 0.},  {"initial", 0.25},   {"tunnel", 0.},
+                        {"refine", 0.},  {"classify", 0.}, {"certificate", 0.}, {"total", 0.5}};
+  EXPECT_EQ(document_["timings"], timings);
+  const json certificate = {{"closed_on_surface", true},
+                            {"basis", true},
+                            {"handles_bound_inside", nullptr},
+                            {"tunnels_bound_outside", nullptr}};
+  EXPECT_EQ(document_["certificate"], certificate);
+  EXPECT_EQ(document_["pairs"].size(), 2u);
+}
+
+TEST_F(Loops_json, reads_back_as_the_same_loops) {
+  const Bound_loops loops = bind_loops(read_loops_json(folder_.path("a.json")), mesh_);
+  EXPECT_TRUE(loops.problems.empty()) << loops.problems[0];
+  ASSERT_EQ(loops.pairs.size(), answer_.pairs.size());
+  for_each_loop(answer_.pairs, [&](const Loop& expected, CGAL::Loop_type type, std::size_t pair) {
+    const Loop& found = loops.pairs[pair].loop(type);
+    EXPECT_EQ(found.type(), type);
+    EXPECT_EQ(found.pair_index(), pair);
+    EXPECT_EQ(found.length(), expected.length());
+    ASSERT_EQ(found.size(), expected.size());
+    for(std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found.steps()[i].halfedge, expected.steps()[i].halfedge);
+      EXPECT_EQ(found.steps()[i].ratio, expected.steps()[i].ratio);
+    }
+  });
+}
+
+TEST_F(Loops_json, an_answer_without_pairs_is_one) {
+  Answer answer;
+  write_loops_json(folder_.path("a.json"), mesh_, answer, 0.);
+  EXPECT_TRUE(read_loops_json(folder_.path("a.json")).pairs.empty());
+}
+
+TEST_F(Loops_json, an_infinite_length_is_null) {
+  Answer answer = answer_;
+  const Loop& loop = answer.pairs[0].handle();
+  const double infinity = std::numeric_limits<double>::infinity();
+  answer.pairs[0] =
+      Pair(Loop(loop.steps(), loop.points(), infinity, loop.type(), 0), answer.pairs[0].tunnel());
+  write_loops_json(folder_.path("a.json"), mesh_, answer, 0.);
+  EXPECT_EQ(read_loops_json(folder_.path("a.json")).pairs[0].handle.length, infinity);
+}
+
+TEST_F(Loops_json, says_where_a_document_is_malformed) {
+  EXPECT_THROW(read_loops_json(folder_.path("none.json")), Failure);
+  EXPECT_THROW(read_loops_json(folder_.write("c.json", "{ \"format\": ")), Failure);
+  expect_unreadable("the document is not an object", [](json& d) { d = json::array(); });
+  expect_unreadable("has no member 'format'", [](json& d) { d.erase("format"); });
+  expect_unreadable("not of the format htloops/1", [](json& d) { d["format"] = "htloops/2"; });
+  expect_unreadable("mesh has no member 'faces'", [](json& d) { d["mesh"].erase("faces"); });
+  expect_unreadable("vertices is not a count", [](json& d) { d["mesh"]["vertices"] = -1; });
+  expect_unreadable("pairs is not an array", [](json& d) { d["pairs"] = 1; });
+  expect_unreadable("pair 1 has no member 'tunnel'",
+                    [](json& d) { d["pairs"][1].erase("tunnel"); });
+  expect_unreadable("handle, length is not a number",
+                    [](json& d) { d["pairs"][0]["handle"]["length"] = "long"; });
+  expect_unreadable("pair 0, tunnel, locations, position 2 is not an array of three numbers",
+                    [](json& d) {
+                      d["pairs"][0]["tunnel"]["locations"][2] = {0, 1};
+                    });
+  expect_unreadable("position 0 has a vertex index that is not an integer",
+                    [](json& d) { d["pairs"][0]["tunnel"]["locations"][0][1] = 0.5; });
+  expect_unreadable("points, position 1 has something that is not a number",
+                    [](json& d) { d["pairs"][0]["tunnel"]["points"][1][2] = "high"; });
+}
+
+TEST_F(Loops_json, says_which_place_is_not_on_the_mesh) {
+  EXPECT_TRUE(problems_after([](json&) {}).empty());
+  expect_problem("a mesh of 5 vertices", [](json& d) { d["mesh"]["vertices"] = 5; });
+  for(const json& vertex : {json(4), json(-1), json(18446744073709551615u)})
+    expect_problem("pair 1, handle, position 2: vertex ",
+                   [&](json& d) { d["pairs"][1]["handle"]["locations"][2][0] = vertex; });
+  for(const json& ratio : {json(-0.01), json(1.01)})
+    expect_problem("pair 0, tunnel, position 1: the ratio ",
+                   [&](json& d) { d["pairs"][0]["tunnel"]["locations"][1][2] = ratio; });
+  expect_problem("pair 0, handle, position 0: no edge joins", [](json& d) {
+    d["pairs"][0]["handle"]["locations"][0] = {1, 1, 0.5};
+  });
+  expect_problem("pair 0, handle, position 0: the point is not",
+                 [](json& d) { d["pairs"][0]["handle"]["points"][0][0] = 7; });
+  expect_problem("3 locations, but 2 points",
+                 [](json& d) { d["pairs"][0]["handle"]["points"].erase(2); });
+  expect_problem("pair 1, tunnel: the length is given as 7",
+                 [](json& d) { d["pairs"][1]["tunnel"]["length"] = 7; });
+}

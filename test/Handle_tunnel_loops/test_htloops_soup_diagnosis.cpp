@@ -1,0 +1,171 @@
+#include "htloops/soup_diagnosis.h"
+
+#include "htloops/mesh_builder.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace htloops;
+
+namespace {
+
+using Faces = std::vector<std::vector<std::uint32_t>>;
+
+const Faces tetrahedron = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+
+Soup soup_of(const Faces& faces, std::size_t number_of_points) {
+  Soup soup;
+  for(std::size_t i = 0; i < number_of_points; ++i)
+    soup.points.emplace_back(double(i % 3), double(i * i), double(i));
+  for(const auto& face : faces) {
+    Soup_face& soup_face = soup.faces.emplace_back();
+    soup_face.resize(face.size());
+    for(std::size_t i = 0; i < face.size(); ++i)
+      soup_face[i] = face[i];
+  }
+  return soup;
+}
+
+// A torus of n times n squares, each cut in two; vertex n * i + j; `twist` makes it a Klein bottle.
+Faces grid_surface(std::uint32_t n, bool twist = false) {
+  const auto vertex = [n, twist](std::uint32_t i, std::uint32_t j) {
+    return i < n || !twist ? n * (i % n) + j % n : (2 * n - j) % n;
+  };
+  Faces faces;
+  for(std::uint32_t i = 0; i < n; ++i)
+    for(std::uint32_t j = 0; j < n; ++j) {
+      faces.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      faces.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return faces;
+}
+
+Faces without(Faces faces, std::size_t index) {
+  faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(index));
+  return faces;
+}
+
+Faces with(Faces faces, const std::vector<std::uint32_t>& face) {
+  faces.push_back(face);
+  return faces;
+}
+
+struct Expected
+{
+  Mesh_defect kind;
+  std::size_t count;
+  std::string words;
+};
+
+void expect_defects(const Faces& faces,
+                    std::size_t number_of_points,
+                    const std::vector<Expected>& expected) {
+  const Diagnosis diagnosis = diagnose(soup_of(faces, number_of_points));
+  ASSERT_EQ(diagnosis.defects.size(), expected.size());
+  for(std::size_t i = 0; i < expected.size(); ++i) {
+    const Defect& defect = diagnosis.defects[i];
+    EXPECT_EQ(defect.kind, expected[i].kind) << defect.message;
+    EXPECT_EQ(defect.count, expected[i].count) << defect.message;
+    EXPECT_NE(defect.message.find(expected[i].words), std::string::npos) << defect.message;
+  }
+  EXPECT_EQ(diagnosis.edges.empty(), !expected.empty());
+}
+
+} // namespace
+
+TEST(Soup_diagnosis, accepts_closed_manifolds) {
+  expect_defects(tetrahedron, 4, {});
+  expect_defects(tetrahedron, 6, {}); // two isolated vertices
+  expect_defects(grid_surface(5), 25, {});
+}
+
+TEST(Soup_diagnosis, names_what_is_no_triangle) {
+  expect_defects({}, 3, {{Mesh_defect::EMPTY, 1, "no face"}});
+  expect_defects({{0, 1, 2, 3}, {0, 1, 2}}, 4,
+                 {{Mesh_defect::NOT_TRIANGULATED, 1, "face 0 with 4 vertices"}});
+  expect_defects({{0, 1}, {0, 1, 2}}, 4,
+                 {{Mesh_defect::NOT_TRIANGULATED, 1, "face 0 with 2 vertices"}});
+  expect_defects(with(tetrahedron, {2, 0, 2}), 4, {{Mesh_defect::DEGENERATE_FACE, 1, "face 4"}});
+}
+
+TEST(Soup_diagnosis, names_a_point_that_is_nowhere) {
+  for(const double bad :
+      {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+  {
+    Soup soup = soup_of(tetrahedron, 4);
+    soup.points[2] = Point(0., bad, 0.);
+    const Diagnosis diagnosis = diagnose(soup);
+    ASSERT_EQ(diagnosis.defects.size(), 1u);
+    EXPECT_EQ(diagnosis.defects[0].kind, Mesh_defect::NON_FINITE_COORDINATE);
+    EXPECT_NE(diagnosis.defects[0].message.find("vertex 2"), std::string::npos);
+  }
+}
+
+TEST(Soup_diagnosis, counts_boundary_edges_and_loops) {
+  expect_defects(without(grid_surface(6), 0), 36,
+                 {{Mesh_defect::BOUNDARY_EDGE, 3, "3 boundary edges, in 1 loop,"}});
+  expect_defects(without(without(grid_surface(6), 40), 0), 36,
+                 {{Mesh_defect::BOUNDARY_EDGE, 6, "in 2 loops"}});
+}
+
+TEST(Soup_diagnosis, names_edges_with_too_many_faces) {
+  expect_defects(with(tetrahedron, {0, 1, 4}), 5,
+                 {{Mesh_defect::NON_MANIFOLD_EDGE, 1, "edge 0-1 with 3 faces"},
+                  {Mesh_defect::BOUNDARY_EDGE, 2, "in 1 loop"}});
+}
+
+TEST(Soup_diagnosis, names_duplicate_faces) {
+  for(const std::vector<std::uint32_t>& duplicate : Faces{{2, 0, 1}, {1, 0, 2}})
+    expect_defects(with(tetrahedron, duplicate), 4,
+                   {{Mesh_defect::NON_MANIFOLD_EDGE, 1, "face 4 with the vertices of face 0"},
+                    {Mesh_defect::NON_MANIFOLD_EDGE, 3, "edges have more than two faces"}});
+}
+
+TEST(Soup_diagnosis, names_pinched_vertices) {
+  Faces two_tetrahedra = tetrahedron;
+  for(auto face : tetrahedron) {
+    for(std::uint32_t& vertex : face)
+      vertex = vertex == 0 ? 0 : vertex + 3;
+    two_tetrahedra.push_back(face);
+  }
+  expect_defects(two_tetrahedra, 7,
+                 {{Mesh_defect::NON_MANIFOLD_VERTEX, 1, "vertex 0 with 2 fans"}});
+}
+
+TEST(Soup_diagnosis, tells_a_flipped_face_from_a_surface_without_orientation) {
+  Faces flipped = grid_surface(5);
+  std::swap(flipped[7][0], flipped[7][1]);
+  expect_defects(flipped, 25, {{Mesh_defect::INCONSISTENT_ORIENTATION, 3, "would mend it"}});
+  expect_defects(grid_surface(6, true), 36,
+                 {{Mesh_defect::INCONSISTENT_ORIENTATION, 6, "not orientable"}});
+}
+
+TEST(Soup_diagnosis, finds_all_defects_at_once) {
+  Faces faces = without(grid_surface(6), 0);
+  std::swap(faces[40][0], faces[40][1]);
+  expect_defects(
+      faces, 36,
+      {{Mesh_defect::BOUNDARY_EDGE, 3, ""}, {Mesh_defect::INCONSISTENT_ORIENTATION, 3, ""}});
+}
+
+TEST(Mesh_builder, keeps_the_numbers_of_vertices_and_faces) {
+  const Soup soup = soup_of(grid_surface(5), 26); // the last vertex is isolated
+  const Mesh mesh = build_mesh(soup, diagnose(soup));
+  EXPECT_TRUE(mesh.is_valid());
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  ASSERT_EQ(mesh.number_of_vertices(), 26u);
+  ASSERT_EQ(mesh.number_of_faces(), 50u);
+  EXPECT_EQ(mesh.number_of_edges(), 75u);
+  EXPECT_TRUE(mesh.is_isolated(Mesh::Vertex_index(25)));
+  for(std::uint32_t v = 0; v < 26; ++v)
+    EXPECT_EQ(mesh.point(Mesh::Vertex_index(v)), soup.points[v]);
+  for(std::uint32_t f = 0; f < 50; ++f) {
+    const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(f));
+    EXPECT_EQ(mesh.source(h).idx(), soup.faces[f][0]);
+    EXPECT_EQ(mesh.target(h).idx(), soup.faces[f][1]);
+    EXPECT_EQ(mesh.target(mesh.next(h)).idx(), soup.faces[f][2]);
+  }
+}

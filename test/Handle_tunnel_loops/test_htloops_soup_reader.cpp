@@ -1,0 +1,259 @@
+#include "htloops/soup_reader.h"
+
+#include "Mesh_corpus.h"
+#include "Temporary_folder.h"
+
+#include "htloops/failure.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+namespace fs = std::filesystem;
+using namespace htloops;
+
+namespace {
+
+const char points[] = "0 0 0\n1 0 0\n0 1.5 0\n0 0 -2e-1\n";
+const char faces[] = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+std::string off_file() { return std::string("OFF\n4 4 6\n") + points + faces; }
+
+std::string ply_header(const std::string& format,
+                       const std::string& coordinate = "double",
+                       const std::string& list = "uchar int") {
+  std::string header = "ply\nformat " + format + " 1.0\ncomment a tetrahedron\nelement vertex 4\n";
+  for(const char* name : {"x", "y", "z"})
+    header += "property " + coordinate + " " + name + "\n";
+  return header + "element face 4\nproperty list " + list + " vertex_indices\nend_header\n";
+}
+
+template <typename T> std::string bytes_of(T value, bool is_reversed = false) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(&bytes[0], &value, sizeof value);
+  return is_reversed ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+
+// These tests run on machines that store numbers with the lowest byte first.
+std::string binary_ply_file(bool is_big_endian) {
+  std::string file = ply_header(is_big_endian ? "binary_big_endian" : "binary_little_endian");
+  for(const double value : {0., 0., 0., 1., 0., 0., 0., 1.5, 0., 0., 0., -0.2})
+    file += bytes_of(value, is_big_endian);
+  const std::int32_t vertices[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for(const auto& face : vertices) {
+    file += '\3';
+    for(const std::int32_t vertex : face)
+      file += bytes_of(vertex, is_big_endian);
+  }
+  return file;
+}
+
+std::string binary_stl_file(float last_coordinate) {
+  const float p[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1.5f, 0}, {0, 0, last_coordinate}};
+  const int triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  std::string file = "solid, it says, and is binary";
+  file.resize(80, ' ');
+  file += bytes_of(std::uint32_t(4));
+  for(const auto& triangle : triangles) {
+    file += std::string(12, '\0');
+    for(const int vertex : triangle)
+      for(const float coordinate : p[vertex])
+        file += bytes_of(coordinate);
+    file += std::string(2, '\0');
+  }
+  return file;
+}
+
+class Soup_reader : public testing::Test
+{
+protected:
+  // the tetrahedron of all these files, but for the rounding of formats that round.
+  void expect_tetrahedron(const std::string& name, const std::string& content) {
+    SCOPED_TRACE(name);
+    const Soup soup = read_soup(folder_.write(name, content));
+    ASSERT_EQ(soup.points.size(), 4u);
+    ASSERT_EQ(soup.faces.size(), 4u);
+    std::size_t corners_at_bottom = 0;
+    for(const Soup_face& face : soup.faces) {
+      ASSERT_TRUE(face.is_triangle());
+      for(const std::uint32_t vertex : face)
+        corners_at_bottom += std::abs(soup.points[vertex].z() + 0.2) < 1e-6 ? 1 : 0;
+    }
+    EXPECT_EQ(corners_at_bottom, 3u);
+  }
+
+  void expect_failure(const std::string& name,
+                      const std::string& content,
+                      const std::string& words,
+                      Exit_code code = Exit_code::UNREADABLE_FILE) {
+    SCOPED_TRACE(name);
+    try {
+      read_soup(folder_.write(name, content));
+      FAIL() << "it was read";
+    } catch(const Failure& failure) {
+      EXPECT_EQ(failure.code(), code);
+      EXPECT_NE(std::string(failure.what()).find(words), std::string::npos) << failure.what();
+    }
+  }
+
+  Temporary_folder folder_;
+};
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  return text.replace(text.find(old), old.size(), by);
+}
+
+std::string with_crlf(const std::string& text) {
+  std::string result;
+  for(const char c : text)
+    result += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return result;
+}
+
+} // namespace
+
+TEST_F(Soup_reader, reads_all_forms_of_off) {
+  expect_tetrahedron("plain.off", off_file());
+  expect_tetrahedron("UPPER.OFF", off_file());
+  expect_tetrahedron("crlf.off", with_crlf(off_file()));
+  expect_tetrahedron("no_last_line_end.off", off_file().substr(0, off_file().size() - 1));
+  expect_tetrahedron("counts.off", replaced(off_file(), "OFF\n", "OFF "));
+  expect_tetrahedron("comments.off", "# one\n\n" + replaced(off_file(), "1 0 0\n",
+                                                            "# two\n\n +1 0 0 # three\n\t\n"));
+  expect_tetrahedron("face_colours.off", replaced(off_file(), "3 0 2 1", "3 0 2 1 255 0 0"));
+  expect_tetrahedron("colours.off",
+                     replaced(replaced(off_file(), "OFF", "COFF"), "1 0 0", "1 0 0 255 0 0 1"));
+  expect_tetrahedron("normals.off", replaced(off_file(), "OFF", "NOFF"));
+  expect_tetrahedron("more.off", off_file() + "and more\n");
+}
+
+TEST_F(Soup_reader, leaves_homogeneous_off_to_cgal) {
+  expect_tetrahedron("homogeneous.off",
+                     "4OFF\n4 4 6\n0 0 0 1\n2 0 0 2\n0 1.5 0 1\n0 0 -0.4 2\n" + std::string(faces));
+  expect_failure("huge.off", "4OFF\n2000000000 4 6\n0 0 0 1\n", "more elements than");
+}
+
+TEST_F(Soup_reader, reads_all_forms_of_ply) {
+  expect_tetrahedron("text.ply", ply_header("ascii") + points + faces);
+  expect_tetrahedron("crlf.ply", with_crlf(ply_header("ascii") + points + faces));
+  expect_tetrahedron("float.ply", ply_header("ascii", "float", "int uint") + points + faces);
+  expect_tetrahedron("little.ply", binary_ply_file(false));
+  expect_tetrahedron("big.ply", binary_ply_file(true));
+}
+
+TEST_F(Soup_reader, reads_both_forms_of_stl_and_merges_points) {
+  std::string text = "solid name\n";
+  const char* p[] = {"0 0 0", "1 0 0", "0 1.5 0", "0 0 -2e-1"};
+  const int triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for(const auto& triangle : triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for(const int vertex : triangle)
+      text += std::string("vertex ") + p[vertex] + "\n";
+    text += "endloop\nendfacet\n";
+  }
+  expect_tetrahedron("text.stl", text + "endsolid name\n");
+  expect_tetrahedron("binary.stl", binary_stl_file(-0.2f));
+}
+
+TEST_F(Soup_reader, reads_obj_with_relative_indices_and_slots) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1.5 0\nv 0 0 -0.2\nvn 0 0 1\nvt 0 0\n";
+  expect_tetrahedron("plain.obj", vertices + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  expect_tetrahedron("relative.obj", vertices + "f -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -2 -4 -1\n");
+  expect_tetrahedron("slots.obj", vertices + "o name\ng group\nf 1/1/1 3/1/1 2/1/1\n"
+                                             "f 1//1 2//1 4//1\nf 2/1 3/1 4/1\nf 3 1 4\n");
+}
+
+TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
+  expect_failure("a.off", "", "begins with the word OFF");
+  expect_failure("a.off", "4 4 6\n" + std::string(points), ":1: an OFF file begins");
+  expect_failure("a.off", "OFF BINARY\n", "binary");
+  expect_failure("a.off", "OFF\n4 -4 6\n", ":2: expected the numbers");
+  expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0\n", ":4: vertex 1 has no three coordinates");
+  expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0 0x\n", ":4: vertex 1");
+  expect_failure("a.off", std::string("OFF\n4 4 6\n0 0 0\n"), "only 1 of 4 vertices");
+  expect_failure("a.off", "OFF\n4 4 6\n" + std::string(points) + "3 0 2 1\n",
+                 "only 1 of 4 faces; the file ends here");
+  expect_failure("a.off", "OFF\n4 4 6\n" + std::string(points) + "3 0 2\n",
+                 ":7: face 0 ends after 2 of 3 vertices");
+  expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 2 4"),
+                 ":9: face 2 names vertex 4 of 4");
+  expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 -2 3"), "face 2 names vertex -2");
+  expect_failure("a.off", "OFF\n2000000000 2000000000 0\n0 0 0\n", "only 1 of 2000000000 vertices");
+}
+
+TEST_F(Soup_reader, takes_numbers_out_of_range_as_infinite_and_zero) {
+  const Soup soup = read_soup(
+      folder_.write("a.off", "OFF\n4 0 0\n1e999 -1e999 1e-999\nnan inf 0\n0 0 0\n0 0 0\n"));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(soup.points[0], Point(infinity, -infinity, 0.));
+  EXPECT_NE(soup.points[1].x(), soup.points[1].x());
+  EXPECT_EQ(soup.points[1].y(), infinity);
+}
+
+TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
+  const std::string good = ply_header("ascii") + points + faces;
+  expect_failure("a.ply", "", "ply");
+  expect_failure("a.ply", good.substr(0, 60), "has no end");
+  expect_failure("a.ply", replaced(good, "ascii", "asci"), "unknown format 'asci'");
+  expect_failure("a.ply", replaced(good, "double y", "int y"), "no coordinate y");
+  expect_failure("a.ply", replaced(good, "double y", "real y"), "unknown type 'real'");
+  expect_failure("a.ply", replaced(good, "vertex_indices", "indices"), "no list vertex_indices");
+  expect_failure("a.ply", replaced(good, "element face", "element none 9\nelement face"),
+                 "none without any property");
+  expect_failure("a.ply", good.substr(0, good.size() - 10), "ends in face 2 of 4");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "999999999 0 2 1"), "ends in face 0 of 4");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 x"), "malformed");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 -1"),
+                 "face 0 names a vertex that is not");
+  const std::string binary = binary_ply_file(false);
+  expect_failure("a.ply", binary.substr(0, binary.size() - 20), "ends in face 2 of 4");
+}
+
+TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
+  expect_failure("a.stl", "solid\nfacet", "too short");
+  expect_failure("a.stl", binary_stl_file(-0.2f).substr(0, 200), "");
+  expect_failure("a.stl", replaced(binary_stl_file(-0.2f), "solid", "Solid").substr(0, 200),
+                 "ends after 2 of 4 faces");
+  expect_failure("a.stl", binary_stl_file(std::numeric_limits<float>::quiet_NaN()),
+                 "face 1 has a coordinate", Exit_code::UNACCEPTABLE_MESH);
+}
+
+TEST_F(Soup_reader, says_what_is_wrong_with_other_files) {
+  expect_failure("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "face 0 names a vertex that is");
+  expect_failure("a.obj", "v 0 0 0\nwrong\n", "malformed");
+  expect_failure("a.xyz", off_file(), "one of .off, .obj, .ply, .stl and .ts");
+  expect_failure("no_extension", off_file(), "one of .off");
+  EXPECT_THROW(read_soup(folder_.path("none.off")), Failure);
+  EXPECT_THROW(read_soup(folder_.path("none.ply")), Failure);
+}
+
+// The fast reader of OFF files and that of CGAL find the same in every file of a folder of meshes.
+TEST(Off_reader, agrees_with_cgal) {
+  if(!fs::is_directory(mesh_corpus()))
+    GTEST_SKIP() << "no folder " << mesh_corpus();
+  for(const auto& entry : fs::recursive_directory_iterator(mesh_corpus())) {
+    const std::string file = entry.path().string();
+    if(entry.path().extension() != ".off")
+      continue;
+    SCOPED_TRACE(file);
+    std::vector<Point> expected_points;
+    std::vector<std::vector<std::size_t>> expected_faces;
+    if(!CGAL::IO::read_polygon_soup(file, expected_points, expected_faces,
+                                    CGAL::parameters::verbose(false)))
+    {
+      EXPECT_THROW(read_soup(file), Failure);
+      continue;
+    }
+    const Soup soup = read_soup(file);
+    EXPECT_TRUE(std::equal(soup.points.begin(), soup.points.end(), expected_points.begin(),
+                           expected_points.end()));
+    ASSERT_EQ(soup.faces.size(), expected_faces.size());
+    for(std::size_t i = 0; i < expected_faces.size(); ++i)
+      EXPECT_TRUE(std::equal(soup.faces[i].begin(), soup.faces[i].end(), expected_faces[i].begin(),
+                             expected_faces[i].end()));
+  }
+}

@@ -1,0 +1,357 @@
+// The named parameters do what they are documented to do, alone and together.
+
+#include "Loop_definitions.h"
+#include "Same_loops.h"
+
+#include "generators/Random.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace HTL = CGAL::Handle_tunnel_loops;
+namespace params = CGAL::parameters;
+using HTL::Stage;
+using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
+
+const Recipe small_recipe = {"lattice", {3000, 6, 0}};
+constexpr std::size_t small_genus = 6;
+
+// ---- callback
+
+template <typename ConcurrencyTag> void expect_monotone_progress(const Mesh& mesh) {
+  std::vector<double> reported;
+  const auto callback = [&reported](double progress) {
+    reported.push_back(progress);
+    return true;
+  };
+  CGAL::handle_tunnel_loops<ConcurrencyTag>(mesh, CGAL::Emptyset_iterator(),
+                                            params::callback(callback));
+  ASSERT_FALSE(reported.empty());
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_GE(reported.front(), 0.);
+  EXPECT_LT(reported.front(), 0.5);
+  EXPECT_EQ(reported.back(), 1.);
+}
+
+TEST(Callback, IsToldOfTheProgress) {
+  const Mesh mesh = mesh_of(small_recipe);
+  expect_monotone_progress<CGAL::Sequential_tag>(mesh);
+  expect_monotone_progress<CGAL::Parallel_if_available_tag>(mesh);
+}
+
+TEST(Callback, IsToldTheEndWhereThereIsNothingToDo) {
+  double last = -1.;
+  const auto callback = [&last](double progress) {
+    last = progress;
+    return true;
+  };
+  find_loops(mesh_of({"sphere", {100, 0, 0}}), params::callback(callback));
+  EXPECT_EQ(last, 1.);
+}
+
+// Stops at each of its calls in turn; nothing is written, and the solver is as good as new.
+TEST(Callback, StopsTheComputation) {
+  const Mesh mesh = mesh_of(small_recipe);
+  Solver solver(mesh);
+  Pairs expected;
+  std::size_t number_of_calls = 0;
+  solver.find_loops(std::back_inserter(expected), params::callback([&number_of_calls](double) {
+                      ++number_of_calls;
+                      return true;
+                    }));
+  ASSERT_GT(number_of_calls, 10u);
+  for(std::size_t stop = 1; stop <= number_of_calls; ++stop) {
+    SCOPED_TRACE(testing::Message() << "stopped at call " << stop << " of " << number_of_calls);
+    Pairs pairs;
+    std::size_t calls = 0;
+    const auto callback = [&calls, stop](double) { return ++calls < stop; };
+    EXPECT_THROW(solver.find_loops(std::back_inserter(pairs), params::callback(callback)),
+                 HTL::Interrupted_exception);
+    EXPECT_EQ(calls, stop);
+    EXPECT_TRUE(pairs.empty());
+  }
+  Pairs pairs;
+  solver.find_loops(std::back_inserter(pairs));
+  expect_same(pairs, expected);
+}
+
+TEST(Callback, StopsAParallelComputation) {
+  const Mesh mesh = mesh_of(small_recipe);
+  for(int stop = 1; stop < 20; ++stop) {
+    Pairs pairs;
+    int calls = 0;
+    const auto callback = [&calls, stop](double) { return ++calls < stop; };
+    EXPECT_THROW(CGAL::handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
+                     mesh, std::back_inserter(pairs), params::callback(callback)),
+                 HTL::Interrupted_exception);
+    EXPECT_TRUE(pairs.empty());
+  }
+}
+
+TEST(Callback, MayThrow) {
+  struct My_exception
+  {};
+  const Mesh mesh = mesh_of(small_recipe);
+  const auto callback = [](double progress) -> bool {
+    if(progress > 0.5)
+      throw My_exception();
+    return true;
+  };
+  Pairs pairs;
+  EXPECT_THROW(
+      CGAL::handle_tunnel_loops(mesh, std::back_inserter(pairs), params::callback(callback)),
+      My_exception);
+  EXPECT_TRUE(pairs.empty());
+}
+
+TEST(Callback, MayBeEmpty) {
+  const Mesh mesh = mesh_of(small_recipe);
+  EXPECT_EQ(find_loops(mesh, params::callback(std::function<bool(double)>())).size(), small_genus);
+}
+
+// ---- visitor
+
+using Log = std::vector<std::string>;
+
+struct Logging_visitor
+{
+  void start_stage(Stage stage) { log.push_back(std::string("start ") + HTL::stage_name(stage)); }
+  void end_stage(Stage stage) { log.push_back(std::string("end ") + HTL::stage_name(stage)); }
+
+  Log log;
+};
+
+Log log_of(const std::vector<Stage>& stages) {
+  Logging_visitor visitor;
+  for(const Stage stage : stages) {
+    visitor.start_stage(stage);
+    visitor.end_stage(stage);
+  }
+  return visitor.log;
+}
+
+TEST(Visitor, IsToldOfTheStagesInOrder) {
+  const Mesh mesh = mesh_of(small_recipe);
+  Logging_visitor visitor;
+  find_loops(mesh, params::visitor(std::ref(visitor)));
+  EXPECT_EQ(visitor.log, log_of({Stage::INITIAL, Stage::TUNNEL, Stage::REFINE, Stage::CLASSIFY,
+                                 Stage::CERTIFICATE}));
+}
+
+TEST(Visitor, IsNotToldOfWhatIsLeftOut) {
+  const Mesh mesh = mesh_of(small_recipe);
+  Logging_visitor visitor;
+  find_loops(mesh, params::do_refine_handles(false).visitor(std::ref(visitor)));
+  EXPECT_EQ(visitor.log,
+            log_of({Stage::INITIAL, Stage::TUNNEL, Stage::CLASSIFY, Stage::CERTIFICATE}));
+}
+
+TEST(Visitor, IsCopied) {
+  struct Sharing_visitor : HTL::Default_visitor
+  {
+    void start_stage(Stage) { ++*number_of_stages; }
+    std::shared_ptr<int> number_of_stages = std::make_shared<int>(0);
+  };
+  const Mesh mesh = mesh_of(small_recipe);
+  const Sharing_visitor sharing;
+  find_loops(mesh, params::visitor(sharing));
+  EXPECT_EQ(*sharing.number_of_stages, 5);
+
+  const Logging_visitor logging;
+  find_loops(mesh, params::visitor(logging));
+  EXPECT_TRUE(logging.log.empty());
+}
+
+TEST(Visitor, SeesAStageBeginThatIsNotEnded) {
+  const Mesh mesh = mesh_of(small_recipe);
+  Logging_visitor visitor;
+  const auto stop = [](double) { return false; };
+  EXPECT_THROW(find_loops(mesh, params::visitor(std::ref(visitor)).callback(stop)),
+               HTL::Interrupted_exception);
+  EXPECT_EQ(visitor.log, Log{"start initial"});
+}
+
+TEST(Stages, HaveNames) {
+  EXPECT_STREQ(HTL::stage_name(Stage::ADAPTOR), "adaptor");
+  EXPECT_STREQ(HTL::stage_name(Stage::CERTIFICATE), "certificate");
+  EXPECT_EQ(static_cast<std::size_t>(Stage::CERTIFICATE) + 1, HTL::number_of_stages);
+}
+
+// ---- refinement and tightening
+
+std::vector<Recipe> recipes() {
+  return {{"torus", {2000, 1, 0}},   {"knot", {2000, 1, 0}},   {"multi-torus", {4000, 5, 0}},
+          {"lattice", {6000, 9, 1}}, {"gyroid", {6000, 8, 0}}, {"sponge", {5000, 30, 0}},
+          {"random", {1000, 30, 0}}, {"random", {300, 4, 7}}};
+}
+
+TEST(Every_choice_of_passes, GivesPairedBases) {
+  for(const Recipe& recipe : recipes()) {
+    const Mesh mesh = mesh_of(recipe);
+    for(const bool refine : {false, true})
+      for(const bool tighten : {false, true}) {
+        SCOPED_TRACE(testing::Message()
+                     << recipe << ", refine " << refine << ", tighten " << tighten);
+        expect_handle_tunnel_pairs(
+            mesh, find_loops(mesh, params::do_refine_handles(refine, params::do_tighten(tighten))),
+            recipe.request.genus);
+      }
+  }
+}
+
+// Compared over all meshes: on one of them, other loops may happen to be better.
+TEST(Every_pass, MakesTheLoopsShorter) {
+  double none = 0., only_tightened = 0., only_refined = 0., all = 0.;
+  for(const Recipe& recipe : recipes()) {
+    const Mesh mesh = mesh_of(recipe);
+    const double unit = total_length(find_loops(mesh));
+    const auto relative_length = [&](bool refine, bool tighten) {
+      const auto np = params::do_refine_handles(refine, params::do_tighten(tighten));
+      return total_length(find_loops(mesh, np)) / unit;
+    };
+    none += relative_length(false, false);
+    only_refined += relative_length(true, false);
+    only_tightened += relative_length(false, true);
+    all += 1.;
+  }
+  EXPECT_LT(only_tightened, none);
+  EXPECT_LT(only_refined, none);
+  EXPECT_LT(all, only_refined);
+  EXPECT_LT(all, only_tightened);
+}
+
+// ---- seed vertex and field constants
+
+TEST(Seed_vertex, IsThatOfItsComponent) {
+  const Soup first = soup_of({"random", {60, 3, 1}}), second = soup_of({"random", {80, 2, 2}});
+  const Mesh mesh = mesh_of(generators::disjoint_union({first, second}));
+  for(const Mesh::Vertex_index v : vertices(mesh)) {
+    SCOPED_TRACE(testing::Message() << "seed vertex " << v);
+    expect_handle_tunnel_pairs(mesh, find_loops(mesh, params::seed_vertex(v)), 5);
+  }
+}
+
+TEST(Seed_vertex, IsTheFirstVertexByDefault) {
+  const Mesh mesh = mesh_of(small_recipe);
+  expect_same(find_loops(mesh, params::seed_vertex(Mesh::Vertex_index(0))), find_loops(mesh));
+  expect_same(find_loops(mesh, params::seed_vertex(Mesh::null_vertex())), find_loops(mesh));
+}
+
+TEST(Field_constants, AreThoseOfThePaperByDefault) {
+  const HTL::Field_constants c;
+  EXPECT_DOUBLE_EQ(c.mobility, 1. / 4.);
+  EXPECT_DOUBLE_EQ(c.driving_force, 1. / 30.);
+  EXPECT_DOUBLE_EQ(c.gradient_coefficient, 1. / 25.);
+  EXPECT_DOUBLE_EQ(c.penalty, c.gradient_coefficient / 5.);
+  const Mesh mesh = mesh_of(small_recipe);
+  expect_same(find_loops(mesh, params::field_constants(c)), find_loops(mesh));
+}
+
+// How the field moves is a matter of quality, never of the count.
+TEST(Field_constants, MayBeAnythingThatIsValid) {
+  generators::Random random(9);
+  const auto number = [&](double low, double high) {
+    return std::pow(10., random.uniform(low, high));
+  };
+  for(int i = 0; i < 60; ++i) {
+    HTL::Field_constants c;
+    c.mobility = number(-6., 6.);
+    c.gradient_coefficient = number(-6., 6.);
+    c.penalty = number(-6., 3.);
+    c.driving_force = c.penalty * (1. + number(-3., 6.));
+    c.step = number(-1., 0.);
+    SCOPED_TRACE(testing::Message() << c.mobility << ' ' << c.gradient_coefficient << ' '
+                                    << c.penalty << ' ' << c.driving_force << ' ' << c.step);
+    for(const Recipe& recipe : {Recipe{"multi-torus", {1200, 4, 0}}, Recipe{"random", {200, 8, 1}}})
+    {
+      const Mesh mesh = mesh_of(recipe);
+      expect_handle_tunnel_pairs(mesh, find_loops(mesh, params::field_constants(c)),
+                                 recipe.request.genus);
+    }
+  }
+}
+
+// ---- statistics
+
+TEST(Statistics, TellOfTheMesh) {
+  const Soup soup =
+      generators::disjoint_union({soup_of(small_recipe), soup_of({"torus", {200, 1, 0}})});
+  const Mesh mesh = mesh_of(soup);
+  const Solver solver(mesh);
+  const HTL::Statistics& s = solver.statistics();
+  EXPECT_EQ(s.number_of_vertices, soup.points.size());
+  EXPECT_EQ(s.number_of_faces, soup.triangles.size());
+  EXPECT_EQ(s.number_of_components, 2u);
+  EXPECT_EQ(s.genus, small_genus + 1);
+  EXPECT_GT(s.seconds_of(Stage::ADAPTOR), 0.);
+  EXPECT_EQ(s.seconds_of(Stage::INITIAL), 0.);
+}
+
+TEST(Statistics, TellOfTheStages) {
+  const Mesh mesh = mesh_of(small_recipe);
+  Solver solver(mesh);
+  solver.find_loops(CGAL::Emptyset_iterator());
+  const HTL::Statistics& s = solver.statistics();
+  double sum = 0.;
+  for(std::size_t i = 0; i < HTL::number_of_stages; ++i) {
+    EXPECT_GT(s.seconds[i], 0.) << HTL::stage_name(static_cast<Stage>(i));
+    sum += s.seconds_of(static_cast<Stage>(i));
+  }
+  EXPECT_DOUBLE_EQ(s.total_seconds(), sum);
+  EXPECT_LE(s.kept_sweep_tunnels, small_genus);
+  EXPECT_LE(s.kept_sweep_handles, small_genus);
+}
+
+TEST(Statistics, AreThoseOfTheLastRun) {
+  const Mesh mesh = mesh_of(small_recipe);
+  Solver solver(mesh);
+  solver.find_loops(CGAL::Emptyset_iterator());
+  solver.find_loops(CGAL::Emptyset_iterator(), params::do_refine_handles(false));
+  EXPECT_EQ(solver.statistics().seconds_of(Stage::REFINE), 0.);
+  EXPECT_EQ(solver.statistics().kept_sweep_handles, 0u);
+  EXPECT_GT(solver.statistics().seconds_of(Stage::ADAPTOR), 0.);
+}
+
+// ---- together
+
+TEST(Parameters, MayBeCombined) {
+  const Mesh mesh = mesh_of(small_recipe);
+  const Mesh::Vertex_index v(7);
+  const HTL::Field_constants constants;
+  const auto proceed = [](double) { return true; };
+  const HTL::Default_visitor visitor;
+  const Pairs expected = find_loops(mesh, params::seed_vertex(v));
+  const auto point = get(CGAL::vertex_point, mesh);
+
+  expect_same(find_loops(mesh, params::seed_vertex(v).callback(proceed)), expected);
+  expect_same(find_loops(mesh, params::seed_vertex(v).visitor(visitor).callback(proceed)),
+              expected);
+  expect_same(find_loops(mesh, params::seed_vertex(v, params::field_constants(constants))),
+              expected);
+  expect_same(find_loops(mesh, params::do_tighten(
+                                   true, params::do_refine_handles(true, params::seed_vertex(v)))),
+              expected);
+  expect_same(
+      find_loops(mesh, params::seed_vertex(v, params::callback(proceed)
+                                                  .vertex_point_map(point)
+                                                  .geom_traits(CGAL::Simple_cartesian<double>())
+                                                  .visitor(visitor))),
+      expected);
+  expect_same(
+      find_loops(mesh,
+                 params::field_constants(
+                     constants,
+                     params::seed_vertex(
+                         v, params::do_tighten(true).vertex_point_map(point).callback(proceed)))),
+      expected);
+}
+
+} // namespace

@@ -1,0 +1,232 @@
+#include "picture/picture.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using htl_picture::Colour;
+using htl_picture::Line;
+using htl_picture::Options;
+using htl_picture::Point;
+using htl_picture::Triangle;
+
+namespace {
+
+/// A picture read back from its file.
+struct Picture
+{
+  int width = 0, height = 0;
+  std::vector<Colour> pixels;
+
+  const Colour& at(int x, int y) const { return pixels[std::size_t(y) * width + x]; }
+  const Colour& middle() const { return at(width / 2, height / 2); }
+
+  template <typename Predicate> std::ptrdiff_t count(Predicate predicate) const {
+    return std::count_if(pixels.begin(), pixels.end(), predicate);
+  }
+};
+
+Picture read_picture(const std::string& file) {
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  if(png_image_begin_read_from_file(&image, file.c_str()) == 0)
+    throw std::runtime_error(image.message);
+  image.format = PNG_FORMAT_RGB;
+  Picture picture;
+  picture.width = static_cast<int>(image.width);
+  picture.height = static_cast<int>(image.height);
+  picture.pixels.resize(std::size_t(image.width) * image.height);
+  if(png_image_finish_read(&image, nullptr, picture.pixels.data(), 0, nullptr) == 0)
+    throw std::runtime_error(image.message);
+  return picture;
+}
+
+struct Mesh
+{
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+};
+
+Mesh cube(double scale = 1.) {
+  Mesh mesh;
+  for(int i = 0; i < 8; ++i)
+    mesh.points.push_back({scale * (i & 1), scale * ((i >> 1) & 1), scale * ((i >> 2) & 1)});
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+bool is_white(const Colour& c) { return c == Colour{255, 255, 255}; }
+bool is_red(const Colour& c) { return c[0] > 130 && c[1] < 110 && c[2] < 110; }
+bool is_reddish(const Colour& c) { return c[0] > c[1] + 40 && c[0] > c[2] + 40; }
+
+/// A line across a side of the unit cube.
+Line red_line_at_height(double y) {
+  return {{{0.2, y, 0.5}, {0.5, y, 0.5}, {0.8, y, 0.5}}, {255, 0, 0}, false};
+}
+
+class Written_picture : public testing::Test
+{
+protected:
+  void SetUp() override {
+    options.width = 160;
+    options.height = 120;
+    options.view = {0., -1., 0.}; // onto the side y = 0 of a cube
+  }
+  void TearDown() override { std::remove(file.c_str()); }
+
+  Picture draw(const Mesh& mesh, const std::vector<Line>& lines = {}) const {
+    htl_picture::write_picture(file, mesh.points, mesh.triangles, lines, options);
+    return read_picture(file);
+  }
+
+  // Tests may run side by side.
+  const std::string file =
+      testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
+  Options options;
+};
+
+TEST_F(Written_picture, HasTheSizeAskedFor) {
+  const Picture picture = draw(cube());
+  EXPECT_EQ(picture.width, 160);
+  EXPECT_EQ(picture.height, 120);
+}
+
+TEST_F(Written_picture, ShowsTheMeshInTheMiddle) {
+  const Picture picture = draw(cube());
+  EXPECT_FALSE(is_white(picture.middle()));
+  EXPECT_TRUE(is_white(picture.at(0, 0)));
+  EXPECT_TRUE(is_white(picture.at(159, 119)));
+  // A square fills the height but for the margin.
+  const auto covered = picture.count([](const Colour& c) { return !is_white(c); });
+  EXPECT_NEAR(double(covered), 110. * 110., 400.);
+}
+
+TEST_F(Written_picture, DoesNotDependOnTheScale) {
+  const Picture unit = draw(cube());
+  for(double scale : {1e-9, 1e9}) {
+    const Picture scaled = draw(cube(scale));
+    const auto n =
+        std::inner_product(unit.pixels.begin(), unit.pixels.end(), scaled.pixels.begin(), 0,
+                           std::plus<>(), [](const Colour& a, const Colour& b) { return a != b; });
+    EXPECT_LT(n, 20) << scale;
+  }
+}
+
+TEST_F(Written_picture, LeavesNoGapsBetweenTriangles) {
+  Mesh fan; // a square of thin triangles around a point off its middle
+  constexpr int n = 400;
+  fan.points = {{0.31, 0., 0.67}};
+  for(int i = 0; i < n; ++i) {
+    const double t = 4. * i / n, s = t - std::floor(t);
+    const Point corners[4] = {{s, 0., 0.}, {1., 0., s}, {1. - s, 0., 1.}, {0., 0., 1. - s}};
+    fan.points.push_back(corners[int(t)]);
+  }
+  for(std::uint32_t i = 0; i < n; ++i)
+    fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  const Picture picture = draw(fan);
+  for(int y = 10; y < 110; ++y)
+    for(int x = 30; x < 130; ++x)
+      EXPECT_FALSE(is_white(picture.at(x, y))) << x << ' ' << y;
+}
+
+TEST_F(Written_picture, ShowsALineOnTheNearSide) {
+  const Picture picture = draw(cube(), {red_line_at_height(0.)});
+  EXPECT_TRUE(is_red(picture.middle()));
+}
+
+TEST_F(Written_picture, ShowsALineOnTheFarSideFaintly) {
+  const Picture picture = draw(cube(), {red_line_at_height(1.)});
+  EXPECT_TRUE(is_reddish(picture.middle()));
+  EXPECT_FALSE(is_red(picture.middle()));
+}
+
+TEST_F(Written_picture, HidesALineBehindAnOpaqueSurface) {
+  options.surface_opacity = 1.;
+  const Picture picture = draw(cube(), {red_line_at_height(1.)});
+  EXPECT_EQ(picture.count(is_reddish), 0);
+}
+
+TEST_F(Written_picture, DrawsLinesAsWideAsAskedFor) {
+  for(const double width : {2., 6.}) {
+    options.line_width_px = width;
+    const Picture picture = draw(cube(), {red_line_at_height(0.)});
+    std::ptrdiff_t reddish = 0;
+    for(int y = 0; y < picture.height; ++y)
+      reddish += is_reddish(picture.at(picture.width / 2, y));
+    EXPECT_NEAR(double(reddish), width, 1.);
+  }
+}
+
+TEST_F(Written_picture, ClosesClosedLines) {
+  Line triangle = {{{0.1, 0., 0.1}, {0.5, 0., 0.9}, {0.9, 0., 0.1}}, {255, 0, 0}, false};
+  const auto open = draw(cube(), {triangle}).count(is_red);
+  triangle.closed = true;
+  const auto closed = draw(cube(), {triangle}).count(is_red);
+  EXPECT_GT(closed, 1.2 * open);
+}
+
+TEST_F(Written_picture, ShowsALineOfOnePointAsADot) {
+  const Line dot = {{{0.5, 0., 0.5}}, {255, 0, 0}, true};
+  EXPECT_TRUE(is_red(draw(cube(), {dot}).middle()));
+}
+
+TEST_F(Written_picture, ColoursTriangles) {
+  const Mesh mesh = cube();
+  std::vector<Colour> colours(mesh.triangles.size(), Colour{0, 0, 255});
+  colours[4] = colours[5] = {255, 0, 0}; // the side y = 0
+  htl_picture::write_picture(file, mesh.points, mesh.triangles, colours, {}, options);
+  EXPECT_TRUE(is_red(read_picture(file).middle()));
+}
+
+TEST_F(Written_picture, LooksAlongTheUprightDirection) {
+  options.view = options.up = {0., 0., 2.};
+  EXPECT_FALSE(is_white(draw(cube()).middle()));
+}
+
+TEST_F(Written_picture, IsEmptyWithoutAMesh) { EXPECT_EQ(draw({}).count(is_white), 160 * 120); }
+
+TEST_F(Written_picture, OfAFlatOrTinyMeshIsWritten) {
+  Mesh mesh = cube();
+  for(Point& p : mesh.points)
+    p[2] = 0.;
+  EXPECT_NO_THROW(draw(mesh)); // seen from the side
+  for(Point& p : mesh.points)
+    p = {1., 2., 3.};
+  EXPECT_NO_THROW(draw(mesh));
+}
+
+TEST_F(Written_picture, RefusesWhatItCannotDraw) {
+  Mesh mesh = cube();
+  EXPECT_THROW(
+      htl_picture::write_picture(file, mesh.points, mesh.triangles, {Colour{1, 2, 3}}, {}, options),
+      std::runtime_error);
+  options.width = 0;
+  EXPECT_THROW(draw(mesh), std::runtime_error);
+  options.width = 160;
+  mesh.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(draw(mesh), std::runtime_error);
+}
+
+TEST_F(Written_picture, NamesTheFileThatCannotBeWritten) {
+  const Mesh mesh = cube();
+  const std::string nowhere = testing::TempDir() + "no/such/folder/picture.png";
+  try {
+    htl_picture::write_picture(nowhere, mesh.points, mesh.triangles, {}, options);
+    FAIL() << "no exception";
+  } catch(const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find(nowhere), std::string::npos) << e.what();
+  }
+}
+
+} // namespace
