@@ -60,17 +60,29 @@ inline Vertex_walk path(const Flat_mesh& mesh, Index from, Index to) {
   return walk;
 }
 
-// A closed walk at random, with a shortest way back; it may turn round where it likes.
-inline Vertex_walk random_walk(const Flat_mesh& mesh, Random& random, std::size_t steps) {
-  Vertex_walk walk(1, static_cast<Index>(random.below(mesh.number_of_vertices())));
-  for(std::size_t i = 0; i < steps; ++i) {
-    const auto ring = mesh.ring(walk.back());
-    walk.push_back(ring[static_cast<Index>(random.below(ring.size()))]);
+// A closed walk at random: between a few places along few edges, or step by step and back again.
+inline Vertex_walk random_walk(const Flat_mesh& mesh, Random& random) {
+  const auto random_vertex = [&] {
+    return static_cast<Index>(random.below(mesh.number_of_vertices()));
+  };
+  const auto append_path = [&](Vertex_walk& walk, Index from, Index to) {
+    const Vertex_walk part = path(mesh, from, to);
+    walk.insert(walk.end(), part.begin(), part.end());
+  };
+  const Index first = random_vertex();
+  Index last = first;
+  Vertex_walk walk;
+  for(std::size_t i = random.below(5); i > 0; --i) {
+    const Index next = random_vertex();
+    append_path(walk, last, next);
+    last = next;
   }
-  const Index last = walk.back();
-  walk.pop_back();
-  const Vertex_walk back = path(mesh, last, walk.empty() ? last : walk.front());
-  walk.insert(walk.end(), back.begin(), back.end());
+  for(std::size_t i = random.below(30); i > 0; --i) {
+    walk.push_back(last);
+    const auto ring = mesh.ring(last);
+    last = ring[static_cast<Index>(random.below(ring.size()))];
+  }
+  append_path(walk, last, first);
   return walk;
 }
 
@@ -78,7 +90,7 @@ inline Vertex_walk random_walk(const Flat_mesh& mesh, Random& random, std::size_
 inline Vertex_walk random_walk_without_spurs(const Flat_mesh& mesh, Random& random) {
   Vertex_walk walk;
   while(walk.size() < 3) {
-    walk = random_walk(mesh, random, 3 + random.below(30));
+    walk = random_walk(mesh, random);
     CGAL::Handle_tunnel_loops::internal::remove_spurs(walk);
   }
   return walk;

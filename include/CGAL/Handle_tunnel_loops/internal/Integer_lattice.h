@@ -58,7 +58,8 @@ public:
   Integer index() const {
     Integer product = 1;
     for(const Row& row : rows_)
-      product *= row.empty() ? Integer(0) : Integer(abs(row.begin()->second));
+      product *=
+          row.empty() ? Integer(0) : Integer(boost::multiprecision::abs(row.begin()->second));
     return product;
   }
 
