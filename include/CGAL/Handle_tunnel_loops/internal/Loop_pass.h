@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -191,16 +192,25 @@ private:
     return is_crossed_once;
   }
 
-  // From `v` to a source.
+  // From `v` to a source, down the steepest edges. To follow the earliest neighbour instead would
+  // drift along the longer edges, and wind around the loop.
   std::vector<Index> way_back(Index v, const Walls& walls) const {
     std::vector<Index> walk(1, v);
     while(band_.time(v) != 0) {
-      Index first = v;
-      for(Index u : mesh_.ring(v))
-        if(band_.time(u) < band_.time(first) && band_.side(u) == band_.side(v) &&
-           !band_.is_wall(v, u, walls))
-          first = u;
-      v = first;
+      Index next = v;
+      double steepest = 0.;
+      for(Index u : mesh_.ring(v)) {
+        if(band_.time(u) >= band_.time(v) || band_.side(u) != band_.side(v) ||
+           band_.is_wall(v, u, walls))
+          continue;
+        const double drop = band_.time(v) - band_.time(u), distance = mesh_.edge_length(u, v);
+        const double slope = distance > 0. ? drop / distance : (std::numeric_limits<double>::max)();
+        if(slope > steepest) {
+          steepest = slope;
+          next = u;
+        }
+      }
+      v = next;
       walk.push_back(v);
     }
     return walk;

@@ -146,10 +146,13 @@ private:
       left_portal = right_portal = portal;
       return portal;
     };
+    // Where points coincide a corner may seem to be the apex; to turn there again would never end.
+    const auto is_beyond_apex = [&](std::size_t portal) { return portal > bends_.back().portal; };
     for(std::size_t i = 1; i <= n; ++i) {
       const Point_2 l = i == n ? goal : left_[i], r = i == n ? goal : right_[i];
       if(cross(minus(right, apex), minus(r, apex)) >= 0.) {
-        if(right == apex || cross(minus(left, apex), minus(r, apex)) < 0.) {
+        if(right == apex || !is_beyond_apex(left_portal) ||
+           cross(minus(left, apex), minus(r, apex)) < 0.) {
           right = r;
           right_portal = i;
         } else {
@@ -158,7 +161,8 @@ private:
         }
       }
       if(cross(minus(left, apex), minus(l, apex)) <= 0.) {
-        if(left == apex || cross(minus(right, apex), minus(l, apex)) > 0.) {
+        if(left == apex || !is_beyond_apex(right_portal) ||
+           cross(minus(right, apex), minus(l, apex)) > 0.) {
           left = l;
           left_portal = i;
         } else {
