@@ -45,7 +45,12 @@ public:
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
     int idle_rounds = 0;
-    for(int round = 0; round < maximum_number_of_rounds && loop.size() >= 3; ++round) {
+    // Where many points coincide, going around them may seem to gain without end.
+    const std::size_t largest_size = 8 * loop.size() + 64;
+    for(int round = 0;
+        round < maximum_number_of_rounds && loop.size() >= 3 && loop.size() <= largest_size;
+        ++round)
+    {
       rotate_start(loop);
       shorten_within_strip(loop);
       // On the mesh, not in the plane: on slivers rounding can make the two differ.
@@ -261,8 +266,10 @@ private:
     bool add(double cosine, double sine) {
       const double c = cosine_ * cosine - sine_ * sine, s = cosine_ * sine + sine_ * cosine;
       const double size = (std::max)(std::abs(c), std::abs(s));
-      cosine_ = size > 0. ? c / size : 1.;
-      sine_ = size > 0. ? s / size : 0.;
+      if(!(size > 0.))
+        return false; // of coincident points: no angle at all
+      cosine_ = c / size;
+      sine_ = s / size;
       constexpr double tolerance = 1e-7;
       return sine_ > tolerance || (sine_ >= 0. && cosine_ > 0.);
     }

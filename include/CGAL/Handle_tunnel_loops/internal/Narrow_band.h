@@ -272,6 +272,7 @@ private:
   template <typename Walls, typename Reached>
   void push_on(const Walls& walls, const Reached& reached) {
     last_progress_ = ++step_;
+    const std::size_t reached_before = number_of_reached_;
     std::vector<Index> band(band_.get(), band_.get() + band_size_);
     for(const Special& entry : special_band_)
       band.push_back(entry.vertex);
@@ -284,6 +285,10 @@ private:
         activate_neighbors(v, walls);
       value_[v] = 1.f;
       reached(v);
+    }
+    if(number_of_reached_ == reached_before) {
+      band_size_ = 0; // all is reached, and the values have come to rest somewhere below 1
+      special_band_.clear();
     }
     leave_band();
   }
