@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -137,6 +138,7 @@ public:
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    forget_last_run();
     auto visitor = choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
     impl::Progress progress(
         choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
@@ -149,6 +151,14 @@ public:
   }
 
 private:
+  void forget_last_run() {
+    using namespace Handle_tunnel_loops;
+    const double seconds_of_adaptor = statistics_.seconds_of(Stage::ADAPTOR);
+    statistics_.seconds.fill(0.);
+    statistics_.seconds[static_cast<std::size_t>(Stage::ADAPTOR)] = seconds_of_adaptor;
+    statistics_.kept_sweep_tunnels = statistics_.kept_sweep_handles = 0;
+  }
+
   template <typename T> static T& unwrapped(T& t) { return t; }
   template <typename T> static T& unwrapped(std::reference_wrapper<T> t) { return t.get(); }
 
@@ -160,8 +170,6 @@ private:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     using Finder = impl::Loop_finder<decltype(impl::execution<ConcurrencyTag>())>;
-    if(mesh_.genus == 0)
-      return {};
     typename Finder::Options options;
     options.constants =
         choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
@@ -169,11 +177,12 @@ private:
         choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
     options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
     check(options.constants);
+    const auto start = seeds(
+        choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
+    if(mesh_.genus == 0)
+      return {};
 
-    Finder finder(mesh_,
-                  seeds(choose_parameter(get_parameter(np, internal_np::seed_vertex),
-                                         Graph_traits::null_vertex())),
-                  options, progress);
+    Finder finder(mesh_, start, options, progress);
     finder.initial_pass();
     finder.tunnel_pass(statistics_);
     if(options.do_refine_handles)
@@ -195,7 +204,9 @@ private:
   }
 
   static void check(const Handle_tunnel_loops::Field_constants& c) {
-    if(!(c.mobility > 0. && c.gradient_coefficient > 0. && c.penalty > 0. &&
+    const bool are_finite = std::isfinite(c.mobility) && std::isfinite(c.gradient_coefficient) &&
+                            std::isfinite(c.penalty) && std::isfinite(c.driving_force);
+    if(!(are_finite && c.mobility > 0. && c.gradient_coefficient > 0. && c.penalty > 0. &&
          c.driving_force > c.penalty))
       throw std::invalid_argument("the field's constants must be positive, and the driving force "
                                   "must be larger than the penalty");
