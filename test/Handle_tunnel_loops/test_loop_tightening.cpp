@@ -1,0 +1,129 @@
+// Pulled taut, a loop is never longer than before, and in the same class.
+
+#include "Torus_loops.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using CGAL::Handle_tunnel_loops::internal::length;
+using CGAL::Handle_tunnel_loops::internal::Loop_tightening;
+using CGAL::Handle_tunnel_loops::internal::pushed_left;
+
+// The class is seen through the intersection numbers with a fixed family.
+void expect_tightened(const Flat_mesh& mesh,
+                      const Crossing_loop& loop,
+                      const Crossing_index& index) {
+  for(const int rounds : {1, 3, 100}) {
+    Crossing_loop taut = loop;
+    Loop_tightening(mesh).tighten(taut, rounds);
+    expect_crossing_loop(mesh, taut);
+    EXPECT_LE(length(mesh, taut), (1. + 1e-12) * length(mesh, loop));
+    EXPECT_EQ(index.intersections(taut), index.intersections(loop));
+  }
+}
+
+void expect_tightened(const Flat_mesh& mesh, unsigned seed) {
+  Random random(seed);
+  const Crossing_index index(mesh, random_loops(mesh, random, 20));
+  for(const Crossing_loop& loop : random_loops(mesh, random, 30))
+    expect_tightened(mesh, loop, index);
+}
+
+TEST(Tightening, KeepsTheClassOnSmoothSurfaces) {
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 1)) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    expect_tightened(flat_mesh_of(recipe), 1);
+  }
+}
+
+TEST(Tightening, KeepsTheClassOnRandomSurfaces) {
+  Random random(2);
+  for(int i = 0; i < 100; ++i) {
+    const std::size_t genus = random.below(6);
+    const Recipe recipe = {
+        "random",
+        {20 + 12 * genus + random.below(300), genus, static_cast<unsigned>(random.next())}};
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    expect_tightened(flat_mesh_of(recipe), static_cast<unsigned>(i));
+  }
+}
+
+// Edges without length, triangles without area: nothing is gained, but it ends.
+TEST(Tightening, EndsWherePointsCoincide) {
+  for(const double cell : {0.1, 0.5, 1., 10.})
+    for(unsigned seed = 0; seed < 10; ++seed) {
+      Soup soup = soup_of({"random", {60, 4, seed}});
+      for(auto& point : soup.points)
+        for(double& x : point)
+          x = cell * std::floor(x / cell);
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", points of a grid of width " << cell);
+      expect_tightened(flat_mesh_of(soup), seed);
+    }
+}
+
+TEST(Tightening, FindsTheCircleAroundATube) {
+  const Flat_mesh torus = flat_mesh_of({"torus", {8000, 1, 0}});
+  for(const double swing : {0.1, 0.4, 0.8}) {
+    SCOPED_TRACE(testing::Message() << "swing " << swing);
+    Crossing_loop loop = loop_around_tube(torus, swing);
+    ASSERT_GT(length(torus, loop), 1.2 * 2. * pi * tube_radius);
+    Loop_tightening(torus).tighten(loop, 1000);
+    EXPECT_NEAR(length(torus, loop), 2. * pi * tube_radius, 0.01 * 2. * pi * tube_radius);
+  }
+}
+
+TEST(Tightening, FindsTheCircleAroundAHole) {
+  const Flat_mesh torus = flat_mesh_of({"torus", {8000, 1, 0}});
+  for(const double swing : {0.2, 0.5, 1.}) {
+    SCOPED_TRACE(testing::Message() << "swing " << swing);
+    Crossing_loop loop = loop_around_hole(torus, swing);
+    ASSERT_GT(length(torus, loop), 1.1 * 2. * pi * inner_radius);
+    Loop_tightening(torus).tighten(loop, 1000);
+    EXPECT_NEAR(length(torus, loop), 2. * pi * inner_radius, 0.01 * 2. * pi * inner_radius);
+  }
+}
+
+TEST(Tightening, GainsLittleTheSecondTime) {
+  const Flat_mesh torus = flat_mesh_of({"torus", {3000, 1, 0}});
+  Crossing_loop loop = loop_around_tube(torus, 0.5);
+  Loop_tightening tightening(torus);
+  tightening.tighten(loop, 1000);
+  const double once = length(torus, loop);
+  tightening.tighten(loop, 1000);
+  EXPECT_GT(length(torus, loop), 0.99 * once);
+}
+
+// The paths across the vertex are shorter than those around it, and there is nothing to hold the
+// loop.
+TEST(Tightening, EndsWithAContractibleLoop) {
+  for(const Recipe& recipe :
+      {Recipe{"sphere", {500, 0, 0}}, Recipe{"torus", {500, 1, 0}}, Recipe{"random", {200, 3, 1}}})
+  {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    Random random(3);
+    const Crossing_index index(mesh, random_loops(mesh, random, 10));
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+      const auto ring = mesh.ring(v);
+      const Vertex_walk around(ring.begin(), ring.end());
+      ASSERT_TRUE(index.intersections(around).empty());
+      expect_tightened(mesh, pushed_left(mesh, around), index);
+      expect_tightened(mesh, pushed_left(mesh, {around.rbegin(), around.rend()}), index);
+    }
+  }
+}
+
+TEST(Tightening, LeavesAnEmptyLoopAlone) {
+  const Flat_mesh mesh = flat_mesh_of({"torus", {100, 1, 0}});
+  Crossing_loop loop;
+  Loop_tightening(mesh).tighten(loop);
+  EXPECT_TRUE(loop.empty());
+}
+
+} // namespace
