@@ -40,7 +40,7 @@ public:
       : mesh_(mesh) {}
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side.
-  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 100) {
+  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 200) {
     remove_backtracks(loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
@@ -266,10 +266,8 @@ private:
     bool add(double cosine, double sine) {
       const double c = cosine_ * cosine - sine_ * sine, s = cosine_ * sine + sine_ * cosine;
       const double size = (std::max)(std::abs(c), std::abs(s));
-      if(!(size > 0.))
-        return false; // of coincident points: no angle at all
-      cosine_ = c / size;
-      sine_ = s / size;
+      cosine_ = size > 0. ? c / size : 1.;
+      sine_ = size > 0. ? s / size : 0.;
       constexpr double tolerance = 1e-7;
       return sine_ > tolerance || (sine_ >= 0. && cosine_ > 0.);
     }
