@@ -73,6 +73,13 @@ TEST(Loops_of_several_components, AreThoseOfAllOfThem) {
   }
 }
 
+std::vector<Mesh::Vertex_index> eight_vertices(const Mesh& mesh) {
+  std::vector<Mesh::Vertex_index> vertices;
+  for(Mesh::size_type i = 0; i < 8; ++i)
+    vertices.emplace_back(i * mesh.number_of_vertices() / 8);
+  return vertices;
+}
+
 // On a torus of revolution with radii 1 and 0.4 the shortest handle loop is a circle around the
 // tube, the shortest tunnel loop the inner equator.
 class Loops_of_torus : public testing::TestWithParam<bool>
@@ -83,17 +90,33 @@ TEST_P(Loops_of_torus, AreItsCircles) {
   if(GetParam())
     reverse_orientation(soup);
   const Mesh mesh = mesh_of(soup);
-  const Pairs pairs = find_loops(mesh);
-  expect_handle_tunnel_pairs(mesh, pairs, 1);
-  EXPECT_NEAR(pairs[0].handle().length(), 2. * pi * 0.4, 0.02 * 2. * pi * 0.4);
-  EXPECT_NEAR(pairs[0].tunnel().length(), 2. * pi * 0.6, 0.02 * 2. * pi * 0.6);
-  for(const auto& p : pairs[0].tunnel().points())
-    EXPECT_NEAR(std::hypot(p.x(), p.y()), 0.6, 0.03);
+  for(const Mesh::Vertex_index seed : eight_vertices(mesh)) {
+    SCOPED_TRACE(testing::Message() << "seed vertex " << seed);
+    const Pairs pairs = find_loops(mesh, CGAL::parameters::seed_vertex(seed));
+    expect_handle_tunnel_pairs(mesh, pairs, 1);
+    EXPECT_NEAR(pairs[0].handle().length(), 2. * pi * 0.4, 0.02 * 2. * pi * 0.4);
+    EXPECT_NEAR(pairs[0].tunnel().length(), 2. * pi * 0.6, 0.02 * 2. * pi * 0.6);
+    for(const auto& p : pairs[0].tunnel().points())
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), 0.6, 0.03);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Faces_look, Loops_of_torus, testing::Bool(), [](const auto& test) {
   return test.param ? "inwards" : "outwards";
 });
+
+// A tube much longer than it is thick: what goes around it is short, and bounds in the solid.
+TEST(Loops_of_knot, AreAroundTheTubeAndAlongIt) {
+  for(const std::size_t faces : {3000, 20000}) {
+    const Mesh mesh = mesh_of({"knot", {faces, 1, 0}});
+    for(const Mesh::Vertex_index seed : eight_vertices(mesh)) {
+      SCOPED_TRACE(testing::Message() << faces << " faces, seed vertex " << seed);
+      const Pairs pairs = find_loops(mesh, CGAL::parameters::seed_vertex(seed));
+      expect_handle_tunnel_pairs(mesh, pairs, 1);
+      EXPECT_LT(pairs[0].handle().length(), 0.2 * pairs[0].tunnel().length());
+    }
+  }
+}
 
 TEST(Loops_of_slab, GoAroundAndThroughItsHoles) {
   // Unit distances between holes of the same size: all handles are alike, and so are the tunnels.
