@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <vector>
 
@@ -127,6 +128,19 @@ struct Only_loop
 
   bool contains(Index loop) const { return loop == number; }
 };
+
+/// whether a curve with these intersection numbers crosses loop `number`, one of the `barred`
+/// loops, once, and no other of them.
+template <typename Loop_set>
+bool is_dual(const Sparse_numbers& numbers, Index number, const Loop_set& barred) {
+  bool is_crossed_once = false;
+  for(const auto& [loop, count] : numbers)
+    if(loop == number)
+      is_crossed_once = std::abs(count) == 1;
+    else if(barred.contains(loop))
+      return false;
+  return is_crossed_once;
+}
 
 /// Loops as walls of a field.
 template <typename Loop_set> class Loop_walls

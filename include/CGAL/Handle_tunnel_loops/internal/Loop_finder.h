@@ -18,11 +18,14 @@
 #include <CGAL/Handle_tunnel_loops/internal/Pair_reduction.h>
 #include <CGAL/Handle_tunnel_loops/internal/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/Refinement_choice.h>
+#include <CGAL/Handle_tunnel_loops/internal/Region_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/Worker_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/sweep_handles.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -88,19 +91,14 @@ public:
     for(std::size_t k = 0; k < contours.size(); ++k)
       contours[k] = std::move(sweep_handles_[k].loop);
     contour_index_ = std::make_unique<Crossing_index>(mesh_, contours);
-    const Crossing_index& index = *contour_index_;
-    std::vector<char> is_from_sweep(contours.size(), 0);
     tunnels_.resize(contours.size());
-    using Pass = Loop_pass<Loops_from>;
-    for_each_loop<Pass>(index, [&](Pass& pass, Index k) {
-      const auto walks = pass.dual_walks(contours[k], k, {k}, {});
-      is_from_sweep[k] = walks.empty();
-      tunnels_[k] = walks.empty() ? sweep_tunnel(mesh_, Arrival_order(time_), sweep_handles_[k])
-                                  : pushed_left(mesh_, walks.front());
-      tighten(tunnels_[k]);
-    });
-    statistics.kept_sweep_tunnels =
-        std::accumulate(is_from_sweep.begin(), is_from_sweep.end(), std::size_t(0));
+    find_distant_tunnels(contours, find_near_tunnels(contours));
+    for(Index k = 0; k < tunnels_.size(); ++k)
+      if(tunnels_[k].empty()) {
+        ++statistics.kept_sweep_tunnels;
+        tunnels_[k] = sweep_tunnel(mesh_, Arrival_order(time_), sweep_handles_[k]);
+        tighten(tunnels_[k]);
+      }
     progress_.end(Stage::TUNNEL);
   }
 
@@ -112,14 +110,14 @@ public:
     const Crossing_index index(mesh_, tunnels_);
     std::vector<std::vector<Crossing_loop>> candidates(tunnels_.size());
     using Pass = Loop_pass<Only_loop>;
-    for_each_loop<Pass>(index, [&](Pass& pass, Index k) {
+    for_each_loop<Pass>(all_loops(), index, [&](Pass& pass, Index k) {
       const typename Pass::Limits limits = {number_of_candidates, steps_along(handles_[k])};
       for(const auto& walk : pass.dual_walks(tunnels_[k], k, {k}, limits))
         candidates[k].push_back(pushed_left(mesh_, walk));
+      progress_.advance_one(tunnels_.size());
     });
     Refinement_choice choice(tunnels_, *contour_index_, index);
-    std::vector<Index> open(tunnels_.size());
-    std::iota(open.begin(), open.end(), Index(0));
+    std::vector<Index> open = all_loops();
     for(std::size_t i = 0; i < number_of_candidates && !open.empty(); ++i)
       open = replace_handles(open, i, candidates, choice);
     statistics.kept_sweep_handles = open.size();
@@ -172,6 +170,78 @@ private:
         progress_.advance(double(band.number_of_reached()) / double(n));
   }
 
+  std::vector<Index> all_loops() const {
+    std::vector<Index> numbers(sweep_handles_.size());
+    std::iota(numbers.begin(), numbers.end(), Index(0));
+    return numbers;
+  }
+
+  // Two fronts for each loop, round by round: in each round the loops for which they have not met
+  // share a number of updates, so that no round costs more than a few sweeps over the mesh. Returns
+  // the loops that are left when a round has been of no use to most.
+  std::vector<Index> find_near_tunnels(const std::vector<Crossing_loop>& contours) {
+    std::vector<Index> open = all_loops();
+    for(std::size_t before = 2 * open.size(); !open.empty() && 2 * open.size() <= before;) {
+      before = open.size();
+      const std::size_t share = updates_in_round * mesh_.number_of_vertices() / before;
+      open = search_tunnels(contours, open, share + 1);
+    }
+    return open;
+  }
+
+  // Looks for the tunnels of the given loops. Returns those that need more updates.
+  std::vector<Index> search_tunnels(const std::vector<Crossing_loop>& contours,
+                                    const std::vector<Index>& numbers,
+                                    std::size_t number_of_updates) {
+    using Pass = Loop_pass<Loops_from>;
+    typename Pass::Limits limits;
+    limits.number_of_updates = number_of_updates;
+    std::vector<char> is_open(contours.size(), 0);
+    for_each_loop<Pass>(numbers, *contour_index_, [&](Pass& pass, Index k) {
+      const auto walks = pass.dual_walks(contours[k], k, {k}, limits);
+      is_open[k] = walks.empty() && pass.has_given_up();
+      if(!walks.empty())
+        set_tunnel(k, walks.front());
+    });
+    std::vector<Index> open;
+    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(open),
+                 [&](Index k) { return is_open[k] != 0; });
+    return open;
+  }
+
+  // One field for all loops together, where fronts of their own would cover the mesh again and
+  // again.
+  void find_distant_tunnels(const std::vector<Crossing_loop>& contours,
+                            const std::vector<Index>& numbers) {
+    if(numbers.empty())
+      return;
+    const Loop_regions regions(execution_, mesh_, stencils_, coefficients_, contours,
+                               *contour_index_);
+    Worker_pool<Region_search> searches(
+        [&] { return std::make_unique<Region_search>(mesh_, contours, *contour_index_, regions); });
+    std::vector<char> is_open(contours.size(), 0);
+    for_each_borrowed(searches, numbers, [&](Region_search& search, Index k) {
+      const std::vector<Index> walk = search.dual_walk(k);
+      is_open[k] = walk.empty();
+      if(!walk.empty())
+        set_tunnel(k, walk);
+    });
+    std::vector<Index> open;
+    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(open),
+                 [&](Index k) { return is_open[k] != 0; });
+    search_tunnels(contours, open, (std::numeric_limits<std::size_t>::max)());
+  }
+
+  void set_tunnel(Index k, const std::vector<Index>& walk) {
+    tunnels_[k] = pushed_left(mesh_, walk);
+    tighten(tunnels_[k]);
+    progress_.advance_one(tunnels_.size());
+  }
+
+  // Updates per vertex in a round of the tunnel pass. A field that covers the mesh once takes
+  // about 23.
+  static constexpr std::size_t updates_in_round = 8 * 23;
+
   // How many refinements of a handle are tried.
   static constexpr std::size_t number_of_candidates = 6;
 
@@ -184,20 +254,27 @@ private:
       Loop_tightening(mesh_).tighten(loop, maximum_number_of_rounds);
   }
 
-  /// calls `f(pass, k)` for the loops k in the index, with a workspace that no other call has.
+  /// calls `f(pass, k)` for the loops with the given numbers in the index, with a workspace that no
+  /// other call has.
   template <typename Pass, typename Function>
-  void for_each_loop(const Crossing_index& index, const Function& f) {
-    const std::size_t g = sweep_handles_.size();
+  void
+  for_each_loop(const std::vector<Index>& numbers, const Crossing_index& index, const Function& f) {
     Worker_pool<Pass> passes(
         [&] { return std::make_unique<Pass>(mesh_, stencils_, coefficients_, index); });
+    for_each_borrowed(passes, numbers, f);
+  }
+
+  template <typename Workspace, typename Function>
+  void for_each_borrowed(Worker_pool<Workspace>& pool,
+                         const std::vector<Index>& numbers,
+                         const Function& f) {
     for_each_index(
-        execution_, g,
-        [&](std::size_t k) {
+        execution_, numbers.size(),
+        [&](std::size_t i) {
           if(progress_.is_interrupted())
             return;
-          auto pass = passes.borrow();
-          f(*pass, static_cast<Index>(k));
-          progress_.advance_one(g);
+          auto workspace = pool.borrow();
+          f(*workspace, numbers[i]);
         },
         1);
     progress_.throw_if_interrupted();

@@ -13,10 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/Loop_rail.h>
 #include <CGAL/Handle_tunnel_loops/internal/Narrow_band.h>
+#include <CGAL/Handle_tunnel_loops/internal/steepest_descent.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -59,8 +60,9 @@ public:
   /// How long to search.
   struct Limits
   {
-    std::size_t number_of_walks = 1; ///< stop when so many are found
-    Time number_of_steps = never;    ///< stop after so many steps
+    std::size_t number_of_walks = 1;                                           ///< to find
+    Time number_of_steps = never;                                              ///< of the field
+    std::size_t number_of_updates = (std::numeric_limits<std::size_t>::max)(); ///< of the field
   };
 
   /// returns closed walks on the edges, the shortest first as far as the fronts can tell; `number`
@@ -72,16 +74,21 @@ public:
                                              const Loop_set& barred,
                                              const Limits& limits) {
     const Walls walls(index_, barred);
-    measure(loop);
+    rail_.measure(mesh_, loop);
     start(loop, walls);
     std::vector<std::vector<Index>> walks;
     Time last_step = limits.number_of_steps;
+    const std::size_t updates_before = band_.number_of_updates();
+    const auto may_go_on = [&] {
+      return walks.size() < limits.number_of_walks && band_.number_of_steps() < last_step &&
+             band_.number_of_updates() - updates_before < limits.number_of_updates;
+    };
     do {
       std::sort(meetings_.begin(), meetings_.end());
       for(const Meeting& meeting : meetings_) {
         if(walks.size() == limits.number_of_walks || continues_a_meeting(meeting))
           continue;
-        std::vector<Index> walk = close(loop, meeting, walls);
+        std::vector<Index> walk = close(meeting, walls);
         if(!is_dual(index_.intersections(walk), number, barred))
           continue;
         mark(meeting);
@@ -90,11 +97,14 @@ public:
         walks.push_back(std::move(walk));
       }
       meetings_.clear();
-    } while(walks.size() < limits.number_of_walks && band_.number_of_steps() < last_step &&
-            band_.step(walls, [&](Index v) { note_meetings(v, walls); }));
+    } while(may_go_on() && band_.step(walls, [&](Index v) { note_meetings(v, walls); }));
+    has_given_up_ = band_.number_of_updates() - updates_before >= limits.number_of_updates;
     band_.reset();
     return walks;
   }
+
+  /// whether the last search ended because it needed more updates than it was given.
+  bool has_given_up() const { return has_given_up_; }
 
   std::size_t number_of_updates() const { return band_.number_of_updates(); }
 
@@ -112,15 +122,6 @@ private:
       return std::tie(time, left, right) < std::tie(other.time, other.left, other.right);
     }
   };
-
-  void measure(const Crossing_loop& loop) {
-    along_.resize(loop.size() + 1);
-    along_[0] = 0.;
-    for(std::size_t i = 0; i < loop.size(); ++i) {
-      const Index u = loop[i].left, v = loop[i + 1 == loop.size() ? 0 : i + 1].left;
-      along_[i + 1] = along_[i] + mesh_.edge_length(u, v);
-    }
-  }
 
   void start(const Crossing_loop& loop, const Walls& walls) {
     meetings_.clear();
@@ -170,95 +171,35 @@ private:
     band_.mark(meeting.right);
   }
 
-  std::vector<Index>
-  close(const Crossing_loop& loop, const Meeting& meeting, const Walls& walls) const {
+  std::vector<Index> close(const Meeting& meeting, const Walls& walls) {
     std::vector<Index> walk = way_back(meeting.right, walls);
     std::reverse(walk.begin(), walk.end());
     const std::vector<Index> to_left = way_back(meeting.left, walls);
     walk.insert(walk.end(), to_left.begin(), to_left.end());
-    append_along(loop, walk.back(), walk.front(), walk);
+    rail_.append(Loop_rail::left, Loop_rail::left, walk.back(), Loop_rail::right, walk.front(),
+                 walk);
     remove_spurs(walk);
     return walk;
   }
 
-  // Whether loop `number` is crossed once, and no other wall.
-  static bool is_dual(const Sparse_numbers& numbers, Index number, const Loop_set& barred) {
-    bool is_crossed_once = false;
-    for(const auto& [loop, count] : numbers)
-      if(loop == number)
-        is_crossed_once = std::abs(count) == 1;
-      else if(barred.contains(loop))
-        return false;
-    return is_crossed_once;
-  }
-
-  // From `v` to a source, down the steepest edges. To follow the earliest neighbour instead would
-  // drift along the longer edges, and wind around the loop.
+  // From `v` to a source.
   std::vector<Index> way_back(Index v, const Walls& walls) const {
     std::vector<Index> walk(1, v);
     while(band_.time(v) != 0) {
-      Index next = v;
-      double steepest = 0.;
-      for(Index u : mesh_.ring(v)) {
-        if(band_.time(u) >= band_.time(v) || band_.side(u) != band_.side(v) ||
-           band_.is_wall(v, u, walls))
-          continue;
-        const double drop = band_.time(v) - band_.time(u), distance = mesh_.edge_length(u, v);
-        const double slope = distance > 0. ? drop / distance : (std::numeric_limits<double>::max)();
-        if(slope > steepest) {
-          steepest = slope;
-          next = u;
-        }
-      }
-      v = next;
+      v = steepest_descent(
+          mesh_, v, [&](Index u) { return band_.time(u); },
+          [&](Index u) { return band_.side(u) == band_.side(v) && !band_.is_wall(v, u, walls); });
       walk.push_back(v);
     }
     return walk;
-  }
-
-  // Goes on from `left`, a vertex on the left side, along that side to beside `right`.
-  void
-  append_along(const Crossing_loop& loop, Index left, Index right, std::vector<Index>& walk) const {
-    std::vector<std::size_t> starts, ends;
-    for(std::size_t i = 0; i < loop.size(); ++i) {
-      if(loop[i].left == left)
-        starts.push_back(i);
-      if(loop[i].right == right)
-        ends.push_back(i);
-    }
-    std::size_t from = starts.front(), to = ends.front();
-    for(std::size_t i : starts)
-      for(std::size_t j : ends)
-        if(distance_along(i, j) < distance_along(from, to)) {
-          from = i;
-          to = j;
-        }
-    append_the_short_way(loop, from, to, walk);
-  }
-
-  double distance_along(std::size_t i, std::size_t j) const {
-    const double d = std::abs(along_[i] - along_[j]);
-    return (std::min)(d, along_.back() - d);
-  }
-
-  void append_the_short_way(const Crossing_loop& loop,
-                            std::size_t from,
-                            std::size_t to,
-                            std::vector<Index>& walk) const {
-    const std::size_t n = loop.size();
-    const double forward = along_[to] - along_[from] + (to < from ? along_.back() : 0.);
-    const bool go_forward = forward <= along_.back() - forward;
-    for(std::size_t i = from; i != to;) {
-      i = go_forward ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n - 1 : i - 1);
-      walk.push_back(loop[i].left);
-    }
   }
 
   const Flat_mesh& mesh_;
   const Crossing_index& index_;
   Narrow_band band_;
   std::vector<Meeting> meetings_;
-  std::vector<double> along_; // length of the left side up to each crossing
+  Loop_rail rail_;
+  bool has_given_up_ = false;
 };
 
 } // namespace internal

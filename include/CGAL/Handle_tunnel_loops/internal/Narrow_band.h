@@ -88,7 +88,7 @@ public:
   /// to be called after the last source was added.
   template <typename Walls> void start(const Walls& walls) {
     for(Index v : sources_)
-      activate_neighbors(v, walls);
+      activate_neighbors(row_beside_walls(v, walls), walls);
     sources_.clear();
   }
 
@@ -158,12 +158,29 @@ private:
 
   bool is_special(Index v) const { return (state_[v] & (special | special_now)) != 0; }
 
-  // A special vertex of the band, and its neighbours, in `special_rows_`.
-  struct Special
+  // The neighbours of a vertex that is not special.
+  struct Ring_row
   {
     Index vertex;
-    std::size_t begin, end;
+    Ring ring;
+
+    Index size() const { return ring.size(); }
+    Index operator[](Index i) const { return ring[i]; }
   };
+
+  // Those neighbours of a special vertex from which no wall parts it, in `special_rows_`, which
+  // grows while rows of it are in use.
+  struct Special_row
+  {
+    Index vertex, length;
+    std::size_t begin;
+    const std::vector<Index>* rows;
+
+    Index size() const { return length; }
+    Index operator[](Index i) const { return (*rows)[begin + i]; }
+  };
+
+  Ring_row row(Index v) const { return {v, mesh_.ring(v)}; }
 
   void arrive(Index v, Time time, Side side) {
     time_[v] = time;
@@ -172,15 +189,23 @@ private:
     ++number_of_reached_;
   }
 
-  template <typename Walls> void activate_neighbors(Index v, const Walls& walls) {
-    for(Index u : mesh_.ring(v)) {
-      if(is_wall(v, u, walls))
-        continue;
+  template <typename Walls> Special_row row_beside_walls(Index v, const Walls& walls) {
+    const std::size_t begin = special_rows_.size();
+    for(Index u : mesh_.ring(v))
+      if(!is_wall(v, u, walls))
+        special_rows_.push_back(u);
+    return {v, static_cast<Index>(special_rows_.size() - begin), begin, &special_rows_};
+  }
+
+  template <typename Row, typename Walls>
+  void activate_neighbors(const Row& row, const Walls& walls) {
+    for(Index i = 0; i < row.size(); ++i) {
+      const Index u = row[i];
       const bool has_stencil = !is_special(u);
       const bool is_new = (state_[u] & active) == 0;
       state_[u] |= active;
       if(is_new && !has_stencil)
-        append_special(u, walls);
+        special_band_.push_back(row_beside_walls(u, walls));
       // What is written behind the end does not count; this way there is no branch to mispredict.
       touched_[number_of_touched_] = u;
       band_[band_size_] = u;
@@ -189,19 +214,11 @@ private:
     }
   }
 
-  template <typename Walls> void append_special(Index v, const Walls& walls) {
-    const std::size_t begin = special_rows_.size();
-    for(Index u : mesh_.ring(v))
-      if(!walls.is_wall(v, u))
-        special_rows_.push_back(u);
-    special_band_.push_back({v, begin, special_rows_.size()});
-  }
-
-  float mean(const Special& entry) const {
+  float mean(const Special_row& row) const {
     float sum = 0.f;
-    for(std::size_t i = entry.begin; i < entry.end; ++i)
-      sum += value_[special_rows_[i]];
-    return sum / static_cast<float>(entry.end - entry.begin);
+    for(Index i = 0; i < row.size(); ++i)
+      sum += value_[row[i]];
+    return sum / static_cast<float>(row.size());
   }
 
   void compute() {
@@ -211,8 +228,8 @@ private:
       next_[i] = stepped_value(value_[v], stencils_.mean(v, value_.data()), coefficients_);
     }
     next_special_.clear();
-    for(const Special& entry : special_band_)
-      next_special_.push_back(stepped_value(value_[entry.vertex], mean(entry), coefficients_));
+    for(const Special_row& row : special_band_)
+      next_special_.push_back(stepped_value(value_[row.vertex], mean(row), coefficients_));
   }
 
   template <typename Walls, typename Reached>
@@ -223,27 +240,28 @@ private:
     for(std::size_t i = 0; i < size; ++i) {
       const Index v = band_[i];
       band_[kept] = v;
-      kept += settle(v, next_[i], walls, reached);
+      kept += settle(row(v), next_[i], walls, reached);
     }
     band_size_ =
         std::copy(band_.get() + size, band_.get() + band_size_, band_.get() + kept) - band_.get();
 
     kept = 0;
     for(std::size_t i = 0; i < special_size; ++i) {
-      const Special entry = special_band_[i];
-      special_band_[kept] = entry;
-      kept += settle(entry.vertex, next_special_[i], walls, reached);
+      const Special_row row = special_band_[i];
+      special_band_[kept] = row;
+      kept += settle(row, next_special_[i], walls, reached);
     }
     special_band_.erase(special_band_.begin() + kept, special_band_.begin() + special_size);
   }
 
   /// gives a vertex its new value, and says whether it may still change. No vertex passes the
   /// threshold before a neighbour has.
-  template <typename Walls, typename Reached>
-  bool settle(Index v, float after, const Walls& walls, const Reached& reached) {
+  template <typename Row, typename Walls, typename Reached>
+  bool settle(const Row& row, float after, const Walls& walls, const Reached& reached) {
+    const Index v = row.vertex;
     const float before = value_[v];
     if(before < front_threshold && after >= front_threshold) {
-      const Index earlier = earliest_neighbor(v, walls);
+      const Index earlier = earliest_neighbor(row);
       if(earlier == v)
         after = just_below_threshold;
       else {
@@ -253,18 +271,17 @@ private:
     }
     value_[v] = after;
     if(before <= spark_ && after > spark_)
-      activate_neighbors(v, walls);
+      activate_neighbors(row, walls);
     return after < 1.f;
   }
 
-  // Among the neighbours reached in earlier steps; `v` itself if there is none.
-  template <typename Walls> Index earliest_neighbor(Index v, const Walls& walls) const {
+  // Among the neighbours reached in earlier steps; the vertex itself if there is none.
+  template <typename Row> Index earliest_neighbor(const Row& row) const {
     std::uint64_t earliest = std::uint64_t(step_ - 1) * ticks_per_step << 32 | no_index;
-    for(Index u : mesh_.ring(v))
-      if(!is_wall(v, u, walls))
-        earliest = (std::min)(earliest, std::uint64_t(time_[u]) << 32 | u);
+    for(Index i = 0; i < row.size(); ++i)
+      earliest = (std::min)(earliest, std::uint64_t(time_[row[i]]) << 32 | row[i]);
     const Index u = static_cast<Index>(earliest);
-    return u == no_index ? v : u;
+    return u == no_index ? row.vertex : u;
   }
 
   // On a mesh that is coarser than the front is wide, the front can come to rest: a vertex of high
@@ -273,19 +290,12 @@ private:
   void push_on(const Walls& walls, const Reached& reached) {
     last_progress_ = ++step_;
     const std::size_t reached_before = number_of_reached_;
-    std::vector<Index> band(band_.get(), band_.get() + band_size_);
-    for(const Special& entry : special_band_)
-      band.push_back(entry.vertex);
-    for(Index v : band) {
-      const Index earlier = is_reached(v) ? v : earliest_neighbor(v, walls);
-      if(earlier == v)
-        continue;
-      arrive(v, step_ * ticks_per_step, side(earlier));
-      if(value_[v] <= spark_)
-        activate_neighbors(v, walls);
-      value_[v] = 1.f;
-      reached(v);
-    }
+    const std::vector<Index> band(band_.get(), band_.get() + band_size_);
+    const std::vector<Special_row> special_band = special_band_;
+    for(Index v : band)
+      push_on_to(row(v), walls, reached);
+    for(const Special_row& row : special_band)
+      push_on_to(row, walls, reached);
     if(number_of_reached_ == reached_before) {
       band_size_ = 0; // all is reached, and the values have come to rest somewhere below 1
       special_band_.clear();
@@ -293,12 +303,25 @@ private:
     leave_band();
   }
 
+  template <typename Row, typename Walls, typename Reached>
+  void push_on_to(const Row& row, const Walls& walls, const Reached& reached) {
+    const Index v = row.vertex;
+    const Index earlier = is_reached(v) ? v : earliest_neighbor(row);
+    if(earlier == v)
+      return;
+    arrive(v, step_ * ticks_per_step, side(earlier));
+    if(value_[v] <= spark_)
+      activate_neighbors(row, walls);
+    value_[v] = 1.f;
+    reached(v);
+  }
+
   // What has come to 1 is updated no more.
   void leave_band() {
     const auto is_full = [&](Index v) { return value_[v] == 1.f; };
     band_size_ = std::remove_if(band_.get(), band_.get() + band_size_, is_full) - band_.get();
     special_band_.erase(std::remove_if(special_band_.begin(), special_band_.end(),
-                                       [&](const Special& entry) { return is_full(entry.vertex); }),
+                                       [&](const Special_row& row) { return is_full(row.vertex); }),
                         special_band_.end());
   }
 
@@ -314,7 +337,7 @@ private:
   std::unique_ptr<float[]> next_;
   std::size_t band_size_ = 0;
   std::size_t number_of_touched_ = 0;
-  std::vector<Special> special_band_;
+  std::vector<Special_row> special_band_;
   std::vector<Index> special_rows_;
   std::vector<Index> special_now_;
   std::vector<float> next_special_;

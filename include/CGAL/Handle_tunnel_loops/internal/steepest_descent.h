@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_STEEPEST_DESCENT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_STEEPEST_DESCENT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// the earlier neighbour of `v` down the steepest edge, among those that are allowed; `v` itself if
+/// there is none. To follow the earliest neighbour instead would drift along the longer edges, and
+/// wind around the loop from which the field came.
+template <typename Time_of, typename Is_allowed>
+Index steepest_descent(const Flat_mesh& mesh,
+                       Index v,
+                       const Time_of& time,
+                       const Is_allowed& is_allowed) {
+  Index next = v;
+  double steepest = 0.;
+  for(Index u : mesh.ring(v)) {
+    if(time(u) >= time(v) || !is_allowed(u))
+      continue;
+    const double drop = time(v) - time(u), distance = mesh.edge_length(u, v);
+    const double slope = distance > 0. ? drop / distance : (std::numeric_limits<double>::max)();
+    if(slope > steepest) {
+      steepest = slope;
+      next = u;
+    }
+  }
+  return next;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_STEEPEST_DESCENT_H
