@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -82,12 +83,13 @@ std::vector<Mesh::Vertex_index> eight_vertices(const Mesh& mesh) {
 
 // On a torus of revolution with radii 1 and 0.4 the shortest handle loop is a circle around the
 // tube, the shortest tunnel loop the inner equator.
-class Loops_of_torus : public testing::TestWithParam<bool>
+class Loops_of_torus : public testing::TestWithParam<std::tuple<bool, std::size_t>>
 {};
 
 TEST_P(Loops_of_torus, AreItsCircles) {
-  Soup soup = soup_of({"torus", {4000, 1, 0}});
-  if(GetParam())
+  const auto [looks_inwards, faces] = GetParam();
+  Soup soup = soup_of({"torus", {faces, 1, 0}});
+  if(looks_inwards)
     reverse_orientation(soup);
   const Mesh mesh = mesh_of(soup);
   for(const Mesh::Vertex_index seed : eight_vertices(mesh)) {
@@ -101,9 +103,13 @@ TEST_P(Loops_of_torus, AreItsCircles) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Faces_look, Loops_of_torus, testing::Bool(), [](const auto& test) {
-  return test.param ? "inwards" : "outwards";
-});
+INSTANTIATE_TEST_SUITE_P(Of_all_sizes,
+                         Loops_of_torus,
+                         testing::Combine(testing::Bool(), testing::Values(4000, 200000)),
+                         [](const auto& test) {
+                           return std::to_string(std::get<1>(test.param)) +
+                                  (std::get<0>(test.param) ? "_inwards" : "_outwards");
+                         });
 
 // A tube much longer than it is thick: what goes around it is short, and bounds in the solid.
 TEST(Loops_of_knot, AreAroundTheTubeAndAlongIt) {

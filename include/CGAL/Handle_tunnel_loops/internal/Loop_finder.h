@@ -247,11 +247,12 @@ private:
 
   // Most contours are replaced in the refinement pass; until then it is enough to know about how
   // long they will be.
-  static constexpr int few_rounds = 3;
+  static constexpr std::size_t few_rounds = 3;
 
-  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 200) const {
+  // With the number of rounds, if there is one.
+  template <typename... Rounds> void tighten(Crossing_loop& loop, Rounds... rounds) const {
     if(options_.do_tighten)
-      Loop_tightening(mesh_).tighten(loop, maximum_number_of_rounds);
+      Loop_tightening(mesh_).tighten(loop, rounds...);
   }
 
   /// calls `f(pass, k)` for the loops with the given numbers in the index, with a workspace that no

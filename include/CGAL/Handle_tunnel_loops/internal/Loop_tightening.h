@@ -39,15 +39,20 @@ public:
   explicit Loop_tightening(const Flat_mesh& mesh)
       : mesh_(mesh) {}
 
-  /// Stops when a round gains less than a thousandth part of the length and changes no side.
-  void tighten(Crossing_loop& loop, int maximum_number_of_rounds = 200) {
+  /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
+  /// as long as the loop, however fine the mesh is.
+  void tighten(Crossing_loop& loop) { tighten(loop, (std::max)(std::size_t(200), loop.size())); }
+
+  /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
+  /// latest after the given number of rounds.
+  void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     remove_backtracks(loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
     int idle_rounds = 0;
     // Where many points coincide, going around them may seem to gain without end.
     const std::size_t largest_size = 8 * loop.size() + 64;
-    for(int round = 0;
+    for(std::size_t round = 0;
         round < maximum_number_of_rounds && loop.size() >= 3 && loop.size() <= largest_size;
         ++round)
     {

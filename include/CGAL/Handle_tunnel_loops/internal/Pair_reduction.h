@@ -62,12 +62,13 @@ private:
     return false;
   }
 
-  // Tightens a few rounds at a time, as long as the threshold is in sight.
+  // Tightens some rounds at a time, as long as the threshold is in sight. The finer the mesh, the
+  // less a round moves the loop.
   bool becomes_shorter(Crossing_loop& loop, double threshold) {
     double previous = 2. * length(mesh_, loop);
     double current = 0.5 * previous;
     while(current >= threshold && current < 0.97 * previous) {
-      tightening_.tighten(loop, 8);
+      tightening_.tighten(loop, (std::max)(std::size_t(8), loop.size() / 16));
       previous = current;
       current = length(mesh_, loop);
     }
