@@ -13,29 +13,36 @@
 
 namespace counting_allocation {
 
-inline std::atomic<std::size_t> in_use{0}, peak{0};
+inline std::atomic<bool> is_counting{false};
+inline std::atomic<std::ptrdiff_t> in_use{0}, peak{0};
 
 inline void* allocate(std::size_t size) {
   void* p = std::malloc(size);
   if(p == nullptr)
     throw std::bad_alloc();
-  const std::size_t now = in_use += malloc_usable_size(p);
-  std::size_t seen = peak.load();
-  while(now > seen && !peak.compare_exchange_weak(seen, now))
-    ;
+  if(is_counting.load(std::memory_order_relaxed)) {
+    const std::ptrdiff_t now = in_use += static_cast<std::ptrdiff_t>(malloc_usable_size(p));
+    std::ptrdiff_t seen = peak.load();
+    while(now > seen && !peak.compare_exchange_weak(seen, now))
+      ;
+  }
   return p;
 }
 
 inline void release(void* p) noexcept {
-  if(p != nullptr)
-    in_use -= malloc_usable_size(p);
+  if(p != nullptr && is_counting.load(std::memory_order_relaxed))
+    in_use -= static_cast<std::ptrdiff_t>(malloc_usable_size(p));
   std::free(p);
 }
 
-/// forgets the peak; returns the bytes in use.
-inline std::size_t restart() {
-  peak = in_use.load();
-  return in_use;
+/// the largest number of bytes that are allocated at one time while `f()` runs, beyond those
+/// before.
+template <typename Function> std::size_t peak_bytes(const Function& f) {
+  in_use = peak = 0;
+  is_counting = true;
+  f();
+  is_counting = false;
+  return static_cast<std::size_t>(peak);
 }
 
 } // namespace counting_allocation

@@ -61,7 +61,8 @@ public:
 
   /// whether the edge u - v is crossed by one of the given loops.
   template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const {
-    for(auto it = begin(u); it != end(u); ++it)
+    // The entries are sorted by loop, so the loops of a set are found from the end.
+    for(auto it = end(u); it != begin(u) && (--it)->loop >= loops.first();)
       if(it->other == v && loops.contains(it->loop))
         return true;
     return false;
@@ -111,13 +112,14 @@ private:
   std::vector<Entry> entries_;
 };
 
-/// The loops with numbers from `first` on.
+/// The loops with numbers from `number` on.
 struct Loops_from
 {
   static constexpr bool is_one = false;
-  Index first;
+  Index number;
 
-  bool contains(Index loop) const { return loop >= first; }
+  Index first() const { return number; }
+  bool contains(Index loop) const { return loop >= number; }
 };
 
 /// One loop.
@@ -126,6 +128,7 @@ struct Only_loop
   static constexpr bool is_one = true;
   Index number;
 
+  Index first() const { return number; }
   bool contains(Index loop) const { return loop == number; }
 };
 

@@ -176,17 +176,29 @@ private:
     return numbers;
   }
 
-  // Two fronts for each loop, round by round: in each round the loops for which they have not met
-  // share a number of updates, so that no round costs more than a few sweeps over the mesh. Returns
-  // the loops that are left when a round has been of no use to most.
+  // Two fronts for each loop. The loops share a number of updates, so that all of them together
+  // cost no more than some sweeps over the mesh; those for which that is not enough share it once
+  // more. Returns the loops that are left when most would need more than their share, as a sample
+  // tells before much is spent.
   std::vector<Index> find_near_tunnels(const std::vector<Crossing_loop>& contours) {
-    std::vector<Index> open = all_loops();
-    for(std::size_t before = 2 * open.size(); !open.empty() && 2 * open.size() <= before;) {
-      before = open.size();
-      const std::size_t share = updates_in_round * mesh_.number_of_vertices() / before;
-      open = search_tunnels(contours, open, share + 1);
+    std::vector<Index> sample, others;
+    for(Index k : all_loops())
+      (k % 16 == 0 ? sample : others).push_back(k);
+    std::size_t sharing = contours.size();
+    std::vector<Index> open = search_tunnels(contours, sample, share_of_updates(sharing));
+    if(2 * open.size() <= sample.size())
+      others = search_tunnels(contours, others, share_of_updates(sharing));
+    open.insert(open.end(), others.begin(), others.end());
+    for(; !open.empty() && 2 * open.size() <= sharing;) {
+      sharing = open.size();
+      open = search_tunnels(contours, open, share_of_updates(sharing));
     }
     return open;
+  }
+
+  // A field that covers the mesh once takes about 23 updates per vertex.
+  std::size_t share_of_updates(std::size_t number_of_loops) const {
+    return 16 * 23 * mesh_.number_of_vertices() / (std::max)(number_of_loops, std::size_t(1)) + 1;
   }
 
   // Looks for the tunnels of the given loops. Returns those that need more updates.
@@ -237,10 +249,6 @@ private:
     tighten(tunnels_[k]);
     progress_.advance_one(tunnels_.size());
   }
-
-  // Updates per vertex in a round of the tunnel pass. A field that covers the mesh once takes
-  // about 23.
-  static constexpr std::size_t updates_in_round = 8 * 23;
 
   // How many refinements of a handle are tried.
   static constexpr std::size_t number_of_candidates = 6;
