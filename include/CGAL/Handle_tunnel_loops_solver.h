@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
+#include <CGAL/Handle_tunnel_loops/internal/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -120,6 +121,9 @@ public:
   /// what the last computation did.
   const Handle_tunnel_loops::Statistics& statistics() const { return statistics_; }
 
+  /// what has been proved of the result of the last computation.
+  const Handle_tunnel_loops::Certificate& certificate() const { return certificate_; }
+
   /*!
   computes the loops.
 
@@ -146,7 +150,6 @@ public:
         [&](Stage stage) { unwrapped(visitor).end_stage(stage); }, statistics_);
 
     const std::vector<Pair> pairs = compute<ConcurrencyTag>(np, progress);
-    certify(pairs, np, progress);
     return std::copy(pairs.begin(), pairs.end(), out);
   }
 
@@ -157,6 +160,7 @@ private:
     statistics_.seconds.fill(0.);
     statistics_.seconds[static_cast<std::size_t>(Stage::ADAPTOR)] = seconds_of_adaptor;
     statistics_.kept_sweep_tunnels = statistics_.kept_sweep_handles = 0;
+    certificate_ = Certificate();
   }
 
   template <typename T> static T& unwrapped(T& t) { return t; }
@@ -180,14 +184,16 @@ private:
     const auto start = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
     if(mesh_.genus == 0)
-      return {};
+      return classified_and_certified<ConcurrencyTag>([] { return std::vector<Pair>(); }, np,
+                                                      progress);
 
     Finder finder(mesh_, start, options, progress);
     finder.initial_pass();
     finder.tunnel_pass(statistics_);
     if(options.do_refine_handles)
       finder.refinement_pass(statistics_);
-    return converted(finder.classified_pairs());
+    return classified_and_certified<ConcurrencyTag>(
+        [&] { return converted(finder.finished_pairs()); }, np, progress);
   }
 
   // The seed takes the place of its component's own one.
@@ -228,19 +234,60 @@ private:
     return pairs;
   }
 
-  template <typename NamedParameters>
-  void certify(const std::vector<Pair>& pairs,
-               const NamedParameters& np,
-               Handle_tunnel_loops::internal::Progress& progress) const {
+  // The last two stages, on what `find_pairs()` returns. The linking numbers that tell handles from
+  // tunnels are part of the certificate.
+  template <typename ConcurrencyTag, typename Find_pairs, typename NamedParameters>
+  std::vector<Pair> classified_and_certified(const Find_pairs& find_pairs,
+                                             const NamedParameters& np,
+                                             Handle_tunnel_loops::internal::Progress& progress) {
     using namespace Handle_tunnel_loops;
-    progress.start(Stage::CERTIFICATE);
-    if(mesh_.genus != 0 || !pairs.empty()) {
-      const Certificate certificate = CGAL::certify_handle_tunnel_loops(tm_, pairs, np);
-      if(!certificate)
-        throw Uncertified_loops_exception("the loops found fail their certificate: " +
-                                          certificate.failure);
+    namespace impl = Handle_tunnel_loops::internal;
+    progress.start(Stage::CLASSIFY);
+    std::vector<Pair> pairs = find_pairs();
+    auto certification =
+        impl::certification<Pair>(tm_, point_, CGAL::get_initialized_vertex_index_map(tm_, np),
+                                  CGAL::get_initialized_face_index_map(tm_, np));
+    if(certification.are_closed(pairs)) {
+      const auto execution = impl::execution<ConcurrencyTag>();
+      certification.prepare();
+      if(parameters::choose_parameter(
+             parameters::get_parameter(np, internal_np::do_compute_linking), true))
+        certification.link(execution);
+      else
+        certification.intersect();
+      classify(execution, certification, pairs);
     }
+    progress.end(Stage::CLASSIFY);
+    progress.start(Stage::CERTIFICATE);
+    certificate_ = certification.finish();
+    if(!certificate_)
+      throw Uncertified_loops_exception("the loops found fail their certificate: " +
+                                        certificate_.failure);
     progress.end(Stage::CERTIFICATE);
+    return pairs;
+  }
+
+  // Handles and tunnels by their linking numbers, or by their growth along the normals where these
+  // do not tell (paper, 4.5).
+  template <typename Execution, typename Certification>
+  void classify(Execution execution, Certification& certification, std::vector<Pair>& pairs) const {
+    namespace impl = Handle_tunnel_loops::internal;
+    const impl::Offset_classifier<TriangleMesh, Vertex_point_map> classifier(tm_, point_);
+    std::vector<char> is_exchanged(pairs.size(), 0);
+    impl::for_each_index(
+        execution, pairs.size(),
+        [&](std::size_t k) {
+          int handle = certification.handle_of_pair(k);
+          if(handle == 0)
+            handle = certification.outward_of_pair(k) *
+                     classifier.compare_growth(pairs[k].handle(), pairs[k].tunnel());
+          is_exchanged[k] = handle < 0;
+        },
+        1);
+    certification.exchange(is_exchanged);
+    for(std::size_t k = 0; k < pairs.size(); ++k)
+      if(is_exchanged[k])
+        pairs[k] = pairs[k].exchanged();
   }
 
   const TriangleMesh& tm_;
@@ -249,6 +296,7 @@ private:
   Handle_tunnel_loops::internal::Flat_mesh mesh_;
   std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
   Handle_tunnel_loops::Statistics statistics_;
+  Handle_tunnel_loops::Certificate certificate_;
 };
 
 } // namespace CGAL

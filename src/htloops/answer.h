@@ -12,10 +12,9 @@
 
 #include "mesh_types.h"
 
+#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
-#include <cstddef>
-#include <optional>
 #include <string>
 
 namespace htloops {
@@ -28,10 +27,7 @@ struct Answer
   std::string backend;
   int number_of_threads = 1;
   double total_seconds = 0.; ///< without reading and writing
-
-  /// How many handles bound inside and how many tunnels bound outside the surface. Linking numbers
-  /// decide that; empty as long as they were not computed.
-  std::optional<std::size_t> handles_bound_inside, tunnels_bound_outside;
+  CGAL::Handle_tunnel_loops::Certificate certificate;
 };
 
 } // namespace htloops

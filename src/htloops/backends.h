@@ -25,6 +25,7 @@ struct Solve_options
   std::optional<Mesh::Vertex_index> seed;
   bool do_refine_handles = true;
   bool do_tighten = true;
+  bool do_compute_linking = true;
   int number_of_threads = 0; ///< 0: as many as the machine has
 };
 

@@ -13,11 +13,13 @@
 #include "loops_binding.h"
 #include "loops_json_reader.h"
 #include "mesh_reader.h"
+#include "words.h"
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace htloops {
 namespace {
@@ -29,41 +31,97 @@ struct Check_options
   bool is_quiet = false;
 };
 
-constexpr std::size_t largest_number_of_problems_shown = 10;
+using CGAL::Handle_tunnel_loops::Certificate;
+using CGAL::Handle_tunnel_loops::Loop_linking;
 
-[[noreturn]] void fail(const std::string& loops_file, const std::string& problems) {
-  throw Failure(Exit_code::NOT_CERTIFIED, loops_file + " fails its certificate:" + problems);
+constexpr std::size_t largest_number_of_lines = 10;
+
+// The lines, indented, each after a line break; not too many of them.
+std::string list(const std::vector<std::string>& lines) {
+  std::string text;
+  for(std::size_t i = 0; i < lines.size() && i < largest_number_of_lines; ++i)
+    text += "\n  " + lines[i];
+  if(lines.size() > largest_number_of_lines)
+    text +=
+        "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more such lines";
+  return text;
 }
 
-void check_binding(const std::string& loops_file, const std::vector<std::string>& problems) {
-  if(problems.empty())
-    return;
+void require_none(const std::string& loops_file, const std::vector<std::string>& problems) {
+  if(!problems.empty())
+    throw Failure(Exit_code::NOT_CERTIFIED,
+                  loops_file + " fails its certificate:" + list(problems));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for(std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+std::string name_of_loop(std::size_t loop) {
+  return "pair " + std::to_string(loop / 2) + ", " + name_of(loop_types[loop % 2]);
+}
+
+// "2 with pair 0, handle and -1 with itself"
+std::string numbers(const std::vector<Loop_linking::Number>& row, std::size_t loop) {
+  constexpr std::size_t largest_number_of_numbers = 4;
   std::string text;
-  for(std::size_t i = 0; i < problems.size() && i < largest_number_of_problems_shown; ++i)
-    text += "\n  " + problems[i];
-  if(problems.size() > largest_number_of_problems_shown)
-    text += "\n  and " + std::to_string(problems.size() - largest_number_of_problems_shown) +
-            " more such problems";
-  fail(loops_file, text);
+  for(std::size_t i = 0; i < row.size() && i < largest_number_of_numbers; ++i)
+    text += (text.empty() ? "" : "; ") + std::to_string(row[i].second) + " with " +
+            (row[i].first == loop ? "itself" : name_of_loop(row[i].first));
+  return text + (row.size() > largest_number_of_numbers ? "; ..." : "");
+}
+
+// What is no failure, but should be known: loops that bound on neither side, or may do so.
+std::vector<std::string> remarks(const Certificate& certificate) {
+  std::vector<std::string> lines;
+  for(std::size_t i = 0; i < certificate.linking.size(); ++i) {
+    const Loop_linking& linking = certificate.linking[i];
+    if(!linking.problem.empty())
+      lines.push_back(name_of_loop(i) + ": undecided, " + linking.problem);
+    else if(!linking.bounds_inside() && !linking.bounds_outside())
+      lines.push_back(
+          name_of_loop(i) +
+          ": bounds on neither side, by its linking numbers with loops pushed outwards (" +
+          numbers(linking.row, i) + ") and of loops with it pushed outwards (" +
+          numbers(linking.column, i) + ")");
+  }
+  return lines;
+}
+
+// What has been found to be right.
+std::string praise(const Certificate& certificate, std::size_t number_of_pairs) {
+  const std::string text = "the " + std::to_string(2 * number_of_pairs) +
+                           " loops are closed, lie on the surface and are a basis of H1(S; Z)";
+  if(number_of_pairs == 0)
+    return text;
+  return text + "; each tunnel loop crosses its handle loop once\n" +
+         summary_of_sides(certificate) + list(remarks(certificate));
 }
 
 void run(const Check_options& options) {
   const Mesh mesh = read_mesh(options.mesh_file);
   const Bound_loops loops = bind_loops(read_loops_json(options.loops_file), mesh);
-  check_binding(options.loops_file, loops.problems);
-  const auto certificate = CGAL::certify_handle_tunnel_loops(mesh, loops.pairs);
+  require_none(options.loops_file, loops.problems);
+  const auto certificate =
+      CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(mesh, loops.pairs);
   if(!certificate)
-    fail(options.loops_file, " " + certificate.failure);
+    require_none(options.loops_file, lines_of(certificate.failure));
   if(!options.is_quiet)
-    std::cout << options.loops_file << ": the " << 2 * loops.pairs.size()
-              << " loops are closed, lie on the surface and are a basis of H1(S; Z)" << std::endl;
+    std::cout << options.loops_file << ": " << praise(certificate, loops.pairs.size()) << std::endl;
 }
 
 constexpr char description[] =
-    "Checks that the loops of a file are a basis of H1(S; Z) of their mesh.\n"
+    "Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop\n"
+    "crosses its handle loop once, and which of them bound inside and outside the surface.\n"
     "\n"
     "The certificate is computed from the two files alone; what the JSON says of itself is "
-    "ignored.\n";
+    "ignored.\n"
+    "A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel\n"
+    "loop that have each other's names are one.\n";
 
 constexpr char examples[] =
     "Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.\n"

@@ -44,6 +44,7 @@ void solve(const Mesh& mesh, const NamedParameters& np, Answer& answer) {
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh, np);
   solver.template find_loops<CGAL::Parallel_if_available_tag>(std::back_inserter(answer.pairs), np);
   answer.statistics = solver.statistics();
+  answer.certificate = solver.certificate();
 }
 
 } // namespace
@@ -58,7 +59,9 @@ Answer solve_on_host(const Mesh& mesh, const Solve_options& options, Progress_ba
   const auto np = parameters::do_refine_handles(
       options.do_refine_handles,
       parameters::do_tighten(options.do_tighten,
-                             parameters::callback(callback).visitor(std::ref(visitor))));
+                             parameters::do_compute_linking(
+                                 options.do_compute_linking,
+                                 parameters::callback(callback).visitor(std::ref(visitor)))));
 
   Answer answer;
   answer.backend = "host";

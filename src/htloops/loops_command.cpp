@@ -43,6 +43,7 @@ struct Loops_options
   std::optional<std::uint32_t> seed;
   bool do_not_refine = false;
   bool do_not_tighten = false;
+  std::string classifier = "linking";
   bool show_all = false;
   bool is_quiet = false;
   std::string colour = "auto";
@@ -86,6 +87,7 @@ Answer solve(const Backend& backend, const Mesh& mesh, const Loops_options& opti
   solve_options.seed = seed_of(options, mesh);
   solve_options.do_refine_handles = !options.do_not_refine;
   solve_options.do_tighten = !options.do_not_tighten;
+  solve_options.do_compute_linking = options.classifier == "linking";
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   return backend.solve(mesh, solve_options, bar);
@@ -182,6 +184,13 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")
       ->group(group);
   command.add_flag("--no-tighten", options.do_not_tighten, "do not shorten the loops: faster")
+      ->group(group);
+  command
+      .add_option("--classify", options.classifier,
+                  "what tells handles from tunnels: linking (numbers, exact; the default)\n"
+                  "or offset (change of length: faster)")
+      ->option_text("HOW")
+      ->check(CLI::IsMember({"linking", "offset"}))
       ->group(group);
 }
 

@@ -10,6 +10,7 @@
 #include "loops_json_writer.h"
 
 #include "text_writer.h"
+#include "words.h"
 
 #include <cmath>
 #include <optional>
@@ -35,7 +36,8 @@ public:
          << ",\n";
     write_timings(answer, read_seconds);
     write_certificate(answer);
-    write_pairs(answer.pairs);
+    write_linking(answer.certificate.linking);
+    write_pairs(answer);
     out_ << "}\n";
     out_.finish();
   }
@@ -61,33 +63,55 @@ private:
     out_ << " },\n";
   }
 
-  // Loops that are no certified basis never come here: the library throws instead.
   void write_certificate(const Answer& answer) {
-    out_ << "  \"certificate\": { \"closed_on_surface\": true, \"basis\": true, "
-            "\"handles_bound_inside\": ";
-    write_count(answer.handles_bound_inside);
+    const auto& certificate = answer.certificate;
+    out_ << "  \"certificate\": { \"closed_on_surface\": " << word(certificate.closed_on_surface)
+         << ", \"basis\": " << word(certificate.basis)
+         << ", \"pairing\": " << word(certificate.pairing)
+         << ", \"types\": " << word(certificate.types) << ", \"handles_bound_inside\": ";
+    write_count(certificate.handles_bound_inside);
     out_ << ", \"tunnels_bound_outside\": ";
-    write_count(answer.tunnels_bound_outside);
+    write_count(certificate.tunnels_bound_outside);
     out_ << " },\n";
   }
 
-  void write_pairs(const Pairs& pairs) {
+  static const char* word(bool value) { return value ? "true" : "false"; }
+
+  // Row, column and value, where loop 2k is handle k and loop 2k + 1 is tunnel k.
+  void write_linking(const std::vector<CGAL::Handle_tunnel_loops::Loop_linking>& linking) {
+    if(linking.empty())
+      return;
+    out_ << "  \"linking\": [";
+    const char* separator = "";
+    for(std::size_t i = 0; i < linking.size(); ++i)
+      for(const auto& [j, value] : linking[i].row) {
+        out_ << separator << '[' << i << ',' << j << ',' << value << ']';
+        separator = ", ";
+      }
+    out_ << "],\n";
+  }
+
+  void write_pairs(const Answer& answer) {
+    const Pairs& pairs = answer.pairs;
+    const auto& linking = answer.certificate.linking;
     out_ << "  \"pairs\": [";
-    for_each_loop(pairs, [this](const Loop& loop, CGAL::Loop_type type, std::size_t pair) {
+    for_each_loop(pairs, [&](const Loop& loop, CGAL::Loop_type type, std::size_t pair) {
       const bool is_first = type == CGAL::Loop_type::HANDLE;
       out_ << (!is_first   ? ",\n      \""
                : pair == 0 ? "\n    { \""
                            : ",\n    { \"")
            << name_of(type) << "\": ";
-      write_loop(loop);
+      write_loop(loop, linking.empty() ? nullptr : word_for_side(linking[2 * pair + !is_first]));
       out_ << (is_first ? "" : " }");
     });
     out_ << (pairs.empty() ? "]\n" : "\n  ]\n");
   }
 
-  void write_loop(const Loop& loop) {
+  void write_loop(const Loop& loop, const char* side) {
     out_ << "{ \"length\": ";
     write_number(loop.length());
+    if(side != nullptr)
+      out_ << ", \"bounds\": \"" << side << '"';
     out_ << ",\n        \"locations\": [";
     const char* separator = "";
     for(const Loop::Step& step : loop.steps()) {

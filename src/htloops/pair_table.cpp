@@ -97,6 +97,9 @@ std::string summary(const Answer& answer, double read_seconds) {
             formatted("total length %.6g of the handles, %.6g of the tunnels\n",
                       total_length(answer.pairs, CGAL::Loop_type::HANDLE),
                       total_length(answer.pairs, CGAL::Loop_type::TUNNEL));
+  const std::string sides = summary_of_sides(answer.certificate);
+  if(!sides.empty())
+    text += sides + "\n";
   return text +
          formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
                    read_seconds, answer.backend.c_str()) +

@@ -31,8 +31,33 @@ protected:
     const Certificate c = certify_handle_tunnel_loops(mesh, pairs_of(loops));
     EXPECT_TRUE(c.closed_on_surface);
     EXPECT_TRUE(c.basis);
+    EXPECT_TRUE(c.pairing);
+    if(crosses_itself())
+      return;
+    EXPECT_TRUE(c.types);
     EXPECT_TRUE(bool(c));
     EXPECT_EQ(c.failure, "");
+  }
+
+  // Then linking numbers depend on where in their classes the loops run.
+  static bool crosses_itself() { return GetParam().kind == "random"; }
+
+  // A basis, which need not be one of pairs that cross once.
+  template <typename Loop_source> void expect_basis(const std::vector<Loop_source>& loops) const {
+    const Certificate c = certify_handle_tunnel_loops(mesh, pairs_of(loops));
+    EXPECT_TRUE(c.closed_on_surface);
+    EXPECT_TRUE(c.basis) << c.failure;
+    EXPECT_EQ(bool(c), c.pairing && c.types);
+    EXPECT_EQ(bool(c), c.failure.empty());
+  }
+
+  // A basis in which something else is wrong.
+  template <typename Loop_source>
+  void expect_wrong_pairs(const std::vector<Loop_source>& loops, const std::string& reason) const {
+    const Certificate c = certify_handle_tunnel_loops(mesh, pairs_of(loops));
+    EXPECT_TRUE(c.basis);
+    EXPECT_FALSE(bool(c));
+    expect_reason(c.failure, reason);
   }
 
   template <typename Loop_source>
@@ -66,7 +91,9 @@ protected:
     return is_closed_on_surface(mesh, loop_of(Steps{a, b}));
   }
 
-  static std::string name(std::size_t loop) { return "loop " + std::to_string(loop); }
+  static std::string name(std::size_t loop) {
+    return "pair " + std::to_string(loop / 2) + (loop % 2 == 0 ? ", handle" : ", tunnel");
+  }
 
   const Mesh mesh;
   const Pairs pairs;
@@ -155,15 +182,21 @@ TEST_P(Certificate_of_loops, AcceptsOtherBases) {
     if(a != b)
       changed[a] = sum(mesh, changed[a], random.below(2) ? changed[b] : reversed(mesh, changed[b]));
   }
-  expect_accepted(changed);
+  expect_basis(changed);
 }
 
-// The certificate is one of the basis; it does not say which loop belongs to which.
+// Whether loops are a basis has nothing to do with which loop belongs to which.
 TEST_P(Certificate_of_loops, IsOneOfAllLoopsTogether) {
   std::vector<Steps> permuted = steps;
   std::rotate(permuted.begin(), permuted.begin() + 1, permuted.end());
-  expect_accepted(permuted);
+  expect_basis(permuted);
   std::swap(permuted.front(), permuted.back());
+  expect_basis(permuted);
+}
+
+TEST_P(Certificate_of_loops, AcceptsThePairsInAnotherOrder) {
+  std::vector<Steps> permuted = steps;
+  std::rotate(permuted.begin(), permuted.begin() + 2, permuted.end());
   expect_accepted(permuted);
 }
 
@@ -176,7 +209,7 @@ TEST_P(Certificate_of_loops, RefusesARatioOutOfRange) {
     std::vector<Steps> changed = steps;
     changed[1][2].ratio = ratio;
     SCOPED_TRACE(ratio);
-    expect_not_closed(changed, "loop 1, step 2: the ratio is not in [0, 1]");
+    expect_not_closed(changed, "pair 0, tunnel, step 2: the ratio is not in [0, 1]");
   }
 }
 
@@ -215,13 +248,42 @@ TEST_P(Certificate_of_loops, RefusesAGap) {
 TEST_P(Certificate_of_loops, RefusesALoopWithoutSteps) {
   std::vector<Steps> changed = steps;
   changed[0].clear();
-  expect_not_closed(changed, "loop 0 has fewer than two steps");
+  expect_not_closed(changed, "pair 0, handle has fewer than two steps");
 }
 
 TEST_P(Certificate_of_loops, NamesTheFirstFailure) {
   std::vector<Steps> changed = steps;
   changed[0][1].ratio = changed[1][0].ratio = -1.;
-  expect_not_closed(changed, "loop 0, step 1");
+  expect_not_closed(changed, "pair 0, handle, step 1");
+}
+
+// ---- a basis of pairs that are none
+
+TEST_P(Certificate_of_loops, RefusesHandlesOfOtherPairs) {
+  for(std::size_t i = 2; i < steps.size(); i += 2) {
+    std::vector<Steps> changed = steps;
+    std::swap(changed[0], changed[i]);
+    const Integer_matrix crossings = intersection_matrix(mesh, walks);
+    if(abs(crossings[i][1]) != 1)
+      expect_wrong_pairs(changed, "pair 0: the loops cross " + Integer(abs(crossings[i][1])).str() +
+                                      " times, counted with sign, instead of once");
+  }
+}
+
+// Only where inside and outside are known.
+TEST_P(Certificate_of_loops, RefusesNamesThatAreExchanged) {
+  const Certificate right = certify_handle_tunnel_loops(mesh, pairs);
+  int number_of_changes = 0;
+  for(std::size_t k = 0; k < pairs.size(); ++k) {
+    if(!right.linking[2 * k].bounds_inside() && !right.linking[2 * k + 1].bounds_outside())
+      continue;
+    ++number_of_changes;
+    std::vector<Steps> changed = steps;
+    std::swap(changed[2 * k], changed[2 * k + 1]);
+    expect_wrong_pairs(changed, "pair " + std::to_string(k) +
+                                    ": the handle and the tunnel loop have each other's names");
+  }
+  EXPECT_TRUE(number_of_changes > 0 || crosses_itself());
 }
 
 // ---- loops that are no basis
@@ -231,6 +293,7 @@ TEST_P(Certificate_of_loops, RefusesALoopThatIsThereTwice) {
     std::vector<Steps> changed = steps;
     changed[i] = changed[0];
     expect_no_basis(changed, "determinant 0");
+    expect_no_basis(changed, name(i) + ": up to multiples the loop is homologous to " + name(0));
   }
 }
 
@@ -239,13 +302,14 @@ TEST_P(Certificate_of_loops, RefusesALoopThatBoundsADisc) {
     std::vector<Walk> changed = walks;
     changed[i] = ring_around(mesh, Mesh::Vertex_index(0));
     expect_no_basis(changed, "determinant 0; " + name(i));
+    expect_no_basis(changed, name(i) + ": the loop bounds a part of the surface");
   }
 }
 
 TEST_P(Certificate_of_loops, RefusesAPointAsALoop) {
   std::vector<Steps> changed = steps;
   changed[0] = Steps(4, changed[0].front());
-  expect_no_basis(changed, "determinant 0; loop 0");
+  expect_no_basis(changed, "determinant 0; pair 0, handle");
 }
 
 TEST_P(Certificate_of_loops, RefusesALoopAndItsReverse) {
@@ -259,6 +323,7 @@ TEST_P(Certificate_of_loops, RefusesALoopThatIsTraversedTwice) {
     std::vector<Steps> changed = steps;
     changed[i].insert(changed[i].end(), steps[i].begin(), steps[i].end());
     expect_no_basis(changed, "determinant 2");
+    expect_no_basis(changed, name(i) + ": the loop goes around 2 times");
   }
 }
 
@@ -302,7 +367,7 @@ TEST_P(Certificate_of_loops, AgreesWithTheIntersectionMatrix) {
     ASSERT_EQ(root * root, gram);
     if(root == 1) {
       ++number_of_bases;
-      expect_accepted(changed);
+      expect_basis(changed);
     } else
       expect_no_basis(changed, "determinant " + root.str() + ";");
   }

@@ -75,10 +75,36 @@ TEST_F(Loops_json, has_the_fields_of_the_format) {
   EXPECT_EQ(document_["timings"], timings);
   const json certificate = {{"closed_on_surface", true},
                             {"basis", true},
+                            {"pairing", false},
+                            {"types", false},
                             {"handles_bound_inside", nullptr},
                             {"tunnels_bound_outside", nullptr}};
   EXPECT_EQ(document_["certificate"], certificate);
   EXPECT_EQ(document_["pairs"].size(), 2u);
+  EXPECT_FALSE(document_.contains("linking"));
+  EXPECT_FALSE(document_["pairs"][0]["handle"].contains("bounds"));
+}
+
+TEST_F(Loops_json, says_where_loops_bound) {
+  Answer answer = answer_;
+  answer.certificate.linking.resize(4);
+  answer.certificate.linking[1].row = {{0, -2}, {1, 3}};
+  answer.certificate.linking[1].column = {{1, 3}};
+  answer.certificate.linking[0].column = {{1, -2}};
+  answer.certificate.linking[2].row = {{3, 1}};
+  answer.certificate.linking[3].problem = "unknown";
+  answer.certificate.handles_bound_inside = 1;
+  answer.certificate.tunnels_bound_outside = 0;
+  write_loops_json(folder_.path("a.json"), mesh_, answer, 0.);
+  const json document = json::parse(folder_.read("a.json"));
+  EXPECT_EQ(document["certificate"]["handles_bound_inside"], 1);
+  EXPECT_EQ(document["certificate"]["tunnels_bound_outside"], 0);
+  EXPECT_EQ(document["pairs"][0]["handle"]["bounds"], "inside");
+  EXPECT_EQ(document["pairs"][0]["tunnel"]["bounds"], "neither");
+  EXPECT_EQ(document["pairs"][1]["handle"]["bounds"], "outside");
+  EXPECT_EQ(document["pairs"][1]["tunnel"]["bounds"], "undecided");
+  EXPECT_EQ(document["linking"], json::parse("[[1,0,-2],[1,1,3],[2,3,1]]"));
+  EXPECT_EQ(read_loops_json(folder_.path("a.json")).pairs.size(), 2u);
 }
 
 TEST_F(Loops_json, reads_back_as_the_same_loops) {

@@ -86,6 +86,11 @@ public:
   /// the position, in the output, of the pair that this loop belongs to.
   std::size_t pair_index() const { return pair_index_; }
 
+  /// the same loop with another type.
+  Loop_on_surface with_type(Loop_type type) const {
+    return Loop_on_surface(steps_, points_, length_, type, pair_index_);
+  }
+
 private:
   std::vector<Step> steps_;
   std::vector<Point> points_;
@@ -121,6 +126,12 @@ public:
 
   /// the loop of the given type.
   const Loop& loop(Loop_type type) const { return type == Loop_type::HANDLE ? handle_ : tunnel_; }
+
+  /// the pair with handle and tunnel loop exchanged.
+  Handle_tunnel_pair exchanged() const {
+    return Handle_tunnel_pair(tunnel_.with_type(Loop_type::HANDLE),
+                              handle_.with_type(Loop_type::TUNNEL));
+  }
 
   /// the other loop of the pair.
   const Loop& partner(const Loop& loop) const {

@@ -12,41 +12,26 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/Certification.h>
+#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
-#include <string>
+#include <iterator>
 
 namespace CGAL {
-namespace Handle_tunnel_loops {
-
-/// \ingroup PkgHandleTunnelLoopsRef
-/// What has been proved of a set of loops.
-struct Certificate
-{
-  /// every loop is a closed curve on the surface: consecutive steps lie on a common face.
-  bool closed_on_surface = false;
-
-  /// the loops are 2g in number and a basis of the first homology group over the integers.
-  bool basis = false;
-
-  /// in words, the first thing that failed; empty if nothing did.
-  std::string failure;
-
-  /// whether everything holds.
-  explicit operator bool() const { return closed_on_surface && basis; }
-};
-
-} // namespace Handle_tunnel_loops
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
 computes whether the loops of `pairs` are closed curves on `tm` that form a basis of the first
-homology group with integer coefficients.
+homology group with integer coefficients, whether the loops of each pair cross once, and which
+of them bound inside and outside the solid that the surface encloses.
 
 The loops are moved onto the edges, and the mesh is cut along them. The intersection numbers of the
 loops with the closed curves of a tree-cotree decomposition of the dual graph that crosses them as
@@ -55,6 +40,16 @@ vectors, which integer elimination decides. Nothing is shared with the code that
 nothing rests on floating-point numbers, and the surface need not be connected. Almost linear in the
 size of the mesh where the loops are short.
 
+Linking numbers are counted in a projection by exact predicates on the coordinates, taken as doubles
+(see `Handle_tunnel_loops::Loop_linking`): near linear in the total length of the loops and the
+number of places where one is seen to pass over another. Their difference with the transpose is
+compared with the intersection numbers; where these disagree or places coincide that should be
+apart, because the surface crosses or touches itself, the loops concerned are reported as undecided.
+That the surface nowhere crosses itself is not checked; where it does, away from the loops, linking
+numbers remain what they are, but there is no inside for the loops to bound in.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation of the linking numbers;
+  possible values are `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`
 \tparam TriangleMesh a model of `FaceListGraph`, a closed triangle mesh
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -69,36 +64,50 @@ size of the mesh where the loops are short.
     \cgalParamType{a class model of `ReadablePropertyMap`}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
   \cgalParamNBegin{face_index_map}
     \cgalParamDescription{a property map associating to each face of `tm` a unique index}
     \cgalParamType{a class model of `ReadablePropertyMap`}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{do_compute_linking}
+    \cgalParamDescription{whether to compute linking numbers}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \pre `tm` is a closed triangle mesh.
 */
-template <typename TriangleMesh,
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
           typename PairRange,
           typename NamedParameters = parameters::Default_named_parameters>
 Handle_tunnel_loops::Certificate
 certify_handle_tunnel_loops(const TriangleMesh& tm,
                             const PairRange& pairs,
                             const NamedParameters& np = parameters::default_values()) {
-  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
-  const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
-  Handle_tunnel_loops::internal::Loop_certifier<TriangleMesh, decltype(vertex_index),
-                                                decltype(face_index)>
-      certifier(tm, vertex_index, face_index);
-  for(const auto& pair : pairs) {
-    certifier.add(pair.handle());
-    certifier.add(pair.tunnel());
+  namespace impl = Handle_tunnel_loops::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Pair = typename std::iterator_traits<typename PairRange::const_iterator>::value_type;
+  auto certification = impl::certification<Pair>(
+      tm,
+      choose_parameter(get_parameter(np, internal_np::vertex_point),
+                       get_const_property_map(vertex_point, tm)),
+      CGAL::get_initialized_vertex_index_map(tm, np), CGAL::get_initialized_face_index_map(tm, np));
+  if(certification.are_closed(pairs)) {
+    certification.prepare();
+    if(choose_parameter(get_parameter(np, internal_np::do_compute_linking), true))
+      certification.link(impl::execution<ConcurrencyTag>());
+    else
+      certification.intersect();
   }
-  Handle_tunnel_loops::Certificate certificate;
-  certificate.closed_on_surface = certifier.are_closed_on_surface();
-  certificate.basis = certificate.closed_on_surface && certifier.are_basis();
-  certificate.failure = certifier.failure();
-  return certificate;
+  return certification.finish();
 }
 
 } // namespace CGAL

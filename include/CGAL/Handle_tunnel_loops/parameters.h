@@ -25,6 +25,7 @@ enum seed_vertex_t { seed_vertex };
 enum field_constants_t { field_constants };
 enum do_refine_handles_t { do_refine_handles };
 enum do_tighten_t { do_tighten };
+enum do_compute_linking_t { do_compute_linking };
 
 } // namespace internal_np
 
@@ -46,6 +47,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(seed_vertex)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(field_constants)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_refine_handles)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_tighten)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_compute_linking)
 
 #undef CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER
 

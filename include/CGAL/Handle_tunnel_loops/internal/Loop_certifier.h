@@ -25,6 +25,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -67,13 +68,29 @@ public:
 
   bool are_closed_on_surface() const { return are_closed_; }
 
-  /// in words, what failed first.
-  const std::string& failure() const { return failure_; }
+  /// in words, what failed.
+  const std::vector<std::string>& failures() const { return failures_; }
 
-  bool are_basis() {
+  /// the words for a loop: loops 2k and 2k + 1 are the handle and the tunnel loop of pair k.
+  static std::string name_of(std::size_t loop) {
+    return "pair " + std::to_string(loop / 2) + (loop % 2 == 0 ? ", handle" : ", tunnel");
+  }
+
+  /// cuts the surface along the loops; to be called once, before what follows.
+  void cut() {
     prepare_chains();
     find_pieces();
     find_potentials();
+  }
+
+  std::size_t number_of_components() const { return number_of_components_; }
+
+  /// the number of the component of a face.
+  std::size_t component(face_descriptor f) const {
+    return number_of_components_ == 1 ? 0 : component_of_piece_.at(piece_[face_index(f)]);
+  }
+
+  bool are_basis() {
     const std::size_t number_of_generators = 2 * genus();
     if(number_of_generators != number_of_loops_)
       return fail("there are " + std::to_string(number_of_loops_) +
@@ -106,8 +123,7 @@ private:
   }
 
   bool fail(const std::string& message) {
-    if(failure_.empty())
-      failure_ = message;
+    failures_.push_back(message);
     return false;
   }
 
@@ -115,7 +131,7 @@ private:
 
   template <typename Loop> void check(const Loop& loop) {
     const auto& steps = loop.steps();
-    const std::string name = "loop " + std::to_string(number_of_loops_);
+    const std::string name = name_of(number_of_loops_);
     if(steps.size() < 2)
       are_closed_ = fail(name + " has fewer than two steps");
     for(std::size_t i = 0; i < steps.size(); ++i) {
@@ -264,11 +280,12 @@ private:
       edges_at[e.left].push_back(&e);
       edges_at[e.right].push_back(&e);
     }
-    number_of_components_ = count_pieces() - edges_at.size();
+    number_components_without_loops(edges_at);
     for(const auto& piece_and_edges : edges_at) {
       if(!potential_.emplace(piece_and_edges.first, Row()).second)
         continue;
-      ++number_of_components_;
+      const std::size_t component = number_of_components_++;
+      component_of_piece_[piece_and_edges.first] = component;
       std::vector<std::uint32_t> queue(1, piece_and_edges.first);
       for(std::size_t q = 0; q < queue.size(); ++q)
         for(const Used_edge* e : edges_at[queue[q]]) {
@@ -279,16 +296,21 @@ private:
           Row row = potential_[queue[q]];
           add_edge(*e, from_left ? 1 : -1, row);
           potential_.emplace(to, std::move(row));
+          component_of_piece_[to] = component;
           queue.push_back(to);
         }
     }
   }
 
-  std::size_t count_pieces() const {
-    std::size_t count = 0;
-    for(face_descriptor f : faces(tm_))
-      count += piece_[face_index(f)] == face_index(f);
-    return count;
+  // Each of them is one piece. Makes the faces point to their pieces, too.
+  template <typename Edges_at> void number_components_without_loops(const Edges_at& edges_at) {
+    Pieces pieces(rank_.data(), piece_.data());
+    for(face_descriptor f : faces(tm_)) {
+      const std::uint32_t i = face_index(f), piece = pieces.find_set(i);
+      if(piece == i && edges_at.count(piece) == 0)
+        component_of_piece_[piece] = number_of_components_++;
+      piece_[i] = piece;
+    }
   }
 
   void add_edge(const Used_edge& e, int sign, Row& row) const {
@@ -329,7 +351,8 @@ private:
         });
   }
 
-  bool span_everything() {
+  // The intersection numbers of the loops with the generators, short ones first; each vector once.
+  std::vector<Row> rows_of_generators() const {
     std::vector<Used_edge> edges = used_edges_;
     std::sort(edges.begin(), edges.end(),
               [this](const Used_edge& a, const Used_edge& b) { return is_before(a, b); });
@@ -351,16 +374,52 @@ private:
       return a.size() != b.size() ? a.size() < b.size() : a < b;
     });
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+  }
 
+  bool span_everything() {
     Integer_lattice lattice(number_of_loops_);
+    std::vector<Row> rows = rows_of_generators();
     for(auto row = rows.begin(); row != rows.end() && !lattice.is_full(); ++row)
       lattice.add(std::move(*row));
     if(lattice.is_full())
       return true;
-    return fail(
-        "the loops are no basis of the first homology group: their classes have determinant " +
-        lattice.index().str() + "; loop " + std::to_string(lattice.first_defect()) +
-        " depends on the others");
+    fail("the loops are no basis of the first homology group: their classes have determinant " +
+         lattice.index().str() + "; " + name_of(lattice.first_defect()) + " depends on the others");
+    explain(rows_of_generators());
+    return false;
+  }
+
+  // The entries of a loop in all rows are the coordinates of its class, hence tell what it is.
+  void explain(const std::vector<Row>& rows) {
+    std::vector<Row> classes(number_of_loops_);
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      for(const auto& [loop, value] : rows[i])
+        classes[loop].emplace(i, value);
+    std::map<Row, std::size_t> first_of_class;
+    for(std::size_t loop = 0; loop < number_of_loops_; ++loop) {
+      if(classes[loop].empty()) {
+        fail(name_of(loop) + ": the loop bounds a part of the surface");
+        continue;
+      }
+      const Integer_lattice::Integer factor = divide_by_common_factor(classes[loop]);
+      const auto [it, is_new] = first_of_class.emplace(classes[loop], loop);
+      if(factor != 1)
+        fail(name_of(loop) + ": the loop goes around " + factor.str() + " times, up to homology");
+      if(!is_new)
+        fail(name_of(loop) + ": up to multiples the loop is homologous to " + name_of(it->second));
+    }
+  }
+
+  // The first entry becomes positive.
+  static Integer_lattice::Integer divide_by_common_factor(Row& row) {
+    Integer_lattice::Integer factor = 0;
+    for(const auto& column_and_value : row)
+      factor = boost::multiprecision::gcd(factor, column_and_value.second);
+    const int sign = row.begin()->second < 0 ? -1 : 1;
+    for(auto& column_and_value : row)
+      column_and_value.second /= sign * factor;
+    return factor;
   }
 
   using Pieces = boost::disjoint_sets<std::uint8_t*, std::uint32_t*>;
@@ -373,11 +432,12 @@ private:
   std::vector<std::uint32_t> piece_; // by face: the forest of the united faces
   std::vector<std::uint8_t> rank_;   // by face
   std::map<std::uint32_t, Row> potential_;
+  std::unordered_map<std::uint32_t, std::size_t> component_of_piece_;
   std::size_t number_of_vertices_ = 0;
   std::size_t number_of_components_ = 0;
   std::size_t number_of_loops_ = 0;
   bool are_closed_ = true;
-  std::string failure_;
+  std::vector<std::string> failures_;
 };
 
 } // namespace internal

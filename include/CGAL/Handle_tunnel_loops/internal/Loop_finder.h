@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
-#include <CGAL/Handle_tunnel_loops/internal/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/Pair_reduction.h>
 #include <CGAL/Handle_tunnel_loops/internal/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/Refinement_choice.h>
@@ -124,20 +123,12 @@ public:
     progress_.end(Stage::REFINE);
   }
 
-  std::vector<Flat_pair> classified_pairs() {
-    progress_.start(Stage::CLASSIFY);
+  /// the pairs, pulled taut; which loop of a pair is the handle remains to be seen.
+  std::vector<Flat_pair> finished_pairs() {
     finish_pairs();
-    const Offset_classifier classifier(execution_, mesh_);
     std::vector<Flat_pair> pairs(handles_.size());
-    for_each_index(
-        execution_, pairs.size(),
-        [&](std::size_t k) {
-          pairs[k] = {std::move(handles_[k]), std::move(tunnels_[k])};
-          if(classifier.growth(pairs[k].handle) < classifier.growth(pairs[k].tunnel))
-            std::swap(pairs[k].handle, pairs[k].tunnel);
-        },
-        1);
-    progress_.end(Stage::CLASSIFY);
+    for(std::size_t k = 0; k < pairs.size(); ++k)
+      pairs[k] = {std::move(handles_[k]), std::move(tunnels_[k])};
     return pairs;
   }
 

@@ -12,101 +12,181 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/Square_root_sum.h>
 
-#include <utility>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Tells handle loops from tunnel loops by the change of their length when they are moved outwards
-/// (paper, 4.5): handle loops grow, tunnel loops shrink. What is computed is the derivative of the
-/// length by the offset; it has no unit, and is 2 pi for a circle around a solid tube.
-class Offset_classifier
+/*!
+Tells handle loops from tunnel loops by the change of their length when they are moved outwards
+(paper, 4.5): handle loops grow, tunnel loops shrink. What is compared is the growth, the derivative
+of the length by the offset along the normals: it has no unit and is 2 pi for a circle around a
+solid tube.
+
+The normal at a point is the sum of the normals of the faces that contain it, weighted by area, and
+scaled to length one; the point is the one at the exact ratio on its edge. Thus the growth is a sum
+of square roots of rational numbers: a segment e from a point with area vector M to one with N
+contributes N e / (|N| |e|) - M e / (|M| |e|). It is enclosed by intervals first, and where these do
+not decide a comparison, the sign of the sum is computed exactly.
+*/
+template <typename TriangleMesh, typename VertexPointMap> class Offset_classifier
 {
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using Interval = Interval_nt<>;
+
 public:
-  template <typename Execution>
-  Offset_classifier(Execution execution, const Flat_mesh& mesh)
-      : mesh_(mesh) {
-    orient_components(execution);
+  Offset_classifier(const TriangleMesh& tm, VertexPointMap point)
+      : tm_(tm)
+      , point_(point) {}
+
+  /// the derivative of the length of a loop by the way that it is moved along the normals, to which
+  /// the faces look.
+  template <typename Loop> double growth(const Loop& loop) const {
+    const Interval sum = enclosed_growth(loop);
+    return (sum.inf() + sum.sup()) / 2.;
   }
 
-  /// the derivative of the length of the loop when it is moved along the outward normals.
-  double growth(const Crossing_loop& loop) const {
-    if(loop.empty())
-      return 0.;
-    double sum = 0.;
-    Vector p = position(mesh_, loop.back()), n = normal(loop.back());
-    for(const Crossing& c : loop) {
-      const Vector q = position(mesh_, c), m = normal(c);
-      const double distance = norm(q - p);
-      if(distance > 0.)
-        sum += dot(m - n, q - p) / distance;
-      p = q;
-      n = m;
-    }
-    return volume_[mesh_.component[loop.front().left]] < 0. ? -sum : sum;
+  /// 1 if loop a grows by more than loop b, -1 if by less, 0 if by as much.
+  template <typename Loop> int compare_growth(const Loop& a, const Loop& b) const {
+    const Interval difference = enclosed_growth(a) - enclosed_growth(b);
+    if(difference.inf() > 0.)
+      return 1;
+    if(difference.sup() < 0.)
+      return -1;
+    Square_root_sum sum;
+    add_growth(a, 1, sum);
+    add_growth(b, -1, sum);
+    return sum.sign();
   }
 
 private:
-  // A component encloses a positive volume if its faces look outwards. Volumes are summed by runs
-  // of vertices of one component, in an order that does not depend on the threads.
-  template <typename Execution> void orient_components(Execution execution) {
-    using Volume = std::pair<Index, double>;
-    const std::vector<Volume> volumes = collect<Volume>(
-        execution, mesh_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
-          std::vector<Volume> runs;
-          for(std::size_t v = begin; v < end; ++v) {
-            const Index component = mesh_.component[v];
-            if(runs.empty() || runs.back().first != component)
-              runs.emplace_back(component, 0.);
-            runs.back().second += volume_at(static_cast<Index>(v));
-          }
-          return runs;
-        });
-    volume_.assign(mesh_.seeds.size(), 0.);
-    for(const auto& [component, volume] : volumes)
-      volume_[component] += volume;
+  template <typename FT> using Vector_of = std::array<FT, 3>;
+
+  // A point of a loop and the sum of the area vectors of the faces there.
+  template <typename FT> struct Place
+  {
+    Vector_of<FT> point, area;
+  };
+
+  template <typename FT>
+  static Vector_of<FT> minus(const Vector_of<FT>& a, const Vector_of<FT>& b) {
+    return {FT(a[0] - b[0]), FT(a[1] - b[1]), FT(a[2] - b[2])};
+  }
+  template <typename FT> static FT product(const Vector_of<FT>& a, const Vector_of<FT>& b) {
+    return FT(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
   }
 
-  // Six times the volume of the cones from the seed over the faces that v is the smallest vertex
-  // of.
-  double volume_at(Index v) const {
-    const Vector& origin = mesh_.points[mesh_.seeds[mesh_.component[v]]];
-    const Ring ring = mesh_.ring(v);
-    double sum = 0.;
-    for(Index i = 0; i < ring.size(); ++i) {
-      const Index a = ring[i], b = ring[ring.next(i)];
-      if(v < a && v < b)
-        sum += dot(mesh_.points[v] - origin,
-                   cross(mesh_.points[a] - origin, mesh_.points[b] - origin));
+  // A power of two that takes the coordinates near a loop to about 1: the growth has no unit, and
+  // nothing overflows.
+  template <typename Loop> double scale(const Loop& loop) const {
+    double largest = 0.;
+    for(const auto& step : loop.steps())
+      for(double x : coordinates(point_, source(step.halfedge, tm_)))
+        largest = (std::max)(largest, std::abs(x));
+    int exponent;
+    std::frexp(largest, &exponent);
+    return std::ldexp(1., (std::min)(-exponent, 1000));
+  }
+
+  template <typename FT> Vector_of<FT> point(vertex_descriptor v, double scale) const {
+    const Vector p = coordinates(point_, v);
+    return {FT(FT(scale) * FT(p[0])), FT(FT(scale) * FT(p[1])), FT(FT(scale) * FT(p[2]))};
+  }
+
+  // Adds twice the area vector of the face of h.
+  template <typename FT>
+  void add_area(halfedge_descriptor h, double scale, Vector_of<FT>& sum) const {
+    const Vector_of<FT> a = point<FT>(source(h, tm_), scale),
+                        u = minus(point<FT>(target(h, tm_), scale), a),
+                        v = minus(point<FT>(target(next(h, tm_), tm_), scale), a);
+    for(int d = 0; d < 3; ++d)
+      sum[d] += u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3];
+  }
+
+  template <typename FT, typename Step> Place<FT> place(const Step& step, double scale) const {
+    Place<FT> place = {{FT(0), FT(0), FT(0)}, {FT(0), FT(0), FT(0)}};
+    if(step.is_vertex()) {
+      const vertex_descriptor v =
+          step.ratio == 1. ? target(step.halfedge, tm_) : source(step.halfedge, tm_);
+      place.point = point<FT>(v, scale);
+      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
+        add_area(h, scale, place.area);
+      return place;
     }
+    const Vector_of<FT> p = point<FT>(source(step.halfedge, tm_), scale),
+                        q = point<FT>(target(step.halfedge, tm_), scale);
+    for(int d = 0; d < 3; ++d)
+      place.point[d] = p[d] + FT(step.ratio) * (q[d] - p[d]);
+    add_area(step.halfedge, scale, place.area);
+    add_area(opposite(step.halfedge, tm_), scale, place.area);
+    return place;
+  }
+
+  // calls f(sign, area, segment) for the terms of the growth.
+  template <typename FT, typename Loop, typename Function>
+  void for_each_term(const Loop& loop, const Function& f) const {
+    const auto& steps = loop.steps();
+    if(steps.empty())
+      return;
+    const double s = scale(loop);
+    Place<FT> previous = place<FT>(steps.back(), s);
+    for(const auto& step : steps) {
+      Place<FT> next = place<FT>(step, s);
+      const Vector_of<FT> segment = minus(next.point, previous.point);
+      f(1, next.area, segment);
+      f(-1, previous.area, segment);
+      previous = std::move(next);
+    }
+  }
+
+  template <typename Loop> Interval enclosed_growth(const Loop& loop) const {
+    const typename Interval::Protector protector;
+    Interval sum(0.);
+    for_each_term<Interval>(
+        loop, [&](int sign, const Vector_of<Interval>& area, const Vector_of<Interval>& segment) {
+          sum += Interval(sign) * enclosed_cosine(area, segment);
+        });
     return sum;
   }
 
-  Vector normal(Index v) const {
-    const Ring ring = mesh_.ring(v);
-    Vector sum = {0., 0., 0.};
-    for(Index i = 0; i < ring.size(); ++i)
-      sum = sum + cross(mesh_.points[ring[i]] - mesh_.points[v],
-                        mesh_.points[ring[ring.next(i)]] - mesh_.points[v]);
-    return normalized(sum);
+  // No cosine is beyond 1, and that of a zero vector is zero.
+  static Interval enclosed_cosine(const Vector_of<Interval>& a, const Vector_of<Interval>& b) {
+    const Interval lengths = CGAL_NTS sqrt(product(a, a)) * CGAL_NTS sqrt(product(b, b));
+    if(lengths.sup() == 0.)
+      return Interval(0.);
+    const Interval cosine = lengths.inf() > 0. ? product(a, b) / lengths : Interval(-1., 1.);
+    return cosine.inf() >= -1. && cosine.sup() <= 1. ? cosine : Interval(-1., 1.);
   }
 
-  Vector normal(const Crossing& c) const {
-    return normalized((1. - c.ratio) * normal(c.left) + c.ratio * normal(c.right));
+  template <typename Loop>
+  void add_growth(const Loop& loop, int factor, Square_root_sum& sum) const {
+    for_each_term<Exact_rational>(loop, [&](int sign, const Vector_of<Exact_rational>& area,
+                                            const Vector_of<Exact_rational>& segment) {
+      const Exact_rational cosine = product(area, segment);
+      if(cosine == 0)
+        return;
+      sum.add(factor * sign * (cosine > 0 ? 1 : -1),
+              Exact_rational(cosine * cosine / (product(area, area) * product(segment, segment))));
+    });
   }
 
-  static Vector normalized(const Vector& a) {
-    const double length = norm(a);
-    return length > 0. ? (1. / length) * a : a;
-  }
-
-  const Flat_mesh& mesh_;
-  std::vector<double> volume_; // by component; negative if the faces look inwards
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
 };
 
 } // namespace internal

@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_NUMBERS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_NUMBERS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/Projected_points.h>
+#include <CGAL/Handle_tunnel_loops/internal/Sparse_matrix.h>
+#include <CGAL/Handle_tunnel_loops/internal/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+The linking numbers of loops on a surface with copies of each other that are pushed outwards:
+V(i, j) is that of loop i with loop j pushed out of the solid. It depends only on the classes of the
+loops, so that loop i is taken as its copy across the corners of the faces and loop j as its walk
+along the edges (`Surface_curves`). What is counted are the places where, seen along a direction,
+the copy passes over the pushed walk, by the sense in which they cross.
+
+- Apart from the midpoints where they touch, a copy and a walk are disjoint wherever the surface
+  does not touch itself. Whether two lines cross in the projection is decided by exact predicates,
+  which of them is above by another; and if a point happens to be seen on a line, all copies are
+  moved aside by an infinitesimal amount, the same for all.
+- Where a copy crosses an edge of a walk, that edge is pushed outwards by less than any distance but
+  by more than the above amount. If both faces at the edge are seen from outside, the pushed edge
+  passes over the copy; if both are seen from inside, under it. At an edge of the silhouette, with
+  one face seen from either side, the pushed edge lies beyond the silhouette if the edge is convex,
+  and is not crossed; if it is reflex the pushed edge lies between the two faces, and the copy
+  passes over it once and under it once.
+
+No number is compared with a tolerance. The lines that may cross are found by a tree of boxes: near
+linear in the number of lines and of places where one passes over another.
+*/
+class Linking_numbers
+{
+public:
+  explicit Linking_numbers(const Surface_curves& curves)
+      : curves_(curves)
+      , points_(curves.vertices, next_direction()) {
+    add_intersections();
+  }
+
+  /// computes V.
+  template <typename Execution> void link(Execution execution) {
+    while(!are_touches_decided() && ++number_of_attempts_ < maximum_number_of_attempts)
+      points_.see_along(next_direction());
+    add_touches();
+    add_crossings(execution);
+    add_up(linking_);
+    std::sort(contacts_.begin(), contacts_.end());
+    find_defect();
+  }
+
+  /// how often loop i crosses loop j from right to left, less the other way.
+  const Sparse_matrix& intersections() const { return intersections_; }
+
+  /// V.
+  const Sparse_matrix& linking() const { return linking_; }
+
+  /// A line of a copy and an edge of a walk that meet although they should be apart; or, where the
+  /// edge is one that the copy crosses, two faces that lie on each other.
+  struct Contact
+  {
+    static constexpr std::size_t no_corner = static_cast<std::size_t>(-1);
+    std::size_t corner, edge;
+
+    bool operator<(const Contact& c) const {
+      return edge != c.edge ? edge < c.edge : corner < c.corner;
+    }
+  };
+
+  /// where the surface touches itself. The numbers of the loops that pass there mean nothing.
+  const std::vector<Contact>& contacts() const { return contacts_; }
+
+  /// V less its transpose less the intersection matrix (with the sign of the side to which the
+  /// faces look). It is empty unless the surface touches itself, or crosses itself near loops; then
+  /// the numbers of these loops mean nothing.
+  const Sparse_matrix& defect() const { return defect_; }
+
+private:
+  using Edge = Surface_curves::Edge;
+  using Corner = Surface_curves::Corner;
+
+  static constexpr int maximum_number_of_attempts = 16;
+  static constexpr std::size_t corners_at_once = 8;
+
+  // ---- intersection numbers
+
+  void add_intersections() {
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      for(const Chains::Term& copy : curves_.crossings.of(e))
+        for(const Chains::Term& walk : curves_.walks.of(e))
+          intersections_.push_back({copy.loop, walk.loop, product(copy, walk)});
+    add_up(intersections_);
+  }
+
+  static std::int64_t product(const Chains::Term& a, const Chains::Term& b) {
+    return std::int64_t(a.value) * b.value;
+  }
+
+  void find_defect() {
+    defect_ = linking_;
+    for(const Matrix_entry& e : linking_)
+      defect_.push_back({e.column, e.row, -e.value});
+    for(const Matrix_entry& e : intersections_)
+      defect_.push_back({e.row, e.column, -curves_.outward[e.row] * e.value});
+    add_up(defect_);
+  }
+
+  void add_contact(const Contact& contact) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    contacts_.push_back(contact);
+  }
+
+  // ---- midpoints where a copy crosses a walk
+
+  // The same directions in each run.
+  Projected_points::Direction next_direction() {
+    const auto next = [this] { return (static_cast<int>(random_() % 1024) * 2 - 1023) / 1024.; };
+    const double a = next();
+    return {a, next()};
+  }
+
+  bool is_touched(std::size_t e) const {
+    return !curves_.walks.of(e).empty() && !curves_.crossings.of(e).empty();
+  }
+
+  // Which side of the face to the left, and to the right, is seen: 1 is the outer one.
+  std::array<int, 2> visible_sides(std::size_t e) const {
+    const Edge& edge = curves_.edges[e];
+    const int outward = curves_.outward[curves_.walks.of(e).begin()->loop];
+    return {outward * points_.turn(edge.source, edge.target, edge.left),
+            outward * points_.turn(edge.target, edge.source, edge.right)};
+  }
+
+  // Whether no face at a touched edge is seen as a line.
+  bool are_touches_decided() const {
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      if(is_touched(e)) {
+        const auto [left, right] = visible_sides(e);
+        if(left == 0 || right == 0)
+          return false;
+      }
+    return true;
+  }
+
+  // Whether the copy passes over the pushed edge.
+  bool is_above(std::size_t e) {
+    const auto [left, right] = visible_sides(e);
+    if(left == right)
+      return left < 0;
+    const Edge& edge = curves_.edges[e];
+    const int outward = curves_.outward[curves_.walks.of(e).begin()->loop];
+    const int reflex = outward * points_.side(edge.source, edge.target, edge.left, edge.right);
+    if(reflex == 0 || left == 0 || right == 0)
+      add_contact({Contact::no_corner, e});
+    return reflex > 0;
+  }
+
+  void add_touches() {
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      if(is_touched(e) && is_above(e))
+        for(const Chains::Term& copy : curves_.crossings.of(e))
+          for(const Chains::Term& walk : curves_.walks.of(e))
+            linking_.push_back(
+                {copy.loop, walk.loop, curves_.outward[walk.loop] * product(copy, walk)});
+  }
+
+  // ---- places where a copy is seen to cross a walk
+
+  // The ends of the corners become points after the vertices.
+  Index first_end(std::size_t corner) const {
+    return static_cast<Index>(curves_.vertices.size() + 2 * corner);
+  }
+
+  void add_ends() {
+    for(const Corner& c : curves_.corners) {
+      points_.add_midpoint(c.apex, c.from);
+      points_.add_midpoint(c.apex, c.to);
+    }
+  }
+
+  Box box(Index p, Index q) const {
+    const auto [x1, y1] = points_.position(p);
+    const auto [x2, y2] = points_.position(q);
+    constexpr double e = Projected_points::position_error;
+    return {(std::min)(x1, x2) - e, (std::min)(y1, y2) - e, (std::max)(x1, x2) + e,
+            (std::max)(y1, y2) + e};
+  }
+
+  Box box_of_corner(std::size_t c) const { return box(first_end(c), first_end(c) + 1); }
+
+  template <typename Execution> void add_crossings(Execution execution) {
+    add_ends();
+    std::vector<Box> boxes;
+    boxes.reserve(curves_.edges.size());
+    for(const Edge& edge : curves_.edges)
+      boxes.push_back(box(edge.source, edge.target));
+    const Box_tree tree(std::move(boxes));
+    const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
+        execution, curves_.corners.size(),
+        [&](std::size_t begin, std::size_t end) {
+          std::vector<Matrix_entry> part;
+          for(std::size_t c = begin; c < end; c += corners_at_once)
+            add_crossings(tree, c, (std::min)(end, c + corners_at_once), part);
+          add_up(part);
+          return part;
+        },
+        512 * corners_at_once);
+    linking_.insert(linking_.end(), entries.begin(), entries.end());
+  }
+
+  // Of corners that follow each other, hence lie near each other.
+  void add_crossings(const Box_tree& tree,
+                     std::size_t begin,
+                     std::size_t end,
+                     std::vector<Matrix_entry>& entries) {
+    Box all = box_of_corner(begin);
+    std::array<Box, corners_at_once> boxes;
+    for(std::size_t c = begin; c < end; ++c) {
+      boxes[c - begin] = box_of_corner(c);
+      all.extend(boxes[c - begin]);
+    }
+    tree.for_each_meeting(all, [&](Index e, const Box& box_of_edge) {
+      for(std::size_t c = begin; c < end; ++c)
+        if(boxes[c - begin].meets(box_of_edge) && !touches(curves_.corners[c], curves_.edges[e]))
+          add_terms(crossing(c, e), c, e, entries);
+    });
+  }
+
+  void add_terms(int sign, std::size_t c, std::size_t e, std::vector<Matrix_entry>& entries) const {
+    if(sign != 0)
+      for(const Chains::Term& copy : curves_.copies.of(c))
+        for(const Chains::Term& walk : curves_.walks.of(e))
+          entries.push_back({copy.loop, walk.loop, sign * product(copy, walk)});
+  }
+
+  static bool touches(const Corner& c, const Edge& edge) {
+    const Index other = edge.source == c.apex ? edge.target : edge.source;
+    return (edge.source == c.apex || edge.target == c.apex) && (other == c.from || other == c.to);
+  }
+
+  // 0 unless the corner is seen to pass over the edge; 1 if the edge then leads to the left. If a
+  // line is seen as a point all turns are zero, and it crosses nothing.
+  int crossing(std::size_t c, Index e) {
+    const Index a = first_end(c), b = a + 1;
+    const Index p = curves_.edges[e].source, q = curves_.edges[e].target;
+    const int sense = points_.turn_of_moved(a, b, q);
+    if(sense == points_.turn_of_moved(a, b, p) ||
+       points_.turn_to_moved(p, q, a) == points_.turn_to_moved(p, q, b))
+      return 0;
+    const int height = points_.side(a, b, p, q) * sense;
+    if(height == 0)
+      add_contact({c, e});
+    return height > 0 ? sense : 0;
+  }
+
+  const Surface_curves& curves_;
+  std::minstd_rand random_;
+  Projected_points points_;
+  Sparse_matrix linking_, intersections_;
+  Sparse_matrix defect_; // V less its transpose less the intersection matrix
+  int number_of_attempts_ = 0;
+  std::mutex mutex_; // for contacts_
+  std::vector<Contact> contacts_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_NUMBERS_H

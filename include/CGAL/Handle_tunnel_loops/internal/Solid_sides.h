@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SIDES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SIDES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/Projected_points.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Tells on which side of the components of a closed surface the solid is: the points that are enclosed
+by an odd number of components. So the faces of a component look out of the solid if the volume that
+they enclose is positive and the component lies within an even number of others, or if it is
+negative and the number is odd. How the input is oriented plays no part, as long as each component
+is consistent in itself.
+
+The sign of the volume is exact. A component is said to lie within another if its bounding box
+does and the first of its vertices does, which is decided exactly by counting the faces above it. So
+components that cross each other count as lying beside each other unless the boxes say otherwise.
+*/
+template <typename TriangleMesh, typename VertexPointMap, typename ComponentOfFace>
+class Solid_sides
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+public:
+  /// \p component maps a face to the number of its component. What is asked for later are
+  /// components with `is_wanted`.
+  Solid_sides(const TriangleMesh& tm,
+              VertexPointMap point,
+              const ComponentOfFace& component,
+              std::vector<char> is_wanted)
+      : tm_(tm)
+      , point_(point)
+      , component_(component)
+      , is_wanted_(std::move(is_wanted))
+      , parts_(is_wanted_.size()) {
+    measure();
+    find_signs();
+    find_nesting();
+  }
+
+  /// 1 if the faces of a component look out of the solid, -1 if they look into it, 0 if that cannot
+  /// be told.
+  int outward(std::size_t component) const {
+    return parts_[component].is_touched ? 0 : parts_[component].sign;
+  }
+
+  /// in words, why `outward()` is 0.
+  std::string reason(std::size_t component) const {
+    return parts_[component].is_touched ? "a vertex of one component lies on another"
+                                        : "a component encloses no volume";
+  }
+
+private:
+  using Triangle = std::array<Vector, 3>;
+
+  struct Part
+  {
+    Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+    Vector first;          // one of its points
+    bool is_empty = true;  // no face of it has been seen
+    double volume = 0.;    // six times
+    double magnitude = 0.; // the sum of the absolute values of what was added up
+    std::size_t faces = 0;
+    int sign = 0;
+    bool is_touched = false;
+  };
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  Triangle triangle(face_descriptor f) const {
+    Triangle points;
+    auto h = halfedge(f, tm_);
+    for(Vector& p : points) {
+      p = coordinates(point_, target(h, tm_));
+      h = next(h, tm_);
+    }
+    return points;
+  }
+
+  // ---- volumes
+
+  void measure() {
+    const bool has_several = parts_.size() > 1;
+    for(face_descriptor f : faces(tm_)) {
+      const std::size_t component = component_(f);
+      if(!has_several && !is_wanted_[component])
+        continue;
+      Part& part = parts_[component];
+      const Triangle t = triangle(f);
+      if(part.is_empty) {
+        part.is_empty = false;
+        part.first = t[0];
+      }
+      if(has_several)
+        extend_box(part, t);
+      if(is_wanted_[component])
+        add_volume(part, t);
+    }
+  }
+
+  static void extend_box(Part& part, const Triangle& t) {
+    for(const Vector& p : t)
+      for(int d = 0; d < 3; ++d) {
+        part.low[d] = (std::min)(part.low[d], p[d]);
+        part.high[d] = (std::max)(part.high[d], p[d]);
+      }
+  }
+
+  static void add_volume(Part& part, const Triangle& t) {
+    const Vector a = t[0] - part.first, b = t[1] - part.first, c = t[2] - part.first;
+    for(int d = 0; d < 3; ++d) {
+      const int e = (d + 1) % 3, f = (d + 2) % 3;
+      const double left = a[d] * (b[e] * c[f]), right = a[d] * (b[f] * c[e]);
+      part.volume += left - right;
+      part.magnitude += std::abs(left) + std::abs(right);
+    }
+    ++part.faces;
+  }
+
+  void find_signs() {
+    std::vector<char> is_open(parts_.size(), 0);
+    for(std::size_t i = 0; i < parts_.size(); ++i) {
+      if(!is_wanted_[i])
+        continue;
+      // Each term is off by a few roundings, each sum by one; nothing is known of what underflows.
+      Part& part = parts_[i];
+      const double error = part.magnitude * (8. * double(part.faces) + 16.) * 0x1p-53;
+      if(std::abs(part.volume) > error && std::abs(part.volume) > 1e-250)
+        part.sign = part.volume > 0. ? 1 : -1;
+      else
+        is_open[i] = 1;
+    }
+    if(std::find(is_open.begin(), is_open.end(), 1) != is_open.end())
+      find_exact_signs(is_open);
+  }
+
+  void find_exact_signs(const std::vector<char>& is_open) {
+    std::vector<Exact_rational> volumes(parts_.size());
+    for(face_descriptor f : faces(tm_))
+      if(is_open[component_(f)]) {
+        const Triangle t = triangle(f);
+        volumes[component_(f)] += dot(exact(t[0]), cross(exact(t[1]), exact(t[2])));
+      }
+    for(std::size_t i = 0; i < parts_.size(); ++i)
+      if(is_open[i])
+        parts_[i].sign = sign_of(volumes[i]);
+  }
+
+  // ---- components within components
+
+  bool may_contain(std::size_t outer, std::size_t inner) const {
+    const Part &a = parts_[outer], &b = parts_[inner];
+    bool is_within = outer != inner;
+    for(int d = 0; d < 3; ++d)
+      is_within = is_within && a.low[d] <= b.low[d] && b.high[d] <= a.high[d];
+    return is_within;
+  }
+
+  // The first points of the components that lie in the box of another.
+  std::vector<std::size_t> open_components() const {
+    std::vector<std::size_t> open;
+    for(std::size_t i = 0; i < parts_.size(); ++i)
+      for(std::size_t j = 0; is_wanted_[i] && j < parts_.size(); ++j)
+        if(may_contain(j, i)) {
+          open.push_back(i);
+          break;
+        }
+    return open;
+  }
+
+  // Turns the sign of a component with each face above its first point that belongs to a component
+  // whose box contains it.
+  void find_nesting() {
+    const std::vector<std::size_t> open = open_components();
+    if(open.empty())
+      return;
+    std::vector<Box> boxes;
+    for(std::size_t i : open) {
+      const Vector& p = parts_[i].first;
+      boxes.push_back({p[0], p[1], p[0], p[1]});
+    }
+    const Box_tree tree(std::move(boxes));
+    for(face_descriptor f : faces(tm_)) {
+      const Triangle t = triangle(f);
+      const auto [x1, x2] = std::minmax({t[0][0], t[1][0], t[2][0]});
+      const auto [y1, y2] = std::minmax({t[0][1], t[1][1], t[2][1]});
+      tree.for_each_meeting({x1, y1, x2, y2}, [&](Index i, const Box&) {
+        if(may_contain(component_(f), open[i]))
+          count_face_above(t, parts_[open[i]]);
+      });
+    }
+  }
+
+  // The point is moved aside by an infinitesimal amount, so that it lies above no edge.
+  static void count_face_above(const Triangle& t, Part& part) {
+    const std::vector<Vector> vertices = {t[0], t[1], t[2], part.first};
+    const Projected_points points(vertices, {0., 0.});
+    const int sense = points.turn(0, 1, 2);
+    for(Index i = 0; i < 3; ++i)
+      if(sense == 0 || points.turn_to_moved(i, (i + 1) % 3, 3) != sense)
+        return;
+    const int height = points.side(0, 1, 2, 3) * sense;
+    if(height == 0)
+      part.is_touched = true;
+    if(height < 0)
+      part.sign = -part.sign;
+  }
+
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
+  const ComponentOfFace& component_;
+  std::vector<char> is_wanted_; // by component
+  std::vector<Part> parts_;     // by component
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SIDES_H
