@@ -48,6 +48,7 @@ template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMa
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using Members = std::unordered_set<Index>;
 
 public:
   using Walk = std::vector<halfedge_descriptor>;
@@ -69,7 +70,10 @@ public:
   }
 
   /// lets the walks to come go around a vertex, given by its index.
-  void avoid(Index v) { is_avoided_[v] = 1; }
+  void avoid(Index v) {
+    is_avoided_[v] = 1;
+    discs_.clear();
+  }
 
   /// whether the last walk should have gone around vertices, but these enclose a handle; then it is
   /// empty, which means nothing.
@@ -132,15 +136,15 @@ private:
   }
 
   Walk around_clusters(const Walk& walk) {
+    for(halfedge_descriptor h : walk)
+      if(is_avoided(source(h, tm_)) && !check_cluster(source(h, tm_)))
+        return Walk();
     std::size_t start = 0;
     while(start < walk.size() && is_avoided(source(walk[start], tm_)))
       ++start;
-    if(start == walk.size()) {
-      // All of it lies in one cluster, and is contractible if that is a disc.
-      if(!walk.empty())
-        check_cluster(source(walk.front(), tm_));
+    // If all of it lies in one cluster it is contractible.
+    if(start == walk.size())
       return Walk();
-    }
     Walk result;
     for(std::size_t i = 0; i < walk.size(); ++i) {
       const halfedge_descriptor h = walk[(start + i) % walk.size()];
@@ -151,8 +155,6 @@ private:
       halfedge_descriptor out = h;
       while(is_avoided(target(out, tm_)))
         out = walk[(start + ++i) % walk.size()];
-      if(!check_cluster(target(h, tm_)))
-        return Walk();
       append_way_around(h, out, result);
     }
     return result;
@@ -172,31 +174,79 @@ private:
     }
   }
 
-  // Whether the vertices connected to `first` span a complex of Euler characteristic 1.
+  // Whether the vertices to be avoided that are connected to `first`, and the smaller ones of the
+  // regions around them, are those of a disc.
   bool check_cluster(vertex_descriptor first) {
-    std::vector<vertex_descriptor> cluster(1, first);
-    std::unordered_set<Index> members = {index(first)};
-    std::ptrdiff_t edges_twice = 0, faces_thrice = 0;
-    for(std::size_t i = 0; i < cluster.size(); ++i)
-      for(halfedge_descriptor h : halfedges_around_source(cluster[i], tm_)) {
-        const vertex_descriptor v = target(h, tm_);
-        if(!is_avoided(v))
-          continue;
-        ++edges_twice;
-        faces_thrice += is_avoided(target(next(h, tm_), tm_));
-        if(members.insert(index(v)).second)
-          cluster.push_back(v);
-      }
-    if(static_cast<std::ptrdiff_t>(cluster.size()) - edges_twice / 2 + faces_thrice / 3 == 1)
+    if(discs_.count(index(first)) != 0)
       return true;
+    std::vector<vertex_descriptor> cluster = connected(first);
+    if(euler_characteristic(cluster) != 1) {
+      fill_holes(cluster);
+      cluster = connected(first);
+    }
+    if(euler_characteristic(cluster) == 1) {
+      for(vertex_descriptor v : cluster)
+        discs_.insert(index(v));
+      return true;
+    }
     failure_ = index(first);
     return false;
+  }
+
+  std::vector<vertex_descriptor> connected(vertex_descriptor first) {
+    std::vector<vertex_descriptor> cluster(1, first);
+    Members members = {index(first)};
+    for(std::size_t i = 0; i < cluster.size(); ++i)
+      for(halfedge_descriptor h : halfedges_around_source(cluster[i], tm_))
+        if(is_avoided(target(h, tm_)) && members.insert(index(target(h, tm_))).second)
+          cluster.push_back(target(h, tm_));
+    return cluster;
+  }
+
+  // Of the vertices and all edges and faces between them.
+  std::ptrdiff_t euler_characteristic(const std::vector<vertex_descriptor>& cluster) {
+    std::ptrdiff_t edges_twice = 0, faces_thrice = 0;
+    for(vertex_descriptor v : cluster)
+      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
+        if(is_avoided(target(h, tm_))) {
+          ++edges_twice;
+          faces_thrice += is_avoided(target(next(h, tm_), tm_));
+        }
+    return static_cast<std::ptrdiff_t>(cluster.size()) - edges_twice / 2 + faces_thrice / 3;
+  }
+
+  // Regions that the cluster encloses, with fewer vertices than it has, are to be avoided as well.
+  void fill_holes(const std::vector<vertex_descriptor>& cluster) {
+    Members seen;
+    for(vertex_descriptor v : cluster)
+      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
+        if(!is_avoided(target(h, tm_)) && seen.count(index(target(h, tm_))) == 0)
+          fill_hole(target(h, tm_), cluster.size(), seen);
+  }
+
+  void fill_hole(vertex_descriptor first, std::size_t limit, Members& seen) {
+    std::vector<vertex_descriptor> region(1, first);
+    Members members = {index(first)};
+    for(std::size_t i = 0; i < region.size(); ++i)
+      for(halfedge_descriptor h : halfedges_around_source(region[i], tm_)) {
+        const vertex_descriptor v = target(h, tm_);
+        if(is_avoided(v) || !members.insert(index(v)).second)
+          continue;
+        if(members.size() >= limit || seen.count(index(v)) != 0) {
+          seen.insert(members.begin(), members.end());
+          return;
+        }
+        region.push_back(v);
+      }
+    for(Index v : members)
+      avoid(v);
   }
 
   const TriangleMesh& tm_;
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
   std::unordered_map<Index, char> is_avoided_; // by vertex, as far as known
+  Members discs_;                              // vertices of clusters that are known to be discs
   Index failure_ = no_index;
 };
 

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Sparse_matrix.h>
 #include <CGAL/Handle_tunnel_loops/internal/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/space_filling_order.h>
 
 #include <algorithm>
 #include <array>
@@ -209,21 +210,60 @@ private:
             (std::max)(y1, y2) + e};
   }
 
-  Box box_of_corner(std::size_t c) const { return box(first_end(c), first_end(c) + 1); }
+  // The order of rectangles along a space-filling curve.
+  template <typename Execution>
+  static std::vector<Index> order(Execution execution, const std::vector<Box>& boxes) {
+    Box all = boxes.empty() ? Box{0., 0., 0., 0.} : boxes.front();
+    for(const Box& b : boxes)
+      all.extend(b);
+    const auto relative = [](double x, double low, double high) {
+      return high > low ? (x - low) / (high - low) : 0.;
+    };
+    std::vector<Vector> places(boxes.size());
+    for_each_index(execution, boxes.size(), [&](std::size_t i) {
+      places[i] = {relative(boxes[i].xmin, all.xmin, all.xmax),
+                   relative(boxes[i].ymin, all.ymin, all.ymax), 0.};
+    });
+    return space_filling_order(execution, places);
+  }
+
+  // Rectangles with the numbers of what they are around, those that are near each other together.
+  struct Sorted_boxes
+  {
+    std::vector<Index> numbers;
+    std::vector<Box> boxes;
+  };
+
+  template <typename Execution, typename Ends>
+  Sorted_boxes sorted_boxes(Execution execution, std::size_t n, const Ends& ends) const {
+    std::vector<Box> boxes(n);
+    for_each_index(execution, n, [&](std::size_t i) {
+      const auto [p, q] = ends(i);
+      boxes[i] = box(p, q);
+    });
+    Sorted_boxes sorted{order(execution, boxes), std::vector<Box>(n)};
+    for_each_index(execution, n,
+                   [&](std::size_t i) { sorted.boxes[i] = boxes[sorted.numbers[i]]; });
+    return sorted;
+  }
 
   template <typename Execution> void add_crossings(Execution execution) {
     add_ends();
-    std::vector<Box> boxes;
-    boxes.reserve(curves_.edges.size());
-    for(const Edge& edge : curves_.edges)
-      boxes.push_back(box(edge.source, edge.target));
-    const Box_tree tree(std::move(boxes));
+    using Ends = std::pair<Index, Index>;
+    Sorted_boxes edges = sorted_boxes(execution, curves_.edges.size(), [this](std::size_t e) {
+      return Ends(curves_.edges[e].source, curves_.edges[e].target);
+    });
+    const Sorted_boxes corners =
+        sorted_boxes(execution, curves_.corners.size(),
+                     [this](std::size_t c) { return Ends(first_end(c), first_end(c) + 1); });
+    const Box_tree tree(std::move(edges.boxes));
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
-        execution, curves_.corners.size(),
+        execution, corners.boxes.size(),
         [&](std::size_t begin, std::size_t end) {
           std::vector<Matrix_entry> part;
-          for(std::size_t c = begin; c < end; c += corners_at_once)
-            add_crossings(tree, c, (std::min)(end, c + corners_at_once), part);
+          for(std::size_t i = begin; i < end; i += corners_at_once)
+            add_crossings(tree, edges.numbers, corners, i, (std::min)(end, i + corners_at_once),
+                          part);
           add_up(part);
           return part;
         },
@@ -231,29 +271,31 @@ private:
     linking_.insert(linking_.end(), entries.begin(), entries.end());
   }
 
-  // Of corners that follow each other, hence lie near each other.
+  // Of corners that follow each other in their order, hence lie near each other.
   void add_crossings(const Box_tree& tree,
+                     const std::vector<Index>& edges,
+                     const Sorted_boxes& corners,
                      std::size_t begin,
                      std::size_t end,
                      std::vector<Matrix_entry>& entries) {
-    Box all = box_of_corner(begin);
-    std::array<Box, corners_at_once> boxes;
-    for(std::size_t c = begin; c < end; ++c) {
-      boxes[c - begin] = box_of_corner(c);
-      all.extend(boxes[c - begin]);
-    }
-    tree.for_each_meeting(all, [&](Index e, const Box& box_of_edge) {
-      for(std::size_t c = begin; c < end; ++c)
-        if(boxes[c - begin].meets(box_of_edge) && !touches(curves_.corners[c], curves_.edges[e]))
-          add_terms(crossing(c, e), c, e, entries);
+    Box all = corners.boxes[begin];
+    for(std::size_t i = begin; i < end; ++i)
+      all.extend(corners.boxes[i]);
+    tree.for_each_meeting(all, [&](Index i, const Box& box_of_edge) {
+      for(std::size_t j = begin; j < end; ++j)
+        if(corners.boxes[j].meets(box_of_edge))
+          add_terms(corners.numbers[j], edges[i], entries);
     });
   }
 
-  void add_terms(int sign, std::size_t c, std::size_t e, std::vector<Matrix_entry>& entries) const {
+  void add_terms(Index c, Index e, std::vector<Matrix_entry>& entries) {
+    const Corner& corner = curves_.corners[c];
+    if(touches(corner, curves_.edges[e]))
+      return;
+    const int sign = crossing(c, e);
     if(sign != 0)
-      for(const Chains::Term& copy : curves_.copies.of(c))
-        for(const Chains::Term& walk : curves_.walks.of(e))
-          entries.push_back({copy.loop, walk.loop, sign * product(copy, walk)});
+      for(const Chains::Term& walk : curves_.walks.of(e))
+        entries.push_back({corner.loop, walk.loop, sign * std::int64_t(walk.value)});
   }
 
   static bool touches(const Corner& c, const Edge& edge) {
@@ -263,7 +305,7 @@ private:
 
   // 0 unless the corner is seen to pass over the edge; 1 if the edge then leads to the left. If a
   // line is seen as a point all turns are zero, and it crosses nothing.
-  int crossing(std::size_t c, Index e) {
+  int crossing(Index c, Index e) {
     const Index a = first_end(c), b = a + 1;
     const Index p = curves_.edges[e].source, q = curves_.edges[e].target;
     const int sense = points_.turn_of_moved(a, b, q);

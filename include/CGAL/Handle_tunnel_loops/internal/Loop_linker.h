@@ -175,12 +175,13 @@ private:
     const std::string problem = "the surface touches itself at the edge " +
                                 std::to_string(builder.original(edge.source)) + " - " +
                                 std::to_string(builder.original(edge.target));
-    const bool has_corner = contact.corner != Linking_numbers::Contact::no_corner;
     for(const Chains::Term& walk : curves.walks.of(contact.edge))
       add_problem(walk.loop, problem);
-    for(const Chains::Term& copy :
-        has_corner ? curves.copies.of(contact.corner) : curves.crossings.of(contact.edge))
-      add_problem(copy.loop, problem);
+    if(contact.corner != Linking_numbers::Contact::no_corner)
+      add_problem(curves.corners[contact.corner].loop, problem);
+    else
+      for(const Chains::Term& copy : curves.crossings.of(contact.edge))
+        add_problem(copy.loop, problem);
   }
 
   const TriangleMesh& tm_;

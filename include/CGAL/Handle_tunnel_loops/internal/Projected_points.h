@@ -47,7 +47,9 @@ public:
     for(const Vector& p : vertices)
       for(double x : p)
         largest = (std::max)(largest, std::abs(x));
-    std::frexp(largest, &exponent_);
+    int exponent;
+    std::frexp(largest, &exponent);
+    scale_ = std::ldexp(1., (std::min)(-exponent - 1, 1000));
     see_along(direction);
   }
 
@@ -65,7 +67,7 @@ public:
     p.u = u;
     p.v = v;
     for(int d = 0; d < 3; ++d)
-      p.space[d] = scaled(vertices_[u][d]) + scaled(vertices_[v][d]);
+      p.space[d] = scale_ * vertices_[u][d] + scale_ * vertices_[v][d];
     p.x = p.space[0] - direction_.a * p.space[2];
     p.y = p.space[1] - direction_.b * p.space[2];
     points_.push_back(p);
@@ -128,8 +130,6 @@ private:
     Index u, v;
   };
 
-  double scaled(double x) const { return std::ldexp(x, -exponent_ - 1); }
-
   Exact_vector exact_difference(Index p, Index q) const {
     const Point &a = points_[p], &b = points_[q];
     return (exact(vertices_[b.u]) + exact(vertices_[b.v])) -
@@ -169,7 +169,7 @@ private:
 
   const std::vector<Vector>& vertices_;
   Direction direction_;
-  int exponent_ = 0; // the coordinates of the vertices are smaller than two to this power
+  double scale_; // a power of two that makes the coordinates smaller than 1/2
   std::vector<Point> points_;
 };
 

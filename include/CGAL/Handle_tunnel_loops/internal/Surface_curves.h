@@ -112,10 +112,11 @@ struct Surface_curves
     Index source, target, left, right;
   };
 
-  /// A line across a face, from the midpoint of the edge `apex` - `from` to that of `apex` - `to`.
+  /// A line across a face, from the midpoint of the edge `apex` - `from` to that of `apex` - `to`,
+  /// along which the copy of a loop runs.
   struct Corner
   {
-    Index apex, from, to;
+    Index apex, from, to, loop;
   };
 
   std::vector<Vector> vertices;
@@ -123,7 +124,6 @@ struct Surface_curves
   std::vector<Corner> corners;
   Chains walks;             ///< by edge: how often each loop's walk runs along it
   Chains crossings;         ///< by edge: how often each loop's copy crosses it from right to left
-  Chains copies;            ///< by corner: how often each loop's copy runs along it
   std::vector<int> outward; ///< by loop: 1 if the faces beside it look out of the solid, or -1
 };
 

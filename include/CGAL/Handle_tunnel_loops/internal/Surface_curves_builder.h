@@ -17,6 +17,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -46,6 +47,10 @@ public:
   /// \p outward is 1 or -1 for each walk, as in `Surface_curves`.
   Surface_curves build(const std::vector<Walk>& walks, std::vector<int> outward) {
     // All walks first: crossings are of interest where there is a walk.
+    for(const Walk& walk : walks)
+      for(halfedge_descriptor h : walk)
+        number_of(source(h, tm_));
+    number_on_walks_ = static_cast<Index>(curves_.vertices.size());
     for(std::size_t i = 0; i < walks.size(); ++i)
       for(halfedge_descriptor h : walks[i])
         add_edge(h, static_cast<Index>(i));
@@ -53,7 +58,6 @@ public:
       add_copy(walks[i], static_cast<Index>(i));
     curves_.walks.finish(curves_.edges.size());
     curves_.crossings.finish(curves_.edges.size());
-    curves_.copies.finish(curves_.corners.size());
     curves_.outward = std::move(outward);
     return std::move(curves_);
   }
@@ -65,13 +69,15 @@ private:
   Index index(vertex_descriptor v) const { return static_cast<Index>(get(vertex_index_, v)); }
 
   Index number_of(vertex_descriptor v) {
-    const auto [it, is_new] =
-        vertices_.emplace(index(v), static_cast<Index>(curves_.vertices.size()));
-    if(is_new) {
+    const Index i = index(v);
+    if(i >= numbers_.size())
+      numbers_.resize((std::max)(std::size_t(i) + 1, 2 * numbers_.size()), no_index);
+    if(numbers_[i] == no_index) {
+      numbers_[i] = static_cast<Index>(curves_.vertices.size());
       curves_.vertices.push_back(coordinates(point_, v));
-      originals_.push_back(index(v));
+      originals_.push_back(i);
     }
-    return it->second;
+    return numbers_[i];
   }
 
   std::uint64_t key(halfedge_descriptor h) const {
@@ -114,36 +120,37 @@ private:
       const halfedge_descriptor left = opposite(entered[i + 1 == entered.size() ? 0 : i + 1], tm_);
       // If the copy leaves a face where it has entered it, it has not been in it.
       if(left == next(entered[i], tm_))
-        add_corner(left, loop, -1);
+        add_corner(source(left, tm_), source(entered[i], tm_), target(left, tm_), loop);
       else if(left != entered[i])
-        add_corner(entered[i], loop, 1);
+        add_corner(source(entered[i], tm_), target(entered[i], tm_), source(left, tm_), loop);
     }
   }
 
+  // The vertices of the walks have the first numbers.
+  bool is_on_walk(vertex_descriptor v) { return number_of(v) < number_on_walks_; }
+
   void add_crossing(halfedge_descriptor h, Index loop) {
+    if(!is_on_walk(source(h, tm_)) || !is_on_walk(target(h, tm_)))
+      return;
     const int sign = is_reversed(h) ? -1 : 1;
     const auto it = edges_.find(key(sign < 0 ? opposite(h, tm_) : h));
     if(it != edges_.end())
       curves_.crossings.add(it->second, loop, sign);
   }
 
-  // From the midpoint of h, counterclockwise around its source.
-  void add_corner(halfedge_descriptor h, Index loop, int sign) {
-    const auto [it, is_new] = corners_.emplace(key(h), static_cast<Index>(curves_.corners.size()));
-    if(is_new)
-      curves_.corners.push_back(
-          {number_of(source(h, tm_)), number_of(target(h, tm_)), number_of(apex(h))});
-    curves_.copies.add(it->second, loop, sign);
+  void
+  add_corner(vertex_descriptor apex, vertex_descriptor from, vertex_descriptor to, Index loop) {
+    curves_.corners.push_back({number_of(apex), number_of(from), number_of(to), loop});
   }
 
   const TriangleMesh& tm_;
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
   Surface_curves curves_;
-  std::vector<Index> originals_;                     // by vertex of the curves
-  std::unordered_map<Index, Index> vertices_;        // by index in the mesh
-  std::unordered_map<std::uint64_t, Index> edges_;   // by key
-  std::unordered_map<std::uint64_t, Index> corners_; // by key
+  std::vector<Index> originals_; // by vertex of the curves
+  std::vector<Index> numbers_;   // of vertices, by index in the mesh, as far as there are any
+  Index number_on_walks_ = 0;
+  std::unordered_map<std::uint64_t, Index> edges_; // by key
 };
 
 } // namespace internal
