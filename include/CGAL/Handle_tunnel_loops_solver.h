@@ -161,6 +161,8 @@ private:
     statistics_.seconds[static_cast<std::size_t>(Stage::ADAPTOR)] = seconds_of_adaptor;
     statistics_.kept_sweep_tunnels = statistics_.kept_sweep_handles = 0;
     certificate_ = Certificate();
+    statistics_.front_events.clear();
+    statistics_.resolution = Field_resolution();
   }
 
   template <typename T> static T& unwrapped(T& t) { return t; }
@@ -173,7 +175,7 @@ private:
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    using Finder = impl::Loop_finder<decltype(impl::execution<ConcurrencyTag>())>;
+    using Finder = typename impl::Loop_finder_of<ConcurrencyTag>::type;
     typename Finder::Options options;
     options.constants =
         choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
@@ -188,7 +190,7 @@ private:
                                                       progress);
 
     Finder finder(mesh_, start, options, progress);
-    finder.initial_pass();
+    finder.initial_pass(statistics_);
     finder.tunnel_pass(statistics_);
     if(options.do_refine_handles)
       finder.refinement_pass(statistics_);

@@ -12,8 +12,11 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Front_event.h>
+
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -57,6 +60,8 @@ struct Statistics
   std::array<double, number_of_stages> seconds{}; ///< by stage
   std::size_t kept_sweep_tunnels = 0; ///< tunnels for which the loop of the initial pass was kept
   std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was kept
+  std::vector<Front_event> front_events; ///< of the initial pass; logged by `Reference_tag` only
+  Field_resolution resolution;           ///< of the initial pass; by `Reference_tag` only
 
   /// the wall time of a stage, in seconds.
   double seconds_of(Stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }

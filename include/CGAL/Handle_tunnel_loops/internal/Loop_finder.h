@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/Flat_pair.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/Pair_reduction.h>
@@ -34,12 +35,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-
-/// A pair of loops in the terms of the flat mesh.
-struct Flat_pair
-{
-  Crossing_loop handle, tunnel;
-};
 
 /// The passes on the flat mesh, one after the other.
 template <typename Execution> class Loop_finder
@@ -65,7 +60,7 @@ public:
       , stencils_(execution_, mesh) {}
 
   /// paper, 4.1: the arrival times of one field over the whole mesh, and the handles read off them.
-  void initial_pass() {
+  void initial_pass(Statistics&) {
     progress_.start(Stage::INITIAL);
     Narrow_band band(mesh_, stencils_, coefficients_);
     sweep(band);
@@ -334,6 +329,12 @@ private:
   std::vector<Crossing_loop> handles_, tunnels_;
   std::vector<char> is_refined_; // by handle
   std::unique_ptr<Crossing_index> contour_index_;
+};
+
+/// The finder that a concurrency tag stands for. Specialised where a tag asks for another one.
+template <typename ConcurrencyTag> struct Loop_finder_of
+{
+  using type = Loop_finder<decltype(execution<ConcurrencyTag>())>;
 };
 
 } // namespace internal

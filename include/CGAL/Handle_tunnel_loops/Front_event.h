@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_FRONT_EVENT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_FRONT_EVENT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// What can happen to the fronts of the initial pass.
+enum class Front_event_type {
+  SPLIT,   ///< a front parts in two; each goes on in a layer of its own
+  MERGE,   ///< two fronts meet and go on in one new layer: a handle
+  CLOSING, ///< a front has shrunk to a point
+  REST     ///< the field has come to rest before all is covered, and is pushed on
+};
+
+/// the name of a type of event, as it stands in reports.
+inline const char* front_event_name(Front_event_type type) {
+  constexpr std::array<const char*, 4> names = {"split", "merge", "closing", "rest"};
+  return names[static_cast<std::size_t>(type)];
+}
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// An event of the initial pass, as `Reference_tag` logs it (paper, section 4.1).
+struct Front_event
+{
+  /// A front, at the moment before or after the event.
+  struct Front
+  {
+    std::size_t layer; ///< the row of the matrix of fields in which the front lies
+    double length;     ///< in the unit of the coordinates
+  };
+
+  Front_event_type type;
+  std::size_t step;          ///< the time step of the field, from 1; 0 in the region of the seed
+  std::size_t vertex;        ///< index of the vertex at which it happens, in the caller's numbering
+  std::vector<Front> before; ///< the fronts concerned that end
+  std::vector<Front> after;  ///< those that begin
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// Where a mesh is too coarse for what the paper takes for granted: that the band is narrow against
+/// everything that it passes. None of this makes an answer wrong.
+struct Field_resolution
+{
+  /// events of fronts that had begun in the same time step; the order of arrival within the step
+  /// tells which came first.
+  std::size_t events_of_new_fronts = 0;
+  /// vertices at which more than two pieces of fronts met at once.
+  std::size_t multiple_saddles = 0;
+  /// how often the field came to rest before all was covered.
+  std::size_t rests = 0;
+  /// vertices that passed the threshold before the front had come to them.
+  std::size_t early_vertices = 0;
+  /// events within the region of a seed, which should be a disc.
+  std::size_t events_in_seed_region = 0;
+
+  /// whether nothing of that kind happened.
+  bool is_resolved() const {
+    return events_of_new_fronts + multiple_saddles + rests + early_vertices +
+               events_in_seed_region ==
+           0;
+  }
+};
+
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_FRONT_EVENT_H

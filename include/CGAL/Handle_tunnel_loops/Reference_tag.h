@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_REFERENCE_TAG_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_REFERENCE_TAG_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Reference_finder.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()` and of
+`CGAL::Handle_tunnel_loops_solver::find_loops()`, it asks for the reference solver: the method of
+\cgalCite{weinrauch2023variational} to the letter, in one thread, to compare others with.
+
+All fields of the initial pass are the rows of a sparse matrix, and obey the equation of the paper's
+section 3 with all its terms; the fields of the other two passes cover the whole mesh; tunnels, and
+handles after the refinement, are streamlines across the triangles. Nothing is tightened:
+`do_tighten` has no effect. Nothing is shared with the other solvers but the adaptor, the conversion
+of the answer and its certificate. `Statistics::front_events` holds the splits, merges and closings
+of the initial pass afterwards, and `Statistics::resolution` where the mesh was too coarse for what
+the paper takes for granted.
+
+Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
+is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is
+about 500 bytes per vertex.
+
+It needs \eigen; the macro `CGAL_EIGEN3_ENABLED` has to be defined, as it is in programs that are
+linked with the target `CGAL::Eigen3_support`.
+*/
+struct Reference_tag : public Sequential_tag
+{};
+
+namespace internal {
+
+template <> struct Loop_finder_of<Reference_tag>
+{
+#ifdef CGAL_EIGEN3_ENABLED
+  using type = reference::Reference_finder;
+#endif
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_REFERENCE_TAG_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_LOOP_PASS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_LOOP_PASS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace reference {
+
+/*!
+The operation of the tunnel pass and the refinement pass (paper, 4.2 and 4.3): a field grows from
+the left side of a loop, which is a wall, until it comes to the right side. A streamline leads from
+the place where it came to back to the left side; along the left side, and across the loop, it is
+closed.
+*/
+class Loop_pass
+{
+public:
+  Loop_pass(const Flat_mesh& mesh, const Field_constants& constants)
+      : mesh_(mesh)
+      , constants_(constants) {}
+
+  /// `walls` are edges that may not be crossed, those of `loop` among them. Returns an empty loop
+  /// if there is no way.
+  Crossing_loop dual_loop(const Crossing_loop& loop, const Walls& walls) const {
+    Single_field field(mesh_, constants_, walls);
+    for(const Crossing& c : loop)
+      field.add_source(c.left);
+    std::vector<char> is_target(mesh_.number_of_vertices(), 0);
+    bool has_target = false;
+    for(const Crossing& c : loop)
+      if(!field.is_source(c.right)) {
+        is_target[c.right] = 1;
+        has_target = true;
+      }
+    const Index target = has_target ? field.run_until(is_target) : no_index;
+    if(target == no_index)
+      return {};
+    std::vector<Place> line = Streamline(mesh_, field.arrivals()).trace(target);
+    append_along(loop, line.back().a, target, line);
+    remove_turns(line);
+    return Loop_of_line(mesh_)(line);
+  }
+
+private:
+  // Goes on from `left` along the left side of the loop, the short way, to beside `right`.
+  void
+  append_along(const Crossing_loop& loop, Index left, Index right, std::vector<Place>& line) const {
+    const std::vector<double> along = lengths_up_to(loop);
+    std::size_t from = loop.size(), to = loop.size();
+    double shortest = 0.;
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      for(std::size_t j = 0; j < loop.size(); ++j) {
+        if(loop[i].left != left || loop[j].right != right)
+          continue;
+        const double direct = std::abs(along[i] - along[j]);
+        const double distance = (std::min)(direct, along.back() - direct);
+        if(from == loop.size() || distance < shortest) {
+          shortest = distance;
+          from = i;
+          to = j;
+        }
+      }
+    const double forward = along[to] - along[from] + (to < from ? along.back() : 0.);
+    const bool go_forward = forward <= along.back() - forward;
+    const std::size_t n = loop.size();
+    for(std::size_t i = from; i != to;) {
+      i = (go_forward ? i + 1 : i + n - 1) % n;
+      line.push_back(vertex_place(loop[i].left));
+    }
+  }
+
+  // Of the left side, up to each crossing, and in all.
+  std::vector<double> lengths_up_to(const Crossing_loop& loop) const {
+    std::vector<double> lengths(1, 0.);
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      lengths.push_back(lengths.back() +
+                        mesh_.edge_length(loop[i].left, loop[(i + 1) % loop.size()].left));
+    return lengths;
+  }
+
+  const Flat_mesh& mesh_;
+  Field_constants constants_;
+};
+
+} // namespace reference
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_LOOP_PASS_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_SINGLE_FIELD_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_SINGLE_FIELD_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include <CGAL/Handle_tunnel_loops/internal/reference/laplacian.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace reference {
+
+/*!
+One field over the whole mesh, with walls (paper, section 5): the base layer is one minus its value,
+and the equation of the layers becomes
+\code
+d/dt phi = mu/2 [ a^2 L phi + e sqrt(phi (1 - phi)) - w (1 - 2 phi) ]
+\endcode
+Sources keep the value one.
+*/
+class Single_field
+{
+public:
+  Single_field(const Flat_mesh& mesh, const Field_constants& constants, const Walls& walls)
+      : constants_(constants)
+      , factor_(time_step(constants) * constants.mobility / 2.)
+      , laplacian_(laplacian(mesh, walls))
+      , phi_(Eigen::ArrayXd::Zero(laplacian_.cols()))
+      , arrivals_(mesh, walls) {}
+
+  void add_source(Index v) {
+    if(arrivals_.is_reached(v))
+      return;
+    sources_.push_back(v);
+    phi_[v] = 1.;
+    arrivals_.reach(v);
+  }
+
+  bool is_source(Index v) const { return arrivals_.rank(v) < sources_.size(); }
+
+  const Arrivals& arrivals() const { return arrivals_; }
+
+  /// makes steps until one of the targets is reached, and returns it; `no_index` if all that can be
+  /// reached from the sources is covered before.
+  Index run_until(const std::vector<char>& is_target) {
+    Index target = no_index;
+    const auto reached = [&](Index v) {
+      if(target == no_index && is_target[v])
+        target = v;
+    };
+    std::size_t steps_at_rest = 0;
+    while(target == no_index) {
+      const std::size_t reached_before = arrivals_.number_of_reached();
+      step(reached);
+      if(arrivals_.number_of_reached() != reached_before) {
+        steps_at_rest = 0;
+        continue;
+      }
+      if(++steps_at_rest < patience)
+        continue;
+      if(!push_on(reached))
+        break;
+      steps_at_rest = 0;
+    }
+    return target;
+  }
+
+private:
+  // A front that moves at all passes a vertex in far fewer steps.
+  static constexpr std::size_t patience = 64;
+
+  template <typename Reached> void step(const Reached& reached) {
+    const Eigen::ArrayXd before = phi_;
+    const Eigen::ArrayXd diffusion = (laplacian_ * phi_.matrix()).array();
+    const Field_constants& c = constants_;
+    phi_ += factor_ *
+            (c.gradient_coefficient * diffusion +
+             c.driving_force * (before * (1. - before)).sqrt() - c.penalty * (1. - 2. * before));
+    phi_ = phi_.max(0.).min(1.);
+    for(Index v : sources_)
+      phi_[v] = 1.;
+    arrivals_.advance(before, phi_, reached);
+  }
+
+  // What the field touches while it is at rest is declared covered. Returns whether there was any.
+  template <typename Reached> bool push_on(const Reached& reached) {
+    const std::size_t reached_before = arrivals_.number_of_reached();
+    arrivals_.push_on(phi_, [&](Index v) {
+      phi_[v] = 1.;
+      reached(v);
+    });
+    return arrivals_.number_of_reached() != reached_before;
+  }
+
+  Field_constants constants_;
+  double factor_;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> laplacian_;
+  Eigen::ArrayXd phi_;
+  Arrivals arrivals_;
+  std::vector<Index> sources_;
+};
+
+} // namespace reference
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_SINGLE_FIELD_H

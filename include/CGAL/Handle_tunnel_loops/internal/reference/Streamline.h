@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_STREAMLINE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_STREAMLINE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Place.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace reference {
+
+/*!
+A streamline of the arrival time (paper, 4.2): from a vertex back to where the field came from,
+straight through each triangle along the gradient.
+
+The time is linear in each triangle. Where it falls towards an edge from both sides, and where a
+wall crosses a triangle, the line follows the edge to its earlier end; at a vertex it takes the
+steepest way out. The time never grows along the line, and the vertices that it passes become
+earlier and earlier, so it ends at a source.
+*/
+class Streamline
+{
+public:
+  Streamline(const Flat_mesh& mesh, const Arrivals& arrivals)
+      : mesh_(mesh)
+      , arrivals_(arrivals) {}
+
+  /// the line from `start`, reached but no source, to a source: a vertex of time 0.
+  std::vector<Place> trace(Index start) {
+    line_.assign(1, vertex_place(start));
+    while(!is_at_source())
+      if(line_.back().is_vertex())
+        leave_vertex(line_.back().a);
+      else
+        cross_triangle();
+    return line_;
+  }
+
+private:
+  // The way of steepest descent from the first corner of a triangle: it falls by `slope` per length
+  // and leaves the triangle at `p`.
+  struct Way
+  {
+    double slope;
+    Place p;
+  };
+
+  double time(Index v) const { return arrivals_.time(v); }
+  double time(const Place& p) const { return (1. - p.ratio) * time(p.a) + p.ratio * time(p.b); }
+
+  bool is_earlier(Index u, Index v) const { return arrivals_.rank(u) < arrivals_.rank(v); }
+
+  bool is_at_source() const { return line_.back().is_vertex() && time(line_.back().a) == 0.; }
+
+  // Also takes out what lies on the edges of the vertex, so that no two places share an edge.
+  void append_vertex(Index v) {
+    while(line_.back().has_end(v) && !line_.back().is_vertex())
+      line_.pop_back();
+    line_.push_back(vertex_place(v));
+  }
+
+  void append(const Place& p) {
+    if(p.is_vertex())
+      append_vertex(p.a);
+    else if(time(p.a) == 0. || time(p.b) == 0.)
+      append_vertex(time(p.a) == 0. ? p.a : p.b);
+    else
+      line_.push_back(p);
+  }
+
+  // Whether the time is defined in all of the triangle (v, ring[i], ring[i + 1]).
+  bool is_open(Index v, Index i) const {
+    const Ring ring = mesh_.ring(v);
+    const Index a = ring[i], b = ring[ring.next(i)];
+    return arrivals_.is_reached(v) && arrivals_.is_reached(a) && arrivals_.is_reached(b) &&
+           !arrivals_.is_wall(v, i) && !arrivals_.is_wall(v, ring.next(i)) &&
+           !arrivals_.is_wall(a, mesh_.ring(a).position(b));
+  }
+
+  // The gradient in a triangle is -(s p + t q), where p and q are the edges from its first corner.
+  // Returns whether it is defined.
+  bool find_descent(Index o, Index a, Index b, double& s, double& t) const {
+    const Vector p = mesh_.points[a] - mesh_.points[o], q = mesh_.points[b] - mesh_.points[o];
+    const double pp = dot(p, p), pq = dot(p, q), qq = dot(q, q);
+    const double determinant = pp * qq - pq * pq;
+    if(!(determinant > 1e-12 * pp * qq))
+      return false;
+    const double drop_a = time(o) - time(a), drop_b = time(o) - time(b);
+    s = (qq * drop_a - pq * drop_b) / determinant;
+    t = (pp * drop_b - pq * drop_a) / determinant;
+    return true;
+  }
+
+  void leave_vertex(Index v) {
+    const Ring ring = mesh_.ring(v);
+    Way best = {-1., vertex_place(v)};
+    const auto consider = [&best](const Way& way) {
+      if(way.slope > best.slope)
+        best = way;
+    };
+    for(Index i = 0; i < ring.size(); ++i) {
+      if(!arrivals_.is_wall(v, i) && is_earlier(ring[i], v))
+        consider({slope_along(v, ring[i]), vertex_place(ring[i])});
+      if(is_open(v, i))
+        consider(way_through(v, ring[i], ring[ring.next(i)]));
+    }
+    append(best.p);
+  }
+
+  double slope_along(Index v, Index u) const {
+    const double distance = mesh_.edge_length(u, v);
+    return distance > 0. ? (time(v) - time(u)) / distance : (std::numeric_limits<double>::max)();
+  }
+
+  Way way_through(Index v, Index a, Index b) const {
+    double s = 0., t = 0.;
+    if(!find_descent(v, a, b, s, t) || !(s > 0. && t > 0.))
+      return {-1., vertex_place(v)};
+    const Vector direction =
+        s * (mesh_.points[a] - mesh_.points[v]) + t * (mesh_.points[b] - mesh_.points[v]);
+    const Place p = {a, b, inner(t / (s + t))};
+    return {time(p) < time(v) ? norm(direction) : -1., p};
+  }
+
+  // Away from the ends, so that places on edges and vertices cannot be confused.
+  static double inner(double ratio) { return (std::min)(0.999, (std::max)(0.001, ratio)); }
+
+  // From a place on an edge through the triangle ahead, which the line has not come from.
+  void cross_triangle() {
+    const Place p = line_.back();
+    const Index apex = apex_ahead_of_line();
+    Place next = vertex_place(is_earlier(p.a, p.b) ? p.a : p.b);
+    const Ring ring = mesh_.ring(apex);
+    const Index i = ring.position(p.a);
+    if(is_open(apex, ring[ring.next(i)] == p.b ? i : ring.previous(i))) {
+      const Place through = way_out(p, apex);
+      if(!through.is_vertex() && time(through) < time(p))
+        next = through;
+    }
+    append(next);
+  }
+
+  // The corner of the triangle on the other side of the last place.
+  Index apex_ahead_of_line() const {
+    const Place &p = line_.back(), &previous = line_[line_.size() - 2];
+    const Index behind = p.has_end(previous.a) ? previous.b : previous.a;
+    const Index apex = mesh_.ring(p.a).after(p.b);
+    return apex == behind ? mesh_.ring(p.a).before(p.b) : apex;
+  }
+
+  // In the coordinates of the corners (a, b, apex) the descent is (-s - t, s, t). A vertex if it
+  // does not lead into the triangle.
+  Place way_out(const Place& p, Index apex) const {
+    double s = 0., t = 0.;
+    if(!find_descent(p.a, p.b, apex, s, t) || !(t > 0.))
+      return vertex_place(apex);
+    const double far = (std::numeric_limits<double>::max)();
+    const double to_a = s < 0. ? p.ratio / -s : far; // until the coordinate of b is zero
+    const double to_b = s + t > 0. ? (1. - p.ratio) / (s + t) : far;
+    const bool leaves_at_a = to_a < to_b;
+    return {leaves_at_a ? p.a : p.b, apex, inner(t * (leaves_at_a ? to_a : to_b))};
+  }
+
+  const Flat_mesh& mesh_;
+  const Arrivals& arrivals_;
+  std::vector<Place> line_;
+};
+
+} // namespace reference
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_STREAMLINE_H
