@@ -11,7 +11,8 @@ foreach(header IN LISTS _htl_headers)
 endforeach()
 
 add_library(headers_alone OBJECT EXCLUDE_FROM_ALL ${_htl_sources})
-target_link_libraries(headers_alone PRIVATE Handle_tunnel_loops htl_build_options)
+target_link_libraries(headers_alone PRIVATE
+  Handle_tunnel_loops $<TARGET_NAME_IF_EXISTS:CGAL::Eigen3_support> htl_build_options)
 # Templates are only parsed: optimising would cost time and find nothing.
 target_compile_options(headers_alone PRIVATE $<$<NOT:$<BOOL:${MSVC}>>:-O0;-g0>)
 

@@ -11,15 +11,24 @@
 
 #include "failure.h"
 #include "host_backend.h"
+#ifdef HTLOOPS_HAS_REFERENCE
+#include "reference_backend.h"
+#endif
+
+#include <cstddef>
 
 namespace htloops {
 namespace {
 
+#ifndef HTLOOPS_HAS_REFERENCE
+constexpr std::nullptr_t solve_by_reference = nullptr;
+#endif
+
 // The fastest first. A new backend is a line here and a function that solves.
 constexpr Backend backends[] = {
-    {"cuda", true, nullptr},
-    {"host", true, solve_on_host},
-    {"reference", false, nullptr},
+    {"cuda", true, false, nullptr},
+    {"host", true, false, solve_on_host},
+    {"reference", false, true, solve_by_reference},
 };
 
 const char automatic[] = "auto";

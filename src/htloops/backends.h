@@ -34,6 +34,7 @@ struct Backend
 {
   const char* name;
   bool is_chosen_by_auto;
+  bool logs_events; ///< those of the fronts of the initial pass
   /// null in a build without it.
   Answer (*solve)(const Mesh&, const Solve_options&, Progress_bar&);
 };

@@ -10,6 +10,7 @@
 #include "atomic_file.h"
 #include "backends.h"
 #include "command.h"
+#include "events_writer.h"
 #include "export_lines.h"
 #include "failure.h"
 #include "help_style.h"
@@ -36,6 +37,7 @@ struct Loops_options
 {
   std::string mesh_file;
   std::string json_file;
+  std::string events_file;
   std::vector<std::string> lines_files;
   Picture_options picture;
   std::string backend = "auto";
@@ -51,7 +53,7 @@ struct Loops_options
 
 std::vector<std::string> outputs_of(const Loops_options& options) {
   std::vector<std::string> outputs = options.lines_files;
-  for(const std::string& file : {options.json_file, options.picture.file})
+  for(const std::string& file : {options.json_file, options.events_file, options.picture.file})
     if(!file.empty())
       outputs.push_back(file);
   return outputs;
@@ -59,7 +61,10 @@ std::vector<std::string> outputs_of(const Loops_options& options) {
 
 bool is_zero(double value) { return value == 0.; }
 
-void check_options(const Loops_options& options) {
+void check_options(const Loops_options& options, const Backend& backend) {
+  if(!options.events_file.empty() && !backend.logs_events)
+    throw Failure(Exit_code::WRONG_USAGE, std::string("the backend ") + backend.name +
+                                              " logs no events; --backend reference does");
   const std::vector<double>& view = options.picture.view;
   if(!view.empty() && std::all_of(view.begin(), view.end(), is_zero))
     throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
@@ -99,6 +104,8 @@ void write_files(const Loops_options& options,
                  double read_seconds) {
   if(!options.json_file.empty())
     write_loops_json(options.json_file, mesh, answer, read_seconds);
+  if(!options.events_file.empty())
+    write_events(options.events_file, answer);
   for(const std::string& file : options.lines_files)
     export_lines(file, answer.pairs);
   if(!options.picture.file.empty())
@@ -124,7 +131,7 @@ void show(const Loops_options& options, const Answer& answer, double read_second
 
 void run(const Loops_options& options) {
   const Backend& backend = choose_backend(options.backend);
-  check_options(options);
+  check_options(options, backend);
   const Stopwatch stopwatch;
   const Mesh mesh = read_mesh(options.mesh_file);
   const double read_seconds = stopwatch.seconds();
@@ -144,6 +151,11 @@ void add_output_options(CLI::App& command, Loops_options& options) {
                   "the loops as lines: .ply .obj .vtp .polylines.txt; repeatable")
       ->option_text("FILE")
       ->allow_extra_args(false)
+      ->group(group);
+  command
+      .add_option("--events", options.events_file,
+                  "what happens to the fronts, as JSON; with --backend reference")
+      ->option_text("FILE.json")
       ->group(group);
   if(has_pictures) {
     command.add_option("--picture", options.picture.file, "a picture of the mesh and the loops")

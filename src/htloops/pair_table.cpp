@@ -68,6 +68,28 @@ double total_length(const Pairs& pairs, CGAL::Loop_type type) {
   return sum;
 }
 
+// Where a mesh is coarser than the paper takes for granted; only the reference solver looks for it.
+std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolution) {
+  if(resolution.is_resolved())
+    return "";
+  std::string text = "the mesh is coarse for the field:";
+  const char* separator = " ";
+  const auto append = [&](std::size_t number, const char* one, const char* many) {
+    if(number == 0)
+      return;
+    text += separator + counted(number, one, many);
+    separator = ", ";
+  };
+  append(resolution.events_of_new_fronts, "event of a front that had begun in the same step",
+         "events of fronts that had begun in the same step");
+  append(resolution.multiple_saddles, "multiple saddle", "multiple saddles");
+  append(resolution.rests, "rest", "rests");
+  append(resolution.early_vertices, "vertex reached ahead of the front",
+         "vertices reached ahead of the front");
+  append(resolution.events_in_seed_region, "event beside the seed", "events beside the seed");
+  return text + "\n";
+}
+
 } // namespace
 
 std::string table_of_pairs(const Pairs& pairs, const Table_options& options) {
@@ -100,7 +122,7 @@ std::string summary(const Answer& answer, double read_seconds) {
   const std::string sides = summary_of_sides(answer.certificate);
   if(!sides.empty())
     text += sides + "\n";
-  return text +
+  return text + remarks(statistics.resolution) +
          formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
                    read_seconds, answer.backend.c_str()) +
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";

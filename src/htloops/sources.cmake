@@ -3,6 +3,7 @@ set(HTLOOPS_SOURCES
   backends.cpp
   check_command.cpp
   edge_table.cpp
+  events_writer.cpp
   export_lines.cpp
   export_obj.cpp
   export_ply.cpp
@@ -36,6 +37,11 @@ set(HTLOOPS_SOURCES
   text_writer.cpp
   thread_limit.cpp
   version.cpp)
+if(HTL_HAS_EIGEN)
+  list(APPEND HTLOOPS_SOURCES reference_backend.cpp)
+  set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/backends.cpp" PROPERTIES
+    COMPILE_DEFINITIONS HTLOOPS_HAS_REFERENCE)
+endif()
 
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES

@@ -17,8 +17,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -62,7 +63,8 @@ public:
   }
 
 private:
-  // Goes on from `left` along the left side of the loop, the short way, to beside `right`.
+  // Goes on from `left`, a vertex on the left side, along the loop, the short way, to beside
+  // `right`.
   void
   append_along(const Crossing_loop& loop, Index left, Index right, std::vector<Place>& line) const {
     const std::vector<double> along = lengths_up_to(loop);
@@ -83,18 +85,29 @@ private:
     const double forward = along[to] - along[from] + (to < from ? along.back() : 0.);
     const bool go_forward = forward <= along.back() - forward;
     const std::size_t n = loop.size();
-    for(std::size_t i = from; i != to;) {
-      i = (go_forward ? i + 1 : i + n - 1) % n;
-      line.push_back(vertex_place(loop[i].left));
-    }
+    std::vector<Place> way;
+    for(std::size_t i = from; i != to; i = (go_forward ? i + 1 : i + n - 1) % n)
+      way.push_back({loop[i].left, loop[i].right, loop[i].ratio});
+    append_between(left, right, way, line);
   }
 
-  // Of the left side, up to each crossing, and in all.
+  // Appends what does not share an edge with the ends.
+  static void
+  append_between(Index left, Index right, const std::vector<Place>& way, std::vector<Place>& line) {
+    auto first = way.begin(), last = way.end();
+    while(first != last && first->has_end(left))
+      ++first;
+    while(first != last && std::prev(last)->has_end(right))
+      --last;
+    line.insert(line.end(), first, last);
+  }
+
+  // Of the loop, up to each crossing, and in all.
   std::vector<double> lengths_up_to(const Crossing_loop& loop) const {
     std::vector<double> lengths(1, 0.);
     for(std::size_t i = 0; i < loop.size(); ++i)
-      lengths.push_back(lengths.back() +
-                        mesh_.edge_length(loop[i].left, loop[(i + 1) % loop.size()].left));
+      lengths.push_back(lengths.back() + norm(position(mesh_, loop[(i + 1) % loop.size()]) -
+                                              position(mesh_, loop[i])));
     return lengths;
   }
 

@@ -37,7 +37,9 @@ public:
     }
   }
 
-  /// by how much a loop grows when it is moved outwards, per unit of the offset.
+  /// by which part of its length a loop grows when it is moved outwards, per unit of the offset: the
+  /// mean curvature of the surface along the loop. (The part, because a long loop that is not
+  /// straight may well grow more than a short one around a thin tube.)
   double growth(const Crossing_loop& loop) const {
     const double offset = 1e-4 * length(mesh_, loop) / (1. + static_cast<double>(loop.size()));
     if(!(offset > 0.))
@@ -50,7 +52,7 @@ public:
       before += norm(step);
       after += norm(step + sign * offset * (normal(d) - normal(c)));
     }
-    return (after - before) / offset;
+    return (after - before) / (offset * before);
   }
 
 private:

@@ -82,8 +82,8 @@ public:
     progress_.end(Stage::TUNNEL);
   }
 
-  /// paper, 4.3. A refined loop takes the place of its handle if it is shorter, and the loops
-  /// remain a basis.
+  /// paper, 4.3. A refined loop takes the place of its handle if it crosses the tunnel once, is
+  /// shorter, and the loops remain a basis.
   void refinement_pass(Statistics& statistics) {
     progress_.start(Stage::REFINE);
     const Crossing_numbers with_handles(mesh_, handles_), with_tunnels(mesh_, tunnels_);
@@ -91,9 +91,10 @@ public:
     for(std::size_t k = 0; k < handles_.size(); ++k) {
       report(k);
       Crossing_loop refined = loop_pass_.dual_loop(tunnels_[k], with_tunnels.walls(k, k + 1));
-      const bool is_shorter =
-          !refined.empty() && length(mesh_, refined) < length(mesh_, handles_[k]);
-      if(is_shorter && exchange.replace(k, with_handles(refined), with_tunnels(refined)))
+      const Numbers numbers = with_tunnels(refined);
+      const bool is_better =
+          std::abs(numbers[k]) == 1 && length(mesh_, refined) < length(mesh_, handles_[k]);
+      if(is_better && exchange.replace(k, with_handles(refined), numbers))
         handles_[k] = std::move(refined);
       else
         ++statistics.kept_sweep_handles;
