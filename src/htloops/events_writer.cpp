@@ -22,8 +22,7 @@ using CGAL::Handle_tunnel_loops::Front_event;
 
 void write_resolution(Text_writer& out, const Field_resolution& resolution) {
   out << "  \"resolution\": { \"is_resolved\": " << (resolution.is_resolved() ? "true" : "false")
-      << ", \"events_of_new_fronts\": " << resolution.events_of_new_fronts
-      << ", \"multiple_saddles\": " << resolution.multiple_saddles
+      << ", \"handles_within_steps\": " << resolution.handles_within_steps
       << ", \"rests\": " << resolution.rests
       << ", \"early_vertices\": " << resolution.early_vertices
       << ", \"events_in_seed_region\": " << resolution.events_in_seed_region << " },\n";

@@ -80,9 +80,8 @@ std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolutio
     text += separator + counted(number, one, many);
     separator = ", ";
   };
-  append(resolution.events_of_new_fronts, "event of a front that had begun in the same step",
-         "events of fronts that had begun in the same step");
-  append(resolution.multiple_saddles, "multiple saddle", "multiple saddles");
+  append(resolution.handles_within_steps, "handle passed in one step",
+         "handles passed in one step");
   append(resolution.rests, "rest", "rests");
   append(resolution.early_vertices, "vertex reached ahead of the front",
          "vertices reached ahead of the front");

@@ -9,32 +9,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace {
 
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
-
-std::vector<std::filesystem::path> files_of_corpus() {
-  std::vector<std::filesystem::path> files;
-  for(const char* folder : {"closed", "sphere_like"})
-    if(std::filesystem::is_directory(mesh_corpus() / folder))
-      for(const auto& entry : std::filesystem::directory_iterator(mesh_corpus() / folder))
-        files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::string name_of_file(const testing::TestParamInfo<std::filesystem::path>& info) {
-  std::string name = info.param.stem().string();
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
-  return name;
-}
 
 TEST(Corpus, IsThere) {
   if(files_of_corpus().empty())

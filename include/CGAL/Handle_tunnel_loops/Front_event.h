@@ -57,11 +57,9 @@ struct Front_event
 /// everything that it passes. None of this makes an answer wrong.
 struct Field_resolution
 {
-  /// events of fronts that had begun in the same time step; the order of arrival within the step
-  /// tells which came first.
-  std::size_t events_of_new_fronts = 0;
-  /// vertices at which more than two pieces of fronts met at once.
-  std::size_t multiple_saddles = 0;
+  /// handles that a front went all around in one time step, so that it cannot be seen after the
+  /// step that it had split and its parts had met. The order of arrival within the step shows it.
+  std::size_t handles_within_steps = 0;
   /// how often the field came to rest before all was covered.
   std::size_t rests = 0;
   /// vertices that passed the threshold before the front had come to them.
@@ -71,9 +69,7 @@ struct Field_resolution
 
   /// whether nothing of that kind happened.
   bool is_resolved() const {
-    return events_of_new_fronts + multiple_saddles + rests + early_vertices +
-               events_in_seed_region ==
-           0;
+    return handles_within_steps + rests + early_vertices + events_in_seed_region == 0;
   }
 };
 

@@ -56,7 +56,6 @@ public:
 
   const std::vector<Front_event>& events() const { return events_; }
   std::vector<Front_meeting>& meetings() { return meetings_; }
-  std::size_t number_of_multiple_saddles() const { return number_of_multiple_saddles_; }
 
   /// one more than the largest layer; 0 is the base layer.
   std::size_t number_of_layers() const { return successors_.size(); }
@@ -83,7 +82,6 @@ public:
           {record(layer, placed(Fronts(region_).loop(behind), covered))}, {});
     region_.add(v);
     set_layer_around(v, layer);
-    number_of_multiple_saddles_ += region_.number_of_runs() > 2;
     for(Index run = 1; run < region_.number_of_runs(); ++run)
       link(v, run, step, covered);
   }
@@ -218,7 +216,6 @@ private:
   std::vector<std::vector<Index>> successors_; // by layer
   std::vector<Front_event> events_;
   std::vector<Front_meeting> meetings_;
-  std::size_t number_of_multiple_saddles_ = 0;
 };
 
 } // namespace reference

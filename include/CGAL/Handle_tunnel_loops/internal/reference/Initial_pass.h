@@ -16,6 +16,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Front_tracker.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Handles_within_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Layered_field.h>
 
 #include <map>
@@ -77,20 +78,11 @@ public:
 
   Field_resolution resolution() const {
     Field_resolution resolution;
-    resolution.multiple_saddles = tracker_.number_of_multiple_saddles();
+    resolution.handles_within_steps = Handles_within_steps(tracker_.events()).number();
     resolution.early_vertices = arrivals_.number_of_early_vertices();
-    std::map<std::size_t, std::size_t> begin; // of a layer: the step
     for(const Front_event& event : tracker_.events()) {
       resolution.rests += event.type == Front_event_type::REST;
       resolution.events_in_seed_region += event.step == 0;
-      bool is_of_new_front = false;
-      for(const Front_event::Front& front : event.before) {
-        const auto it = begin.find(front.layer);
-        is_of_new_front = is_of_new_front || (it != begin.end() && it->second == event.step);
-      }
-      resolution.events_of_new_fronts += is_of_new_front;
-      for(const Front_event::Front& front : event.after)
-        begin[front.layer] = event.step;
     }
     return resolution;
   }

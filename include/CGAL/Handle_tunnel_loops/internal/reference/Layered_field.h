@@ -31,13 +31,13 @@ namespace reference {
 
 /*!
 The fields of the paper, section 3, as the rows of a sparse matrix Phi with a column for each
-vertex. Row 0 is the base layer. The fields follow \code d/dt phi_i = - sum_j mu_ij / n ( sum_k [
-(w_ik - w_jk) phi_k + 1/2 (a_ik^2 - a_jk^2) L phi_k ]
-                                 - e_ij sqrt(phi_i phi_j) )
-\endcode
+vertex. Row 0 is the base layer. The fields follow
+\f[ \dot\varphi_i = -\sum_j \frac{\mu_{ij}}{n} \Bigl( \sum_k \bigl[ (w_{ik} - w_{jk}) \varphi_k +
+    \tfrac{1}{2} (a_{ik}^2 - a_{jk}^2) \nabla^2 \varphi_k \bigr]
+    - e_{ij} \sqrt{\varphi_i \varphi_j} \Bigr) \f]
 where the sums are over the n layers that are present: those that are not zero at the vertex and all
-of its neighbors. The mobility mu_ij and the driving force e_ij are zero unless i or j is the base
-layer; e_ij = -e_ji, as the fields must go on to sum up to one.
+of its neighbors. The mobility and the driving force are zero unless i or j is the base
+layer; \f$ e_{ij} = -e_{ji} \f$, as the fields must go on to sum up to one.
 
 Sources keep the value one.
 */

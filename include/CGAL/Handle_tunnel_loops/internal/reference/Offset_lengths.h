@@ -37,8 +37,8 @@ public:
     }
   }
 
-  /// by which part of its length a loop grows when it is moved outwards, per unit of the offset: the
-  /// mean curvature of the surface along the loop. (The part, because a long loop that is not
+  /// by which part of its length a loop grows when it is moved outwards, per unit of the offset:
+  /// the mean curvature of the surface along the loop. (The part, because a long loop that is not
   /// straight may well grow more than a short one around a thin tube.)
   double growth(const Crossing_loop& loop) const {
     const double offset = 1e-4 * length(mesh_, loop) / (1. + static_cast<double>(loop.size()));

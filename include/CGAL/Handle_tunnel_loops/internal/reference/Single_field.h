@@ -29,9 +29,8 @@ namespace reference {
 /*!
 One field over the whole mesh, with walls (paper, section 5): the base layer is one minus its value,
 and the equation of the layers becomes
-\code
-d/dt phi = mu/2 [ a^2 L phi + e sqrt(phi (1 - phi)) - w (1 - 2 phi) ]
-\endcode
+\f[ \dot\varphi = \frac{\mu}{2} \left[ a^2 \nabla^2 \varphi + e \sqrt{\varphi (1 - \varphi)}
+    - w (1 - 2 \varphi) \right]. \f]
 Sources keep the value one.
 */
 class Single_field

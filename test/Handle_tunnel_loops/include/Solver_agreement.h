@@ -1,0 +1,115 @@
+#ifndef HTL_TEST_SOLVER_AGREEMENT_H
+#define HTL_TEST_SOLVER_AGREEMENT_H
+
+#include "Loop_definitions.h"
+#include "Meshes_of_soups.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
+// What any solver must have in common with the sequential one on the host. A solver is a tag, the
+// first template parameter of handle_tunnel_loops().
+
+template <typename ConcurrencyTag> Pairs pairs_of(const Mesh& mesh) {
+  Pairs pairs;
+  CGAL::handle_tunnel_loops<ConcurrencyTag>(mesh, std::back_inserter(pairs));
+  return pairs;
+}
+
+// Intersection numbers of the loops of one type with those of another answer.
+inline Integer_matrix intersections(const Mesh& mesh,
+                                    const Pairs& a,
+                                    CGAL::Loop_type type_of_a,
+                                    const Pairs& b,
+                                    CGAL::Loop_type type_of_b) {
+  std::vector<Edge_walk<Mesh>> walks;
+  for(const auto& pair : a)
+    walks.push_back(walk_beside(mesh, pair.loop(type_of_a)));
+  for(const auto& pair : b)
+    walks.push_back(walk_beside(mesh, pair.loop(type_of_b)));
+  const Integer_matrix all = intersection_matrix(mesh, walks);
+  Integer_matrix matrix;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    matrix.emplace_back(all[i].begin() + static_cast<std::ptrdiff_t>(a.size()), all[i].end());
+  return matrix;
+}
+
+inline bool is_zero(const Integer_matrix& matrix) {
+  return std::all_of(matrix.begin(), matrix.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [](const Integer& x) { return x == 0; });
+  });
+}
+
+// Whether the handle loops of both answers span the same classes, and so do the tunnel loops. All
+// that bounds inside the surface is a half of the homology, and the loops in it do not cross each
+// other; so it must be where both answers are pure: handles bound inside, tunnels bound outside.
+inline bool have_same_classes(const Mesh& mesh, const Pairs& a, const Pairs& b) {
+  using CGAL::Loop_type;
+  return is_zero(intersections(mesh, a, Loop_type::HANDLE, b, Loop_type::HANDLE)) &&
+         is_zero(intersections(mesh, a, Loop_type::TUNNEL, b, Loop_type::TUNNEL));
+}
+
+// Both answers have as many pairs as there are handles, and are a basis by the definition; the
+// tests' own determinant decides which solver is right where they differ.
+template <typename ConcurrencyTag>
+void expect_same_number_of_pairs(const Mesh& mesh, std::size_t genus) {
+  const Pairs expected = pairs_of<CGAL::Sequential_tag>(mesh);
+  const Pairs pairs = pairs_of<ConcurrencyTag>(mesh);
+  {
+    SCOPED_TRACE("the host solver");
+    expect_handle_tunnel_pairs(mesh, expected, genus);
+  }
+  SCOPED_TRACE("the solver under test");
+  expect_handle_tunnel_pairs(mesh, pairs, genus);
+}
+
+// On surfaces on which it is clear what is inside and what is outside.
+template <typename ConcurrencyTag> void expect_same_classes(const Mesh& mesh) {
+  EXPECT_TRUE(have_same_classes(mesh, pairs_of<ConcurrencyTag>(mesh),
+                                pairs_of<CGAL::Sequential_tag>(mesh)));
+}
+
+// In all, the loops are between `least` and `most` times as long.
+template <typename ConcurrencyTag>
+void expect_similar_lengths(const Mesh& mesh, double least, double most) {
+  const double ratio = total_length(pairs_of<ConcurrencyTag>(mesh)) /
+                       total_length(pairs_of<CGAL::Sequential_tag>(mesh));
+  EXPECT_GE(ratio, least);
+  EXPECT_LE(ratio, most);
+}
+
+// The progress grows up to one, and whenever the callback says so the computation stops, without an
+// answer and without harm to the solver.
+template <typename ConcurrencyTag> void expect_progress_and_cancellation(const Mesh& mesh) {
+  namespace params = CGAL::parameters;
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  std::vector<double> reported;
+  Pairs expected;
+  solver.template find_loops<ConcurrencyTag>(std::back_inserter(expected),
+                                             params::callback([&reported](double progress) {
+                                               reported.push_back(progress);
+                                               return true;
+                                             }));
+  ASSERT_GT(reported.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_EQ(reported.back(), 1.);
+  for(std::size_t stop = 1; stop <= reported.size(); ++stop) {
+    SCOPED_TRACE(testing::Message() << "stopped at call " << stop << " of " << reported.size());
+    std::size_t calls = 0;
+    Pairs pairs;
+    EXPECT_THROW(solver.template find_loops<ConcurrencyTag>(
+                     std::back_inserter(pairs),
+                     params::callback([&calls, stop](double) { return ++calls < stop; })),
+                 CGAL::Handle_tunnel_loops::Interrupted_exception);
+    EXPECT_TRUE(pairs.empty());
+  }
+  Pairs pairs;
+  solver.template find_loops<ConcurrencyTag>(std::back_inserter(pairs));
+  EXPECT_EQ(pairs.size(), expected.size());
+}
+
+#endif // HTL_TEST_SOLVER_AGREEMENT_H
