@@ -51,6 +51,8 @@ template <> struct Loop_finder_of<Reference_tag>
 {
 #ifdef CGAL_EIGEN3_ENABLED
   using type = reference::Reference_finder;
+#else
+  using type = struct Link_with_CGAL_Eigen3_support; // without it there is no reference solver
 #endif
 };
 
