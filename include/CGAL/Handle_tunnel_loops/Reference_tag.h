@@ -37,7 +37,7 @@ the paper takes for granted.
 
 Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
 is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is
-about 500 bytes per vertex.
+about 700 bytes per vertex.
 
 It needs \eigen; the macro `CGAL_EIGEN3_ENABLED` has to be defined, as it is in programs that are
 linked with the target `CGAL::Eigen3_support`.

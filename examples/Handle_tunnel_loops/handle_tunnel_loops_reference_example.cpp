@@ -1,0 +1,47 @@
+#include <CGAL/Handle_tunnel_loops/Reference_tag.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/handle_tunnel_loops.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
+using CGAL::Handle_tunnel_loops::Front_event;
+using CGAL::Handle_tunnel_loops::Reference_tag;
+
+double total_length(const std::vector<Solver::Pair>& pairs) {
+  double sum = 0.;
+  for(const Solver::Pair& pair : pairs)
+    sum += pair.handle().length() + pair.tunnel().length();
+  return sum;
+}
+
+// Watches the fronts of the initial pass, and compares the paper's loops with the tightened ones.
+int main(int argc, char* argv[]) {
+  const std::string filename = argc > 1 ? argv[1] : "data/triple_torus.off";
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh)) {
+    std::cerr << "Cannot read " << filename << '\n';
+    return EXIT_FAILURE;
+  }
+  Solver solver(mesh);
+  std::vector<Solver::Pair> paper, tightened;
+  solver.find_loops<Reference_tag>(std::back_inserter(paper));
+  for(const Front_event& event : solver.statistics().front_events) {
+    std::cout << "step " << event.step << ": " << front_event_name(event.type) << " at vertex "
+              << event.vertex;
+    for(const Front_event::Front& front : event.before)
+      std::cout << ", layer " << front.layer << " of length " << front.length;
+    std::cout << '\n';
+  }
+  solver.find_loops(std::back_inserter(tightened));
+  std::cout << paper.size() << " pairs, " << total_length(paper) / total_length(tightened)
+            << " times as long as the tightened ones\n";
+  return EXIT_SUCCESS;
+}
