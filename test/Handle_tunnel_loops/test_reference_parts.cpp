@@ -1,6 +1,7 @@
 // The parts of the reference solver: each obeys the definitions of the paper, on any mesh.
 
 #include "Crossing_loops.h"
+#include "Random_growth.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/Narrow_band.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
@@ -201,22 +202,6 @@ TEST_P(Smooth_surface, HasOneFieldInLayersAndInANarrowBand) {
 
 // ---- the fronts
 
-// The vertices one after the other, each but the first beside one that came before.
-std::vector<Index> random_order(const Flat_mesh& mesh, Random& random, std::size_t width) {
-  std::vector<char> is_visited(mesh.number_of_vertices(), 0);
-  std::vector<Index> order, front(1, static_cast<Index>(random.below(mesh.number_of_vertices())));
-  while(!front.empty()) {
-    const std::size_t i = random.below((std::min)(width, front.size()));
-    const Index v = front[i];
-    front.erase(front.begin() + static_cast<std::ptrdiff_t>(i));
-    if(std::exchange(is_visited[v], 1))
-      continue;
-    order.push_back(v);
-    front.insert(front.end(), mesh.ring(v).begin(), mesh.ring(v).end());
-  }
-  return order;
-}
-
 // As many closed curves as the region's boundary has pieces, each simple.
 void expect_simple_fronts(const Flat_mesh& mesh, const reference::Fronts& fronts) {
   std::vector<std::size_t> size(fronts.number_of_fronts(), 0);
@@ -231,14 +216,15 @@ void expect_simple_fronts(const Flat_mesh& mesh, const reference::Fronts& fronts
 
 // The same order for the tracker, for a region that is looked at without it, and for the host's
 // reading of saddles.
-void expect_handles(const Flat_mesh& mesh, const std::vector<Index>& order) {
+void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
   const std::vector<double> covered(mesh.number_of_vertices(), 0.);
+  std::vector<Index> order(mesh.number_of_vertices());
+  for(Index v = 0; v < order.size(); ++v)
+    order[times[v]] = v;
   reference::Front_tracker tracker(mesh);
   reference::Region region(mesh);
-  std::vector<Time> times(mesh.number_of_vertices());
   for(std::size_t i = 0; i < order.size(); ++i) {
     const Index v = order[i];
-    times[v] = static_cast<Time>(i);
     if(i == 0)
       tracker.start(v);
     else
@@ -277,14 +263,11 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Index>& order) {
 TEST(Front_tracker, FindsAllHandlesInAnyOrder) {
   Random random(11);
   for(int i = 0; i < 300; ++i) {
-    const std::size_t genus = random.below(10);
-    const Recipe recipe = {
-        "random",
-        {20 + 12 * genus + random.below(200), genus, static_cast<unsigned>(random.next())}};
+    const Recipe recipe = random_recipe(random);
     const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(100);
     SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
     const Flat_mesh mesh = flat_mesh_of(recipe);
-    expect_handles(mesh, random_order(mesh, random, width));
+    expect_handles(mesh, Random_growth(mesh, random, width).times());
   }
 }
 
@@ -293,18 +276,18 @@ TEST(Front_tracker, FindsAllHandlesOfSmoothSurfaces) {
   for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3}, 1)) {
     SCOPED_TRACE(recipe);
     const Flat_mesh mesh = flat_mesh_of(recipe);
-    expect_handles(mesh, random_order(mesh, random, 100000));
+    expect_handles(mesh, Random_growth(mesh, random, 100000).times());
   }
 }
 
 TEST(Front_tracker, FindsTheHandleOfTheSmallestTorusInEveryOrder) {
   const Flat_mesh mesh = flat_mesh_of(smallest_torus());
-  std::vector<Index> order(7);
-  std::iota(order.begin(), order.end(), 0u);
+  std::vector<Time> times(7);
+  std::iota(times.begin(), times.end(), 0u);
   do {
-    SCOPED_TRACE(testing::PrintToString(order));
-    expect_handles(mesh, order);
-  } while(std::next_permutation(order.begin(), order.end()));
+    SCOPED_TRACE(testing::PrintToString(times));
+    expect_handles(mesh, times);
+  } while(std::next_permutation(times.begin(), times.end()));
 }
 
 // On a mesh that is fine enough, the layers are what the paper says they are: a vertex just behind
@@ -325,6 +308,24 @@ TEST(Initial_pass, KeepsTheLayersBehindTheirFronts) {
   EXPECT_EQ(pass.tracker().meetings().size(), 2u);
   EXPECT_GT(right, 10000u);
   EXPECT_LT(wrong, right / 1000);
+}
+
+// Of two fronts that meet, the shorter one is kept.
+TEST(Initial_pass, LeavesOutTheLongestFront) {
+  const Flat_mesh mesh = flat_mesh_of({"gyroid", {4000, 6, 0}});
+  Initial_pass pass(mesh, constants, mesh.seeds);
+  while(!pass.is_done())
+    pass.step();
+  std::size_t k = 0;
+  for(const Front_event& event : pass.tracker().events()) {
+    if(event.type != Front_event_type::MERGE)
+      continue;
+    ASSERT_EQ(event.before.size(), 2u);
+    EXPECT_EQ(mesh.scale * length(mesh, pass.tracker().meetings().at(k).loop),
+              (std::min)(event.before[0].length, event.before[1].length));
+    ++k;
+  }
+  EXPECT_EQ(k, mesh.genus);
 }
 
 // Fronts of events are those that there are: what begins, ends later in one event.

@@ -2,6 +2,7 @@
 // earlier neighbour, as many handles are found as there are.
 
 #include "Crossing_loops.h"
+#include "Random_growth.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/sweep_handles.h>
 
@@ -17,33 +18,6 @@ namespace {
 using namespace CGAL::Handle_tunnel_loops::internal;
 
 const auto execution = Sequential_execution();
-
-// Vertices are reached one after the other, each of them beside one that was reached before.
-class Random_growth
-{
-public:
-  Random_growth(const Flat_mesh& mesh, Random& random, std::size_t width)
-      : time_(mesh.number_of_vertices(), never) {
-    std::vector<Index> front(1, static_cast<Index>(random.below(mesh.number_of_vertices())));
-    for(Time now = 0; !front.empty();) {
-      // One of the `width` oldest of the front.
-      const std::size_t i = random.below((std::min)(width, front.size()));
-      const Index v = front[i];
-      front.erase(front.begin() + static_cast<std::ptrdiff_t>(i));
-      if(time_[v] != never)
-        continue;
-      time_[v] = now++;
-      for(const Index u : mesh.ring(v))
-        if(time_[u] == never)
-          front.push_back(u);
-    }
-  }
-
-  const std::vector<Time>& times() const { return time_; }
-
-private:
-  std::vector<Time> time_;
-};
 
 void expect_disjoint(const Flat_mesh& mesh, const std::vector<Sweep_handle>& handles) {
   std::vector<Crossing_loop> loops;
@@ -107,10 +81,7 @@ TEST(Sweep, FindsAllHandlesInAnyOrder) {
   Random random(1);
   std::size_t wedges = 0;
   for(int i = 0; i < 1500; ++i) {
-    const std::size_t genus = random.below(12);
-    const Recipe recipe = {
-        "random",
-        {20 + 12 * genus + random.below(200), genus, static_cast<unsigned>(random.next())}};
+    const Recipe recipe = random_recipe(random);
     const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(100);
     SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
     const Flat_mesh mesh = flat_mesh_of(recipe);
