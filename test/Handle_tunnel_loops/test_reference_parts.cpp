@@ -410,6 +410,29 @@ TEST(Streamline, LeadsDownToASource) {
   }
 }
 
+// On a sphere the way back is an arc of a great circle, nearly.
+TEST(Streamline, IsStraight) {
+  const Soup soup = soup_of({"sphere", {5000, 0, 0}});
+  const Flat_mesh mesh = flat_mesh_of(soup);
+  reference::Single_field field(mesh, constants, {});
+  field.add_source(0);
+  field.run_until(std::vector<char>(mesh.number_of_vertices(), 0));
+  double length = 0., shortest = 0.;
+  for(Index v = 1; v < mesh.number_of_vertices(); v += 3) {
+    const Vector &p = mesh.points[0], &q = mesh.points[v];
+    shortest += norm(p) * std::acos((std::max)(-1., dot(p, q) / (norm(p) * norm(q))));
+    Vector last = q;
+    for(const Place& place : reference::Streamline(mesh, field.arrivals()).trace(v)) {
+      const Vector& a = mesh.points[place.a];
+      const Vector next = a + place.ratio * (mesh.points[place.b] - a);
+      length += norm(next - last);
+      last = next;
+    }
+  }
+  EXPECT_GE(length, 0.99 * shortest); // chords
+  EXPECT_LE(length, 1.06 * shortest);
+}
+
 TEST(Loop_of_line, PassesWalksOnTheirLeft) {
   Random random(13);
   const Flat_mesh mesh = flat_mesh_of({"random", {300, 4, 1}});
