@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
 #include <CGAL/Handle_tunnel_loops/internal/Offset_classifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/field_checks.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -29,7 +30,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -182,7 +182,7 @@ private:
     options.do_refine_handles =
         choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
     options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
-    check(options.constants);
+    impl::check_constants(options.constants);
     const auto start = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
     if(mesh_.genus == 0)
@@ -209,17 +209,6 @@ private:
     const std::size_t i = it - vertices_.begin();
     seeds[mesh_.component[i]] = static_cast<Handle_tunnel_loops::internal::Index>(i);
     return seeds;
-  }
-
-  static void check(const Handle_tunnel_loops::Field_constants& c) {
-    const bool are_finite = std::isfinite(c.mobility) && std::isfinite(c.gradient_coefficient) &&
-                            std::isfinite(c.penalty) && std::isfinite(c.driving_force);
-    if(!(are_finite && c.mobility > 0. && c.gradient_coefficient > 0. && c.penalty > 0. &&
-         c.driving_force > c.penalty))
-      throw std::invalid_argument("the field's constants must be positive, and the driving force "
-                                  "must be larger than the penalty");
-    if(!(c.step > 0. && c.step <= 1.))
-      throw std::invalid_argument("the field's time step must be in (0, 1]");
   }
 
   std::vector<Pair>

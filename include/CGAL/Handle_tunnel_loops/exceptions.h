@@ -62,6 +62,22 @@ private:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when the function given for a Reeb graph is infinite or not a number at a vertex.
+class Invalid_function_exception : public std::invalid_argument
+{
+public:
+  explicit Invalid_function_exception(std::size_t vertex)
+      : std::invalid_argument("the function is not finite: vertex " + std::to_string(vertex))
+      , vertex_(vertex) {}
+
+  /// the index of the first such vertex.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t vertex_;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
 /// is thrown when the loops found do not pass their certificate. It signals a defect of the
 /// package, never of the input; no loop has been written when it is thrown.
 class Uncertified_loops_exception : public std::logic_error

@@ -26,6 +26,12 @@ enum field_constants_t { field_constants };
 enum do_refine_handles_t { do_refine_handles };
 enum do_tighten_t { do_tighten };
 enum do_compute_linking_t { do_compute_linking };
+enum source_vertices_t { source_vertices };
+enum vertex_function_map_t { vertex_function_map };
+enum reeb_measure_t { reeb_measure };
+enum simplification_threshold_t { simplification_threshold };
+enum vertex_arc_map_t { vertex_arc_map };
+enum allow_parallel_arcs_t { allow_parallel_arcs };
 
 } // namespace internal_np
 
@@ -48,6 +54,12 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(field_constants)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_refine_handles)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_tighten)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_compute_linking)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(source_vertices)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_function_map)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(reeb_measure)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(simplification_threshold)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(allow_parallel_arcs)
 
 #undef CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Arrival_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/Wedges.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
 
 #include <boost/container/small_vector.hpp>
@@ -70,8 +71,8 @@ public:
       : mesh_(mesh)
       , order_(order)
       , center_(center)
-      , ring_(mesh.ring(center)) {
-    find_wedges();
+      , ring_(mesh.ring(center))
+      , wedges_(find_wedges(ring_, [this](Index p) { return is_lower(p); })) {
     walk_arcs();
   }
 
@@ -108,11 +109,6 @@ public:
   }
 
 private:
-  struct Wedge
-  {
-    Index first, last; // positions in the ring, counterclockwise
-  };
-
   struct Arc
   {
     Crossing_loop crossings;
@@ -120,21 +116,6 @@ private:
   };
 
   bool is_lower(Index p) const { return order_.is_earlier(ring_[p], center_); }
-
-  void find_wedges() {
-    Index start = 0;
-    while(is_lower(start) || !is_lower(ring_.next(start)))
-      ++start; // a later vertex before an earlier one
-    Index p = start;
-    do {
-      const Index q = ring_.next(p);
-      if(!is_lower(p) && is_lower(q))
-        wedges_.push_back({q, q});
-      else if(is_lower(q))
-        wedges_.back().last = q;
-      p = q;
-    } while(p != start);
-  }
 
   void walk_arcs() {
     const Index k = number_of_wedges();
@@ -195,7 +176,7 @@ private:
   const Arrival_order& order_;
   Index center_;
   Ring ring_;
-  boost::container::small_vector<Wedge, 4> wedges_;
+  Wedges wedges_;
   boost::container::small_vector<Arc, 4> arcs_;
   Index longest_ = 0;
 };

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_REEB_GRAPH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_REEB_GRAPH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// What a node of a Reeb graph is.
+enum class Reeb_node_type {
+  MINIMUM, ///< where a contour begins
+  SADDLE,  ///< where two contours become one, or one becomes two
+  MAXIMUM, ///< where a contour ends
+  REGULAR  ///< no critical point: a place on an arc that would otherwise be parallel to another one
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// By what leaves of a Reeb graph are called small.
+enum class Reeb_measure {
+  PERSISTENCE, ///< the difference of the values at their ends, over the range of the function
+  LENGTH,      ///< the length of their polyline, over the diagonal of the bounding box
+  AREA,        ///< the area of the surface that belongs to them, over the whole
+  VERTICES     ///< the number of the vertices that belong to them, over the whole
+};
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+The vertex bundle of `Reeb_graph`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Point the point type of the mesh
+*/
+template <typename TriangleMesh,
+          typename Point = typename boost::property_traits<
+              typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type>
+struct Reeb_node
+{
+  /// the vertex of the mesh that is the critical point.
+  typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
+  /// where the node is drawn: at the vertex if it is an extremum, at the mean of the front if not.
+  Point point;
+  /// the type of the critical point.
+  Reeb_node_type type = Reeb_node_type::REGULAR;
+  /// the value of the function at the vertex; the arrival time of the front, if that is the function.
+  double value = 0.;
+};
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+The edge bundle of `Reeb_graph`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Point the point type of the mesh
+*/
+template <typename TriangleMesh,
+          typename Point = typename boost::property_traits<
+              typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type>
+struct Reeb_arc
+{
+  /// the position of the arc in the range `edges(graph)`.
+  std::size_t index = 0;
+  /// where the arc is drawn: the means of the front as it passes, from `source(e, graph)` to
+  /// `target(e, graph)` for the descriptors `e` in the range `edges(graph)`, both included.
+  std::vector<Point> polyline;
+  /// the vertices of the mesh that belong to the arc, by increasing value. A critical point belongs
+  /// to the arc below it, or to the only one that it has.
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  /// the length of the polyline.
+  double length = 0.;
+};
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+The type of the graphs that `reeb_graph()` computes. The source of an edge is the end with the lower
+value.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Point the point type of the mesh
+*/
+template <typename TriangleMesh,
+          typename Point = typename boost::property_traits<
+              typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type>
+using Reeb_graph = boost::adjacency_list<boost::vecS,
+                                         boost::vecS,
+                                         boost::undirectedS,
+                                         Reeb_node<TriangleMesh, Point>,
+                                         Reeb_arc<TriangleMesh, Point>>;
+
+namespace Handle_tunnel_loops {
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// What a computation of a Reeb graph did.
+struct Reeb_statistics
+{
+  std::size_t number_of_vertices = 0;
+  std::size_t number_of_faces = 0;
+  std::size_t number_of_components = 0;
+  std::size_t genus = 0;                   ///< summed over the components
+  std::size_t number_of_critical_nodes = 0; ///< before the simplification
+  std::uint64_t number_of_steps = 0;       ///< edges walked over where contours part
+  bool has_used_trees = false;             ///< whether the steps became too many
+  double seconds_of_adaptor = 0.;          ///< wall time of the preparation of the mesh
+  double seconds_of_function = 0.; ///< wall time of the loops and the diffusion, or of reading values
+  double seconds_of_sweep = 0.;    ///< wall time of the Reeb graph itself
+  double seconds_of_finishing = 0.; ///< wall time of simplification and embedding
+
+  /// the wall time of all, in seconds.
+  double total_seconds() const {
+    return seconds_of_adaptor + seconds_of_function + seconds_of_sweep + seconds_of_finishing;
+  }
+};
+
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_REEB_GRAPH_H

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_FINISHING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_FINISHING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/Reeb_embedding.h>
+#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A Reeb graph as it is handed out, still in the terms of the flat mesh.
+struct Embedded_reeb_graph
+{
+  struct Arc
+  {
+    Index lower, upper;          ///< nodes
+    Polyline line;               ///< from the lower node to the upper one
+    std::vector<Index> vertices; ///< of the mesh, in the order of the sweep
+  };
+
+  std::vector<Flat_reeb_graph::Node> nodes;
+  std::vector<Arc> arcs;
+};
+
+/// From a swept graph to one that is handed out: simplified, embedded, and with the vertices of its
+/// arcs. `Value` gives the value of the function at a vertex.
+template <typename Execution, typename Value> class Reeb_finishing
+{
+public:
+  Reeb_finishing(const Flat_mesh& mesh,
+                 const Sweep_order& order,
+                 const Flat_reeb_graph& graph,
+                 const Value& value)
+      : mesh_(mesh)
+      , order_(order)
+      , graph_(graph)
+      , value_(value)
+      , embedding_(graph) {}
+
+  Embedded_reeb_graph run(Reeb_measure measure, double threshold) const {
+    Reeb_simplification simplification(graph_, extents(measure));
+    if(threshold > 0.) {
+      const std::vector<double> sizes = sizes_of_components(measure);
+      simplification.run(
+          [measure](const Arc_extent& extent) { return size(extent, measure); },
+          [&](Index node) {
+            return threshold * sizes[mesh_.component[graph_.nodes[node].vertex]];
+          });
+    }
+    const auto [paths, path_of_arc] = simplification.result();
+    return graph_of(paths, path_of_arc);
+  }
+
+private:
+  static double size(const Arc_extent& extent, Reeb_measure measure) {
+    switch(measure) {
+    case Reeb_measure::LENGTH: return extent.length;
+    case Reeb_measure::AREA: return extent.area;
+    case Reeb_measure::VERTICES: return extent.number_of_vertices;
+    default: return extent.high - extent.low;
+    }
+  }
+
+  std::vector<Arc_extent> extents(Reeb_measure measure) const {
+    std::vector<Arc_extent> extents(graph_.arcs.size());
+    for_each_index(execution_, extents.size(), [&](std::size_t a) {
+      extents[a].low = value_(graph_.nodes[graph_.arcs[a].lower].vertex);
+      extents[a].high = value_(graph_.nodes[graph_.arcs[a].upper].vertex);
+      if(measure == Reeb_measure::LENGTH)
+        extents[a].length = embedding_.length_of_arc(static_cast<Index>(a));
+    });
+    for(Index v = 0; v < graph_.vertex_arc.size(); ++v) {
+      Arc_extent& extent = extents[graph_.vertex_arc[v]];
+      extent.number_of_vertices += 1.;
+      if(measure == Reeb_measure::AREA)
+        extent.area += area_at(v);
+    }
+    return extents;
+  }
+
+  // Twice the area of the triangles that a vertex is the smallest one of.
+  double area_at(Index v) const {
+    const Ring ring = mesh_.ring(v);
+    double sum = 0.;
+    for(Index p = 0; p < ring.size(); ++p) {
+      const Index a = ring[p], b = ring[ring.next(p)];
+      if(v < a && v < b)
+        sum += norm(cross(mesh_.points[a] - mesh_.points[v], mesh_.points[b] - mesh_.points[v]));
+    }
+    return sum;
+  }
+
+  // What a threshold of one means: the range of the function, the diagonal of the box around the
+  // component, its area, its number of vertices.
+  std::vector<double> sizes_of_components(Reeb_measure measure) const {
+    struct Box
+    {
+      Vector low, high;
+    };
+    const std::size_t number = mesh_.seeds.size();
+    std::vector<Arc_extent> extents(number);
+    std::vector<Box> boxes(number);
+    for(std::size_t c = 0; c < number; ++c) {
+      extents[c].low = extents[c].high = value_(mesh_.seeds[c]);
+      boxes[c] = {mesh_.points[mesh_.seeds[c]], mesh_.points[mesh_.seeds[c]]};
+    }
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
+      Arc_extent& extent = extents[mesh_.component[v]];
+      Box& box = boxes[mesh_.component[v]];
+      extent.low = (std::min)(extent.low, value_(v));
+      extent.high = (std::max)(extent.high, value_(v));
+      extent.number_of_vertices += 1.;
+      if(measure == Reeb_measure::AREA)
+        extent.area += area_at(v);
+      for(int d = 0; d < 3; ++d) {
+        box.low[d] = (std::min)(box.low[d], mesh_.points[v][d]);
+        box.high[d] = (std::max)(box.high[d], mesh_.points[v][d]);
+      }
+    }
+    std::vector<double> sizes(number);
+    for(std::size_t c = 0; c < number; ++c) {
+      extents[c].length = norm(boxes[c].high - boxes[c].low);
+      sizes[c] = size(extents[c], measure);
+    }
+    return sizes;
+  }
+
+  Embedded_reeb_graph graph_of(const std::vector<Reeb_simplification::Path>& paths,
+                               const std::vector<Index>& path_of_arc) const {
+    constexpr int rounds_of_smoothing = 10;
+    std::vector<Index> number(graph_.nodes.size(), no_index);
+    for(const auto& path : paths)
+      number[path.lower] = number[path.upper] = 0;
+    Embedded_reeb_graph result;
+    for(Index node = 0; node < number.size(); ++node)
+      if(number[node] != no_index) {
+        number[node] = static_cast<Index>(result.nodes.size());
+        result.nodes.push_back(graph_.nodes[node]);
+      }
+    const Grouped<Index> vertices(paths.size(), [&](const auto& f) {
+      for(Index v : order_.vertices())
+        f(path_of_arc[graph_.vertex_arc[v]], v);
+    });
+    result.arcs.resize(paths.size());
+    for_each_index(
+        execution_, paths.size(),
+        [&](std::size_t i) {
+          Embedded_reeb_graph::Arc& arc = result.arcs[i];
+          arc = {number[paths[i].lower], number[paths[i].upper], embedding_.polyline(paths[i]),
+                 std::vector<Index>(vertices.items.begin() + vertices.begin[i],
+                                    vertices.items.begin() + vertices.begin[i + 1])};
+          smooth(arc.line, rounds_of_smoothing);
+        },
+        256);
+    return result;
+  }
+
+  const Flat_mesh& mesh_;
+  const Sweep_order& order_;
+  const Flat_reeb_graph& graph_;
+  const Value& value_;
+  Execution execution_;
+  Reeb_embedding embedding_;
+};
+
+/// puts a regular node on an arc, at a part of its length in (0, 1), and returns the arc above it.
+inline Embedded_reeb_graph::Arc split_arc(Embedded_reeb_graph& graph, Index a, double where) {
+  Embedded_reeb_graph::Arc& arc = graph.arcs[a];
+  const Polyline& line = arc.line;
+  const double last = double(line.size() - 1), place = where * last;
+  const auto whole = static_cast<std::ptrdiff_t>((std::min)(place, last - 0.5));
+  const Vector point = line[whole] + (place - double(whole)) * (line[whole + 1] - line[whole]);
+  const auto middle = static_cast<std::ptrdiff_t>(where * double(arc.vertices.size()));
+  const Index vertex =
+      arc.vertices.empty() ? graph.nodes[arc.lower].vertex : arc.vertices[middle];
+
+  const Index node = static_cast<Index>(graph.nodes.size());
+  graph.nodes.push_back({vertex, Node_kind::REGULAR, point});
+  Embedded_reeb_graph::Arc above = {node, arc.upper, Polyline(1, point), {}};
+  above.line.insert(above.line.end(), line.begin() + whole + 1, line.end());
+  above.vertices.assign(arc.vertices.begin() + middle, arc.vertices.end());
+  arc.upper = node;
+  arc.line.resize(whole + 1);
+  arc.line.push_back(point);
+  arc.vertices.resize(middle);
+  return above;
+}
+
+/// puts regular nodes on arcs so that no two join the same nodes, and none joins a node to itself.
+inline void make_simple(Embedded_reeb_graph& graph) {
+  const Index number_of_arcs = static_cast<Index>(graph.arcs.size());
+  std::map<std::pair<Index, Index>, Index> seen;
+  for(Index a = 0; a < number_of_arcs; ++a) {
+    const Index lower = graph.arcs[a].lower, upper = graph.arcs[a].upper;
+    if(lower == upper) {
+      graph.arcs.push_back(split_arc(graph, a, 2. / 3.));
+      graph.arcs.push_back(split_arc(graph, a, 0.5));
+    } else if(!seen.emplace(std::minmax(lower, upper), a).second)
+      graph.arcs.push_back(split_arc(graph, a, 0.5));
+  }
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_FINISHING_H
