@@ -65,7 +65,7 @@ public:
       , traits_(parameters::choose_parameter<Geom_traits>(
             parameters::get_parameter(np, internal_np::geom_traits)))
       , threshold_(parameters::choose_parameter(
-            parameters::get_parameter(np, internal_np::simplification_threshold), 0.05)) {
+            parameters::get_parameter(np, internal_np::simplification_threshold), 0.03)) {
     if(!(threshold_ >= 0. && threshold_ <= 1.))
       throw std::invalid_argument("the threshold of the simplification must be in [0, 1]");
     const auto began = Clock::now();
@@ -143,7 +143,9 @@ private:
   template <typename Key, typename Value, typename Graph>
   void find(const Key& key, const Value& value, Graph& graph) {
     const auto measure = parameters::choose_parameter(
-        parameters::get_parameter(np_, internal_np::reeb_measure), Reeb_measure::PERSISTENCE);
+        parameters::get_parameter(np_, internal_np::reeb_measure),
+        is_given<internal_np::vertex_function_map_t> ? Reeb_measure::PERSISTENCE
+                                                     : Reeb_measure::LIMBS);
     const bool allows_parallel_arcs = parameters::choose_parameter(
         parameters::get_parameter(np_, internal_np::allow_parallel_arcs), false);
     Embedded_reeb_graph flat =
@@ -241,13 +243,14 @@ that `CGAL::to_double()` takes as values; they are compared as `double`, integer
     \cgalParamDescription{leaves are taken off whose size is at most this part of the whole, in the
 measure given by `reeb_measure`}
     \cgalParamType{`double`, in [0, 1]}
-    \cgalParamDefault{0.05}
+    \cgalParamDefault{0.03}
     \cgalParamExtra{0 gives the full Reeb graph.}
   \cgalParamNEnd
   \cgalParamNBegin{reeb_measure}
     \cgalParamDescription{how the size of a leaf is measured}
     \cgalParamType{`Reeb_measure`}
-    \cgalParamDefault{`Reeb_measure::PERSISTENCE`}
+    \cgalParamDefault{`Reeb_measure::LIMBS` for a diffusion, `Reeb_measure::PERSISTENCE` for a given
+function}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_arc_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the index of its arc}

@@ -34,6 +34,7 @@ enum class Reeb_node_type {
 /// \ingroup PkgHandleTunnelLoopsRef
 /// By what leaves of a Reeb graph are called small.
 enum class Reeb_measure {
+  LIMBS,       ///< as `PERSISTENCE`; but leaves that are less long than thick at their base are small
   PERSISTENCE, ///< the difference of the values at their ends, over the range of the function
   LENGTH,      ///< the length of their polyline, over the diagonal of the bounding box
   AREA,        ///< the area of the surface that belongs to them, over the whole

@@ -36,6 +36,7 @@ struct Flat_reeb_graph
   struct Arc
   {
     Index lower = no_index, upper = no_index; ///< nodes
+    double lower_girth = 0., upper_girth = 0.; ///< of the front at the ends
   };
 
   /// A mean of the front of an arc.

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
@@ -35,6 +37,10 @@ struct Front
     weight -= other.weight;
     return *this;
   }
+
+  /// about the length of the front: on a regular triangulation each edge that it crosses counts
+  /// with 1.73 edge lengths, and there are two of them on one.
+  double girth() const { return (std::max)(weight, 0.) / 3.46; }
 
   /// the mean of the places; `otherwise` if they weigh next to nothing, as on degenerate triangles.
   Vector mean(const Vector& otherwise) const {

@@ -98,8 +98,23 @@ public:
     return line;
   }
 
-  double length_of_arc(Index arc) const {
-    return length(polyline({graph_.arcs[arc].lower, graph_.arcs[arc].upper, {{arc, false}}}));
+  /// fills in what the means say of an arc.
+  void measure(Index a, Arc_extent& extent) const {
+    const Flat_reeb_graph::Arc& arc = graph_.arcs[a];
+    Polyline line(samples_.items.begin() + samples_.begin[a],
+                  samples_.items.begin() + samples_.begin[a + 1]);
+    if(graph_.nodes[arc.lower].kind == Node_kind::MINIMUM)
+      line.insert(line.begin(), graph_.nodes[arc.lower].position);
+    if(graph_.nodes[arc.upper].kind == Node_kind::MAXIMUM)
+      line.push_back(graph_.nodes[arc.upper].position);
+    extent.lower.girth = arc.lower_girth;
+    extent.upper.girth = arc.upper_girth;
+    extent.has_places = !line.empty();
+    if(extent.has_places) {
+      extent.length = length(line);
+      extent.lower.place = line.front();
+      extent.upper.place = line.back();
+    }
   }
 
 private:

@@ -59,17 +59,23 @@ public:
     Reeb_simplification simplification(graph_, extents(measure));
     if(threshold > 0.) {
       const std::vector<double> sizes = sizes_of_components(measure);
-      simplification.run(
-          [measure](const Arc_extent& extent) { return size(extent, measure); },
-          [&](Index node) {
-            return threshold * sizes[mesh_.component[graph_.nodes[node].vertex]];
-          });
+      simplification.run([measure](const Arc_extent& extent) { return size(extent, measure); },
+                         [&](const Arc_extent& extent, const Arc_end& base, Index node) {
+                           const Index c = mesh_.component[graph_.nodes[node].vertex];
+                           return size(extent, measure) <= threshold * sizes[c] ||
+                                  (measure == Reeb_measure::LIMBS &&
+                                   extent.slenderness(base) < slenderness_of_limbs);
+                         });
     }
     const auto [paths, path_of_arc] = simplification.result();
     return graph_of(paths, path_of_arc);
   }
 
 private:
+  // A leaf that is less long than this, in units of the radius at its base, is a bump and no limb.
+  // On animals and parts, most bumps and caps have less, toes, ears, legs and heads have more.
+  static constexpr double slenderness_of_limbs = 0.8;
+
   static double size(const Arc_extent& extent, Reeb_measure measure) {
     switch(measure) {
     case Reeb_measure::LENGTH: return extent.length;
@@ -84,8 +90,7 @@ private:
     for_each_index(execution_, extents.size(), [&](std::size_t a) {
       extents[a].low = value_(graph_.nodes[graph_.arcs[a].lower].vertex);
       extents[a].high = value_(graph_.nodes[graph_.arcs[a].upper].vertex);
-      if(measure == Reeb_measure::LENGTH)
-        extents[a].length = embedding_.length_of_arc(static_cast<Index>(a));
+      embedding_.measure(static_cast<Index>(a), extents[a]);
     });
     for(Index v = 0; v < graph_.vertex_arc.size(); ++v) {
       Arc_extent& extent = extents[graph_.vertex_arc[v]];

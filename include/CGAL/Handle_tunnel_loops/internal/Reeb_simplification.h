@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -26,11 +27,27 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// How large an arc is: the lowest and the highest value on it, and what adds up along it.
+/// An end of the part of an arc, or of a path of arcs, on which the means of the front are known.
+struct Arc_end
+{
+  Vector place = {0., 0., 0.}; ///< the last mean, or the extremum
+  double girth = 0.;           ///< the length of the front at the node
+};
+
+/// How large an arc or a path is: the lowest and the highest value on it, and what adds up along it.
 struct Arc_extent
 {
   double low = 0., high = 0.;
-  double length = 0., area = 0., number_of_vertices = 0.;
+  double area = 0., number_of_vertices = 0.;
+  double length = 0.; ///< of the line of the means, without the ways to saddles at the ends
+  Arc_end lower, upper;
+  bool has_places = false; ///< arcs that are too short have no means
+
+  /// the length as a multiple of the radius of a circle as long as the front at an end.
+  double slenderness(const Arc_end& base) const {
+    constexpr double circle = 6.28318530717958648;
+    return base.girth > 0. ? circle * length / base.girth : (std::numeric_limits<double>::max)();
+  }
 };
 
 /*!
@@ -70,13 +87,14 @@ public:
     }
   }
 
-  /// takes off the leaves of which `size(extent)` is at most `limit(node)`, for a node at its end.
-  template <typename Size, typename Limit> void run(const Size& size, const Limit& limit) {
+  /// takes off the leaves of which `is_small(extent, base, node)` says so, for their end at the saddle
+  /// and any of their nodes;
+  /// those of smallest `size(extent)` first.
+  template <typename Size, typename IsSmall> void run(const Size& size, const IsSmall& is_small) {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     const auto push = [&](Index a) {
-      const double s = size(extent_[a]);
-      if(is_leaf(a) && s <= limit(paths_[a].lower))
-        queue.push({s, a});
+      if(is_leaf(a) && is_small(extent_[a], base_of(a), paths_[a].lower))
+        queue.push({size(extent_[a]), a});
     };
     for(Index a = 0; a < graph_.arcs.size(); ++a)
       push(a);
@@ -129,6 +147,10 @@ private:
     return is_extremum(paths_[leaf].lower) ? paths_[leaf].upper : paths_[leaf].lower;
   }
 
+  const Arc_end& base_of(Index leaf) const {
+    return is_extremum(paths_[leaf].lower) ? extent_[leaf].upper : extent_[leaf].lower;
+  }
+
   // The two arcs at the saddle of a leaf that are not the leaf.
   std::pair<Index, Index> others_at(Index saddle, Index leaf) {
     Index others[2], count = 0;
@@ -156,7 +178,7 @@ private:
       paths_.push_back({to, from, {b, !second.is_reversed}, {a, !first.is_reversed}});
     became_.push_back(path);
     became_[a] = became_[b] = became_[leaf] = path;
-    extent_.push_back(joined(extent_[a], extent_[b], extent_[leaf]));
+    extent_.push_back(joined(paths_.back().first, paths_.back().second, leaf));
     return path;
   }
 
@@ -164,10 +186,29 @@ private:
     return paths_[a].lower == node ? paths_[a].upper : paths_[a].lower;
   }
 
-  static Arc_extent joined(const Arc_extent& a, const Arc_extent& b, const Arc_extent& leaf) {
-    return {(std::min)(a.low, b.low), (std::max)(a.high, b.high), a.length + b.length,
-            a.area + b.area + leaf.area,
-            a.number_of_vertices + b.number_of_vertices + leaf.number_of_vertices};
+  // The extent of two paths one after the other, and of the leaf that was between them.
+  Arc_extent joined(Piece first, Piece second, Index leaf) const {
+    Arc_extent a = directed(first), b = directed(second);
+    Arc_extent sum;
+    sum.low = (std::min)(a.low, b.low);
+    sum.high = (std::max)(a.high, b.high);
+    sum.area = a.area + b.area + extent_[leaf].area;
+    sum.number_of_vertices =
+        a.number_of_vertices + b.number_of_vertices + extent_[leaf].number_of_vertices;
+    sum.length = a.length + b.length;
+    if(a.has_places && b.has_places)
+      sum.length += norm(b.lower.place - a.upper.place);
+    sum.has_places = a.has_places || b.has_places;
+    sum.lower = {(a.has_places ? a : b).lower.place, a.lower.girth};
+    sum.upper = {(b.has_places ? b : a).upper.place, b.upper.girth};
+    return sum;
+  }
+
+  Arc_extent directed(Piece piece) const {
+    Arc_extent extent = extent_[piece.arc];
+    if(piece.is_reversed)
+      std::swap(extent.lower, extent.upper);
+    return extent;
   }
 
   Index find(Index a) {

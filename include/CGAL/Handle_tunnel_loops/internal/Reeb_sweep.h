@@ -127,9 +127,14 @@ private:
   }
 
   Index add_arc(Index lower) {
-    graph_.arcs.push_back({lower, no_index});
+    graph_.arcs.push_back({lower, no_index, 0., 0.});
     front_.push_back({{}, graph_.nodes[lower].position});
     return number_of_arcs() - 1;
+  }
+
+  void end_arc(Index arc, Index upper) {
+    graph_.arcs[arc].upper = upper;
+    graph_.arcs[arc].upper_girth = front_[arc].sum.girth();
   }
 
   void begin(Index v) {
@@ -139,7 +144,7 @@ private:
   }
 
   void end(Index v, Index arc) {
-    graph_.arcs[arc].upper = add_node(v, Node_kind::MAXIMUM, mesh_.points[v]);
+    end_arc(arc, add_node(v, Node_kind::MAXIMUM, mesh_.points[v]));
     graph_.vertex_arc[v] = arc;
   }
 
@@ -163,12 +168,13 @@ private:
         strands_,
         [&](Index a, Index b) {
           const Index node = add_node(v, Node_kind::SADDLE, position);
-          graph_.arcs[a].upper = graph_.arcs[b].upper = node;
+          end_arc(a, node);
+          end_arc(b, node);
           return add_arc(node);
         },
         [&](Index a) {
           const Index node = add_node(v, Node_kind::SADDLE, position);
-          graph_.arcs[a].upper = node;
+          end_arc(a, node);
           const Index first = add_arc(node);
           return std::make_pair(first, add_arc(node));
         });
@@ -177,8 +183,10 @@ private:
       front += strands_[i].front;
       front += at.front_above(strands_[i].arrival);
     }
-    for(const Strand& strand : strands_)
+    for(const Strand& strand : strands_) {
+      graph_.arcs[strand.arc].lower_girth = front_[strand.arc].sum.girth();
       sample(v, strand.arc);
+    }
   }
 
   void sample(Index v, Index arc) {
