@@ -52,8 +52,7 @@ class Reeb_computation
   using Clock = std::chrono::steady_clock;
 
   template <typename Tag>
-  static constexpr bool is_given =
-      !parameters::is_default_parameter<NamedParameters, Tag>::value;
+  static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
 public:
   Reeb_computation(const TriangleMesh& tm, const NamedParameters& np)
@@ -65,7 +64,8 @@ public:
       , traits_(parameters::choose_parameter<Geom_traits>(
             parameters::get_parameter(np, internal_np::geom_traits)))
       , threshold_(parameters::choose_parameter(
-            parameters::get_parameter(np, internal_np::simplification_threshold), 0.03)) {
+            parameters::get_parameter(np, internal_np::simplification_threshold),
+            default_simplification_threshold)) {
     if(!(threshold_ >= 0. && threshold_ <= 1.))
       throw std::invalid_argument("the threshold of the simplification must be in [0, 1]");
     const auto began = Clock::now();
@@ -165,9 +165,8 @@ private:
   }
 
   const NamedParameters& np_;
-  decltype(CGAL::get_initialized_vertex_index_map(std::declval<const TriangleMesh&>(),
-                                                  std::declval<const NamedParameters&>()))
-      vertex_index_;
+  decltype(CGAL::get_initialized_vertex_index_map(
+      std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>())) vertex_index_;
   Vertex_point_map point_;
   Geom_traits traits_;
   double threshold_;
@@ -184,14 +183,14 @@ private:
 
 computes the Reeb graph of a diffusion on a closed surface, or that of any function on its vertices.
 
-The Reeb graph of a function has a point for each contour, that is, for each connected component of a
-level set. Its nodes are the critical points, where contours begin, meet, part and end; its arcs are
-what the contours between them sweep. It is computed exactly: a function stands for the order of its
-values, with ties broken by the indices of the vertices, and a saddle at which more than two contours
-meet is unfolded into simple ones. Thus, before and after the simplification, whatever the function is:
-the graph has one component for each component of the surface, the graph of a closed connected surface
-of genus g has g independent cycles, there are 2 - 2g more minima and maxima than saddles, and each
-vertex of the mesh belongs to one arc.
+The Reeb graph of a function has a point for each contour, that is, for each connected component of
+a level set. Its nodes are the critical points, where contours begin, meet, part and end; its arcs
+are what the contours between them sweep. It is computed exactly: a function stands for the order of
+its values, with ties broken by the indices of the vertices, and a saddle at which more than two
+contours meet is unfolded into simple ones. Thus, before and after the simplification, whatever the
+function is: the graph has one component for each component of the surface, the graph of a closed
+connected surface of genus g has g independent cycles, there are 2 - 2g more minima and maxima than
+saddles, and each vertex of the mesh belongs to one arc.
 
 By default the function is the arrival time of a front (\cgalCite{weinrauch2023variational}, section
 6): on components with handles it starts at both sides of all handle loops, which puts the junctions
@@ -204,31 +203,27 @@ An arc that has become one with another by this may pass a cancelled extremum. A
 without it the component would have no node with three arcs.
 
 The time for a given function is linear but for sorting the vertices, plus the length of the shorter
-contour at each saddle where one parts; if these add up to more than eight times the number of halfedges
-it is \f$ O(n \log n) \f$ from there on. The memory is about 60 bytes per face.
+contour at each saddle where one parts; if these add up to more than eight times the number of
+halfedges it is \f$ O(n \log n) \f$ from there on. The memory is about 60 bytes per face.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
-  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does not
-  depend on it.
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex point
-  map
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
+not depend on it. \tparam TriangleMesh a model of `FaceListGraph` \tparam Graph a
+`Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex point map \tparam
+NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
-\param graph the graph that the result is assigned to. It has no parallel edges and no loops, so that
-  it is fit for `CGAL::split_graph_into_polylines()`; this takes some nodes of type
+\param graph the graph that the result is assigned to. It has no parallel edges and no loops, so
+that it is fit for `CGAL::split_graph_into_polylines()`; this takes some nodes of type
   `Reeb_node_type::REGULAR`.
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_function_map}
     \cgalParamDescription{the function; equal values are ordered by the indices of their vertices}
-    \cgalParamType{a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and numbers
-that `CGAL::to_double()` takes as values; they are compared as `double`, integers as they are}
-    \cgalParamDefault{the arrival time of a diffusion}
-  \cgalParamNEnd
-  \cgalParamNBegin{seed_vertex}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and
+numbers that `CGAL::to_double()` takes as values; they are compared as `double`, integers as they
+are} \cgalParamDefault{the arrival time of a diffusion} \cgalParamNEnd \cgalParamNBegin{seed_vertex}
     \cgalParamDescription{the vertex at which the diffusion starts, in its component}
     \cgalParamType{`boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
     \cgalParamDefault{see above}
@@ -300,7 +295,8 @@ returning `false`}
 \throws Handle_tunnel_loops::Invalid_function_exception if the function is infinite or not a number
   at a vertex
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
-\throws std::invalid_argument if a source is not a vertex with faces, or the threshold is not in [0, 1]
+\throws std::invalid_argument if a source is not a vertex with faces, or the threshold is not in [0,
+1]
 
 \sa `CGAL::handle_tunnel_loops()`
 \sa `CGAL::split_graph_into_polylines()`

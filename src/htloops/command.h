@@ -22,8 +22,9 @@ namespace htloops {
 using Command = std::function<void()>;
 
 // Each declares a command with its options; if the command line asks for it, parsing assigns it to
-// `command`. A new command (`reeb`) is one more function here and its call in main().
+// `command`. A new command is one more function here and its call in main().
 void add_loops_command(CLI::App& app, Command& command);
+void add_reeb_command(CLI::App& app, Command& command);
 void add_check_command(CLI::App& app, Command& command);
 void add_generate_command(CLI::App& app, Command& command);
 

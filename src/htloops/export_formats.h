@@ -10,30 +10,23 @@
 #ifndef HTLOOPS_EXPORT_FORMATS_H
 #define HTLOOPS_EXPORT_FORMATS_H
 
-#include "mesh_types.h"
+#include "exported_lines.h"
 #include "text_writer.h"
 
 namespace htloops {
 
-/// the loops as vertices and edges with a colour per vertex.
-void write_lines_ply(Text_writer& out, const Pairs& pairs);
+/// the lines as vertices and edges with a colour per vertex.
+void write_lines_ply(Text_writer& out, const Exported_lines& lines);
 
-/// the loops as line elements, each an object with a name.
-void write_lines_obj(Text_writer& out, const Pairs& pairs);
+/// the lines as line elements, each an object with a name.
+void write_lines_obj(Text_writer& out, const Exported_lines& lines);
 
-/// the loops as CGAL writes polylines: one per line, the first point again at the end.
-void write_lines_polylines(Text_writer& out, const Pairs& pairs);
+/// the lines as CGAL writes polylines: one per line, of a closed one the first point again at the
+/// end.
+void write_lines_polylines(Text_writer& out, const Exported_lines& lines);
 
-/// the loops as lines of a VTK PolyData with their kind, pair and length.
-void write_lines_vtp(Text_writer& out, const Pairs& pairs);
-
-/// the number of points of all loops.
-inline std::size_t number_of_points(const Pairs& pairs) {
-  std::size_t count = 0;
-  for_each_loop(pairs,
-                [&count](const Loop& loop, CGAL::Loop_type, std::size_t) { count += loop.size(); });
-  return count;
-}
+/// the lines as lines of a VTK PolyData with their kind, index and length.
+void write_lines_vtp(Text_writer& out, const Exported_lines& lines);
 
 /// writes the coordinates of a point, with blanks between them.
 inline Text_writer& operator<<(Text_writer& out, const Point& point) {

@@ -20,7 +20,7 @@ namespace {
 struct Format
 {
   std::string_view suffix;
-  void (*write)(Text_writer&, const Pairs&);
+  void (*write)(Text_writer&, const Exported_lines&);
 };
 
 constexpr Format formats[] = {
@@ -46,9 +46,9 @@ const Format& format_of(std::string_view file) {
 
 void check_lines_format(const std::string& file) { format_of(file); }
 
-void export_lines(const std::string& file, const Pairs& pairs) {
+void export_lines(const std::string& file, const Exported_lines& lines) {
   Text_writer out(file);
-  format_of(file).write(out, pairs);
+  format_of(file).write(out, lines);
   out.finish();
 }
 

@@ -10,7 +10,7 @@
 #ifndef HTLOOPS_EXPORT_LINES_H
 #define HTLOOPS_EXPORT_LINES_H
 
-#include "mesh_types.h"
+#include "exported_lines.h"
 
 #include <string>
 
@@ -19,8 +19,8 @@ namespace htloops {
 /// throws `Failure` if the name of a file does not tell a format that lines can be written in.
 void check_lines_format(const std::string& file);
 
-/// writes the loops as lines, in the format that the name of the file tells.
-void export_lines(const std::string& file, const Pairs& pairs);
+/// writes lines, in the format that the name of the file tells.
+void export_lines(const std::string& file, const Exported_lines& lines);
 
 } // namespace htloops
 

@@ -11,19 +11,21 @@
 
 namespace htloops {
 
-void write_lines_obj(Text_writer& out, const Pairs& pairs) {
-  out << "# handle and tunnel loops\n";
+void write_lines_obj(Text_writer& out, const Exported_lines& lines) {
+  out << "# " << lines.title << '\n';
   std::size_t first = 1;
-  for_each_loop(pairs, [&](const Loop& loop, CGAL::Loop_type type, std::size_t pair) {
-    out << "o " << name_of(type) << '_' << pair << '\n';
-    for(const Point& point : loop.points())
+  for(const Exported_line& line : lines.lines) {
+    out << "o " << line.kind << '_' << line.index << '\n';
+    for(const Point& point : line.points)
       out << "v " << point << '\n';
     out << 'l';
-    for(std::size_t i = 0; i < loop.size(); ++i)
+    for(std::size_t i = 0; i < line.points.size(); ++i)
       out << ' ' << first + i;
-    out << ' ' << first << '\n';
-    first += loop.size();
-  });
+    if(line.is_closed)
+      out << ' ' << first;
+    out << '\n';
+    first += line.points.size();
+  }
 }
 
 } // namespace htloops

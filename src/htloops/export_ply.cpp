@@ -8,27 +8,26 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "export_formats.h"
-#include "loop_colours.h"
 
 namespace htloops {
 
-void write_lines_ply(Text_writer& out, const Pairs& pairs) {
-  const std::size_t count = number_of_points(pairs); // a closed line has as many edges as points
-  out << "ply\nformat ascii 1.0\ncomment handle and tunnel loops\nelement vertex " << count
+void write_lines_ply(Text_writer& out, const Exported_lines& lines) {
+  out << "ply\nformat ascii 1.0\ncomment " << lines.title << "\nelement vertex "
+      << lines.number_of_points()
       << "\nproperty double x\nproperty double y\nproperty double z\n"
          "property uchar red\nproperty uchar green\nproperty uchar blue\nelement edge "
-      << count << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  for_each_loop(pairs, [&out](const Loop& loop, CGAL::Loop_type type, std::size_t) {
-    const auto [red, green, blue] = colour_of(type);
-    for(const Point& point : loop.points())
+      << lines.number_of_edges() << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  for(const Exported_line& line : lines.lines) {
+    const auto [red, green, blue] = line.colour;
+    for(const Point& point : line.points)
       out << point << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << '\n';
-  });
+  }
   std::size_t first = 0;
-  for_each_loop(pairs, [&](const Loop& loop, CGAL::Loop_type, std::size_t) {
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      out << first + i << ' ' << first + (i + 1) % loop.size() << '\n';
-    first += loop.size();
-  });
+  for(const Exported_line& line : lines.lines) {
+    for(std::size_t i = 0; i < line.number_of_edges(); ++i)
+      out << first + i << ' ' << first + (i + 1) % line.points.size() << '\n';
+    first += line.points.size();
+  }
 }
 
 } // namespace htloops

@@ -11,13 +11,15 @@
 
 namespace htloops {
 
-void write_lines_polylines(Text_writer& out, const Pairs& pairs) {
-  for_each_loop(pairs, [&out](const Loop& loop, CGAL::Loop_type, std::size_t) {
-    out << loop.size() + 1;
-    for(const Point& point : loop.points())
+void write_lines_polylines(Text_writer& out, const Exported_lines& lines) {
+  for(const Exported_line& line : lines.lines) {
+    out << line.number_of_edges() + 1;
+    for(const Point& point : line.points)
       out << ' ' << point;
-    out << ' ' << loop.points().front() << '\n';
-  });
+    if(line.is_closed)
+      out << ' ' << line.points.front();
+    out << '\n';
+  }
 }
 
 } // namespace htloops

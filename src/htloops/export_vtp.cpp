@@ -15,16 +15,16 @@ namespace {
 class Vtp_writer
 {
 public:
-  Vtp_writer(Text_writer& out, const Pairs& pairs)
+  Vtp_writer(Text_writer& out, const Exported_lines& lines)
       : out_(out)
-      , pairs_(pairs) {}
+      , lines_(lines) {}
 
   void write() {
     out_ << "<?xml version=\"1.0\"?>\n"
             "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
             "<Piece NumberOfPoints=\""
-         << number_of_points(pairs_) << "\" NumberOfVerts=\"0\" NumberOfLines=\""
-         << 2 * pairs_.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+         << lines_.number_of_points() << "\" NumberOfVerts=\"0\" NumberOfLines=\""
+         << lines_.lines.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
     write_points();
     write_lines();
     write_data();
@@ -32,29 +32,28 @@ public:
   }
 
 private:
-  void begin_array(const char* type, const char* name, const char* more = "") {
+  void begin_array(const char* type, const std::string& name, const char* more = "") {
     out_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"" << more
          << " format=\"ascii\">\n";
   }
 
   void end_array() { out_ << "</DataArray>\n"; }
 
-  // an array with one value per loop, the result of `value(loop, type, pair)`.
-  template <typename Value> void write_array(const char* type, const char* name, Value value) {
+  // an array with one value per line, the result of `value(line)`.
+  template <typename Value>
+  void write_array(const char* type, const std::string& name, const Value& value) {
     begin_array(type, name);
-    for_each_loop(pairs_, [&](const Loop& loop, CGAL::Loop_type loop_type, std::size_t pair) {
-      out_ << value(loop, loop_type, pair) << '\n';
-    });
+    for(const Exported_line& line : lines_.lines)
+      out_ << value(line) << '\n';
     end_array();
   }
 
   void write_points() {
     out_ << "<Points>\n";
     begin_array("Float64", "Points", " NumberOfComponents=\"3\"");
-    for_each_loop(pairs_, [this](const Loop& loop, CGAL::Loop_type, std::size_t) {
-      for(const Point& point : loop.points())
+    for(const Exported_line& line : lines_.lines)
+      for(const Point& point : line.points)
         out_ << point << '\n';
-    });
     end_array();
     out_ << "</Points>\n";
   }
@@ -64,39 +63,34 @@ private:
     out_ << "<Lines>\n";
     begin_array("Int64", "connectivity");
     std::size_t first = 0;
-    for_each_loop(pairs_, [&](const Loop& loop, CGAL::Loop_type, std::size_t) {
-      for(std::size_t i = 0; i < loop.size(); ++i)
-        out_ << first + i << ' ';
-      out_ << first << '\n';
-      first += loop.size();
-    });
+    for(const Exported_line& line : lines_.lines) {
+      for(std::size_t i = 0; i <= line.number_of_edges(); ++i)
+        out_ << first + i % line.points.size() << (i < line.number_of_edges() ? ' ' : '\n');
+      first += line.points.size();
+    }
     end_array();
     std::size_t end = 0;
-    write_array("Int64", "offsets", [&end](const Loop& loop, CGAL::Loop_type, std::size_t) {
-      return end += loop.size() + 1;
-    });
+    write_array("Int64", "offsets",
+                [&end](const Exported_line& line) { return end += line.number_of_edges() + 1; });
     out_ << "</Lines>\n";
   }
 
   void write_data() {
     out_ << "<CellData Scalars=\"kind\">\n";
-    // 0 is a handle, 1 a tunnel.
-    write_array("UInt8", "kind", [](const Loop&, CGAL::Loop_type type, std::size_t) {
-      return type == CGAL::Loop_type::HANDLE ? 0 : 1;
-    });
-    write_array("Int64", "pair",
-                [](const Loop&, CGAL::Loop_type, std::size_t pair) { return pair; });
-    write_array("Float64", "length",
-                [](const Loop& loop, CGAL::Loop_type, std::size_t) { return loop.length(); });
+    write_array("UInt8", "kind", [](const Exported_line& line) { return line.kind_number; });
+    write_array("Int64", lines_.index_name, [](const Exported_line& line) { return line.index; });
+    write_array("Float64", "length", [](const Exported_line& line) { return line.length; });
     out_ << "</CellData>\n";
   }
 
   Text_writer& out_;
-  const Pairs& pairs_;
+  const Exported_lines& lines_;
 };
 
 } // namespace
 
-void write_lines_vtp(Text_writer& out, const Pairs& pairs) { Vtp_writer(out, pairs).write(); }
+void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
+  Vtp_writer(out, lines).write();
+}
 
 } // namespace htloops

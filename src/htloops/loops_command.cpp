@@ -7,9 +7,9 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "atomic_file.h"
 #include "backends.h"
 #include "command.h"
+#include "common_options.h"
 #include "events_writer.h"
 #include "export_lines.h"
 #include "failure.h"
@@ -24,14 +24,12 @@
 #include "stopwatch.h"
 #include "terminal.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 namespace htloops {
 namespace {
-
-constexpr int largest_number_of_threads = 1024;
 
 struct Loops_options
 {
@@ -59,37 +57,20 @@ std::vector<std::string> outputs_of(const Loops_options& options) {
   return outputs;
 }
 
-bool is_zero(double value) { return value == 0.; }
-
 void check_options(const Loops_options& options, const Backend& backend) {
   if(!options.events_file.empty() && !backend.logs_events)
     throw Failure(Exit_code::WRONG_USAGE, std::string("the backend ") + backend.name +
                                               " logs no events; --backend reference does");
-  const std::vector<double>& view = options.picture.view;
-  if(!view.empty() && std::all_of(view.begin(), view.end(), is_zero))
-    throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
+  check_picture_options(options.picture);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
   check_output_paths(options.mesh_file, outputs_of(options));
 }
 
-std::optional<Mesh::Vertex_index> seed_of(const Loops_options& options, const Mesh& mesh) {
-  if(!options.seed)
-    return std::nullopt;
-  const std::string name = "the seed vertex " + std::to_string(*options.seed);
-  if(*options.seed >= mesh.number_of_vertices())
-    throw Failure(Exit_code::WRONG_USAGE, name + " is not one of the " +
-                                              std::to_string(mesh.number_of_vertices()) +
-                                              " vertices (they count from 0)");
-  const Mesh::Vertex_index seed(*options.seed);
-  if(mesh.is_isolated(seed))
-    throw Failure(Exit_code::WRONG_USAGE, name + " belongs to no face");
-  return seed;
-}
-
 Answer solve(const Backend& backend, const Mesh& mesh, const Loops_options& options) {
   Solve_options solve_options;
-  solve_options.seed = seed_of(options, mesh);
+  if(options.seed)
+    solve_options.seed = vertex_of_mesh(mesh, *options.seed);
   solve_options.do_refine_handles = !options.do_not_refine;
   solve_options.do_tighten = !options.do_not_tighten;
   solve_options.do_compute_linking = options.classifier == "linking";
@@ -107,12 +88,11 @@ void write_files(const Loops_options& options,
   if(!options.events_file.empty())
     write_events(options.events_file, answer);
   for(const std::string& file : options.lines_files)
-    export_lines(file, answer.pairs);
+    export_lines(file, lines_of(answer.pairs));
   if(!options.picture.file.empty())
-    export_picture(options.picture, mesh, answer.pairs);
+    export_picture(options.picture, mesh, lines_of(answer.pairs));
 }
 
-// On the standard output, unless the JSON goes there.
 void show(const Loops_options& options, const Answer& answer, double read_seconds) {
   if(options.is_quiet)
     return;
@@ -120,13 +100,7 @@ void show(const Loops_options& options, const Answer& answer, double read_second
   std::FILE* stream = is_output_taken ? stderr : stdout;
   const Table_options table{options.show_all, use_colour(options.colour, stream)};
   const std::string text = table_of_pairs(answer.pairs, table) + summary(answer, read_seconds);
-  if(is_output_taken) {
-    std::fputs(text.c_str(), stderr);
-    return;
-  }
-  Atomic_file output("-");
-  output.write(text.data(), text.size());
-  output.commit();
+  show_text(text, is_output_taken);
 }
 
 void run(const Loops_options& options) {
@@ -157,19 +131,7 @@ void add_output_options(CLI::App& command, Loops_options& options) {
                   "what happens to the fronts, as JSON; with --backend reference")
       ->option_text("FILE.json")
       ->group(group);
-  if(has_pictures) {
-    command.add_option("--picture", options.picture.file, "a picture of the mesh and the loops")
-        ->option_text("FILE.png")
-        ->group(group);
-    command
-        .add_option("--view", options.picture.view,
-                    "direction the picture is seen from; default: oblique")
-        ->option_text("X,Y,Z")
-        ->delimiter(',')
-        ->expected(3)
-        ->needs("--picture")
-        ->group(group);
-  }
+  add_picture_options(command, options.picture, "the loops", group);
 }
 
 void add_computation_options(CLI::App& command, Loops_options& options) {
@@ -180,13 +142,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       ->option_text("NAME")
       ->check(CLI::IsMember(names_of_backends()))
       ->group(group);
-  command
-      .add_option("--threads", options.number_of_threads,
-                  "threads to use, 1 to " + std::to_string(largest_number_of_threads) +
-                      "; default: one per core")
-      ->option_text("N")
-      ->check(CLI::Range(1, largest_number_of_threads))
-      ->group(group);
+  add_threads_option(command, options.number_of_threads, group);
   command
       .add_option("--seed", options.seed,
                   "vertex to grow from, from 0 as in the file; default: the first")

@@ -9,10 +9,10 @@
 
 #include "loops_json_writer.h"
 
+#include "json_pieces.h"
 #include "text_writer.h"
 #include "words.h"
 
-#include <cmath>
 #include <optional>
 
 namespace htloops {
@@ -52,14 +52,14 @@ private:
 
   void write_timings(const Answer& answer, double read_seconds) {
     out_ << "  \"timings\": { \"read\": ";
-    write_number(read_seconds);
+    write_json_number(out_, read_seconds);
     for(std::size_t i = 0; i < CGAL::Handle_tunnel_loops::number_of_stages; ++i) {
       const auto stage = static_cast<Stage>(i);
       out_ << ", \"" << CGAL::Handle_tunnel_loops::stage_name(stage) << "\": ";
-      write_number(answer.statistics.seconds_of(stage));
+      write_json_number(out_, answer.statistics.seconds_of(stage));
     }
     out_ << ", \"total\": ";
-    write_number(answer.total_seconds);
+    write_json_number(out_, answer.total_seconds);
     out_ << " },\n";
   }
 
@@ -109,7 +109,7 @@ private:
 
   void write_loop(const Loop& loop, const char* side) {
     out_ << "{ \"length\": ";
-    write_number(loop.length());
+    write_json_number(out_, loop.length());
     if(side != nullptr)
       out_ << ", \"bounds\": \"" << side << '"';
     out_ << ",\n        \"locations\": [";
@@ -117,31 +117,18 @@ private:
     for(const Loop::Step& step : loop.steps()) {
       out_ << separator << '[' << mesh_.source(step.halfedge).idx() << ','
            << mesh_.target(step.halfedge).idx() << ',';
-      write_number(step.ratio);
+      write_json_number(out_, step.ratio);
       out_ << ']';
       separator = ", ";
     }
     out_ << "],\n        \"points\": [";
     separator = "";
     for(const Point& point : loop.points()) {
-      out_ << separator << '[';
-      write_number(point.x());
-      out_ << ',';
-      write_number(point.y());
-      out_ << ',';
-      write_number(point.z());
-      out_ << ']';
+      out_ << separator;
+      write_json_point(out_, point);
       separator = ", ";
     }
     out_ << "] }";
-  }
-
-  // JSON has no infinity, which the length of a loop may reach where coordinates almost do.
-  void write_number(double value) {
-    if(std::isfinite(value))
-      out_ << value;
-    else
-      out_ << "null";
   }
 
   void write_count(const std::optional<std::size_t>& count) {

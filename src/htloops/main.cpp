@@ -25,7 +25,8 @@ namespace {
 
 using htloops::Exit_code;
 
-constexpr char description[] = "Finds handle and tunnel loops on closed triangle meshes.\n";
+constexpr char description[] =
+    "Finds handle and tunnel loops, and Reeb graphs, on closed triangle meshes.\n";
 
 constexpr char footer[] =
     "Exit codes: 0 done, 1 no certified answer, 2 wrong usage or unwritable output,\n"
@@ -36,6 +37,7 @@ constexpr char footer[] =
     "  htloops generate torus -o torus.off             makes a mesh to try\n"
     "  htloops loops torus.off -o torus.json           finds its loops\n"
     "  htloops check torus.off torus.json              checks them\n"
+    "  htloops reeb torus.off --picture reeb.png       draws its Reeb graph\n"
     "  htloops loops --help                            says more of a command\n";
 
 std::string usage_message(const CLI::App* app, const CLI::Error& error) {
@@ -68,6 +70,8 @@ int run(const htloops::Command& command) {
     return report_interrupt();
   } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception& exception) {
     return report(Exit_code::UNACCEPTABLE_MESH, exception.what());
+  } catch(const CGAL::Handle_tunnel_loops::Invalid_function_exception& exception) {
+    return report(Exit_code::WRONG_USAGE, exception.what());
   } catch(const std::bad_alloc&) {
     return report(Exit_code::NOT_CERTIFIED, "out of memory");
   } catch(const std::exception& exception) {
@@ -84,6 +88,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   htloops::Command command;
   htloops::add_loops_command(app, command);
+  htloops::add_reeb_command(app, command);
   htloops::add_check_command(app, command);
   htloops::add_generate_command(app, command);
   app.set_version_flag("--version", htloops::version(), "the versions of what this is")

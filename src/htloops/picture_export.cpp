@@ -13,7 +13,6 @@
 
 #include "atomic_file.h"
 #include "failure.h"
-#include "loop_colours.h"
 #include "picture/picture.h"
 
 #include <stdexcept>
@@ -42,29 +41,32 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const Mesh& mesh) {
   return triangles;
 }
 
-std::vector<htl_picture::Line> lines_of(const Pairs& pairs) {
-  std::vector<htl_picture::Line> lines;
-  for_each_loop(pairs, [&lines](const Loop& loop, CGAL::Loop_type type, std::size_t) {
-    htl_picture::Line line;
-    for(const Point& p : loop.points())
-      line.points.push_back(coordinates(p));
-    line.colour = colour_of(type);
-    line.closed = true;
-    lines.push_back(std::move(line));
-  });
-  return lines;
+std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines) {
+  std::vector<htl_picture::Line> tubes;
+  for(const Exported_line& line : lines.lines) {
+    htl_picture::Line tube;
+    for(const Point& p : line.points)
+      tube.points.push_back(coordinates(p));
+    tube.colour = line.colour;
+    tube.closed = line.is_closed;
+    tubes.push_back(std::move(tube));
+  }
+  return tubes;
 }
 
 } // namespace
 
-void export_picture(const Picture_options& options, const Mesh& mesh, const Pairs& pairs) {
+void export_picture(const Picture_options& options,
+                    const Mesh& mesh,
+                    const Exported_lines& lines,
+                    const std::vector<std::array<unsigned char, 3>>& face_colours) {
   htl_picture::Options picture;
   if(!options.view.empty())
     picture.view = {options.view[0], options.view[1], options.view[2]};
   Staged_path path(options.file);
   try {
-    htl_picture::write_picture(path.temporary(), points_of(mesh), triangles_of(mesh),
-                               lines_of(pairs), picture);
+    htl_picture::write_picture(path.temporary(), points_of(mesh), triangles_of(mesh), face_colours,
+                               tubes_along(lines), picture);
   } catch(const std::runtime_error& error) {
     throw Failure(Exit_code::WRONG_USAGE, "--picture " + options.file + ": " + error.what());
   }

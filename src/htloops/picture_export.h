@@ -10,8 +10,9 @@
 #ifndef HTLOOPS_PICTURE_EXPORT_H
 #define HTLOOPS_PICTURE_EXPORT_H
 
-#include "mesh_types.h"
+#include "exported_lines.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,20 @@ struct Picture_options
 
 constexpr bool has_pictures = true;
 
-/// writes a picture of the mesh and the loops.
-void export_picture(const Picture_options& options, const Mesh& mesh, const Pairs& pairs);
+/// writes a picture of the mesh and lines; with colours of the faces, or with none.
+void export_picture(const Picture_options& options,
+                    const Mesh& mesh,
+                    const Exported_lines& lines,
+                    const std::vector<std::array<unsigned char, 3>>& face_colours = {});
 
 #else
 
 constexpr bool has_pictures = false;
 
-inline void export_picture(const Picture_options&, const Mesh&, const Pairs&) {}
+inline void export_picture(const Picture_options&,
+                           const Mesh&,
+                           const Exported_lines&,
+                           const std::vector<std::array<unsigned char, 3>>& = {}) {}
 
 #endif
 

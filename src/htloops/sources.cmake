@@ -2,6 +2,7 @@ set(HTLOOPS_SOURCES
   atomic_file.cpp
   backends.cpp
   check_command.cpp
+  common_options.cpp
   edge_table.cpp
   events_writer.cpp
   export_lines.cpp
@@ -9,6 +10,7 @@ set(HTLOOPS_SOURCES
   export_ply.cpp
   export_polylines.cpp
   export_vtp.cpp
+  exported_lines.cpp
   generate_command.cpp
   help_style.cpp
   host_backend.cpp
@@ -29,6 +31,11 @@ set(HTLOOPS_SOURCES
   ply_guard.cpp
   ply_header.cpp
   progress_bar.cpp
+  reeb_answer.cpp
+  reeb_command.cpp
+  reeb_exports.cpp
+  reeb_json_writer.cpp
+  reeb_solver.cpp
   soup_diagnosis.cpp
   soup_reader.cpp
   stl_guard.cpp
@@ -36,6 +43,7 @@ set(HTLOOPS_SOURCES
   text_cursor.cpp
   text_writer.cpp
   thread_limit.cpp
+  values_reader.cpp
   version.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_SOURCES reference_backend.cpp)

@@ -27,7 +27,7 @@ class Exports : public testing::Test
 {
 protected:
   std::string exported(const std::string& name) {
-    export_lines(folder_.path(name), answer_.pairs);
+    export_lines(folder_.path(name), lines_of(answer_.pairs));
     return folder_.read(name);
   }
 

@@ -34,7 +34,7 @@ enum class Reeb_node_type {
 /// \ingroup PkgHandleTunnelLoopsRef
 /// By what leaves of a Reeb graph are called small.
 enum class Reeb_measure {
-  LIMBS,       ///< as `PERSISTENCE`; but leaves that are less long than thick at their base are small
+  LIMBS, ///< as `PERSISTENCE`; but leaves that are less long than thick at their base are small
   PERSISTENCE, ///< the difference of the values at their ends, over the range of the function
   LENGTH,      ///< the length of their polyline, over the diagonal of the bounding box
   AREA,        ///< the area of the surface that belongs to them, over the whole
@@ -60,7 +60,8 @@ struct Reeb_node
   Point point;
   /// the type of the critical point.
   Reeb_node_type type = Reeb_node_type::REGULAR;
-  /// the value of the function at the vertex; the arrival time of the front, if that is the function.
+  /// the value of the function at the vertex; the arrival time of the front, if that is the
+  /// function.
   double value = 0.;
 };
 
@@ -110,19 +111,24 @@ using Reeb_graph = boost::adjacency_list<boost::vecS,
 namespace Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
+/// The part of the whole up to which leaves of a Reeb graph are taken off, if no other is given.
+constexpr double default_simplification_threshold = 0.03;
+
+/// \ingroup PkgHandleTunnelLoopsRef
 /// What a computation of a Reeb graph did.
 struct Reeb_statistics
 {
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
   std::size_t number_of_components = 0;
-  std::size_t genus = 0;                   ///< summed over the components
+  std::size_t genus = 0;                    ///< summed over the components
   std::size_t number_of_critical_nodes = 0; ///< before the simplification
-  std::uint64_t number_of_steps = 0;       ///< edges walked over where contours part
-  bool has_used_trees = false;             ///< whether the steps became too many
-  double seconds_of_adaptor = 0.;          ///< wall time of the preparation of the mesh
-  double seconds_of_function = 0.; ///< wall time of the loops and the diffusion, or of reading values
-  double seconds_of_sweep = 0.;    ///< wall time of the Reeb graph itself
+  std::uint64_t number_of_steps = 0;        ///< edges walked over where contours part
+  bool has_used_trees = false;              ///< whether the steps became too many
+  double seconds_of_adaptor = 0.;           ///< wall time of the preparation of the mesh
+  double seconds_of_function =
+      0.;                       ///< wall time of the loops and the diffusion, or of reading values
+  double seconds_of_sweep = 0.; ///< wall time of the Reeb graph itself
   double seconds_of_finishing = 0.; ///< wall time of simplification and embedding
 
   /// the wall time of all, in seconds.

@@ -55,8 +55,8 @@ inline bool is_saddle(const Flat_mesh& mesh, const Sweep_order& order, Index v) 
   const auto ring = mesh.ring(v);
   int changes = 0;
   for(Index p = 0; p < ring.size(); ++p)
-    changes += (order.rank(ring[p]) < order.rank(v)) !=
-               (order.rank(ring[ring.next(p)]) < order.rank(v));
+    changes +=
+        (order.rank(ring[p]) < order.rank(v)) != (order.rank(ring[ring.next(p)]) < order.rank(v));
   return changes > 2;
 }
 

@@ -134,8 +134,8 @@ private:
     walks_.clear();
     const Index level = order_.rank(at.center());
     for(auto i = group.begin; i != group.end; ++i) {
-      walks_.push_back({Contour_walk(mesh_, order_, level, at.first_of(*i), at.before_first_of(*i)),
-                        *i});
+      walks_.push_back(
+          {Contour_walk(mesh_, order_, level, at.first_of(*i), at.before_first_of(*i)), *i});
       strands[*i].arrival = no_index;
     }
     while(walks_.size() > 1) {

@@ -87,9 +87,8 @@ public:
       do {
         is_joined_[i] = 1;
         root = joined(root, splayed(leaving_node(at, i)));
-        at.for_each_above(strands[i].arrival, [&](Index p) {
-          root = joined(root, new_node(at.center(), p));
-        });
+        at.for_each_above(strands[i].arrival,
+                          [&](Index p) { root = joined(root, new_node(at.center(), p)); });
         i = at.next_wedge(strands[i].arrival);
       } while(i != first);
       nodes_[root].arc = strands[first].arc;
@@ -209,8 +208,7 @@ private:
     while(nodes_[node].up != none) {
       const Index parent = nodes_[node].up, above = nodes_[parent].up;
       if(above != none) {
-        const bool is_straight =
-            (nodes_[parent].left == node) == (nodes_[above].left == parent);
+        const bool is_straight = (nodes_[parent].left == node) == (nodes_[above].left == parent);
         rotate(is_straight ? parent : node);
       }
       rotate(node);

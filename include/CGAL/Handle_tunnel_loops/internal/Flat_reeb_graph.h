@@ -35,7 +35,7 @@ struct Flat_reeb_graph
 
   struct Arc
   {
-    Index lower = no_index, upper = no_index; ///< nodes
+    Index lower = no_index, upper = no_index;  ///< nodes
     double lower_girth = 0., upper_girth = 0.; ///< of the front at the ends
   };
 
@@ -46,7 +46,7 @@ struct Flat_reeb_graph
     Vector position;
   };
 
-  std::vector<Node> nodes;      ///< from the lowest to the highest
+  std::vector<Node> nodes; ///< from the lowest to the highest
   std::vector<Arc> arcs;
   std::vector<Index> vertex_arc; ///< by vertex; a critical point is on the arc below it, if any
   std::vector<Sample> samples;   ///< those of an arc from below to above

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The sum of places with weights; a front is summed up by the middles of the edges that it crosses,
-/// each with about the length that the front has around it.
+/// The sum of places with weights; a front is summed up by the middles of the edges that it
+/// crosses, each with about the length that the front has around it.
 struct Front
 {
   Vector sum = {0., 0., 0.};

@@ -78,10 +78,14 @@ private:
 
   static double size(const Arc_extent& extent, Reeb_measure measure) {
     switch(measure) {
-    case Reeb_measure::LENGTH: return extent.length;
-    case Reeb_measure::AREA: return extent.area;
-    case Reeb_measure::VERTICES: return extent.number_of_vertices;
-    default: return extent.high - extent.low;
+    case Reeb_measure::LENGTH:
+      return extent.length;
+    case Reeb_measure::AREA:
+      return extent.area;
+    case Reeb_measure::VERTICES:
+      return extent.number_of_vertices;
+    default:
+      return extent.high - extent.low;
     }
   }
 
@@ -194,8 +198,7 @@ inline Embedded_reeb_graph::Arc split_arc(Embedded_reeb_graph& graph, Index a, d
   const auto whole = static_cast<std::ptrdiff_t>((std::min)(place, last - 0.5));
   const Vector point = line[whole] + (place - double(whole)) * (line[whole + 1] - line[whole]);
   const auto middle = static_cast<std::ptrdiff_t>(where * double(arc.vertices.size()));
-  const Index vertex =
-      arc.vertices.empty() ? graph.nodes[arc.lower].vertex : arc.vertices[middle];
+  const Index vertex = arc.vertices.empty() ? graph.nodes[arc.lower].vertex : arc.vertices[middle];
 
   const Index node = static_cast<Index>(graph.nodes.size());
   graph.nodes.push_back({vertex, Node_kind::REGULAR, point});

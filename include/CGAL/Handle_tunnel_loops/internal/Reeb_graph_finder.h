@@ -80,8 +80,7 @@ Embedded_reeb_graph find_reeb_graph(const Flat_mesh& mesh,
   statistics.seconds_of_sweep = std::chrono::duration<double>(has_swept - began).count();
   Embedded_reeb_graph result =
       Reeb_finishing<Execution, Value>(mesh, order, graph, value).run(measure, threshold);
-  statistics.seconds_of_finishing =
-      std::chrono::duration<double>(Clock::now() - has_swept).count();
+  statistics.seconds_of_finishing = std::chrono::duration<double>(Clock::now() - has_swept).count();
   return result;
 }
 

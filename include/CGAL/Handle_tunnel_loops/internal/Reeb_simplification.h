@@ -34,7 +34,8 @@ struct Arc_end
   double girth = 0.;           ///< the length of the front at the node
 };
 
-/// How large an arc or a path is: the lowest and the highest value on it, and what adds up along it.
+/// How large an arc or a path is: the lowest and the highest value on it, and what adds up along
+/// it.
 struct Arc_extent
 {
   double low = 0., high = 0.;
@@ -87,9 +88,8 @@ public:
     }
   }
 
-  /// takes off the leaves of which `is_small(extent, base, node)` says so, for their end at the saddle
-  /// and any of their nodes;
-  /// those of smallest `size(extent)` first.
+  /// takes off the leaves of which `is_small(extent, base, node)` says so, for their end at the
+  /// saddle and any of their nodes; those of smallest `size(extent)` first.
   template <typename Size, typename IsSmall> void run(const Size& size, const IsSmall& is_small) {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     const auto push = [&](Index a) {
@@ -237,10 +237,10 @@ private:
   }
 
   const Flat_reeb_graph& graph_;
-  std::vector<Arc_extent> extent_;          // by path
-  std::vector<Joint> paths_;                // first the arcs of the graph
+  std::vector<Arc_extent> extent_;            // by path
+  std::vector<Joint> paths_;                  // first the arcs of the graph
   std::vector<std::array<Index, 3>> arcs_at_; // by node, arcs of the graph
-  std::vector<Index> became_;               // by path, one that it became a part of
+  std::vector<Index> became_;                 // by path, one that it became a part of
 };
 
 } // namespace internal

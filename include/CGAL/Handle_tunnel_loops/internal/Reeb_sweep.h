@@ -33,11 +33,12 @@ the lowest vertex to the highest.
 
 At a regular vertex a contour passes, at a minimum one begins, at a maximum one ends. At a saddle,
 contours that are different meet, and one that comes to it twice parts; a saddle with more than two
-wedges is unfolded. Hence a closed surface of genus g has g independent cycles whatever the order is,
-by Euler's formula: k wedges make k - 1 nodes with three arcs.
+wedges is unfolded. Hence a closed surface of genus g has g independent cycles whatever the order
+is, by Euler's formula: k wedges make k - 1 nodes with three arcs.
 
-As long as few edges are walked over, the contours are kept as labels, which is linear but for a sort;
-if many, they go over into trees, and the rest takes O(n log n). So all takes O(n log n) in any case.
+As long as few edges are walked over, the contours are kept as labels, which is linear but for a
+sort; if many, they go over into trees, and the rest takes O(n log n). So all takes O(n log n) in
+any case.
 */
 class Reeb_sweep
 {
@@ -89,7 +90,9 @@ private:
       labels_.add_arcs(number_of_arcs());
       labels_.pass(v, graph_.vertex_arc[v]);
       break;
-    case Vertex_kind::MAXIMUM: end(v, labels_.arc_at(star.below)); break;
+    case Vertex_kind::MAXIMUM:
+      end(v, labels_.arc_at(star.below));
+      break;
     case Vertex_kind::SADDLE: {
       const Crossroads at(mesh_, order_, v);
       labels_.cut(at, strands_, [this](Index arc) { return front_[arc].sum; });
@@ -106,7 +109,9 @@ private:
       begin(v);
       trees_->start(v, graph_.vertex_arc[v]);
       break;
-    case Vertex_kind::MAXIMUM: end(v, trees_->end(v)); break;
+    case Vertex_kind::MAXIMUM:
+      end(v, trees_->end(v));
+      break;
     default: {
       const Crossroads at(mesh_, order_, v);
       trees_->cut(at, strands_);

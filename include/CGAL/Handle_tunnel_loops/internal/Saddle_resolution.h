@@ -31,8 +31,8 @@ class Saddle_resolution
 {
 public:
   /// goes through the steps; each calls `meet(a, b)`, which gives the arc above of two arcs that
-  /// meet, or `part(a)`, which gives the two arcs above of one that parts. Then the strands name the
-  /// arcs above the saddle.
+  /// meet, or `part(a)`, which gives the two arcs above of one that parts. Then the strands name
+  /// the arcs above the saddle.
   template <typename Meet, typename Part>
   void resolve(Strands& strands, const Meet& meet, const Part& part) {
     start(strands);

@@ -46,9 +46,8 @@ public:
       : mesh_(mesh)
       , center_(center)
       , ring_(mesh.ring(center))
-      , wedges_(find_wedges(ring_, [&](Index p) {
-        return order.rank(ring_[p]) < order.rank(center);
-      })) {
+      , wedges_(find_wedges(ring_,
+                            [&](Index p) { return order.rank(ring_[p]) < order.rank(center); })) {
     for(Index i = 0; i < number_of_wedges(); ++i)
       ends_.emplace_back(ring_[wedges_[i].last], i);
     std::sort(ends_.begin(), ends_.end());
@@ -113,7 +112,8 @@ class Contour_walk
 {
 public:
   /// begins at an edge with its lower end first; lower are the vertices of ranks below \p level.
-  Contour_walk(const Flat_mesh& mesh, const Sweep_order& order, Index level, Index left, Index right)
+  Contour_walk(
+      const Flat_mesh& mesh, const Sweep_order& order, Index level, Index left, Index right)
       : mesh_(&mesh)
       , order_(&order)
       , level_(level)

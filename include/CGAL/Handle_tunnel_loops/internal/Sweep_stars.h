@@ -54,10 +54,10 @@ inline Star star_of(const Flat_mesh& mesh, const Sweep_order& order, Index v) {
     number_of_changes += is_lower != is_previous_lower;
     is_previous_lower = is_lower;
   }
-  star.kind = number_of_changes > 2        ? Vertex_kind::SADDLE
-              : number_of_changes == 2     ? Vertex_kind::REGULAR
-              : star.below == no_index     ? Vertex_kind::MINIMUM
-                                           : Vertex_kind::MAXIMUM;
+  star.kind = number_of_changes > 2    ? Vertex_kind::SADDLE
+              : number_of_changes == 2 ? Vertex_kind::REGULAR
+              : star.below == no_index ? Vertex_kind::MINIMUM
+                                       : Vertex_kind::MAXIMUM;
   return star;
 }
 
@@ -65,9 +65,8 @@ template <typename Execution>
 std::vector<Star>
 sweep_stars(Execution execution, const Flat_mesh& mesh, const Sweep_order& order) {
   std::vector<Star> stars(mesh.number_of_vertices());
-  for_each_index(execution, stars.size(), [&](std::size_t v) {
-    stars[v] = star_of(mesh, order, static_cast<Index>(v));
-  });
+  for_each_index(execution, stars.size(),
+                 [&](std::size_t v) { stars[v] = star_of(mesh, order, static_cast<Index>(v)); });
   return stars;
 }
 

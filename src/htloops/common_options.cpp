@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "common_options.h"
+
+#include "atomic_file.h"
+#include "failure.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace htloops {
+
+void add_picture_options(CLI::App& command,
+                         Picture_options& picture,
+                         const std::string& what,
+                         const std::string& group) {
+  if(!has_pictures)
+    return;
+  command.add_option("--picture", picture.file, "a picture of the mesh and " + what)
+      ->option_text("FILE.png")
+      ->group(group);
+  command
+      .add_option("--view", picture.view, "direction the picture is seen from; default: oblique")
+      ->option_text("X,Y,Z")
+      ->delimiter(',')
+      ->expected(3)
+      ->needs("--picture")
+      ->group(group);
+}
+
+void check_picture_options(const Picture_options& picture) {
+  if(!picture.view.empty() && is_zero(picture.view))
+    throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
+}
+
+void add_threads_option(CLI::App& command, int& number_of_threads, const std::string& group) {
+  constexpr int largest_number_of_threads = 1024;
+  command
+      .add_option("--threads", number_of_threads,
+                  "threads to use, 1 to " + std::to_string(largest_number_of_threads) +
+                      "; default: one per core")
+      ->option_text("N")
+      ->check(CLI::Range(1, largest_number_of_threads))
+      ->group(group);
+}
+
+Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
+  const std::string name = "the seed vertex " + std::to_string(number);
+  if(number >= mesh.number_of_vertices())
+    throw Failure(Exit_code::WRONG_USAGE, name + " is not one of the " +
+                                              std::to_string(mesh.number_of_vertices()) +
+                                              " vertices (they count from 0)");
+  const Mesh::Vertex_index v(number);
+  if(mesh.is_isolated(v))
+    throw Failure(Exit_code::WRONG_USAGE, name + " belongs to no face");
+  return v;
+}
+
+void show_text(const std::string& text, bool is_output_taken) {
+  if(is_output_taken) {
+    std::fputs(text.c_str(), stderr);
+    return;
+  }
+  Atomic_file output("-");
+  output.write(text.data(), text.size());
+  output.commit();
+}
+
+bool is_zero(const std::vector<double>& direction) {
+  return std::all_of(direction.begin(), direction.end(), [](double x) { return x == 0.; });
+}
+
+} // namespace htloops

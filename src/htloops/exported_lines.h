@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_EXPORTED_LINES_H
+#define HTLOOPS_EXPORTED_LINES_H
+
+#include "mesh_types.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// A polyline that is written to a file or drawn.
+struct Exported_line
+{
+  std::vector<Point> points; ///< of a closed line, the first is not repeated
+  bool is_closed = false;
+  std::array<unsigned char, 3> colour = {0, 0, 0};
+  std::string kind;      ///< a word
+  int kind_number = 0;   ///< the same as a number
+  std::size_t index = 0; ///< of what it stands for
+  double length = 0.;
+
+  /// as a closed line has one more edge than an open one.
+  std::size_t number_of_edges() const { return points.size() - (is_closed ? 0 : 1); }
+};
+
+/// Lines of one sort, and what is said about them in files.
+struct Exported_lines
+{
+  std::string title;
+  std::string index_name;
+  std::vector<Exported_line> lines;
+
+  std::size_t number_of_points() const;
+  std::size_t number_of_edges() const;
+};
+
+/// the loops of pairs; the kind of a handle is 0, that of a tunnel 1.
+Exported_lines lines_of(const Pairs& pairs);
+
+} // namespace htloops
+
+#endif // HTLOOPS_EXPORTED_LINES_H
