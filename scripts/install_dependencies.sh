@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: for the tool, for the tests too, or for all checks.
+# Installs the Debian packages that are missing: for the tool, for the tests too, for all checks, or
+# for the benchmarks beside other programs, which want VTK (large, and needed for nothing else).
 #
-#   scripts/install_dependencies.sh [tool|tests|checks]
+#   scripts/install_dependencies.sh [tool|tests|checks|benchmarks]
 #
 # Touches nothing, and needs no network, where all is there. Where there is no apt-get it names the
 # libraries and goes on: the build then says itself what it lacks.
@@ -11,13 +12,15 @@ tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-d
   libeigen3-dev)
 tests=("${tool[@]}" libgtest-dev libbenchmark-dev)
 checks=("${tests[@]}" clang-format)
+benchmarks=("${tests[@]}" libvtk9-dev)
 
 case "${1:-tool}" in
   tool) wanted=("${tool[@]}") ;;
   tests) wanted=("${tests[@]}") ;;
   checks) wanted=("${checks[@]}") ;;
+  benchmarks) wanted=("${benchmarks[@]}") ;;
   *)
-    echo "usage: $0 [tool|tests|checks]" >&2
+    echo "usage: $0 [tool|tests|checks|benchmarks]" >&2
     exit 2
     ;;
 esac

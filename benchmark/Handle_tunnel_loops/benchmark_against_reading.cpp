@@ -7,86 +7,24 @@
 // Without arguments: the suite of the README, on generated meshes. Each figure is the median of the
 // runs.
 
+#include "Benchmark_meshes.h"
 #include "Counting_allocation.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/handle_tunnel_loops.h>
 
-#include "generators/generators.h"
-
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Pair = CGAL::Handle_tunnel_pair<Mesh>;
 namespace HTL = CGAL::Handle_tunnel_loops;
 
 namespace {
-
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-void write_off(const HTL::generators::Soup& soup, const std::string& file) {
-  std::FILE* f = std::fopen(file.c_str(), "w");
-  if(f == nullptr)
-    throw std::runtime_error("cannot write " + file);
-  std::fprintf(f, "OFF\n%zu %zu 0\n", soup.points.size(), soup.triangles.size());
-  for(const auto& p : soup.points)
-    std::fprintf(f, "%.9g %.9g %.9g\n", p[0], p[1], p[2]);
-  for(const auto& t : soup.triangles)
-    std::fprintf(f, "3 %u %u %u\n", t[0], t[1], t[2]);
-  std::fclose(f);
-}
-
-HTL::generators::Soup generate(const std::string& request) {
-  std::istringstream in(request);
-  std::string name, faces, genus;
-  std::getline(in, name, ':');
-  std::getline(in, faces, ':');
-  std::getline(in, genus, ':');
-  for(const auto& kind : HTL::generators::kinds())
-    if(kind.name == name) {
-      HTL::generators::Request r;
-      r.faces = std::stoul(faces);
-      r.genus = std::stoul(genus);
-      return kind.make(r);
-    }
-  throw std::runtime_error("no such kind of mesh: " + name);
-}
-
-// The mesh as an OFF file, whatever it was.
-std::string as_off(const std::string& input, const std::string& scratch) {
-  const std::size_t dot = input.rfind('.');
-  if(dot != std::string::npos && input.substr(dot) == ".off")
-    return input;
-  if(!std::filesystem::exists(input)) {
-    write_off(generate(input), scratch);
-    return scratch;
-  }
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(input, mesh) ||
-     !CGAL::IO::write_polygon_mesh(scratch, mesh, CGAL::parameters::stream_precision(9)))
-    throw std::runtime_error("cannot read " + input);
-  return scratch;
-}
 
 HTL::Statistics find_loops(const Mesh& mesh) {
   std::vector<Pair> pairs;
@@ -97,9 +35,8 @@ HTL::Statistics find_loops(const Mesh& mesh) {
 }
 
 void measure(const std::string& input, int number_of_runs) {
-  const std::string scratch =
-      (std::filesystem::temp_directory_path() / "benchmark_against_reading.off").string();
-  const std::string file = as_off(input, scratch);
+  const Off_file off(input);
+  const std::string& file = off.name();
   std::vector<double> reading, total, ratio;
   std::array<std::vector<double>, HTL::number_of_stages> stages;
   HTL::Statistics statistics;
@@ -128,7 +65,6 @@ void measure(const std::string& input, int number_of_runs) {
     std::printf(" %.3f |", median(stage));
   std::printf("\n");
   std::fflush(stdout);
-  std::filesystem::remove(scratch);
 }
 
 } // namespace

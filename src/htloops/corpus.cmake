@@ -1,4 +1,5 @@
-# Finds and checks the loops of every mesh of a folder, and sees that the unfit ones are refused.
+# Finds and checks the loops and the Reeb graph of every mesh of a folder, and sees that the unfit ones
+# are refused.
 include("${CMAKE_CURRENT_LIST_DIR}/run_htloops.cmake")
 
 set(meshes "$ENV{HTL_MESHES}")
@@ -14,10 +15,14 @@ file(GLOB accepted "${meshes}/closed/*.*" "${meshes}/sphere_like/*.*")
 foreach(mesh IN LISTS accepted)
   run(0 loops "${mesh}" -o loops.json --quiet)
   run(0 check "${mesh}" loops.json --quiet)
+  run(0 reeb "${mesh}" -o reeb.json)
+  string(REGEX MATCH "genus ([0-9]+) in .* ([0-9]+) cycles?," found "${output}")
+  expect_equal("${CMAKE_MATCH_2}" "${CMAKE_MATCH_1}")
 endforeach()
 
 file(GLOB difficult "${meshes}/difficult/*.*")
 foreach(mesh IN LISTS difficult)
+  run("0|3|4" reeb "${mesh}" -o reeb.json --quiet)
   run("0|3|4" loops "${mesh}" -o loops.json --quiet)
   if("${errors}" STREQUAL "")
     run(0 check "${mesh}" loops.json --quiet)
