@@ -1,6 +1,7 @@
 // The sweep that finds the Reeb graph of an order of the vertices, whatever the order.
 
 #include "Flat_mesh_of_soup.h"
+#include "Ladder.h"
 #include "Reeb_by_levels.h"
 
 #include "generators/Random.h"
@@ -138,6 +139,37 @@ TEST(Reeb_sweep, HasAsManyCyclesAsHandles) {
     const Sweep_order order = order_of(mesh, random_values(mesh, random, i % 2 == 0 ? 4 : 1 << 30));
     expect_graph_of_closed_surface(mesh, swept(mesh, order, i % 4 < 2 ? unlimited : i));
   }
+}
+
+Values heights_of(const Flat_mesh& ladder) {
+  Values values;
+  for(const Vector& p : ladder.points)
+    values.push_back(static_cast<int>(10000. * p[2]));
+  return values;
+}
+
+TEST(Reeb_sweep, AgreesWithTheLevelsOnLadders) {
+  for(const std::uint32_t rungs : {1, 2, 5}) {
+    const Flat_mesh mesh = flat_mesh_of(Ladder(8, rungs).soup());
+    ASSERT_EQ(mesh.genus, rungs - 1);
+    expect_reeb_graph(mesh, heights_of(mesh));
+  }
+}
+
+// Without trees the number of steps is quadratic.
+TEST(Reeb_sweep, DoesNotWalkForEver) {
+  const Flat_mesh mesh = flat_mesh_of(Ladder(2000, 2000).soup());
+  const Sweep_order order = order_of(mesh, heights_of(mesh));
+  const std::vector<Star> stars = sweep_stars(execution, mesh, order);
+  Reeb_sweep endless(mesh, order, stars, unlimited, 0.01);
+  const Flat_reeb_graph expected = endless.run();
+  expect_graph_of_closed_surface(mesh, expected);
+  EXPECT_GT(endless.number_of_steps(), std::uint64_t(2000) * 2000);
+  const std::uint64_t limit = 8 * mesh.neighbor.size();
+  Reeb_sweep limited(mesh, order, stars, limit, 0.01);
+  expect_same(expected, limited.run());
+  EXPECT_TRUE(limited.has_used_trees());
+  EXPECT_LT(limited.number_of_steps(), limit + mesh.neighbor.size());
 }
 
 } // namespace
