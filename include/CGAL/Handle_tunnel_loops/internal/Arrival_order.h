@@ -30,8 +30,7 @@ public:
       : time_(&time) {}
 
   bool is_earlier(Index u, Index v) const {
-    const Time a = (*time_)[u], b = (*time_)[v];
-    return a < b || (a == b && u < v);
+    return arrival_key((*time_)[u], u) < arrival_key((*time_)[v], v);
   }
 
   Time time(Index v) const { return (*time_)[v]; }

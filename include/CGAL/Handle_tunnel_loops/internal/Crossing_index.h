@@ -26,6 +26,14 @@ namespace internal {
 /// Intersection numbers of one curve with numbered loops: loop -> number, zeros left out.
 using Sparse_numbers = std::map<Index, std::int64_t>;
 
+/// A loop crosses the edge from the vertex that has this entry to another.
+struct Crossing_entry
+{
+  Index other;
+  Index loop;
+  int sign; ///< 1 if the vertex that has this entry is to the left
+};
+
 /*!
 Which loops of a family cross which edges, and how.
 
@@ -62,7 +70,7 @@ public:
   /// whether the edge u - v is crossed by one of the given loops.
   template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const {
     // The entries are sorted by loop, so the loops of a set are found from the end.
-    for(auto it = end(u); it != begin(u) && (--it)->loop >= loops.first();)
+    for(auto it = end(u); it != begin(u) && !loops.are_all_after((--it)->loop);)
       if(it->other == v && loops.contains(it->loop))
         return true;
     return false;
@@ -90,14 +98,12 @@ public:
     return without_zeros(std::move(numbers));
   }
 
+  /// the entries of vertex v are those from `begins()[v]` to `begins()[v + 1]`.
+  const std::vector<Index>& begins() const { return begin_; }
+  const std::vector<Crossing_entry>& entries() const { return entries_; }
+
 private:
-  struct Entry
-  {
-    Index other;
-    Index loop;
-    int sign; // 1 if the vertex that has this entry is to the left
-  };
-  using Iterator = std::vector<Entry>::const_iterator;
+  using Iterator = std::vector<Crossing_entry>::const_iterator;
 
   Iterator begin(Index v) const { return entries_.begin() + begin_[v]; }
   Iterator end(Index v) const { return entries_.begin() + begin_[v + 1]; }
@@ -109,17 +115,17 @@ private:
   }
 
   std::vector<Index> begin_; // by vertex
-  std::vector<Entry> entries_;
+  std::vector<Crossing_entry> entries_;
 };
 
-/// The loops with numbers from `number` on.
+/// The loops with numbers from `first` on.
 struct Loops_from
 {
   static constexpr bool is_one = false;
-  Index number;
+  Index first;
 
-  Index first() const { return number; }
-  bool contains(Index loop) const { return loop >= number; }
+  CGAL_HTL_HOST_DEVICE bool contains(Index loop) const { return loop >= first; }
+  bool are_all_after(Index loop) const { return loop < first; }
 };
 
 /// One loop.
@@ -128,8 +134,8 @@ struct Only_loop
   static constexpr bool is_one = true;
   Index number;
 
-  Index first() const { return number; }
-  bool contains(Index loop) const { return loop == number; }
+  CGAL_HTL_HOST_DEVICE bool contains(Index loop) const { return loop == number; }
+  bool are_all_after(Index loop) const { return loop < number; }
 };
 
 /// whether a curve with these intersection numbers crosses loop `number`, one of the `barred`

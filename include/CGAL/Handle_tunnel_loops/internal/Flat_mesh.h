@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/host_device.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -48,27 +50,27 @@ inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 class Ring
 {
 public:
-  Ring(const Index* first, Index size)
+  CGAL_HTL_HOST_DEVICE Ring(const Index* first, Index size)
       : first_(first)
       , size_(size) {}
 
-  Index size() const { return size_; }
-  Index operator[](Index i) const { return first_[i]; }
-  const Index* begin() const { return first_; }
-  const Index* end() const { return first_ + size_; }
+  CGAL_HTL_HOST_DEVICE Index size() const { return size_; }
+  CGAL_HTL_HOST_DEVICE Index operator[](Index i) const { return first_[i]; }
+  CGAL_HTL_HOST_DEVICE const Index* begin() const { return first_; }
+  CGAL_HTL_HOST_DEVICE const Index* end() const { return first_ + size_; }
 
-  Index position(Index v) const {
+  CGAL_HTL_HOST_DEVICE Index position(Index v) const {
     Index i = 0;
     while(i < size_ && first_[i] != v)
       ++i;
     return i;
   }
-  Index next(Index i) const { return i + 1 == size_ ? 0 : i + 1; }
-  Index previous(Index i) const { return i == 0 ? size_ - 1 : i - 1; }
+  CGAL_HTL_HOST_DEVICE Index next(Index i) const { return i + 1 == size_ ? 0 : i + 1; }
+  CGAL_HTL_HOST_DEVICE Index previous(Index i) const { return i == 0 ? size_ - 1 : i - 1; }
 
   /// the vertices before and after `v`, counterclockwise.
-  Index after(Index v) const { return first_[next(position(v))]; }
-  Index before(Index v) const { return first_[previous(position(v))]; }
+  CGAL_HTL_HOST_DEVICE Index after(Index v) const { return first_[next(position(v))]; }
+  CGAL_HTL_HOST_DEVICE Index before(Index v) const { return first_[previous(position(v))]; }
 
 private:
   const Index* first_;

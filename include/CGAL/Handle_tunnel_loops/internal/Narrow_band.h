@@ -146,11 +146,6 @@ public:
   }
 
 private:
-  static constexpr float just_below_threshold = 0.499f;
-
-  // A front that moves at all passes a vertex in far fewer steps.
-  static constexpr Time patience = 64;
-
   // The states of a vertex: in the band now or before; reached from the right; marked by the
   // caller; having more neighbours than a stencil has room for, or perhaps a wall beside it, always
   // or in this run.
@@ -277,9 +272,9 @@ private:
 
   // Among the neighbours reached in earlier steps; the vertex itself if there is none.
   template <typename Row> Index earliest_neighbor(const Row& row) const {
-    std::uint64_t earliest = std::uint64_t(step_ - 1) * ticks_per_step << 32 | no_index;
+    std::uint64_t earliest = arrival_key((step_ - 1) * ticks_per_step, no_index);
     for(Index i = 0; i < row.size(); ++i)
-      earliest = (std::min)(earliest, std::uint64_t(time_[row[i]]) << 32 | row[i]);
+      earliest = (std::min)(earliest, arrival_key(time_[row[i]], row[i]));
     const Index u = static_cast<Index>(earliest);
     return u == no_index ? row.vertex : u;
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/Wedges.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddle_formulas.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -25,18 +26,9 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// the number of maximal runs of earlier vertices around `v`: 0 at a minimum, at least 2 at a
-/// saddle; a maximum has one that is the whole ring, as a regular vertex has one that is not.
+/// the number of maximal runs of earlier vertices around `v`.
 inline Index number_of_lower_wedges(const Flat_mesh& mesh, const Arrival_order& order, Index v) {
-  const Ring ring = mesh.ring(v);
-  bool previous = order.is_earlier(ring[ring.size() - 1], v);
-  Index changes = 0;
-  for(Index u : ring) {
-    const bool current = order.is_earlier(u, v);
-    changes += current != previous;
-    previous = current;
-  }
-  return changes / 2;
+  return number_of_lower_wedges(mesh.ring(v), [&](Index u) { return order.is_earlier(u, v); });
 }
 
 template <typename Execution>
@@ -94,7 +86,7 @@ public:
   /// `to`, keeping the saddle on the right.
   void append_clockwise(Index from, Index to, Crossing_loop& loop) const {
     for(Index p = wedges_[from].last;; p = ring_.previous(p)) {
-      loop.push_back({ring_[p], center_, 0.99});
+      loop.push_back({ring_[p], center_, largest_ratio});
       if(p == wedges_[to].first)
         break;
     }
@@ -105,7 +97,7 @@ public:
   void append_counterclockwise(Index from, Crossing_loop& loop) const {
     const Index end = wedges_[from + 1 == number_of_wedges() ? 0 : from + 1].first;
     for(Index p = ring_.next(wedges_[from].last); p != end; p = ring_.next(p))
-      loop.push_back({center_, ring_[p], 0.01});
+      loop.push_back({center_, ring_[p], smallest_ratio});
   }
 
 private:
@@ -133,9 +125,8 @@ private:
   }
 
   void append(Crossing_loop& arc, Index left, Index right) const {
-    const double from = order_.time(left), to = order_.time(right), at = order_.time(center_);
-    const double ratio = to > from ? (at - from) / (to - from) : 0.5;
-    arc.push_back({left, right, (std::min)(0.99, (std::max)(0.01, ratio))});
+    arc.push_back(
+        contour_crossing(left, right, order_.time(left), order_.time(right), order_.time(center_)));
   }
 
   bool advance(Arc& arc) const {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ namespace internal {
 class Stencils
 {
 public:
-  static constexpr Index width = 8;
+  static constexpr Index width = stencil_width;
 
   template <typename Execution>
   Stencils(Execution execution, const Flat_mesh& mesh)
@@ -47,9 +48,7 @@ public:
 
   float mean(Index v, const float* values) const {
     const Row& row = rows_[v];
-    const auto& u = row.neighbors;
-    return row.weight * (((values[u[0]] + values[u[1]]) + (values[u[2]] + values[u[3]])) +
-                         ((values[u[4]] + values[u[5]]) + (values[u[6]] + values[u[7]])));
+    return stencil_mean(row.weight, [&](Index i) { return values[row.neighbors[i]]; });
   }
 
 private:

@@ -13,15 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/internal/host_device.h>
 
 #include <cmath>
 #include <cstdint>
-
-#ifdef __CUDACC__
-#define CGAL_HTL_HOST_DEVICE __host__ __device__
-#else
-#define CGAL_HTL_HOST_DEVICE
-#endif
 
 /// \file phase_field.h
 /// The formulas of the field at one vertex, for host and device alike.
@@ -51,6 +46,17 @@ inline Step_coefficients step_coefficients(const Field_constants& c) {
           static_cast<float>(factor * c.driving_force), static_cast<float>(factor * c.penalty)};
 }
 
+/// Rows of the Laplacian have room for so many neighbours; longer ones are treated apart.
+constexpr std::uint32_t stencil_width = 8;
+
+/// the mean of at most eight neighbours, from the reciprocal of their number: `value(i)` is the
+/// value of neighbour i, and zero where there is none.
+template <typename Value>
+CGAL_HTL_HOST_DEVICE float stencil_mean(float weight, const Value& value) {
+  return weight * (((value(0) + value(1)) + (value(2) + value(3))) +
+                   ((value(4) + value(5)) + (value(6) + value(7))));
+}
+
 /// the value after one step.
 CGAL_HTL_HOST_DEVICE inline float
 stepped_value(float phi, float mean_of_neighbors, const Step_coefficients& k) {
@@ -66,11 +72,23 @@ using Time = std::uint32_t;
 constexpr Time never = 0xffffffffu;
 constexpr Time ticks_per_step = 128;
 
+/// When no vertex was reached for more than so many steps, the field is pushed on: a front that
+/// moves at all passes a vertex in far fewer steps.
+constexpr Time patience = 64;
+
+/// A vertex may not pass the threshold before a neighbour has; it stays at this value.
+constexpr float just_below_threshold = 0.499f;
+
 /// the moment, after `step - 1` and at the latest at `step`, at which the value passed the
 /// threshold.
 CGAL_HTL_HOST_DEVICE inline Time crossing_time(float before, float after, Time step) {
   const float late = before < front_threshold ? (after - front_threshold) / (after - before) : 1.f;
   return step * ticks_per_step - static_cast<Time>(late * (ticks_per_step - 2));
+}
+
+/// the order in which vertices are reached: by time, ties by number.
+CGAL_HTL_HOST_DEVICE inline std::uint64_t arrival_key(Time time, std::uint32_t v) {
+  return std::uint64_t(time) << 32 | v;
 }
 
 } // namespace internal

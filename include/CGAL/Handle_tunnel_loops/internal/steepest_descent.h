@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 
-#include <limits>
+#include <cfloat>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -23,18 +23,16 @@ namespace internal {
 /// the earlier neighbour of `v` down the steepest edge, among those that are allowed; `v` itself if
 /// there is none. To follow the earliest neighbour instead would drift along the longer edges, and
 /// wind around the loop from which the field came.
-template <typename Time_of, typename Is_allowed>
-Index steepest_descent(const Flat_mesh& mesh,
-                       Index v,
-                       const Time_of& time,
-                       const Is_allowed& is_allowed) {
+template <typename Mesh, typename Time_of, typename Is_allowed>
+CGAL_HTL_HOST_DEVICE Index
+steepest_descent(const Mesh& mesh, Index v, const Time_of& time, const Is_allowed& is_allowed) {
   Index next = v;
   double steepest = 0.;
   for(Index u : mesh.ring(v)) {
     if(time(u) >= time(v) || !is_allowed(u))
       continue;
     const double drop = time(v) - time(u), distance = mesh.edge_length(u, v);
-    const double slope = distance > 0. ? drop / distance : (std::numeric_limits<double>::max)();
+    const double slope = distance > 0. ? drop / distance : DBL_MAX;
     if(slope > steepest) {
       steepest = slope;
       next = u;

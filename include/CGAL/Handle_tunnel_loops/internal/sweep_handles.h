@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Saddle.h>
+#include <CGAL/Handle_tunnel_loops/internal/Sweep_handle.h>
 
 #include <algorithm>
 #include <utility>
@@ -21,15 +22,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-
-/// Two different contours meet at a saddle: a handle. `loop` is the shorter of the two, just below
-/// the saddle, with the earlier side on its left.
-struct Sweep_handle
-{
-  Crossing_loop loop;
-  Index saddle;
-  Index foot_a, foot_b; ///< earlier neighbours of the saddle, within either contour
-};
 
 /*!
 Unfolds a saddle into k - 1 simple ones: in step i the strand around wedges 0 .. i - 1 and the

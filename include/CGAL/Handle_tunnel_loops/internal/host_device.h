@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOST_DEVICE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOST_DEVICE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+/// \file host_device.h
+/// Marks functions that the processor and a CUDA device run alike.
+
+#ifdef __CUDACC__
+#define CGAL_HTL_HOST_DEVICE __host__ __device__
+#else
+#define CGAL_HTL_HOST_DEVICE
+#endif
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOST_DEVICE_H
