@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
@@ -128,10 +129,10 @@ public:
   computes the loops.
 
   \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-    `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is
-  the same. \param out an output iterator that accepts `Pair` \param np a sequence of named
-  parameters: all of `CGAL::handle_tunnel_loops()` but `vertex_point_map` and `geom_traits` \return
-  `out`, past the last pair written
+    `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and
+    `Cuda_if_available_tag`. The result is the same. \param out an output iterator that accepts
+  `Pair` \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but
+  `vertex_point_map` and `geom_traits` \return `out`, past the last pair written
   */
   template <typename ConcurrencyTag = Sequential_tag,
             typename OutputIterator,
@@ -163,6 +164,9 @@ private:
     certificate_ = Certificate();
     statistics_.front_events.clear();
     statistics_.resolution = Field_resolution();
+    statistics_.backend.clear();
+    statistics_.fallback.clear();
+    statistics_.device_bytes = 0;
   }
 
   template <typename T> static T& unwrapped(T& t) { return t; }
@@ -182,6 +186,8 @@ private:
     options.do_refine_handles =
         choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
     options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
+    options.device =
+        choose_parameter(get_parameter(np, internal_np::device_options), Device_options());
     impl::check_constants(options.constants);
     const auto start = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));

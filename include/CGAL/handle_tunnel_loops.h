@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
+#include <CGAL/Handle_tunnel_loops/Device_options.h>
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
@@ -44,11 +46,12 @@ Time is proportional to the size of the mesh, plus the regions that the fields o
 memory is about 60 bytes per face, and 5 more for each thread.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
-  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
-not depend on it, nor on the number of threads. \tparam TriangleMesh a model of `FaceListGraph`
-\tparam OutputIterator a model of `OutputIterator` that accepts `Handle_tunnel_pair<TriangleMesh>`,
-with the value type of the vertex point map as second argument if that is not the mesh's own \tparam
-NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag`, and
+`Cuda_if_available_tag`. The result does not depend on it, nor on the number of threads. \tparam
+TriangleMesh a model of `FaceListGraph` \tparam OutputIterator a model of `OutputIterator` that
+accepts `Handle_tunnel_pair<TriangleMesh>`, with the value type of the vertex point map as second
+argument if that is not the mesh's own \tparam NamedParameters a sequence of \ref
+bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
 \param out the iterator that the pairs are written to
@@ -104,6 +107,12 @@ nothing has been written to `out`.} \cgalParamNEnd \cgalParamNBegin{visitor}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{device_options}
+    \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
+`Cuda_if_available_tag`}
+    \cgalParamType{`Handle_tunnel_loops::Device_options`}
+    \cgalParamDefault{the current device, and a stream of its own}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return `out`, past the last pair written
@@ -113,6 +122,7 @@ triangle mesh with finite coordinates; the message names an element \throws
 Handle_tunnel_loops::Interrupted_exception if the callback asked to stop \throws
 Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that is a
   defect of the package, and nothing has been written
+\throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
 \throws std::invalid_argument if the seed vertex or the constants of the field are not valid
 
 \sa `Handle_tunnel_loops_solver`

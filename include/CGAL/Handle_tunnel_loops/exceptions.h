@@ -95,6 +95,42 @@ public:
       : std::runtime_error("the computation was stopped by its callback") {}
 };
 
+/// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when a computation on a CUDA device fails; the message is that of the CUDA runtime.
+class Device_exception : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown by a computation with `Cuda_tag` where there is no CUDA device, or no driver for it.
+class No_device_exception : public Device_exception
+{
+public:
+  using Device_exception::Device_exception;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when the memory of the device does not suffice; the mesh and the solver are as before.
+class Out_of_device_memory_exception : public Device_exception
+{
+public:
+  Out_of_device_memory_exception(std::size_t needed, std::size_t free)
+      : Device_exception("the device has too little memory: " + std::to_string(needed) +
+                         " bytes are needed, " + std::to_string(free) + " are free")
+      , needed_(needed)
+      , free_(free) {}
+
+  /// the bytes that are needed, as far as they are known.
+  std::size_t bytes_needed() const { return needed_; }
+  /// the bytes that are free.
+  std::size_t bytes_free() const { return free_; }
+
+private:
+  std::size_t needed_, free_;
+};
+
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 

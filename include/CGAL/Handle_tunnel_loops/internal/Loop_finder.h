@@ -13,7 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_pair.h>
-#include <CGAL/Handle_tunnel_loops/internal/Loop_pass.h>
+#include <CGAL/Handle_tunnel_loops/internal/Host_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/Loop_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/Pair_reduction.h>
 #include <CGAL/Handle_tunnel_loops/internal/Progress.h>
@@ -36,13 +37,15 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The passes on the flat mesh, one after the other.
-template <typename Execution> class Loop_finder
+/// The passes on the flat mesh, one after the other. Their fields are computed by `Passes`:
+/// `Host_passes` or `Device_passes`.
+template <typename Execution, typename Passes = Host_passes<Execution>> class Loop_finder
 {
 public:
   struct Options
   {
     Field_constants constants;
+    Device_options device;
     bool do_refine_handles = true;
     bool do_tighten = true;
   };
@@ -55,17 +58,14 @@ public:
       : mesh_(mesh)
       , seeds_(std::move(seeds))
       , options_(options)
-      , coefficients_(step_coefficients(options.constants))
-      , progress_(progress)
-      , stencils_(execution_, mesh) {}
+      , progress_(progress) {}
 
   /// paper, 4.1: the arrival times of one field over the whole mesh, and the handles read off them.
-  void initial_pass(Statistics&) {
+  void initial_pass(Statistics& statistics) {
     progress_.start(Stage::INITIAL);
-    Narrow_band band(mesh_, stencils_, coefficients_);
-    sweep(band);
-    time_ = std::move(band.times());
-    sweep_handles_ = find_sweep_handles(execution_, mesh_, Arrival_order(time_));
+    passes_.emplace(mesh_, step_coefficients(options_.constants), options_.device);
+    sweep_handles_ = passes_->sweep(seeds_, progress_);
+    passes_->report(statistics);
     handles_.resize(sweep_handles_.size());
     is_refined_.assign(sweep_handles_.size(), 0);
     for_each_index(
@@ -90,9 +90,10 @@ public:
     for(Index k = 0; k < tunnels_.size(); ++k)
       if(tunnels_[k].empty()) {
         ++statistics.kept_sweep_tunnels;
-        tunnels_[k] = sweep_tunnel(mesh_, Arrival_order(time_), sweep_handles_[k]);
+        tunnels_[k] = sweep_tunnel(mesh_, Arrival_order(passes_->sweep_times()), sweep_handles_[k]);
         tighten(tunnels_[k]);
       }
+    passes_->report(statistics);
     progress_.end(Stage::TUNNEL);
   }
 
@@ -103,10 +104,11 @@ public:
     progress_.start(Stage::REFINE);
     const Crossing_index index(mesh_, tunnels_);
     std::vector<std::vector<Crossing_loop>> candidates(tunnels_.size());
-    using Pass = Loop_pass<Only_loop>;
-    for_each_loop<Pass>(all_loops(), index, [&](Pass& pass, Index k) {
-      const typename Pass::Limits limits = {number_of_candidates, steps_along(handles_[k])};
-      for(const auto& walk : pass.dual_walks(tunnels_[k], k, {k}, limits))
+    Loop_search search = {tunnels_, index, true, all_loops(), number_of_candidates};
+    for(const Crossing_loop& handle : handles_)
+      search.numbers_of_steps.push_back(steps_along(handle));
+    passes_->search(search, progress_, [&](Index k, const Found_walks& found) {
+      for(const auto& walk : found.walks)
         candidates[k].push_back(pushed_left(mesh_, walk));
       progress_.advance_one(tunnels_.size());
     });
@@ -115,6 +117,7 @@ public:
     for(std::size_t i = 0; i < number_of_candidates && !open.empty(); ++i)
       open = replace_handles(open, i, candidates, choice);
     statistics.kept_sweep_handles = open.size();
+    passes_->report(statistics);
     progress_.end(Stage::REFINE);
   }
 
@@ -140,20 +143,6 @@ private:
           Pair_reduction(mesh_).reduce(handles_[k], tunnels_[k]);
         },
         1);
-  }
-
-  void sweep(Narrow_band& band) {
-    const No_walls walls;
-    for(Index seed : seeds_) {
-      band.add_source(seed, 0);
-      for(Index u : mesh_.ring(seed))
-        band.add_source(u, 1);
-    }
-    band.start(walls);
-    const std::size_t n = mesh_.number_of_vertices();
-    while(band.number_of_reached() < n && band.step(walls, [](Index) {}))
-      if(band.number_of_steps() % 64 == 0)
-        progress_.advance(double(band.number_of_reached()) / double(n));
   }
 
   std::vector<Index> all_loops() const {
@@ -191,15 +180,13 @@ private:
   std::vector<Index> search_tunnels(const std::vector<Crossing_loop>& contours,
                                     const std::vector<Index>& numbers,
                                     std::size_t number_of_updates) {
-    using Pass = Loop_pass<Loops_from>;
-    typename Pass::Limits limits;
-    limits.number_of_updates = number_of_updates;
+    Loop_search search = {contours, *contour_index_, false, numbers};
+    search.number_of_updates = number_of_updates;
     std::vector<char> is_open(contours.size(), 0);
-    for_each_loop<Pass>(numbers, *contour_index_, [&](Pass& pass, Index k) {
-      const auto walks = pass.dual_walks(contours[k], k, {k}, limits);
-      is_open[k] = walks.empty() && pass.has_given_up();
-      if(!walks.empty())
-        set_tunnel(k, walks.front());
+    passes_->search(search, progress_, [&](Index k, const Found_walks& found) {
+      is_open[k] = found.walks.empty() && found.has_given_up;
+      if(!found.walks.empty())
+        set_tunnel(k, found.walks.front());
     });
     std::vector<Index> open;
     std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(open),
@@ -213,7 +200,8 @@ private:
                             const std::vector<Index>& numbers) {
     if(numbers.empty())
       return;
-    const Loop_regions regions(execution_, mesh_, stencils_, coefficients_, contours,
+    const Loop_regions regions(execution_, mesh_,
+                               passes_->times_from_loops(contours, *contour_index_), contours,
                                *contour_index_);
     Worker_pool<Region_search> searches(
         [&] { return std::make_unique<Region_search>(mesh_, contours, *contour_index_, regions); });
@@ -237,7 +225,7 @@ private:
   }
 
   // How many refinements of a handle are tried.
-  static constexpr std::size_t number_of_candidates = 6;
+  static constexpr Index number_of_candidates = 6;
 
   // Most contours are replaced in the refinement pass; until then it is enough to know about how
   // long they will be.
@@ -247,16 +235,6 @@ private:
   template <typename... Rounds> void tighten(Crossing_loop& loop, Rounds... rounds) const {
     if(options_.do_tighten)
       Loop_tightening(mesh_).tighten(loop, rounds...);
-  }
-
-  /// calls `f(pass, k)` for the loops with the given numbers in the index, with a workspace that no
-  /// other call has.
-  template <typename Pass, typename Function>
-  void
-  for_each_loop(const std::vector<Index>& numbers, const Crossing_index& index, const Function& f) {
-    Worker_pool<Pass> passes(
-        [&] { return std::make_unique<Pass>(mesh_, stencils_, coefficients_, index); });
-    for_each_borrowed(passes, numbers, f);
   }
 
   template <typename Workspace, typename Function>
@@ -320,11 +298,9 @@ private:
   const Flat_mesh& mesh_;
   std::vector<Index> seeds_;
   Options options_;
-  Step_coefficients coefficients_;
+  std::optional<Passes> passes_; // prepared in the initial pass
   Progress& progress_;
   Execution execution_;
-  Stencils stencils_;
-  std::vector<Time> time_;
   std::vector<Sweep_handle> sweep_handles_;
   std::vector<Crossing_loop> handles_, tunnels_;
   std::vector<char> is_refined_; // by handle

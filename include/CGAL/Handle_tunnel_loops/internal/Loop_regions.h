@@ -14,8 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_rail.h>
-#include <CGAL/Handle_tunnel_loops/internal/Narrow_band.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/steepest_descent.h>
 
 #include <algorithm>
@@ -53,11 +53,11 @@ public:
     }
   };
 
+  /// \p times are the arrival times of the field.
   template <typename Execution>
   Loop_regions(Execution execution,
                const Flat_mesh& mesh,
-               const Stencils& stencils,
-               const Step_coefficients& coefficients,
+               const std::vector<Time>& times,
                const std::vector<Crossing_loop>& loops,
                const Crossing_index& index)
       : mesh_(mesh)
@@ -66,9 +66,10 @@ public:
       , region_(mesh.number_of_vertices(), no_index)
       , distance_(mesh.number_of_vertices(), 0.f)
       , gates_begin_(2 * loops.size() + 1, 0) {
-    Narrow_band band(mesh, stencils, coefficients);
-    grow(band, loops);
-    find_parents(execution, band);
+    for(Region r = 0; r < number_of_regions(); ++r)
+      for(const Crossing& c : loops[r / 2])
+        add_source(r, c.*side_of(r));
+    find_parents(execution, times);
     assign_vertices();
     find_gates(execution);
   }
@@ -95,25 +96,11 @@ public:
 private:
   static constexpr Loops_from all_loops = {0};
 
-  void grow(Narrow_band& band, const std::vector<Crossing_loop>& loops) {
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
-      if(index_.has_crossing(v))
-        band.expect_walls(v);
-    for(Region r = 0; r < number_of_regions(); ++r)
-      for(const Crossing& c : loops[r / 2])
-        add_source(band, r, c.*side_of(r));
-    const Loop_walls<Loops_from> walls(index_, all_loops);
-    band.start(walls);
-    while(band.step(walls, [](Index) {}))
-      ;
-  }
-
   // A vertex beside several loops belongs to one of them; the others meet that one there.
-  void add_source(Narrow_band& band, Region r, Index v) {
-    if(region_[v] == no_index) {
-      band.add_source(v, 0);
+  void add_source(Region r, Index v) {
+    if(region_[v] == no_index)
       region_[v] = r;
-    } else if(region_[v] != r) {
+    else if(region_[v] != r) {
       gates_.push_back({region_[v], r, 0.f, v, v});
       gates_.push_back({r, region_[v], 0.f, v, v});
     }
@@ -121,13 +108,13 @@ private:
 
   bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, all_loops); }
 
-  template <typename Execution> void find_parents(Execution execution, const Narrow_band& band) {
+  template <typename Execution>
+  void find_parents(Execution execution, const std::vector<Time>& times) {
     for_each_index(execution, mesh_.number_of_vertices(), [&](std::size_t i) {
       const Index v = static_cast<Index>(i);
-      if(band.is_reached(v) && region_[v] == no_index)
+      if(times[v] != never && region_[v] == no_index)
         parent_[v] = steepest_descent(
-            mesh_, v, [&](Index u) { return band.time(u); },
-            [&](Index u) { return !is_wall(v, u); });
+            mesh_, v, [&](Index u) { return times[u]; }, [&](Index u) { return !is_wall(v, u); });
     });
   }
 

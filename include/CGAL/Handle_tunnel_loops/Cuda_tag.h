@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_CUDA_TAG_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_CUDA_TAG_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Device_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
+#include <CGAL/Handle_tunnel_loops/internal/Passes_if_available.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()` and of
+`CGAL::Handle_tunnel_loops_solver::find_loops()`, it asks for a CUDA device: the fields of all
+passes and the contours run there, and only loops come back; the preparation of the mesh, the
+tightening of the loops and the certificate run on the processor, in parallel if TBB is linked. The
+loops are those of the other tags.
+
+Which device and which stream is said by the named parameter `device_options`. A mesh takes about 40
+bytes per face of the device's memory; the loop passes take more, as far as there is more, and run
+the more at a time.
+
+The program must be linked with the target `Handle_tunnel_loops::cuda`, which defines the macro
+`CGAL_LINKED_WITH_CUDA`; without, the use of this tag does not compile.
+
+The computation throws `Handle_tunnel_loops::No_device_exception` where there is no device or no
+driver, `Handle_tunnel_loops::Out_of_device_memory_exception` where its memory is too small, and
+`Handle_tunnel_loops::Device_exception` where something else fails.
+*/
+struct Cuda_tag : public Parallel_if_available_tag
+{};
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+The same where the program is linked with `Handle_tunnel_loops::cuda` and there is a device with
+enough memory; elsewhere the computation runs on the processor, and
+`Handle_tunnel_loops::Statistics::fallback` says why.
+*/
+struct Cuda_if_available_tag : public Parallel_if_available_tag
+{};
+
+namespace Handle_tunnel_loops {
+namespace internal {
+
+template <> struct Loop_finder_of<Cuda_if_available_tag>
+{
+  using Execution = decltype(execution<Cuda_if_available_tag>());
+  using type = Loop_finder<Execution, Passes_if_available<Execution>>;
+};
+
+template <> struct Loop_finder_of<Cuda_tag>
+{
+  using Execution = decltype(execution<Cuda_tag>());
+  using type = Loop_finder<Execution, Device_passes<Execution>>;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_CUDA_TAG_H

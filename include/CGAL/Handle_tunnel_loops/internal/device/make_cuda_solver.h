@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_MAKE_CUDA_SOLVER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_MAKE_CUDA_SOLVER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Device_options.h>
+#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// brings a mesh, which must outlive the solver, to a device. Defined in the library
+/// `Handle_tunnel_loops::cuda`. Throws `No_device_exception`, `Out_of_device_memory_exception` or
+/// `Device_exception`.
+std::unique_ptr<Solver> make_cuda_solver(const Flat_mesh& mesh, const Device_options& options);
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_MAKE_CUDA_SOLVER_H
