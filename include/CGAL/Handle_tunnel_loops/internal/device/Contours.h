@@ -1,0 +1,311 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_CONTOURS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_CONTOURS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddle_formulas.h>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// Counts the saddles, or lists them where there is a list.
+struct Find_saddles
+{
+  Mesh_view mesh;
+  Span<const Time> time;
+  Index* number_of_saddles;
+  Span<std::uint64_t> keys; ///< time and vertex, unsorted
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index v) const {
+    const std::uint64_t key = arrival_key(time[v], v);
+    const Index wedges = number_of_lower_wedges(
+        mesh.ring(v), [&](Index u) { return arrival_key(time[u], u) < key; });
+    if(wedges < 2)
+      return;
+    const Index place = next_place(*number_of_saddles);
+    if(place < keys.size())
+      keys[place] = key;
+  }
+};
+
+/// A wedge of earlier vertices around a saddle, and the arc of the contour that leaves it: what
+/// `Saddle` says of them, but for the crossings of the arc, which are not kept.
+struct Wedge
+{
+  Index first, last; ///< positions in the ring, counterclockwise
+  Index foot;        ///< the first vertex
+  Index left, right; ///< ends of the edge where the arc is
+  Index arc_size;
+  Index arrival;      ///< the wedge at which the arc arrives
+  Index handle_start; ///< if the contours before this wedge and at it meet: where the loop begins
+  Index handle_size;
+};
+
+/// What one thread knows of a saddle.
+class Saddle_view
+{
+public:
+  CGAL_HTL_HOST_DEVICE
+  Saddle_view(const Mesh_view& mesh, const Span<const Time>& time, Index center, Span<Wedge> wedges)
+      : mesh_(mesh)
+      , time_(time)
+      , center_(center)
+      , ring_(mesh.ring(center))
+      , wedges_(wedges) {}
+
+  CGAL_HTL_HOST_DEVICE Index number_of_wedges() const { return static_cast<Index>(wedges_.size()); }
+
+  CGAL_HTL_HOST_DEVICE void find_wedges() const {
+    Index start = 0;
+    while(is_lower(start) || !is_lower(ring_.next(start)))
+      ++start; // a later vertex before an earlier one
+    Index p = start, found = 0;
+    do {
+      const Index q = ring_.next(p);
+      if(!is_lower(p) && is_lower(q))
+        wedges_[found++] = {q, q, ring_[q], no_index, no_index, 0, no_index, no_index, 0};
+      else if(is_lower(q))
+        wedges_[found - 1].last = q;
+      p = q;
+    } while(p != start);
+  }
+
+  /// walks the arcs in turns until all but one have arrived.
+  CGAL_HTL_HOST_DEVICE void walk_arcs() const {
+    const Index k = number_of_wedges();
+    for(Index i = 0; i < k; ++i)
+      start_arc(i);
+    Index arrived = 0;
+    while(arrived + 1 < k)
+      for(Index i = 0; i < k && arrived + 1 < k; ++i)
+        if(wedges_[i].arrival == no_index && advance(wedges_[i]))
+          ++arrived;
+    settle_longest();
+  }
+
+  /// unfolds the saddle into simple ones, as `Saddle_unfolding`, and notes the handles.
+  CGAL_HTL_HOST_DEVICE void find_handles() const {
+    for(Index i = 1; i < number_of_wedges(); ++i) {
+      const Cycle a = cycle(i - 1, i), b = cycle(i, i);
+      if(a.has_wedge)
+        continue;
+      const bool take_a = b.has_longest || (!a.has_longest && a.size <= b.size);
+      wedges_[i].handle_start = take_a ? i - 1 : i;
+      wedges_[i].handle_size = loop_size(wedges_[i].handle_start, i);
+    }
+  }
+
+  /// calls `f` for the crossings of the handle at wedge `i`, one after the other.
+  template <typename Function> CGAL_HTL_HOST_DEVICE void trace(Index i, const Function& f) const {
+    Index at = wedges_[i].handle_start;
+    do {
+      const Index leaving = target(at, i);
+      join(at, leaving, f);
+      trace_arc(leaving, f);
+      at = wedges_[leaving].arrival;
+    } while(at != wedges_[i].handle_start);
+  }
+
+private:
+  // A contour, as it is when wedges 0 .. i - 1 have been joined.
+  struct Cycle
+  {
+    Index size;
+    bool has_wedge, has_longest;
+  };
+
+  CGAL_HTL_HOST_DEVICE bool is_earlier(Index u, Index v) const {
+    return arrival_key(time_[u], u) < arrival_key(time_[v], v);
+  }
+  CGAL_HTL_HOST_DEVICE bool is_lower(Index p) const { return is_earlier(ring_[p], center_); }
+
+  // The wedge at which the strand that arrives at a wedge leaves, before step i of the unfolding:
+  // each step has exchanged two neighbours.
+  CGAL_HTL_HOST_DEVICE static Index target(Index wedge, Index i) {
+    return wedge >= i ? wedge : (wedge + 1 == i ? 0 : wedge + 1);
+  }
+
+  CGAL_HTL_HOST_DEVICE void start_arc(Index i) const {
+    Wedge& wedge = wedges_[i];
+    wedge.left = ring_[wedge.first];
+    wedge.right = ring_[ring_.previous(wedge.first)];
+    wedge.arc_size = 1;
+  }
+
+  CGAL_HTL_HOST_DEVICE Index apex_ahead(Index left, Index right) const {
+    return mesh_.ring(left).after(right);
+  }
+
+  CGAL_HTL_HOST_DEVICE bool advance(Wedge& arc) const {
+    const Index apex = apex_ahead(arc.left, arc.right);
+    if(apex == center_) {
+      arc.arrival = wedge_that_ends_at(arc.left);
+      return true;
+    }
+    (is_earlier(apex, center_) ? arc.left : arc.right) = apex;
+    ++arc.arc_size;
+    return false;
+  }
+
+  CGAL_HTL_HOST_DEVICE Index wedge_that_ends_at(Index v) const {
+    Index i = 0;
+    while(ring_[wedges_[i].last] != v)
+      ++i;
+    return i;
+  }
+
+  // The longest arc is the one that has not arrived, and is marked by its size.
+  CGAL_HTL_HOST_DEVICE void settle_longest() const {
+    Index longest = 0;
+    std::uint64_t sum = 0; // of the wedges that are arrived at
+    for(Index i = 0; i < number_of_wedges(); ++i)
+      if(wedges_[i].arrival == no_index)
+        longest = i;
+      else
+        sum += wedges_[i].arrival;
+    const std::uint64_t k = number_of_wedges();
+    wedges_[longest].arrival = static_cast<Index>(k * (k - 1) / 2 - sum);
+    wedges_[longest].arc_size = no_index;
+  }
+
+  CGAL_HTL_HOST_DEVICE Cycle cycle(Index start, Index i) const {
+    Cycle result = {0, false, false};
+    Index at = start;
+    do {
+      const Index leaving = target(at, i);
+      result.has_wedge = result.has_wedge || at == i;
+      result.has_longest = result.has_longest || wedges_[leaving].arc_size == no_index;
+      result.size += wedges_[leaving].arc_size;
+      at = wedges_[leaving].arrival;
+    } while(at != start);
+    return result;
+  }
+
+  CGAL_HTL_HOST_DEVICE Index loop_size(Index start, Index i) const {
+    Index size = 0, at = start;
+    do {
+      const Index leaving = target(at, i);
+      join(at, leaving, [&](const Crossing&) { ++size; });
+      size += wedges_[leaving].arc_size;
+      at = wedges_[leaving].arrival;
+    } while(at != start);
+    return size;
+  }
+
+  // From one wedge to the next over the gap between them, or back around all the wedges.
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void join(Index at, Index leaving, const Function& f) const {
+    if(leaving == at + 1) {
+      const Index end = wedges_[leaving].first;
+      for(Index p = ring_.next(wedges_[at].last); p != end; p = ring_.next(p))
+        f(Crossing{center_, ring_[p], smallest_ratio});
+      return;
+    }
+    for(Index p = wedges_[at].last;; p = ring_.previous(p)) {
+      f(Crossing{ring_[p], center_, largest_ratio});
+      if(p == wedges_[leaving].first)
+        break;
+    }
+  }
+
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void trace_arc(Index i, const Function& f) const {
+    Index left = ring_[wedges_[i].first], right = ring_[ring_.previous(wedges_[i].first)];
+    for(Index size = wedges_[i].arc_size;; --size) {
+      f(contour_crossing(left, right, time_[left], time_[right], time_[center_]));
+      if(size == 1)
+        break;
+      const Index apex = apex_ahead(left, right);
+      (is_earlier(apex, center_) ? left : right) = apex;
+    }
+  }
+
+  const Mesh_view& mesh_;
+  Span<const Time> time_;
+  Index center_;
+  Ring ring_;
+  Span<Wedge> wedges_;
+};
+
+/// The saddles in the order of the sweep, and their wedges, one saddle after the other.
+struct Saddle_arrays
+{
+  Mesh_view mesh;
+  Span<const Time> time;
+  Span<const Index> saddles;
+  Span<const Index> begin; ///< by saddle, its first wedge
+  Span<Wedge> wedges;
+
+  CGAL_HTL_HOST_DEVICE Saddle_view saddle(Index i) const {
+    return {mesh, time, saddles[i], {wedges.data() + begin[i], begin[i + 1] - begin[i]}};
+  }
+};
+
+/// Counts the wedges of each saddle.
+struct Count_wedges
+{
+  Mesh_view mesh;
+  Span<const Time> time;
+  Span<const Index> saddles;
+  Span<Index> number_of_wedges;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
+    const std::uint64_t key = arrival_key(time[saddles[i]], saddles[i]);
+    number_of_wedges[i] = number_of_lower_wedges(
+        mesh.ring(saddles[i]), [&](Index u) { return arrival_key(time[u], u) < key; });
+  }
+};
+
+/// Walks the contours that meet at each saddle, and finds the handles.
+struct Walk_contours
+{
+  Saddle_arrays arrays;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
+    const Saddle_view saddle = arrays.saddle(i);
+    saddle.find_wedges();
+    saddle.walk_arcs();
+    saddle.find_handles();
+  }
+};
+
+/// A handle that was found at a wedge of a saddle.
+struct Found_handle
+{
+  Index saddle, wedge;
+  Index begin; ///< of its crossings
+};
+
+/// Walks the loops of the handles once more, and writes them.
+struct Trace_handles
+{
+  Saddle_arrays arrays;
+  Span<const Found_handle> handles;
+  Span<Crossing> crossings;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
+    const Found_handle& handle = handles[i];
+    Crossing* out = crossings.data() + handle.begin;
+    arrays.saddle(handle.saddle).trace(handle.wedge, [&](const Crossing& c) { *out++ = c; });
+  }
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_CONTOURS_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_MESH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_MESH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/buffers.h>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// A mesh in the memory of an executor.
+template <typename Executor> class Device_mesh
+{
+  template <typename T> using Buffer = typename Executor::template Buffer<T>;
+
+public:
+  Device_mesh(Executor& executor, const Mesh_view& host)
+      : points_(copy(executor, host.points))
+      , row_begin_(copy(executor, host.row_begin))
+      , neighbor_(copy(executor, host.neighbor)) {}
+
+  std::size_t number_of_vertices() const { return row_begin_.span().size() - 1; }
+
+  Mesh_view view() const { return {points_.span(), row_begin_.span(), neighbor_.span()}; }
+
+  static std::size_t bytes(const Mesh_view& host) {
+    return host.points.size() * sizeof(double) +
+           (host.row_begin.size() + host.neighbor.size()) * sizeof(Index);
+  }
+
+private:
+  template <typename T> static Buffer<T> copy(Executor& executor, const Span<const T>& values) {
+    return uploaded(executor, values.data(), values.size());
+  }
+
+  Buffer<double> points_;
+  Buffer<Index> row_begin_, neighbor_;
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_MESH_H

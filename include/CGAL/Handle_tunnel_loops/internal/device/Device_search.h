@@ -1,0 +1,406 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SEARCH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SEARCH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Close_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Field_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Host_sides.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Paged_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/*!
+A batch of loop passes that run at the same time, in one table of pages and one band, so that one
+large pass and many small ones both fill the device. The fields run a few steps at a time on the
+device; then the host sorts the meetings that there were, and one thread per pass closes walks at
+them. What the fields did meanwhile lies later than the meetings, and changes nothing.
+*/
+template <typename Executor, typename Loop_set> class Search_batch
+{
+  template <typename T> using Buffer = typename Executor::template Buffer<T>;
+  using Region = Paged_region<Loop_set>;
+
+public:
+  static constexpr Index page_size = Region::page_size;
+
+  /// How much memory is taken.
+  struct Room
+  {
+    std::size_t number_of_pages; ///< a power of two
+    std::size_t walk_size;       ///< of the walks in multiples of the loops
+  };
+
+  /// the bytes of a page and its share of everything that grows with the pages.
+  static constexpr std::size_t bytes_per_page =
+      sizeof(std::uint64_t) + Region::page_size * (2 * sizeof(float) + sizeof(Time) +
+                                                   sizeof(std::uint32_t) + 3 * sizeof(Index));
+
+  Search_batch(Executor& executor,
+               const Mesh_view& mesh,
+               const Walls<Loop_set>& walls,
+               const Host_sides& sides,
+               Index wanted_walks,
+               std::uint64_t number_of_updates,
+               const Room& room)
+      : executor_(executor)
+      , wanted_walks_(wanted_walks)
+      , number_of_passes_(sides.loops.size())
+      , sides_(executor, sides)
+      , loops_(uploaded(executor, sides.loops))
+      , keys_(filled(executor, room.number_of_pages, Region::no_page))
+      , number_of_pages_(filled(executor, 1, Index(0)))
+      , is_starved_(filled(executor, number_of_passes_, std::uint32_t(0)))
+      , values_{filled(executor, cells(room), 0.f), filled(executor, cells(room), 0.f)}
+      , time_(filled(executor, cells(room), never))
+      , state_(filled(executor, cells(room), std::uint32_t(0)))
+      , bands_{executor.template make<Index>(cells(room)),
+               executor.template make<Index>(cells(room))}
+      , reached_(executor.template make<Index>(cells(room)))
+      , progress_{filled(executor, number_of_passes_, Time(0)),
+                  filled(executor, number_of_passes_, Time(0))}
+      , last_step_(uploaded(executor, sides.last_steps))
+      , band_changes_{filled(executor, number_of_passes_, Index(0)),
+                      filled(executor, number_of_passes_, Index(0)),
+                      filled(executor, number_of_passes_, Index(0))}
+      , band_sizes_(filled(executor, number_of_passes_, Index(0)))
+      , updates_(filled(executor, number_of_passes_, std::uint64_t(0)))
+      , control_(filled(executor, 1, Field_control()))
+      , meetings_(executor.template make<Meeting>(sides.crossings.size() + 256))
+      , numbers_of_walks_(filled(executor, number_of_passes_, Index(0)))
+      , walks_(executor.template make<Found_walk>(number_of_passes_ * wanted_walks))
+      , walk_vertices_(executor.template make<Index>(
+            room.walk_size * wanted_walks * (sides.crossings.size() + 16 * number_of_passes_)))
+      , walk_counters_(filled(executor, 2, Index(0)))
+      , field_(Region(mesh,
+                      walls,
+                      {keys_.span(), number_of_pages_.span().data(),
+                       static_cast<Index>(room.number_of_pages / 2), loops_.span(),
+                       is_starved_.span()}),
+               {{values_[0].span(), values_[1].span()},
+                time_.span(),
+                state_.span(),
+                {bands_[0].span(), bands_[1].span()},
+                reached_.span(),
+                {{progress_[0].span(), progress_[1].span()},
+                 last_step_.span(),
+                 {band_changes_[0].span(), band_changes_[1].span(), band_changes_[2].span()},
+                 band_sizes_.span(),
+                 updates_.span(),
+                 number_of_updates},
+                control_.span().data()}) {}
+
+  /// runs the passes until nothing is left to find. Returns false if the callback says so.
+  bool run(const Step_coefficients& k, const Callback& callback) {
+    start();
+    close_walks();
+    for(Time pause = steps_per_run; control().state.band_size != 0; pause += steps_per_run) {
+      if(!callback(0.))
+        return false;
+      executor_.run(Field_steps<Region>(field_, k, no_index, pause));
+      note_meetings();
+      close_walks();
+    }
+    return true;
+  }
+
+  std::vector<std::uint32_t> are_starved() { return downloaded(executor_, is_starved_); }
+
+  /// what was found by each of the passes that are not starved.
+  std::vector<Found_walks> found() {
+    const std::vector<Index> counters = downloaded(executor_, walk_counters_);
+    std::vector<Found_walk> walks((std::min<std::size_t>)(counters[0], walks_.span().size()));
+    std::vector<Index> vertices((std::min<std::size_t>)(counters[1], walk_vertices_.span().size()));
+    executor_.download(walks.data(), Span<Found_walk>(walks_.span().data(), walks.size()));
+    executor_.download(vertices.data(), Span<Index>(walk_vertices_.span().data(), vertices.size()));
+    std::sort(walks.begin(), walks.end(), [](const Found_walk& a, const Found_walk& b) {
+      return std::tie(a.pass, a.rank) < std::tie(b.pass, b.rank);
+    });
+    std::vector<Found_walks> found(number_of_passes_);
+    for(const Found_walk& walk : walks) {
+      const auto begin = vertices.begin() + walk.begin;
+      if(walk.begin + walk.size > vertices.size())
+        continue; // of a starved pass
+      found[walk.pass].walks.emplace_back(begin, begin + walk.size);
+      remove_spurs(found[walk.pass].walks.back());
+    }
+    const std::vector<std::uint64_t> updates = downloaded(executor_, updates_);
+    for(std::size_t i = 0; i < found.size(); ++i)
+      found[i].has_given_up = updates[i] >= field_.arrays().passes.enough_updates;
+    return found;
+  }
+
+  const Field_control& control() const { return seen_; }
+
+private:
+  // So many steps lie between two looks at the meetings; a front passes an edge in four.
+  static constexpr Time steps_per_run = 16;
+
+  static std::size_t cells(const Room& room) { return room.number_of_pages * Region::page_size; }
+
+  Meeting_list meeting_list() const {
+    return {meetings_.span(), &control_.span().data()->number_of_meetings};
+  }
+
+  void start() {
+    using Round = typename Start_passes<Region>::Round;
+    const auto make = [&](Round round) {
+      executor_.for_each(sides_.number_of_crossings(),
+                         Start_passes<Region>{field_, sides_.view(), meeting_list(), round});
+    };
+    make(Round::LEFT);
+    make(Round::RIGHT);
+    make(Round::BAND);
+    note([&] {
+      make(Round::RIGHT_AGAIN);
+      make(Round::MEETINGS);
+    });
+    seen_.state.band_size = seen_.counters.band_size[1];
+  }
+
+  void look() { executor_.download(&seen_, control_.span()); }
+
+  void note_meetings() {
+    Index& reached_size = control_.span().data()->counters.reached_size;
+    note([&] {
+      executor_.for_each_of(&reached_size, reached_.span().size(),
+                            Note_late_meetings<Region>{field_, meeting_list()});
+    });
+    clear(reached_size);
+  }
+
+  // Calls `f`, which notes meetings, once more if there was no room for all of them.
+  template <typename Function> void note(const Function& f) {
+    f();
+    look();
+    if(seen_.number_of_meetings <= meetings_.span().size())
+      return;
+    meetings_ = Buffer<Meeting>();
+    meetings_ = executor_.template make<Meeting>(seen_.number_of_meetings);
+    clear(control_.span().data()->number_of_meetings);
+    f();
+    look();
+  }
+
+  void clear(Index& number) { executor_.fill(Span<Index>(&number, 1), Index(0)); }
+
+  void close_walks() {
+    if(seen_.number_of_meetings == 0)
+      return;
+    const Buffer<Index> begins = uploaded(executor_, sort_meetings());
+    const typename Close_walks<Region>::Passes passes = {begins.span(), numbers_of_walks_.span(),
+                                                         wanted_walks_};
+    const Walk_list out = {walks_.span(), walk_counters_.span().data(), walk_vertices_.span(),
+                           walk_counters_.span().data() + 1};
+    executor_.for_each(number_of_passes_,
+                       Close_walks<Region>(field_, sides_.view(), meetings_.span(), passes, out));
+    clear(control_.span().data()->number_of_meetings);
+  }
+
+  // Returns where the meetings of each pass begin.
+  std::vector<Index> sort_meetings() {
+    std::vector<Meeting> meetings(seen_.number_of_meetings);
+    const Span<Meeting> on_device(meetings_.span().data(), meetings.size());
+    executor_.download(meetings.data(), on_device);
+    std::sort(meetings.begin(), meetings.end());
+    executor_.upload(on_device, meetings.data());
+    std::vector<Index> sizes(number_of_passes_, 0);
+    for(const Meeting& meeting : meetings)
+      ++sizes[meeting.pass];
+    return begins_of(sizes);
+  }
+
+  Executor& executor_;
+  Index wanted_walks_;
+  std::size_t number_of_passes_;
+  Device_sides<Executor> sides_;
+  Buffer<Index> loops_;
+  Buffer<std::uint64_t> keys_;
+  Buffer<Index> number_of_pages_;
+  Buffer<std::uint32_t> is_starved_;
+  Buffer<float> values_[2];
+  Buffer<Time> time_;
+  Buffer<std::uint32_t> state_;
+  Buffer<Index> bands_[2], reached_;
+  Buffer<Time> progress_[2], last_step_;
+  Buffer<Index> band_changes_[3], band_sizes_;
+  Buffer<std::uint64_t> updates_;
+  Buffer<Field_control> control_;
+  Buffer<Meeting> meetings_;
+  Buffer<Index> numbers_of_walks_;
+  Buffer<Found_walk> walks_;
+  Buffer<Index> walk_vertices_, walk_counters_;
+  Field<Region> field_;
+  Field_control seen_;
+};
+
+/*!
+The loop passes of one search. As many run at a time as the free memory has room for: all of them as
+long as it suffices; passes that find no room begin again, in a larger table if there is memory for
+one, else fewer at a time. The answer does not depend on that.
+*/
+template <typename Executor, typename Loop_set> class Device_search
+{
+  using Batch = Search_batch<Executor, Loop_set>;
+  using Room = typename Batch::Room;
+
+public:
+  Device_search(Executor& executor,
+                const Device_mesh<Executor>& mesh,
+                const Flat_mesh& host_mesh,
+                Costs& costs)
+      : executor_(executor)
+      , mesh_(mesh)
+      , host_mesh_(host_mesh)
+      , costs_(costs) {}
+
+  std::vector<Found_walks>
+  run(const Loop_search& search, const Step_coefficients& k, const Callback& callback) {
+    const auto begins = uploaded(executor_, search.index.begins());
+    const auto entries = uploaded(executor_, search.index.entries());
+    const Walls<Loop_set> walls = {begins.span(), entries.span()};
+    const std::size_t number = search.numbers.size();
+    std::vector<Found_walks> found(number);
+    std::vector<Index> pending(number); // positions in the list of numbers
+    std::iota(pending.begin(), pending.end(), Index(0));
+    Room room = first_room(number);
+    std::size_t in_flight = number;
+    while(!pending.empty()) {
+      const std::size_t size = (std::min)(in_flight, pending.size());
+      const std::vector<Index> now(pending.begin(), pending.begin() + size);
+      pending.erase(pending.begin(), pending.begin() + size);
+      try {
+        const std::vector<Index> starved = run_batch(search, walls, now, room, k, callback, found);
+        if(!starved.empty())
+          make_room(room, in_flight, size, starved.size());
+        pending.insert(pending.begin(), starved.begin(), starved.end());
+      } catch(const Out_of_device_memory_exception&) {
+        if(size == 1)
+          throw;
+        in_flight = size / 2;
+        pending.insert(pending.begin(), now.begin(), now.end());
+      }
+      if(!callback(1. - double(pending.size()) / double(number)))
+        throw Interrupted_exception();
+    }
+    return found;
+  }
+
+  /// the bytes that are needed beside the mesh to run at least one pass at a time, wherever it
+  /// goes.
+  static std::size_t bytes(std::size_t number_of_vertices) {
+    return pages_of_one_pass(number_of_vertices) * Batch::bytes_per_page +
+           number_of_vertices * sizeof(Index) + 2 * reserve(number_of_vertices);
+  }
+
+private:
+  static constexpr std::size_t smallest_number_of_pages = 256;
+
+  // Cells are numbered by 32 bits.
+  static constexpr std::size_t largest_number_of_pages = std::size_t(1) << 27;
+
+  // The table may become half full.
+  static std::size_t pages_of_one_pass(std::size_t number_of_vertices) {
+    std::size_t pages = smallest_number_of_pages;
+    while(pages < 2 * (number_of_vertices / Batch::page_size + 2))
+      pages *= 2;
+    return pages;
+  }
+
+  // What is left to all that is not in proportion to the pages.
+  static std::size_t reserve(std::size_t number_of_vertices) {
+    return (std::size_t(1) << 19) + 16 * number_of_vertices;
+  }
+
+  bool has_memory_for(std::size_t number_of_pages) const {
+    return number_of_pages <= largest_number_of_pages &&
+           number_of_pages * Batch::bytes_per_page + reserve(mesh_.number_of_vertices()) <=
+               executor_.free_bytes();
+  }
+
+  // At first the passes may cover the mesh four times over.
+  Room first_room(std::size_t number_of_passes) const {
+    const std::size_t pages =
+        4 * 2 * (mesh_.number_of_vertices() / Batch::page_size + number_of_passes);
+    Room room = {smallest_number_of_pages, 2};
+    while(room.number_of_pages < pages && has_memory_for(2 * room.number_of_pages))
+      room.number_of_pages *= 2;
+    return room;
+  }
+
+  // After a batch in which some passes found no room: for their pages, or for their walks.
+  void make_room(Room& room, std::size_t& in_flight, std::size_t tried, std::size_t starved) const {
+    const bool may_grow = has_memory_for(2 * room.number_of_pages);
+    if(!may_grow && tried == 1 && room.walk_size > mesh_.number_of_vertices())
+      throw Out_of_device_memory_exception(2 * room.number_of_pages * Batch::bytes_per_page,
+                                           executor_.free_bytes());
+    room.walk_size *= 2;
+    if(may_grow)
+      room.number_of_pages *= 2;
+    else
+      in_flight = (std::max<std::size_t>)(1, (std::min)(tried - starved, tried / 2));
+  }
+
+  // Fills in what is found for some of the numbers, and returns those that found no room.
+  std::vector<Index> run_batch(const Loop_search& search,
+                               const Walls<Loop_set>& walls,
+                               const std::vector<Index>& positions,
+                               const Room& room,
+                               const Step_coefficients& k,
+                               const Callback& callback,
+                               std::vector<Found_walks>& found) {
+    std::vector<Index> loops;
+    for(Index position : positions)
+      loops.push_back(search.numbers[position]);
+    Batch batch(executor_, mesh_.view(), walls, sides_of(host_mesh_, search, loops),
+                search.number_of_walks, search.number_of_updates, room);
+    costs_.largest_bytes = (std::max)(costs_.largest_bytes, executor_.bytes_in_use());
+    costs_.largest_batch = (std::max)(costs_.largest_batch, loops.size());
+    ++costs_.number_of_batches;
+    if(!batch.run(k, callback))
+      throw Interrupted_exception();
+    costs_.number_of_updates += batch.control().state.number_of_updates;
+    costs_.number_of_steps += batch.control().state.step;
+    const std::vector<std::uint32_t> are_starved = batch.are_starved();
+    std::vector<Found_walks> now = batch.found();
+    std::vector<Index> starved;
+    for(std::size_t i = 0; i < positions.size(); ++i)
+      if(are_starved[i] != 0)
+        starved.push_back(positions[i]);
+      else
+        found[positions[i]] = std::move(now[i]);
+    return starved;
+  }
+
+  Executor& executor_;
+  const Device_mesh<Executor>& mesh_;
+  const Flat_mesh& host_mesh_;
+  Costs& costs_;
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SEARCH_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SOLVER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SOLVER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_sweep.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// All passes, with an executor that runs them. The mesh must outlive the object.
+template <typename Executor> class Device_solver : public Solver
+{
+public:
+  Device_solver(Executor& executor, const Flat_mesh& mesh)
+      : executor_(executor)
+      , host_mesh_(mesh)
+      , mesh_(uploaded_mesh(executor, mesh))
+      , sweep_(executor, mesh, mesh_, costs_) {}
+
+  std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
+                                  const Step_coefficients& k,
+                                  const Callback& callback) override {
+    sweep_.run(seeds, k, callback);
+    return sweep_.handles();
+  }
+
+  std::vector<Time> sweep_times() override { return sweep_.times(); }
+
+  std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
+                                     const Crossing_index& index,
+                                     const Step_coefficients& k) override {
+    Device_sweep<Executor> sweep(executor_, host_mesh_, mesh_, costs_);
+    sweep.run_from_loops(loops, index, k);
+    return sweep.times();
+  }
+
+  std::vector<Found_walks>
+  search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) override {
+    if(search.bars_only_own)
+      return Device_search<Executor, Only_loop>(executor_, mesh_, host_mesh_, costs_)
+          .run(search, k, callback);
+    return Device_search<Executor, Loops_from>(executor_, mesh_, host_mesh_, costs_)
+        .run(search, k, callback);
+  }
+
+  const Costs& costs() const override { return costs_; }
+
+private:
+  // Refuses the mesh if there would not be room for the passes beside it.
+  static Device_mesh<Executor> uploaded_mesh(Executor& executor, const Flat_mesh& mesh) {
+    const Mesh_view view = view_of(mesh);
+    const std::size_t n = mesh.number_of_vertices();
+    const std::size_t needed =
+        Device_mesh<Executor>::bytes(view) + n * sizeof(Time) +
+        (std::max)(Device_sweep<Executor>::bytes(n), Device_search<Executor, Loops_from>::bytes(n));
+    if(needed > executor.free_bytes())
+      throw Out_of_device_memory_exception(needed, executor.free_bytes());
+    return Device_mesh<Executor>(executor, view);
+  }
+
+  Executor& executor_;
+  const Flat_mesh& host_mesh_;
+  Costs costs_;
+  Device_mesh<Executor> mesh_;
+  Device_sweep<Executor> sweep_;
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SOLVER_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SWEEP_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SWEEP_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/Sweep_handle.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Contours.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Field_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Whole_mesh.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// A vertex that is one from the beginning.
+struct Source
+{
+  Index vertex;
+  Time time;
+};
+
+/// Begins a field: the sources first, then the band beside them.
+struct Start_field
+{
+  enum class Round { SOURCES, BAND };
+
+  Field<Whole_mesh> field;
+  Span<const Source> sources;
+  Round round;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
+    const Source& source = sources[i];
+    if(round == Round::BAND)
+      field.activate_neighbors(source.vertex, 1);
+    else if(field.add_source(source.vertex, source.time, 0))
+      fetch_add(field.arrays().control->state.number_of_reached, 1);
+  }
+};
+
+/// One field over the whole mesh: its arrival times, and the handles read off them.
+template <typename Executor> class Device_sweep
+{
+  template <typename T> using Buffer = typename Executor::template Buffer<T>;
+
+public:
+  Device_sweep(Executor& executor,
+               const Flat_mesh& host_mesh,
+               const Device_mesh<Executor>& mesh,
+               Costs& costs)
+      : executor_(executor)
+      , host_mesh_(host_mesh)
+      , mesh_(mesh)
+      , costs_(costs) {}
+
+  /// the bytes that a sweep needs beside the mesh.
+  static std::size_t bytes(std::size_t number_of_vertices) {
+    return number_of_vertices *
+           (2 * sizeof(float) + sizeof(Time) + sizeof(std::uint32_t) + 2 * sizeof(Index));
+  }
+
+  /// the initial pass, from one vertex in each component.
+  void run(const std::vector<Index>& seeds, const Step_coefficients& k, const Callback& callback) {
+    std::vector<Source> sources;
+    for(Index seed : seeds) {
+      sources.push_back({seed, 0});
+      for(Index u : host_mesh_.ring(seed))
+        sources.push_back({u, 1});
+    }
+    run(Whole_mesh(mesh_.view()), sources, k, callback);
+  }
+
+  /// a field from both sides of all loops, which are walls to it.
+  void run_from_loops(const std::vector<Crossing_loop>& loops,
+                      const Crossing_index& index,
+                      const Step_coefficients& k) {
+    std::vector<Source> sources;
+    for(const Crossing_loop& loop : loops)
+      for(const Crossing& c : loop) {
+        sources.push_back({c.left, 0});
+        sources.push_back({c.right, 0});
+      }
+    const Buffer<Index> begins = uploaded(executor_, index.begins());
+    const Buffer<Crossing_entry> entries = uploaded(executor_, index.entries());
+    run(Whole_mesh(mesh_.view(), {begins.span(), entries.span()}), sources, k,
+        [](double) { return true; });
+  }
+
+  /// the handles, in the order in which the sweep finds them.
+  std::vector<Sweep_handle> handles() {
+    const std::vector<std::uint64_t> keys = saddles();
+    std::vector<Index> vertices(keys.size());
+    std::transform(keys.begin(), keys.end(), vertices.begin(),
+                   [](std::uint64_t key) { return static_cast<Index>(key); });
+    if(vertices.empty())
+      return {};
+    const Buffer<Index> saddles = uploaded(executor_, vertices);
+    const std::vector<Index> begins = wedge_begins(saddles);
+    const Buffer<Index> begin = uploaded(executor_, begins);
+    const Buffer<Wedge> wedges = executor_.template make<Wedge>(begins.back());
+    const Saddle_arrays arrays = {mesh_.view(), time_.span(), saddles.span(), begin.span(),
+                                  wedges.span()};
+    executor_.for_each(vertices.size(), Walk_contours{arrays});
+    return traced(arrays, vertices, begins, downloaded(executor_, wedges));
+  }
+
+  std::vector<Time> times() { return downloaded(executor_, time_); }
+
+private:
+  // So many steps are made between two looks at the callback.
+  static constexpr Time steps_per_run = 4096;
+
+  void run(const Whole_mesh& region,
+           const std::vector<Source>& sources,
+           const Step_coefficients& k,
+           const Callback& callback) {
+    const std::size_t n = mesh_.number_of_vertices();
+    time_ = Buffer<Time>();
+    if(executor_.free_bytes() < bytes(n))
+      throw Out_of_device_memory_exception(bytes(n), executor_.free_bytes());
+    time_ = filled(executor_, n, never);
+    const Buffer<float> values[2] = {filled(executor_, n, 0.f), filled(executor_, n, 0.f)};
+    const Buffer<std::uint32_t> state = filled(executor_, n, std::uint32_t(0));
+    const Buffer<Index> bands[2] = {executor_.template make<Index>(n),
+                                    executor_.template make<Index>(n)};
+    const Buffer<Time> progress[2] = {filled(executor_, 1, Time(0)), filled(executor_, 1, Time(0))};
+    const Buffer<Time> last_step = filled(executor_, 1, never);
+    const Buffer<Field_control> control = filled(executor_, 1, Field_control());
+    Field_arrays arrays;
+    arrays.value[0] = values[0].span();
+    arrays.value[1] = values[1].span();
+    arrays.time = time_.span();
+    arrays.state = state.span();
+    arrays.band[0] = bands[0].span();
+    arrays.band[1] = bands[1].span();
+    arrays.passes.progress[0] = progress[0].span();
+    arrays.passes.progress[1] = progress[1].span();
+    arrays.passes.last_step = last_step.span();
+    arrays.control = control.span().data();
+    costs_.largest_bytes = (std::max)(costs_.largest_bytes, executor_.bytes_in_use());
+    const Field<Whole_mesh> field(region, arrays);
+    start(field, sources);
+    make_steps(field, k, callback);
+  }
+
+  void start(const Field<Whole_mesh>& field, const std::vector<Source>& sources) {
+    const Buffer<Source> list = uploaded(executor_, sources);
+    using Round = Start_field::Round;
+    for(const Round round : {Round::SOURCES, Round::BAND})
+      executor_.for_each(sources.size(), Start_field{field, list.span(), round});
+  }
+
+  void
+  make_steps(const Field<Whole_mesh>& field, const Step_coefficients& k, const Callback& callback) {
+    const Index n = static_cast<Index>(mesh_.number_of_vertices());
+    Field_control control;
+    Time pause = 0;
+    do {
+      pause += steps_per_run;
+      executor_.run(Field_steps<Whole_mesh>(field, k, n, pause));
+      executor_.download(&control, Span<Field_control>(field.arrays().control, 1));
+      if(!callback(double(control.state.number_of_reached) / double(n)))
+        throw Interrupted_exception();
+    } while(control.state.step == pause);
+    costs_.number_of_updates += control.state.number_of_updates;
+    costs_.number_of_steps += control.state.step;
+  }
+
+  // The saddles as arrival keys, the earliest first.
+  std::vector<std::uint64_t> saddles() {
+    const Buffer<Index> number = filled(executor_, 1, Index(0));
+    const auto find = [&](const Span<std::uint64_t>& keys) {
+      executor_.fill(number.span(), Index(0));
+      executor_.for_each(mesh_.number_of_vertices(),
+                         Find_saddles{mesh_.view(), time_.span(), number.span().data(), keys});
+    };
+    find({});
+    const Buffer<std::uint64_t> keys =
+        executor_.template make<std::uint64_t>(downloaded(executor_, number)[0]);
+    find(keys.span());
+    std::vector<std::uint64_t> sorted = downloaded(executor_, keys);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+  std::vector<Index> wedge_begins(const Buffer<Index>& saddles) {
+    const Buffer<Index> numbers = executor_.template make<Index>(saddles.span().size());
+    executor_.for_each(saddles.span().size(),
+                       Count_wedges{mesh_.view(), time_.span(), saddles.span(), numbers.span()});
+    return begins_of(downloaded(executor_, numbers));
+  }
+
+  std::vector<Sweep_handle> traced(const Saddle_arrays& arrays,
+                                   const std::vector<Index>& saddles,
+                                   const std::vector<Index>& begins,
+                                   const std::vector<Wedge>& wedges) {
+    std::vector<Found_handle> found;
+    std::vector<Sweep_handle> handles;
+    Index size = 0;
+    for(Index i = 0; i < saddles.size(); ++i)
+      for(Index j = begins[i]; j < begins[i + 1]; ++j)
+        if(wedges[j].handle_start != no_index) {
+          found.push_back({i, j - begins[i], size});
+          handles.push_back({{}, saddles[i], wedges[j - 1].foot, wedges[j].foot});
+          size += wedges[j].handle_size;
+        }
+    const Buffer<Found_handle> list = uploaded(executor_, found);
+    const Buffer<Crossing> crossings = executor_.template make<Crossing>(size);
+    executor_.for_each(found.size(), Trace_handles{arrays, list.span(), crossings.span()});
+    const std::vector<Crossing> all = downloaded(executor_, crossings);
+    for(std::size_t h = 0; h < found.size(); ++h)
+      handles[h].loop.assign(all.begin() + found[h].begin,
+                             h + 1 == found.size() ? all.end() : all.begin() + found[h + 1].begin);
+    return handles;
+  }
+
+  Executor& executor_;
+  const Flat_mesh& host_mesh_;
+  const Device_mesh<Executor>& mesh_;
+  Costs& costs_;
+  Buffer<Time> time_;
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SWEEP_H

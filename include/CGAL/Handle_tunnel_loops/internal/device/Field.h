@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_FIELD_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_FIELD_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
+#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// The states of a cell: in the band now or before; reached from the right; marked.
+constexpr std::uint32_t cell_is_active = 1, cell_is_right = 2, cell_is_marked = 4;
+
+/// Counters of the steps. What one step writes is read after its barrier and cleared two steps
+/// later, so there are three of each.
+struct Step_counters
+{
+  Index band_size[3];          ///< of the list that is worked on in a step
+  Index number_of_arrivals[3]; ///< in a step
+  Index reached_size;          ///< of `Field_arrays::reached`
+};
+
+/// How far the steps have come.
+struct Field_state
+{
+  Time step;
+  Index band_size;
+  Index number_of_reached;
+  std::uint64_t number_of_updates;
+};
+
+/// All that the host looks at between runs.
+struct Field_control
+{
+  Step_counters counters;
+  Field_state state;
+  Index number_of_meetings;
+};
+
+/// What is known of each pass.
+struct Pass_arrays
+{
+  Span<Time> progress[2];       ///< when it last came on, by the end of even and of odd steps
+  Span<Time> last_step;         ///< that it makes
+  Span<Index> band_change[3];   ///< by how much its band grows; see `Step_counters`. Or empty:
+  Span<Index> band_size;        ///< then nobody asks how many
+  Span<std::uint64_t> updates;  ///< it has made
+  std::uint64_t enough_updates; ///< after which it ends
+};
+
+/*!
+The field of `Narrow_band` for many threads: all its values and times, and the list of the cells
+that may change. A step reads the values of the last one and writes beside them, so that one barrier
+is enough. What leaves the band, having come to one, is written once more to have both values agree.
+*/
+struct Field_arrays
+{
+  Span<float> value[2]; ///< after even and after odd steps
+  Span<Time> time;
+  Span<std::uint32_t> state;
+  Span<Index> band[2]; ///< worked on in even and in odd steps
+  Span<Index> reached; ///< cells in the order in which they were reached; or empty
+  Pass_arrays passes;
+  Field_control* control;
+};
+
+/// What all steps do to a cell and its neighbours. A region says what the cells are.
+template <typename Region> class Field
+{
+public:
+  Field(const Region& region, const Field_arrays& arrays)
+      : region_(region)
+      , arrays_(arrays) {}
+
+  CGAL_HTL_HOST_DEVICE const Region& region() const { return region_; }
+  CGAL_HTL_HOST_DEVICE const Field_arrays& arrays() const { return arrays_; }
+
+  CGAL_HTL_HOST_DEVICE Time time(Index cell) const { return racy_load(arrays_.time[cell]); }
+  CGAL_HTL_HOST_DEVICE bool is_reached(Index cell) const { return time(cell) != never; }
+  CGAL_HTL_HOST_DEVICE std::uint32_t side(Index cell) const {
+    return racy_load(arrays_.state[cell]) & cell_is_right;
+  }
+
+  /// calls `f(u, cell of u)` for each neighbour that no wall parts from the cell; the second
+  /// argument is `no_index` where the field has not been.
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void for_each_neighbor(Index cell, const Function& f) const {
+    const Ring ring = region_.mesh().ring(region_.vertex(cell));
+    const bool may_have_walls = region_.has_walls() && region_.is_special(cell);
+    for(Index i = 0; i < ring.size(); ++i)
+      if(!may_have_walls || !region_.is_wall(cell, ring[i]))
+        f(ring[i], region_.find(cell, ring[i]));
+  }
+
+  /// puts the neighbours of a cell into the band of the given step, and into the field if they are
+  /// new there.
+  CGAL_HTL_HOST_DEVICE void activate_neighbors(Index cell, Time step) const {
+    const Ring ring = region_.mesh().ring(region_.vertex(cell));
+    const bool may_have_walls = region_.has_walls() && region_.is_special(cell);
+    for(Index i = 0; i < ring.size(); ++i) {
+      if(may_have_walls && region_.is_wall(cell, ring[i]))
+        continue;
+      const Index u = region_.insert(cell, ring[i]);
+      if(u != no_index && (racy_load(arrays_.state[u]) & cell_is_active) == 0 &&
+         (fetch_or(arrays_.state[u], cell_is_active) & cell_is_active) == 0)
+      {
+        append_to_band(u, step);
+        change_band_size(cell, step - 1, 1);
+      }
+    }
+  }
+
+  /// notes that the band of the pass of a cell has become larger or smaller in a step.
+  CGAL_HTL_HOST_DEVICE void change_band_size(Index cell, Time step, int change) const {
+    const Span<Index>& changes = arrays_.passes.band_change[step % 3];
+    if(!changes.empty())
+      fetch_add(changes[region_.pass(cell)], static_cast<Index>(change));
+  }
+
+  CGAL_HTL_HOST_DEVICE void append_to_band(Index cell, Time step) const {
+    arrays_.band[step % 2][next_place(arrays_.control->counters.band_size[step % 3])] = cell;
+  }
+
+  /// makes a cell a source: its value is one for ever. Returns false if it is one already; only
+  /// sources of one side may be added at a time.
+  CGAL_HTL_HOST_DEVICE bool add_source(Index cell, Time time, std::uint32_t side) const {
+    if((racy_load(arrays_.state[cell]) & cell_is_active) != 0 ||
+       (fetch_or(arrays_.state[cell], cell_is_active | side) & cell_is_active) != 0)
+      return false;
+    arrays_.value[0][cell] = arrays_.value[1][cell] = 1.f;
+    racy_store(arrays_.time[cell], time);
+    return true;
+  }
+
+private:
+  Region region_;
+  Field_arrays arrays_;
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_FIELD_H

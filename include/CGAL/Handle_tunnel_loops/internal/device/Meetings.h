@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_MEETINGS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_MEETINGS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/device/Field.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Loop_sides.h>
+
+#include <tuple>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// An edge, or one vertex, at which what was reached from the left meets what was reached from the
+/// right.
+struct Meeting
+{
+  Index pass;
+  Time step;          ///< in which it came about
+  std::uint64_t time; ///< on both ways together
+  Index left, right;
+
+  /// the order in which the pass looks at them.
+  friend bool operator<(const Meeting& a, const Meeting& b) {
+    return std::tie(a.pass, a.step, a.time, a.left, a.right) <
+           std::tie(b.pass, b.step, b.time, b.left, b.right);
+  }
+};
+
+/// Where meetings are noted; what finds no room is counted.
+struct Meeting_list
+{
+  Span<Meeting> meetings;
+  Index* size;
+
+  CGAL_HTL_HOST_DEVICE void append(const Meeting& meeting) const {
+    const Index place = next_place(*size);
+    if(place < meetings.size())
+      meetings[place] = meeting;
+  }
+};
+
+template <typename Region>
+CGAL_HTL_HOST_DEVICE void
+note_meetings(const Field<Region>& field, Index cell, const Meeting_list& list) {
+  const Index pass = field.region().pass(cell), v = field.region().vertex(cell);
+  const Time time = field.time(cell);
+  const std::uint32_t side = field.side(cell);
+  field.for_each_neighbor(cell, [&](Index u, Index neighbor) {
+    if(neighbor == no_index || field.side(neighbor) == side)
+      return;
+    // Each edge is noted once, from the end that was reached last.
+    const Time other = field.time(neighbor);
+    if(other == never || arrival_key(other, u) > arrival_key(time, v))
+      return;
+    const Time step = (time + ticks_per_step - 1) / ticks_per_step;
+    const bool is_right = side != 0;
+    list.append({pass, step, std::uint64_t(time) + other, is_right ? u : v, is_right ? v : u});
+  });
+}
+
+/// Looks for meetings at the cells that were reached lately.
+template <typename Region> struct Note_late_meetings
+{
+  Field<Region> field;
+  Meeting_list list;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
+    note_meetings(field, field.arrays().reached[i], list);
+  }
+};
+
+/// The sources of the passes, in rounds over all crossings of all loops: the left sides; the right
+/// sides; what is beside them; the vertices that are on both sides; the edges between them.
+template <typename Region> struct Start_passes
+{
+  enum class Round { LEFT, RIGHT, BAND, RIGHT_AGAIN, MEETINGS };
+
+  Field<Region> field;
+  Loop_sides sides;
+  Meeting_list list;
+  Round round;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
+    const Index pass = sides.pass[i];
+    const Crossing& c = sides.crossings[i];
+    if(round == Round::LEFT || round == Round::RIGHT)
+      return add_source(pass, round == Round::LEFT ? c.left : c.right);
+    const Index left = field.region().find_in_pass(pass, c.left);
+    const Index right = field.region().find_in_pass(pass, c.right);
+    if(left == no_index || right == no_index)
+      return; // the pass is starved
+    if(round == Round::BAND) {
+      field.activate_neighbors(left, 1);
+      field.activate_neighbors(right, 1);
+    } else if(round == Round::RIGHT_AGAIN) {
+      if(field.side(right) == 0)
+        list.append({pass, 0, 0, c.right, c.right});
+    } else {
+      note_meetings(field, left, list);
+      note_meetings(field, right, list);
+    }
+  }
+
+private:
+  CGAL_HTL_HOST_DEVICE void add_source(Index pass, Index v) const {
+    const Index cell = field.region().insert_in_pass(pass, v);
+    if(cell != no_index)
+      field.add_source(cell, 0, round == Round::RIGHT ? cell_is_right : 0u);
+  }
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_MEETINGS_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_WALLS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_WALLS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// The arrays of a `Crossing_index`, and which of its loops are walls to the pass of a loop: those
+/// in a set of type `Loop_set`, made from the number of the loop.
+template <typename Loop_set> struct Walls
+{
+  Span<const Index> begins;
+  Span<const Crossing_entry> entries;
+
+  CGAL_HTL_HOST_DEVICE bool is_wall(Index loop, Index u, Index v) const {
+    const Loop_set barred = {loop};
+    for(Index i = begins[u]; i < begins[u + 1]; ++i)
+      if(entries[i].other == v && barred.contains(entries[i].loop))
+        return true;
+    return false;
+  }
+
+  /// whether there may be walls beside `v`.
+  CGAL_HTL_HOST_DEVICE bool may_be_beside(Index loop, Index v) const {
+    if(!Loop_set::is_one && begins[v] != begins[v + 1])
+      return true;
+    for(Index i = begins[v]; i < begins[v + 1]; ++i)
+      if(entries[i].loop == loop)
+        return true;
+    return false;
+  }
+
+  /// calls `f` for each other loop that is a wall between `u` and `v`.
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void
+  for_each_other_wall(Index loop, Index u, Index v, const Function& f) const {
+    const Loop_set barred = {loop};
+    for(Index i = begins[u]; i < begins[u + 1]; ++i)
+      if(entries[i].other == v && entries[i].loop != loop && barred.contains(entries[i].loop))
+        f(entries[i].loop);
+  }
+
+  /// how often loop `loop` is crossed on the way from `u` to `v`, an edge or a point.
+  CGAL_HTL_HOST_DEVICE int crossings(Index loop, Index u, Index v) const {
+    int sum = 0;
+    for(Index i = begins[u]; i < begins[u + 1]; ++i)
+      if(entries[i].other == v && entries[i].loop == loop)
+        sum += entries[i].sign;
+    return sum;
+  }
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_WALLS_H

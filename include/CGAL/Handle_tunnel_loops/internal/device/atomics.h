@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_ATOMICS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_ATOMICS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/host_device.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/// \file atomics.h
+/// What threads do to common memory between two barriers. All of it is relaxed: only the barriers
+/// order anything.
+
+/// reads what another thread may be writing; the old value is as good as the new one. (On the
+/// device aligned words are read in one piece, and an ordinary load may use the first-level cache.)
+template <typename T> CGAL_HTL_HOST_DEVICE T racy_load(const T& x) {
+#ifdef __CUDA_ARCH__
+  return x;
+#else
+  return __atomic_load_n(&x, __ATOMIC_RELAXED);
+#endif
+}
+
+/// writes what other threads may be reading, or writing the same value to.
+template <typename T> CGAL_HTL_HOST_DEVICE void racy_store(T& x, T value) {
+#ifdef __CUDA_ARCH__
+  x = value;
+#else
+  __atomic_store_n(&x, value, __ATOMIC_RELAXED);
+#endif
+}
+
+/// returns the old value, as all of these.
+CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_or(std::uint32_t& x, std::uint32_t bits) {
+#ifdef __CUDA_ARCH__
+  return atomicOr(&x, bits);
+#else
+  return __atomic_fetch_or(&x, bits, __ATOMIC_RELAXED);
+#endif
+}
+
+CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_add(std::uint32_t& x, std::uint32_t summand) {
+#ifdef __CUDA_ARCH__
+  return atomicAdd(&x, summand);
+#else
+  return __atomic_fetch_add(&x, summand, __ATOMIC_RELAXED);
+#endif
+}
+
+CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_min(std::uint32_t& x, std::uint32_t value) {
+#ifdef __CUDA_ARCH__
+  return atomicMin(&x, value);
+#else
+  std::uint32_t old = __atomic_load_n(&x, __ATOMIC_RELAXED);
+  while(value < old &&
+        !__atomic_compare_exchange_n(&x, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+    ;
+  return old;
+#endif
+}
+
+CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_max(std::uint32_t& x, std::uint32_t value) {
+#ifdef __CUDA_ARCH__
+  return atomicMax(&x, value);
+#else
+  std::uint32_t old = __atomic_load_n(&x, __ATOMIC_RELAXED);
+  while(value > old &&
+        !__atomic_compare_exchange_n(&x, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+    ;
+  return old;
+#endif
+}
+
+CGAL_HTL_HOST_DEVICE inline std::uint64_t
+compare_and_swap(std::uint64_t& x, std::uint64_t expected, std::uint64_t value) {
+#ifdef __CUDA_ARCH__
+  return atomicCAS(reinterpret_cast<unsigned long long*>(&x),
+                   static_cast<unsigned long long>(expected),
+                   static_cast<unsigned long long>(value));
+#else
+  __atomic_compare_exchange_n(&x, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+  return expected;
+#endif
+}
+
+/// a place at the end of a list that the counter is the size of. The threads of a warp that come
+/// here together ask once.
+CGAL_HTL_HOST_DEVICE inline std::uint32_t next_place(std::uint32_t& size) {
+#ifdef __CUDA_ARCH__
+  const unsigned here = __activemask();
+  unsigned before;
+  asm("mov.u32 %0, %%lanemask_lt;" : "=r"(before));
+  const int leader = __ffs(static_cast<int>(here)) - 1;
+  std::uint32_t first = 0;
+  if((here & before) == 0)
+    first = atomicAdd(&size, static_cast<std::uint32_t>(__popc(here)));
+  return __shfl_sync(here, first, leader) + static_cast<std::uint32_t>(__popc(here & before));
+#else
+  return fetch_add(size, 1);
+#endif
+}
+
+} // namespace device
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_ATOMICS_H

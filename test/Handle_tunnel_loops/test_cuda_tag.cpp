@@ -1,0 +1,181 @@
+// The tags for the device, with a stand-in for the library that runs the device's own code on the
+// processor: the same pairs as without a device, typed exceptions, and the fallback.
+
+#define CGAL_LINKED_WITH_CUDA
+
+#include "Same_loops.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+// As the devices of this test: one that has the memory asked for by its number, in KiB, and none
+// with the number -1.
+class Stand_in : public Solver
+{
+public:
+  Stand_in(const Flat_mesh& mesh, std::size_t memory)
+      : executor_(Host_executor::Order::SHUFFLED, memory)
+      , solver_(executor_, mesh) {}
+
+  std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
+                                  const Step_coefficients& k,
+                                  const Callback& callback) override {
+    return solver_.sweep(seeds, k, callback);
+  }
+  std::vector<Time> sweep_times() override { return solver_.sweep_times(); }
+  std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
+                                     const Crossing_index& index,
+                                     const Step_coefficients& k) override {
+    return solver_.times_from_loops(loops, index, k);
+  }
+  std::vector<Found_walks>
+  search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) override {
+    return solver_.search(search, k, callback);
+  }
+  const Costs& costs() const override { return solver_.costs(); }
+
+private:
+  Host_executor executor_;
+  Device_solver<Host_executor> solver_;
+};
+
+std::unique_ptr<Solver> make_cuda_solver(const Flat_mesh& mesh, const Device_options& options) {
+  if(options.device < 0)
+    throw No_device_exception("there is no device in this test");
+  return std::make_unique<Stand_in>(mesh, std::size_t(options.device) << 10);
+}
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+namespace {
+
+using CGAL::Handle_tunnel_loops::Device_options;
+using CGAL::Handle_tunnel_loops::Interrupted_exception;
+using CGAL::Handle_tunnel_loops::No_device_exception;
+using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
+namespace parameters = CGAL::parameters;
+using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
+
+constexpr Device_options no_device = {-1, nullptr}, large_device = {1 << 20, nullptr};
+
+Device_options device_with(std::size_t kib) { return {static_cast<int>(kib), nullptr}; }
+
+class Cuda : public testing::TestWithParam<Recipe>
+{
+protected:
+  template <typename Tag> Pairs find(const Device_options& options) {
+    Pairs pairs;
+    solver.find_loops<Tag>(std::back_inserter(pairs), parameters::device_options(options));
+    return pairs;
+  }
+
+  std::size_t needed_kib() {
+    try {
+      find<CGAL::Cuda_tag>(device_with(0));
+    } catch(const Out_of_device_memory_exception& e) {
+      return (e.bytes_needed() >> 10) + 1;
+    }
+    return 0;
+  }
+
+  const Mesh mesh = mesh_of(GetParam());
+  Solver solver{mesh};
+};
+
+INSTANTIATE_TEST_SUITE_P(Surfaces,
+                         Cuda,
+                         testing::Values(Recipe{"torus", {6000, 1, 0}},
+                                         Recipe{"gyroid", {20000, 25, 0}},
+                                         Recipe{"lattice", {6000, 12, 0}},
+                                         Recipe{"sponge", {8000, 40, 1}},
+                                         Recipe{"random", {2000, 60, 2}},
+                                         Recipe{"random", {400, 10, 3}}),
+                         [](const auto& test) {
+                           return test.param.kind + "_" + std::to_string(test.param.request.faces);
+                         });
+
+TEST_P(Cuda, FindsTheLoopsOfTheHost) {
+  const Pairs expected = find_loops(mesh);
+  expect_same(find<CGAL::Cuda_tag>(large_device), expected);
+  EXPECT_EQ(solver.statistics().backend, "cuda");
+  EXPECT_EQ(solver.statistics().fallback, "");
+  EXPECT_GT(solver.statistics().device_bytes, 0u);
+  expect_same(find<CGAL::Cuda_if_available_tag>(large_device), expected);
+  EXPECT_EQ(solver.statistics().backend, "cuda");
+}
+
+// With the memory that it asks for, and with more: the passes of a search run in as many batches as
+// it takes.
+TEST_P(Cuda, FindsThemInLittleMemory) {
+  const Pairs expected = find_loops(mesh);
+  for(const std::size_t factor : {1, 2, 5}) {
+    const std::size_t kib = factor * needed_kib();
+    expect_same(find<CGAL::Cuda_tag>(device_with(kib)), expected);
+    EXPECT_LE(solver.statistics().device_bytes, kib << 10);
+  }
+}
+
+TEST_P(Cuda, ThrowsIfThereIsNoDevice) {
+  EXPECT_THROW(find<CGAL::Cuda_tag>(no_device), No_device_exception);
+  EXPECT_THROW(find<CGAL::Cuda_tag>({}), No_device_exception);
+}
+
+TEST_P(Cuda, SaysHowMuchMemoryItNeeds) {
+  try {
+    find<CGAL::Cuda_tag>(device_with(8));
+    FAIL() << "nothing was thrown";
+  } catch(const Out_of_device_memory_exception& e) {
+    EXPECT_EQ(e.bytes_free(), 8u << 10);
+    EXPECT_GT(e.bytes_needed(), e.bytes_free());
+  }
+  EXPECT_LE(needed_kib() << 10, 150 * mesh.number_of_faces() + (2 << 20));
+  EXPECT_THROW(find<CGAL::Cuda_tag>(device_with(needed_kib() - 2)), Out_of_device_memory_exception);
+  expect_same(find<CGAL::Cuda_tag>(large_device), find_loops(mesh)); // nothing was lost
+}
+
+TEST_P(Cuda, FallsBackAndSaysSo) {
+  const Pairs expected = find_loops(mesh);
+  for(const Device_options& options : {no_device, device_with(8)}) {
+    expect_same(find<CGAL::Cuda_if_available_tag>(options), expected);
+    EXPECT_EQ(solver.statistics().backend, "host");
+    EXPECT_NE(solver.statistics().fallback, "");
+  }
+  expect_same(find<CGAL::Sequential_tag>({}), expected);
+  EXPECT_EQ(solver.statistics().fallback, "");
+}
+
+TEST_P(Cuda, StopsWhenItIsAskedTo) {
+  std::size_t number_of_calls = 0;
+  solver.find_loops<CGAL::Cuda_tag>(
+      CGAL::Emptyset_iterator(),
+      parameters::device_options(large_device, parameters::callback([&](double) {
+                                   ++number_of_calls;
+                                   return true;
+                                 })));
+  for(std::size_t stop = 1; stop <= number_of_calls; stop += 1 + number_of_calls / 3) {
+    std::size_t calls = 0;
+    EXPECT_THROW(solver.find_loops<CGAL::Cuda_tag>(
+                     CGAL::Emptyset_iterator(),
+                     parameters::device_options(large_device, parameters::callback([&](double) {
+                                                  return ++calls < stop;
+                                                }))),
+                 Interrupted_exception);
+  }
+}
+
+} // namespace
