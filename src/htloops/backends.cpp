@@ -11,6 +11,9 @@
 
 #include "failure.h"
 #include "host_backend.h"
+#ifdef CGAL_LINKED_WITH_CUDA
+#include "cuda_backend.h"
+#endif
 #ifdef HTLOOPS_HAS_REFERENCE
 #include "reference_backend.h"
 #endif
@@ -20,31 +23,35 @@
 namespace htloops {
 namespace {
 
+#ifndef CGAL_LINKED_WITH_CUDA
+constexpr std::nullptr_t solve_on_device = nullptr, solve_on_device_if_available = nullptr;
+#endif
 #ifndef HTLOOPS_HAS_REFERENCE
 constexpr std::nullptr_t solve_by_reference = nullptr;
 #endif
 
-// The fastest first. A new backend is a line here and a function that solves.
+// For "auto" the first that there is of those that may be chosen so. A new backend is a line here
+// and a function that solves.
 constexpr Backend backends[] = {
-    {"cuda", true, false, nullptr},
+    {"auto", true, false, solve_on_device_if_available},
+    {"cuda", false, false, solve_on_device},
     {"host", true, false, solve_on_host},
     {"reference", false, true, solve_by_reference},
 };
 
-const char automatic[] = "auto";
-
 } // namespace
 
 const Backend& choose_backend(const std::string& name) {
+  const bool is_automatic = name == backends[0].name;
   for(const Backend& backend : backends)
     if(backend.solve != nullptr &&
-       (name == automatic ? backend.is_chosen_by_auto : name == backend.name))
+       (is_automatic ? backend.is_chosen_by_auto : name == backend.name))
       return backend;
   throw Failure(Exit_code::NO_BACKEND, "this htloops was built without the backend " + name);
 }
 
 std::vector<std::string> names_of_backends() {
-  std::vector<std::string> names = {automatic};
+  std::vector<std::string> names;
   for(const Backend& backend : backends)
     names.push_back(backend.name);
   return names;

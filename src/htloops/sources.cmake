@@ -51,6 +51,10 @@ if(HTL_HAS_EIGEN)
     COMPILE_DEFINITIONS HTLOOPS_HAS_REFERENCE)
 endif()
 
+if(TARGET Handle_tunnel_loops_cuda)
+  list(APPEND HTLOOPS_SOURCES cuda_backend.cpp)
+endif()
+
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES
   COMPILE_DEFINITIONS "HTLOOPS_VERSION=\"${PROJECT_VERSION}\"")

@@ -48,6 +48,7 @@ public:
   }
 
   /// calls `f` for the crossings on the way, the first and the last included.
+  CGAL_HTL_CALLS_ANY_FUNCTION
   template <typename Function> CGAL_HTL_HOST_DEVICE void for_each(const Function& f) const {
     f(loop_[first_]);
     for(Index i = first_; i != last_;) {

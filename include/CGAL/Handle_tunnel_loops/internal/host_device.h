@@ -13,12 +13,15 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 /// \file host_device.h
-/// Marks functions that the processor and a CUDA device run alike.
+/// Marks functions that the processor and a CUDA device run alike, and before them such templates
+/// as may also be given functions of the processor alone.
 
 #ifdef __CUDACC__
 #define CGAL_HTL_HOST_DEVICE __host__ __device__
+#define CGAL_HTL_CALLS_ANY_FUNCTION _Pragma("nv_exec_check_disable")
 #else
 #define CGAL_HTL_HOST_DEVICE
+#define CGAL_HTL_CALLS_ANY_FUNCTION
 #endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOST_DEVICE_H

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_CUDA_CUDA_EXECUTOR_CUH
+#define HTL_CUDA_CUDA_EXECUTOR_CUH
+
+#include "Device_memory.cuh"
+
+#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/run_steps.h>
+
+#include <cooperative_groups.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace htl_cuda {
+
+using CGAL::Handle_tunnel_loops::internal::Index;
+
+constexpr int threads_per_block = 256;
+
+/// The first of the elements that a thread of the grid works on, and how far apart they are.
+__device__ inline std::size_t thread_number() {
+  return std::size_t(blockIdx.x) * blockDim.x + threadIdx.x;
+}
+__device__ inline std::size_t number_of_threads() { return std::size_t(gridDim.x) * blockDim.x; }
+
+template <typename Function> __global__ void for_each_kernel(std::size_t n, Function f) {
+  for(std::size_t i = thread_number(); i < n; i += number_of_threads())
+    f(static_cast<Index>(i));
+}
+
+template <typename Function>
+__global__ void for_each_of_kernel(const Index* n, std::size_t limit, Function f) {
+  const std::size_t size = *n < limit ? *n : limit;
+  for(std::size_t i = thread_number(); i < size; i += number_of_threads())
+    f(static_cast<Index>(i));
+}
+
+template <typename T> __global__ void fill_kernel(T* data, std::size_t size, T value) {
+  for(std::size_t i = thread_number(); i < size; i += number_of_threads())
+    data[i] = value;
+}
+
+/// The threads of a cooperative launch, for `run_steps()`.
+struct Grid_threads
+{
+  cooperative_groups::grid_group grid;
+
+  __device__ bool is_first() const { return thread_number() == 0; }
+  __device__ void wait() { grid.sync(); }
+  template <typename Program, typename State>
+  __device__ void for_each(Index n, const Program& program, const State& state) const {
+    for(std::size_t i = thread_number(); i < n; i += number_of_threads())
+      program(static_cast<Index>(i), state);
+  }
+};
+
+/// All steps of a program in one launch; the barrier between them is that of the grid.
+template <typename Program>
+__global__ void __launch_bounds__(threads_per_block) run_kernel(Program program) {
+  Grid_threads threads = {cooperative_groups::this_grid()};
+  CGAL::Handle_tunnel_loops::internal::device::run_steps(program, threads);
+}
+
+/// Runs on the current device, in the order of a stream. What it provides is what `Host_executor`
+/// provides. The stream must outlive it.
+class Cuda_executor
+{
+public:
+  template <typename T> using Buffer = Device_buffer<T>;
+
+  Cuda_executor(int device, cudaStream_t stream)
+      : memory_(device)
+      , stream_(stream) {
+    check(
+        cudaDeviceGetAttribute(&number_of_multiprocessors_, cudaDevAttrMultiProcessorCount, device),
+        "asking for the number of multiprocessors");
+  }
+  /// All buffers have been given back by now; what is still to do with them is waited for.
+  ~Cuda_executor() { cudaStreamSynchronize(stream_); }
+  Cuda_executor(const Cuda_executor&) = delete;
+  Cuda_executor& operator=(const Cuda_executor&) = delete;
+
+  std::size_t free_bytes() const { return memory_.free_bytes(); }
+  std::size_t bytes_in_use() const { return memory_.bytes_in_use(); }
+
+  template <typename T> Buffer<T> make(std::size_t size) {
+    return Buffer<T>(size, memory_, stream_);
+  }
+
+  /// waits for the stream: what is copied from may be gone after the call.
+  template <typename T> void upload(const Span<T>& to, const T* from) {
+    if(to.empty())
+      return;
+    check(cudaMemcpyAsync(to.data(), from, to.size() * sizeof(T), cudaMemcpyHostToDevice, stream_),
+          "copying to the device");
+    check(cudaStreamSynchronize(stream_), "copying to the device");
+  }
+
+  /// waits for the stream.
+  template <typename T> void download(T* to, const Span<T>& from) {
+    if(!from.empty())
+      check(cudaMemcpyAsync(to, from.data(), from.size() * sizeof(T), cudaMemcpyDeviceToHost,
+                            stream_),
+            "copying from the device");
+    check(cudaStreamSynchronize(stream_), "running on the device");
+  }
+
+  template <typename T> void fill(const Span<T>& span, const T& value) {
+    launch(span.size(), fill_kernel<T>, span.data(), span.size(), value);
+  }
+
+  template <typename Function> void for_each(std::size_t n, const Function& f) {
+    launch(n, for_each_kernel<Function>, n, f);
+  }
+
+  template <typename Function>
+  void for_each_of(const Index* n, std::size_t limit, const Function& f) {
+    launch(std::min<std::size_t>(limit, largest_grid() * threads_per_block),
+           for_each_of_kernel<Function>, n, limit, f);
+  }
+
+  template <typename Program> void run(const Program& program) {
+    int blocks = 0;
+    check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, run_kernel<Program>,
+                                                        threads_per_block, 0),
+          "asking for the occupancy");
+    // A barrier is the faster the fewer blocks meet at it; four hide the latency of the memory.
+    blocks = std::min(blocks, 4) * number_of_multiprocessors_;
+    Program copy = program;
+    void* arguments[] = {&copy};
+    check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(run_kernel<Program>),
+                                      dim3(static_cast<unsigned>(blocks)), dim3(threads_per_block),
+                                      arguments, 0, stream_),
+          "starting the steps of a field");
+  }
+
+private:
+  std::size_t largest_grid() const { return std::size_t(number_of_multiprocessors_) * 8; }
+
+  template <typename... Parameters, typename... Arguments>
+  void launch(std::size_t n, void (*kernel)(Parameters...), const Arguments&... arguments) {
+    if(n == 0)
+      return;
+    const std::size_t blocks =
+        std::min((n + threads_per_block - 1) / threads_per_block, largest_grid());
+    kernel<<<static_cast<unsigned>(blocks), threads_per_block, 0, stream_>>>(arguments...);
+    check(cudaGetLastError(), "starting a kernel");
+  }
+
+  Device_memory memory_;
+  cudaStream_t stream_;
+  int number_of_multiprocessors_ = 0;
+};
+
+} // namespace htl_cuda
+
+#endif // HTL_CUDA_CUDA_EXECUTOR_CUH

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_CUDA_BACKEND_H
+#define HTLOOPS_CUDA_BACKEND_H
+
+#include "backends.h"
+
+namespace htloops {
+
+/// finds the loops with a CUDA device. Throws `Failure` if there is none that takes the mesh.
+Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+
+/// finds the loops with a CUDA device if there is one that takes the mesh, else without.
+Answer
+solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+
+} // namespace htloops
+
+#endif // HTLOOPS_CUDA_BACKEND_H
