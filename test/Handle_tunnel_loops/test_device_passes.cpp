@@ -8,12 +8,19 @@
 #include <CGAL/Handle_tunnel_loops/internal/Host_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/label_front.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,10 +51,8 @@ namespace {
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::Field_constants;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
-using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
 using CGAL::Handle_tunnel_loops::Stage;
 using CGAL::Handle_tunnel_loops::Statistics;
-using device::Costs;
 using device::Host_executor;
 using generators::Random;
 using Passes = Host_passes<Sequential_execution>;
@@ -202,6 +207,143 @@ TEST_P(Device_passes, AgreeWithTheHostOnRandomSurfaces) {
                                     << c.gradient_coefficient << ' ' << c.penalty << ' ' << c.step);
     expect_agreement(mesh, seed, c);
   }
+}
+
+// In so little memory that the passes of a search must run one after the other, they find the same.
+TEST_P(Device_passes, DoNotDependOnTheMemory) {
+  const Flat_mesh mesh = flat_mesh_of(Recipe{"sponge", {3000, 16, 1}});
+  const Step_coefficients k = step_coefficients({});
+  Host_executor large(GetParam());
+  Solver expected(large, mesh);
+  const std::vector<Crossing_loop> contours = loops_of(expected.sweep({0}, k, go_on));
+  const Crossing_index index(mesh, contours);
+  const Loop_search search = {contours, index, false, first_numbers(contours.size()), 1, {}, 30000};
+  const std::vector<Found_walks> all = expected.search(search, k, go_on);
+  EXPECT_EQ(expected.costs().largest_batch, contours.size());
+  std::size_t number_of_batches = 0;
+  for(const std::size_t mib : {2, 3}) {
+    Host_executor small(GetParam(), mib << 20);
+    Solver solver(small, mesh);
+    const std::vector<Found_walks> found = solver.search(search, k, go_on);
+    ASSERT_EQ(found.size(), all.size());
+    for(std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_EQ(found[i].walks, all[i].walks);
+    number_of_batches += solver.costs().number_of_batches;
+    EXPECT_LE(solver.costs().largest_bytes, mib << 20);
+  }
+  EXPECT_GT(number_of_batches, 4u);
+}
+
+// ---- the labels of a front
+
+// A triangle by the least of its three places in the rings, and that place for each of them.
+std::vector<Index> triangle_of_places(const Flat_mesh& mesh) {
+  std::vector<Index> triangle(mesh.neighbor.size());
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Ring ring = mesh.ring(v);
+    for(Index i = 0; i < ring.size(); ++i) {
+      const Index a = ring[i], b = ring[ring.next(i)];
+      triangle[mesh.row_begin[v] + i] =
+          (std::min)({mesh.row_begin[v] + i, mesh.row_begin[a] + mesh.ring(a).position(b),
+                      mesh.row_begin[b] + mesh.ring(b).position(v)});
+    }
+  }
+  return triangle;
+}
+
+// The same front by the definition: triangles with vertices on both sides, joined across the edges
+// with ends on both sides.
+class Front_graph
+{
+public:
+  Front_graph(const Flat_mesh& mesh, const std::vector<Time>& times, Time level)
+      : triangle_(triangle_of_places(mesh))
+      , graph_(mesh.neighbor.size()) {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+      const Ring ring = mesh.ring(v);
+      for(Index i = 0; i < ring.size(); ++i)
+        if((times[v] <= level) != (times[ring[i]] <= level)) {
+          is_front_.insert(triangle_[mesh.row_begin[v] + i]);
+          add_edge(triangle_[mesh.row_begin[v] + i],
+                   triangle_[mesh.row_begin[v] + ring.previous(i)], graph_);
+        }
+    }
+    component_.resize(mesh.neighbor.size());
+    connected_components(graph_, component_.data());
+  }
+
+  void expect_labels(const std::vector<Index>& labels) const {
+    std::set<Index> triangles;
+    std::map<Index, Index> component_of_label, least_place;
+    std::map<Index, Index> label_of_component;
+    for(Index place = 0; place < labels.size(); ++place) {
+      if(labels[place] == no_index)
+        continue;
+      const Index triangle = triangle_[place];
+      EXPECT_TRUE(triangles.insert(triangle).second) << "a triangle is labelled twice";
+      const Index component = component_[triangle];
+      EXPECT_EQ(component_of_label.insert({labels[place], component}).first->second, component);
+      EXPECT_EQ(label_of_component.insert({component, labels[place]}).first->second, labels[place]);
+      least_place.insert({labels[place], place});
+    }
+    EXPECT_EQ(triangles, is_front_);
+    for(const auto& [label, place] : least_place)
+      EXPECT_EQ(label, place);
+  }
+
+private:
+  std::vector<Index> triangle_; // by place
+  std::set<Index> is_front_;
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph_;
+  std::vector<Index> component_;
+};
+
+TEST_P(Device_passes, LabelFrontsAsConnectedComponents) {
+  Random random(3);
+  std::vector<Recipe> recipes = recipes_of_all_kinds({0, 1, 5}, 1);
+  for(int i = 0; i < 20; ++i)
+    recipes.push_back(random_recipe(random, 20));
+  for(const Recipe& recipe : recipes) {
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    Host_executor executor(GetParam());
+    Solver solver(executor, mesh);
+    solver.sweep({0}, step_coefficients({}), go_on);
+    const std::vector<Time> times = solver.sweep_times();
+    for(int i = 0; i < 5; ++i) {
+      const Time level = times[random.below(times.size())];
+      SCOPED_TRACE(testing::Message() << recipe << ", level " << level);
+      const std::vector<Index> labels =
+          device::label_front(executor, device::view_of(mesh), {times.data(), times.size()}, level);
+      Front_graph(mesh, times, level).expect_labels(labels);
+    }
+  }
+}
+
+TEST_P(Device_passes, StopWhenTheyAreAskedTo) {
+  const Flat_mesh mesh = flat_mesh_of(Recipe{"torus", {2000, 1, 0}});
+  const Step_coefficients k = step_coefficients({});
+  const auto stop = [](double) { return false; };
+  Host_executor executor(GetParam());
+  Solver solver(executor, mesh);
+  EXPECT_THROW(solver.sweep({0}, k, stop), Interrupted_exception);
+  const std::vector<Crossing_loop> contours = loops_of(solver.sweep({0}, k, go_on));
+  const Crossing_index index(mesh, contours);
+  const Loop_search search = {contours, index, false, {0}};
+  EXPECT_THROW(solver.search(search, k, stop), Interrupted_exception);
+  EXPECT_EQ(solver.search(search, k, go_on)[0].walks.size(), 1u);
+  EXPECT_GT(executor.bytes_in_use(), 0u);
+}
+
+TEST_P(Device_passes, GiveBackAllMemory) {
+  Host_executor executor(GetParam());
+  {
+    const Flat_mesh mesh = flat_mesh_of(Recipe{"random", {500, 5, 3}});
+    expect_agreement(mesh, 0, {});
+    Solver solver(executor, mesh);
+    solver.sweep({0}, step_coefficients({}), go_on);
+    EXPECT_GT(executor.bytes_in_use(), 0u);
+  }
+  EXPECT_EQ(executor.bytes_in_use(), 0u);
 }
 
 } // namespace

@@ -98,7 +98,7 @@ struct Collect_front
 class Label_front
 {
 public:
-  /// `changed` has three numbers, the first of which is one and the others zero.
+  /// `changed` has three numbers, all of them zero.
   Label_front(const Span<const Front_pair>& pairs,
               const Span<Index>& label,
               const Span<std::uint32_t>& changed)
