@@ -88,7 +88,7 @@ public:
       , control_(filled(executor, 1, Field_control()))
       , meetings_(executor.template make<Meeting>(sides.crossings.size() + 256))
       , numbers_of_walks_(filled(executor, number_of_passes_, Index(0)))
-      , walks_(executor.template make<Found_walk>(number_of_passes_ * wanted_walks))
+      , walks_(filled(executor, number_of_passes_ * wanted_walks, Found_walk{no_index, 0, 0, 0}))
       , walk_vertices_(executor.template make<Index>(
             room.walk_size * wanted_walks * (sides.crossings.size() + 16 * number_of_passes_)))
       , walk_counters_(filled(executor, 2, Index(0)))
@@ -138,9 +138,9 @@ public:
     });
     std::vector<Found_walks> found(number_of_passes_);
     for(const Found_walk& walk : walks) {
+      if(walk.pass == no_index)
+        break; // for the vertices of which there was no room
       const auto begin = vertices.begin() + walk.begin;
-      if(walk.begin + walk.size > vertices.size())
-        continue; // of a starved pass
       found[walk.pass].walks.emplace_back(begin, begin + walk.size);
       remove_spurs(found[walk.pass].walks.back());
     }

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_sweep.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/label_front.h>
 
 #include <algorithm>
 #include <vector>
@@ -41,6 +42,10 @@ public:
   }
 
   std::vector<Time> sweep_times() override { return sweep_.times(); }
+
+  std::vector<Index> front_labels(Time level) override {
+    return label_front(executor_, mesh_.view(), sweep_.time_span(), level);
+  }
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,

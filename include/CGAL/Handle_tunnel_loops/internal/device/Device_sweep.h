@@ -120,6 +120,9 @@ public:
     return traced(arrays, vertices, begins, downloaded(executor_, wedges));
   }
 
+  /// the arrival times, in the memory of the executor.
+  Span<const Time> time_span() const { return time_.span(); }
+
   std::vector<Time> times() { return downloaded(executor_, time_); }
 
 private:

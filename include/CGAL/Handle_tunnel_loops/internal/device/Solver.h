@@ -51,6 +51,9 @@ public:
   /// the arrival times of the last sweep.
   virtual std::vector<Time> sweep_times() = 0;
 
+  /// the labels of the front of the last sweep at a level, by position in the rings; see `Front`.
+  virtual std::vector<Index> front_labels(Time level) = 0;
+
   /// the arrival times of one field from both sides of all loops, none of which it crosses.
   virtual std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                              const Crossing_index& index,

@@ -42,6 +42,7 @@ CGAL_HTL_HOST_DEVICE void run_steps(const Program& program, Threads& threads) {
     threads.wait();
     program.end_step(state);
   }
+  threads.wait(); // until all have loaded, should there have been no step
   if(threads.is_first())
     program.store(state);
 }

@@ -1,0 +1,243 @@
+#ifndef HTL_TEST_DEVICE_AGREEMENT_H
+#define HTL_TEST_DEVICE_AGREEMENT_H
+
+#include "Flat_mesh_of_soup.h"
+
+#include "generators/Random.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/Host_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <ostream>
+#include <set>
+#include <vector>
+
+// What a device computes is what the host's own passes compute: the same times, the same handles,
+// the same walks. And its fronts have the components that they have.
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+inline bool operator==(const Crossing& a, const Crossing& b) {
+  return a.left == b.left && a.right == b.right && a.ratio == b.ratio;
+}
+inline std::ostream& operator<<(std::ostream& os, const Crossing& c) {
+  return os << c.left << '|' << c.right << '@' << c.ratio;
+}
+inline bool operator==(const Sweep_handle& a, const Sweep_handle& b) {
+  return a.loop == b.loop && a.saddle == b.saddle && a.foot_a == b.foot_a && a.foot_b == b.foot_b;
+}
+inline std::ostream& operator<<(std::ostream& os, const Sweep_handle& handle) {
+  return os << "saddle " << handle.saddle << " feet " << handle.foot_a << ' ' << handle.foot_b
+            << ", " << handle.loop.size() << " crossings";
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+namespace device_agreement {
+
+using namespace CGAL::Handle_tunnel_loops::internal;
+using CGAL::Handle_tunnel_loops::Field_constants;
+using CGAL::Handle_tunnel_loops::Stage;
+using CGAL::Handle_tunnel_loops::Statistics;
+using generators::Random;
+
+const auto go_on = [](double) { return true; };
+
+inline Field_constants random_constants(Random& random) {
+  Field_constants c;
+  c.mobility = std::pow(10., random.uniform(-3., 3.));
+  c.gradient_coefficient = std::pow(10., random.uniform(-6., 6.));
+  c.penalty = std::pow(10., random.uniform(-6., 3.));
+  c.driving_force = c.penalty * (1. + std::pow(10., random.uniform(-3., 6.)));
+  c.step = random.uniform(0.05, 1.);
+  return c;
+}
+
+inline Recipe random_recipe(Random& random, std::size_t largest_genus) {
+  const std::size_t genus = random.below(largest_genus + 1);
+  return {"random",
+          {20 + 12 * genus + random.below(400), genus, static_cast<unsigned>(random.next())}};
+}
+
+// Runs passes on the host without anybody looking on.
+class Quiet_progress : public Progress
+{
+public:
+  Quiet_progress()
+      : Progress(
+            {}, [](Stage) {}, [](Stage) {}, statistics_) {}
+
+private:
+  Statistics statistics_;
+};
+
+inline std::vector<Crossing_loop> loops_of(const std::vector<Sweep_handle>& handles) {
+  std::vector<Crossing_loop> loops;
+  for(const Sweep_handle& handle : handles)
+    loops.push_back(handle.loop);
+  return loops;
+}
+
+inline std::vector<Index> first_numbers(std::size_t n) {
+  std::vector<Index> numbers(n);
+  std::iota(numbers.begin(), numbers.end(), Index(0));
+  return numbers;
+}
+
+// What the passes of a mesh came to, to see that the tests test something.
+struct Tally
+{
+  std::size_t walks = 0, given_up = 0;
+
+  void add(const std::vector<Found_walks>& all) {
+    for(const Found_walks& found : all) {
+      walks += found.walks.size();
+      given_up += found.walks.empty() && found.has_given_up;
+    }
+  }
+};
+
+inline std::vector<Found_walks> expect_same(device::Solver& solver,
+                                            const Host_passes<Sequential_execution>& host,
+                                            const Step_coefficients& k,
+                                            const Loop_search& search) {
+  const std::vector<Found_walks> found = solver.search(search, k, go_on);
+  EXPECT_EQ(found.size(), search.numbers.size());
+  Quiet_progress progress;
+  std::size_t i = 0;
+  host.search(search, progress, [&](Index number, const Found_walks& expected) {
+    EXPECT_EQ(number, search.numbers[i]);
+    EXPECT_EQ(found[i].walks, expected.walks);
+    if(expected.walks.empty()) {
+      EXPECT_EQ(found[i].has_given_up, expected.has_given_up);
+    }
+    ++i;
+  });
+  return found;
+}
+// All passes on a mesh, one after the other.
+inline Tally expect_agreement(device::Solver& solver,
+                              const Flat_mesh& mesh,
+                              Index seed,
+                              const Field_constants& c) {
+  const Step_coefficients k = step_coefficients(c);
+  Host_passes<Sequential_execution> host(mesh, k);
+  Quiet_progress progress;
+  const std::vector<Sweep_handle> handles = solver.sweep({seed}, k, go_on);
+  EXPECT_EQ(handles, host.sweep({seed}, progress));
+  EXPECT_EQ(solver.sweep_times(), host.sweep_times());
+  EXPECT_EQ(handles.size(), mesh.genus);
+
+  const std::vector<Crossing_loop> contours = loops_of(handles);
+  const Crossing_index index(mesh, contours);
+  EXPECT_EQ(solver.times_from_loops(contours, index, k), host.times_from_loops(contours, index));
+  const std::vector<Index> all = first_numbers(contours.size());
+  Tally tally;
+  for(const std::uint64_t updates : {100u, 3000u})
+    tally.add(expect_same(solver, host, k, {contours, index, false, all, 1, {}, updates}));
+  const std::vector<Found_walks> tunnels =
+      expect_same(solver, host, k, {contours, index, false, all});
+  tally.add(tunnels);
+  std::vector<Crossing_loop> loops;
+  std::vector<Time> steps;
+  for(const Found_walks& found : tunnels)
+    if(!found.walks.empty()) {
+      loops.push_back(pushed_left(mesh, found.walks.front()));
+      steps.push_back(static_cast<Time>(20 + loops.back().size()));
+    }
+  const Crossing_index tunnel_index(mesh, loops);
+  tally.add(expect_same(solver, host, k,
+                        {loops, tunnel_index, true, first_numbers(loops.size()), 6, steps}));
+  return tally;
+}
+
+// ---- the labels of a front
+
+// A triangle by the least of its three places in the rings, and that place for each of them.
+inline std::vector<Index> triangle_of_places(const Flat_mesh& mesh) {
+  std::vector<Index> triangle(mesh.neighbor.size());
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Ring ring = mesh.ring(v);
+    for(Index i = 0; i < ring.size(); ++i) {
+      const Index a = ring[i], b = ring[ring.next(i)];
+      triangle[mesh.row_begin[v] + i] =
+          (std::min)({mesh.row_begin[v] + i, mesh.row_begin[a] + mesh.ring(a).position(b),
+                      mesh.row_begin[b] + mesh.ring(b).position(v)});
+    }
+  }
+  return triangle;
+}
+
+// The same front by the definition: triangles with vertices on both sides, joined across the edges
+// with ends on both sides.
+class Front_graph
+{
+public:
+  Front_graph(const Flat_mesh& mesh, const std::vector<Time>& times, Time level)
+      : triangle_(triangle_of_places(mesh))
+      , graph_(mesh.neighbor.size()) {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+      const Ring ring = mesh.ring(v);
+      for(Index i = 0; i < ring.size(); ++i)
+        if((times[v] <= level) != (times[ring[i]] <= level)) {
+          is_front_.insert(triangle_[mesh.row_begin[v] + i]);
+          add_edge(triangle_[mesh.row_begin[v] + i],
+                   triangle_[mesh.row_begin[v] + ring.previous(i)], graph_);
+        }
+    }
+    component_.resize(mesh.neighbor.size());
+    connected_components(graph_, component_.data());
+  }
+
+  void expect_labels(const std::vector<Index>& labels) const {
+    std::set<Index> triangles;
+    std::map<Index, Index> component_of_label, least_place;
+    std::map<Index, Index> label_of_component;
+    for(Index place = 0; place < labels.size(); ++place) {
+      if(labels[place] == no_index)
+        continue;
+      const Index triangle = triangle_[place];
+      EXPECT_TRUE(triangles.insert(triangle).second) << "a triangle is labelled twice";
+      const Index component = component_[triangle];
+      EXPECT_EQ(component_of_label.insert({labels[place], component}).first->second, component);
+      EXPECT_EQ(label_of_component.insert({component, labels[place]}).first->second, labels[place]);
+      least_place.insert({labels[place], place});
+    }
+    EXPECT_EQ(triangles, is_front_);
+    for(const auto& [label, place] : least_place)
+      EXPECT_EQ(label, place);
+  }
+
+private:
+  std::vector<Index> triangle_; // by place
+  std::set<Index> is_front_;
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph_;
+  std::vector<Index> component_;
+};
+
+// The labels of a few fronts of the last sweep of a solver.
+inline void expect_front_labels(device::Solver& solver, const Flat_mesh& mesh, Random& random) {
+  const std::vector<Time> times = solver.sweep_times();
+  for(int i = 0; i < 5; ++i) {
+    const Time level = times[random.below(times.size())];
+    SCOPED_TRACE(testing::Message() << "level " << level);
+    Front_graph(mesh, times, level).expect_labels(solver.front_labels(level));
+  }
+}
+
+} // namespace device_agreement
+
+#endif // HTL_TEST_DEVICE_AGREEMENT_H

@@ -1,0 +1,155 @@
+// The solver on a real device: it computes what the host computes. Where there is no device, these
+// tests are skipped; with HTL_REQUIRE_GPU=1 in the environment the first one fails instead.
+
+#include "Device_agreement.h"
+#include "Same_loops.h"
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
+
+#include <cuda_runtime.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace device_agreement;
+using CGAL::Handle_tunnel_loops::Device_options;
+using CGAL::Handle_tunnel_loops::No_device_exception;
+using device::make_cuda_solver;
+namespace parameters = CGAL::parameters;
+
+// Why there is no device; empty if there is one.
+std::string missing() {
+  try {
+    make_cuda_solver(flat_mesh_of(Recipe{"torus", {200, 1, 0}}), {});
+    return "";
+  } catch(const No_device_exception& e) {
+    return e.what();
+  }
+}
+
+class Gpu : public testing::Test
+{
+protected:
+  void SetUp() override {
+    const std::string reason = missing();
+    if(!reason.empty())
+      GTEST_SKIP() << "no CUDA device: " << reason;
+  }
+
+  static Pairs find(const Mesh& mesh, const Device_options& options = {}) {
+    Pairs pairs;
+    CGAL::handle_tunnel_loops<CGAL::Cuda_tag>(mesh, std::back_inserter(pairs),
+                                              parameters::device_options(options));
+    return pairs;
+  }
+};
+
+TEST(Gpu_smoke, ThereIsADeviceIfThereMustBe) {
+  const char* required = std::getenv("HTL_REQUIRE_GPU");
+  const std::string reason = missing();
+  if(reason.empty()) {
+    const Mesh mesh = mesh_of(Recipe{"torus", {2000, 1, 0}});
+    Pairs pairs;
+    CGAL::handle_tunnel_loops<CGAL::Cuda_tag>(mesh, std::back_inserter(pairs));
+    EXPECT_EQ(pairs.size(), 1u);
+  } else if(required != nullptr && std::string(required) == "1")
+    FAIL() << "no CUDA device, but HTL_REQUIRE_GPU=1: " << reason;
+  else
+    GTEST_SKIP() << "no CUDA device: " << reason;
+}
+
+TEST_F(Gpu, AgreesWithTheHostOnSmoothSurfaces) {
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3}, 1)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const auto solver = make_cuda_solver(mesh, {});
+    expect_agreement(*solver, mesh, static_cast<Index>(mesh.number_of_vertices() / 2), {});
+  }
+}
+
+TEST_F(Gpu, AgreesWithTheHostOnRandomSurfaces) {
+  Random random(1);
+  for(int i = 0; i < 40; ++i) {
+    const Recipe recipe = random_recipe(random, 10);
+    const Field_constants c = i % 2 == 0 ? Field_constants() : random_constants(random);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    SCOPED_TRACE(testing::Message() << recipe);
+    const auto solver = make_cuda_solver(mesh, {});
+    expect_agreement(*solver, mesh, static_cast<Index>(random.below(mesh.number_of_vertices())), c);
+  }
+}
+
+TEST_F(Gpu, LabelsFrontsAsConnectedComponents) {
+  Random random(3);
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 5}, 1)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const auto solver = make_cuda_solver(mesh, {});
+    solver->sweep({0}, step_coefficients({}), go_on);
+    expect_front_labels(*solver, mesh, random);
+  }
+}
+
+// Large enough to have more vertices than the device has threads.
+TEST_F(Gpu, FindsTheLoopsOfTheHost) {
+  for(const Recipe& recipe : {Recipe{"torus", {1000000, 1, 0}}, Recipe{"gyroid", {200000, 100, 0}},
+                              Recipe{"sponge", {8000, 40, 1}}, Recipe{"random", {2000, 60, 2}}})
+  {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Mesh mesh = mesh_of(recipe);
+    expect_same(find(mesh), find_loops(mesh));
+  }
+}
+
+TEST_F(Gpu, RunsOnAnyDeviceAndStream) {
+  const Mesh mesh = mesh_of(Recipe{"multi-torus", {4000, 3, 0}});
+  const Pairs expected = find_loops(mesh);
+  int count = 0, before = 0, after = 0;
+  ASSERT_EQ(cudaGetDeviceCount(&count), cudaSuccess);
+  for(int device = 0; device < count; ++device) {
+    ASSERT_EQ(cudaSetDevice(device), cudaSuccess);
+    cudaStream_t stream = nullptr;
+    ASSERT_EQ(cudaStreamCreate(&stream), cudaSuccess);
+    ASSERT_EQ(cudaSetDevice(0), cudaSuccess);
+    ASSERT_EQ(cudaGetDevice(&before), cudaSuccess);
+    expect_same(find(mesh, {device, stream}), expected);
+    ASSERT_EQ(cudaGetDevice(&after), cudaSuccess);
+    EXPECT_EQ(after, before);
+    EXPECT_EQ(cudaStreamDestroy(stream), cudaSuccess);
+  }
+  EXPECT_THROW(find(mesh, {count, nullptr}), No_device_exception);
+}
+
+TEST_F(Gpu, RunsInSeveralThreadsAtOnce) {
+  const Mesh mesh = mesh_of(Recipe{"lattice", {6000, 12, 0}});
+  const Pairs expected = find_loops(mesh);
+  std::vector<Pairs> found(4);
+  std::vector<std::thread> threads;
+  for(Pairs& pairs : found)
+    threads.emplace_back([&] { pairs = find(mesh); });
+  for(std::thread& thread : threads)
+    thread.join();
+  for(const Pairs& pairs : found)
+    expect_same(pairs, expected);
+}
+
+TEST_F(Gpu, GivesBackAllMemory) {
+  const Mesh mesh = mesh_of(Recipe{"gyroid", {50000, 25, 0}});
+  std::size_t before = 0, after = 0, total = 0;
+  find(mesh); // what the runtime itself takes
+  ASSERT_EQ(cudaMemGetInfo(&before, &total), cudaSuccess);
+  for(int i = 0; i < 3; ++i)
+    find(mesh);
+  ASSERT_EQ(cudaMemGetInfo(&after, &total), cudaSuccess);
+  EXPECT_EQ(after, before);
+}
+
+} // namespace
