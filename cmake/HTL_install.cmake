@@ -15,6 +15,14 @@ install(TARGETS Handle_tunnel_loops EXPORT Handle_tunnel_loopsTargets)
 install(EXPORT Handle_tunnel_loopsTargets
   NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
 
+if(TARGET Handle_tunnel_loops_cuda)
+  set_target_properties(Handle_tunnel_loops_cuda PROPERTIES EXPORT_NAME cuda)
+  install(TARGETS Handle_tunnel_loops_cuda htl_cuda EXPORT Handle_tunnel_loopsCudaTargets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(EXPORT Handle_tunnel_loopsCudaTargets
+    NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
+endif()
+
 configure_package_config_file(cmake/Handle_tunnel_loopsConfig.cmake.in
   Handle_tunnel_loopsConfig.cmake INSTALL_DESTINATION "${_htl_config_dir}")
 write_basic_package_version_file(Handle_tunnel_loopsConfigVersion.cmake

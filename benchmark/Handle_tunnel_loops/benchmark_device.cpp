@@ -1,0 +1,150 @@
+// Measures the computation on a CUDA device, from arrays on the host to loops on the host, stage by
+// stage, and the initial pass against its floor: the bytes that its updates move at least, at the
+// bandwidth of the device, and its steps, at the cost of a barrier.
+//
+//   benchmark_device [-n RUNS] [KIND:FACES:GENUS]...
+//
+// Without arguments: a suite of generated meshes. Each figure is the median of the runs. Fails if
+// there is no device.
+
+#include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/handle_tunnel_loops.h>
+
+#include "generators/generators.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace HTL = CGAL::Handle_tunnel_loops;
+namespace impl = HTL::internal;
+using HTL::Stage;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Pair = CGAL::Handle_tunnel_pair<Mesh>;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point began) {
+  return std::chrono::duration<double>(Clock::now() - began).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Mesh make_mesh(const std::string& request) {
+  std::istringstream in(request);
+  std::string kind, faces, genus;
+  std::getline(in, kind, ':');
+  std::getline(in, faces, ':');
+  std::getline(in, genus, ':');
+  for(const HTL::generators::Kind& k : HTL::generators::kinds())
+    if(kind == k.name) {
+      const auto soup = k.make({std::stoull(faces), std::stoull(genus), 0});
+      Mesh mesh;
+      mesh.reserve(soup.points.size(), soup.triangles.size() * 3 / 2, soup.triangles.size());
+      for(const auto& p : soup.points)
+        mesh.add_vertex(Mesh::Point(p[0], p[1], p[2]));
+      for(const auto& t : soup.triangles)
+        mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+      return mesh;
+    }
+  throw std::invalid_argument("there is no kind of mesh " + request);
+}
+
+// What one update moves at least: its place in two lists of the band, its row, two values, and its
+// neighbours' values once for all of them.
+constexpr double bytes_per_update = 2 * 4 + 4 + 6 * 4 + 2 * 4 + 4;
+
+void measure_initial_pass(const Mesh& mesh, const impl::device::Ceilings& ceilings, int runs) {
+  const auto index = get(boost::vertex_index, mesh);
+  const auto point = get(CGAL::vertex_point, mesh);
+  using Execution = decltype(impl::execution<CGAL::Parallel_if_available_tag>());
+  const impl::Flat_mesh flat =
+      impl::Flat_mesh_builder<Mesh, std::decay_t<decltype(index)>, std::decay_t<decltype(point)>,
+                              Execution>(mesh, index, point)
+          .build();
+  const auto solver = impl::device::make_cuda_solver(flat, {});
+  std::vector<double> seconds;
+  for(int i = 0; i <= runs; ++i) {
+    const auto began = Clock::now();
+    solver->sweep(flat.seeds, impl::step_coefficients({}), [](double) { return true; });
+    if(i > 0) // the first run loads the code
+      seconds.push_back(seconds_since(began));
+  }
+  const double sweeps = runs + 1;
+  const double updates = double(solver->costs().number_of_updates) / sweeps;
+  const double steps = double(solver->costs().number_of_steps) / sweeps;
+  const double moving = updates * bytes_per_update / ceilings.bytes_per_second;
+  const double waiting = steps * (std::min)(ceilings.seconds_per_step, ceilings.seconds_per_launch);
+  std::printf("  initial pass alone: %.4f s; %.4g updates, %.0f steps; floor %.4f s (memory %.4f, "
+              "steps %.4f), ratio %.2f\n",
+              median(seconds), updates, steps, moving + waiting, moving, waiting,
+              median(seconds) / (moving + waiting));
+}
+
+void measure_all(const Mesh& mesh, int runs) {
+  std::vector<std::vector<double>> stages(HTL::number_of_stages);
+  std::vector<double> totals;
+  HTL::Statistics statistics;
+  for(int i = 0; i < runs; ++i) {
+    std::vector<Pair> pairs;
+    CGAL::Handle_tunnel_loops_solver<Mesh> solver(CGAL::Parallel_if_available_tag(), mesh,
+                                                  CGAL::parameters::default_values());
+    solver.find_loops<CGAL::Cuda_tag>(std::back_inserter(pairs));
+    statistics = solver.statistics();
+    for(std::size_t s = 0; s < stages.size(); ++s)
+      stages[s].push_back(statistics.seconds[s]);
+    totals.push_back(statistics.total_seconds() - statistics.seconds_of(Stage::ADAPTOR) -
+                     statistics.seconds_of(Stage::CERTIFICATE));
+  }
+  std::printf(" ");
+  for(std::size_t s = 0; s < stages.size(); ++s)
+    std::printf(" %s %.3f,", HTL::stage_name(static_cast<Stage>(s)), median(stages[s]));
+  std::printf(" arrays to loops %.3f s; %.0f bytes of the device per face\n", median(totals),
+              double(statistics.device_bytes) / double(statistics.number_of_faces));
+}
+
+void measure(const std::string& request, const impl::device::Ceilings& ceilings, int runs) {
+  const Mesh mesh = make_mesh(request);
+  std::printf("%s: %zu faces\n", request.c_str(), std::size_t(num_faces(mesh)));
+  measure_initial_pass(mesh, ceilings, runs);
+  measure_all(mesh, runs);
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  int runs = 3, first = 1;
+  if(argc > 2 && std::string(argv[1]) == "-n") {
+    runs = std::atoi(argv[2]);
+    first = 3;
+  }
+  std::vector<std::string> requests(argv + first, argv + argc);
+  if(requests.empty())
+    requests = {"gyroid:1000000:250", "torus:1000000:1",    "torus:10000000:1",
+                "lattice:10000000:3", "gyroid:10000000:30", "gyroid:10000000:1000"};
+  try {
+    const impl::device::Ceilings ceilings = impl::device::measure_ceilings(-1);
+    std::printf("%s, %s: %.0f GB/s, %.2f us a launch, %.2f us a barrier\n", ceilings.device.c_str(),
+                ceilings.versions.c_str(), 1e-9 * ceilings.bytes_per_second,
+                1e6 * ceilings.seconds_per_launch, 1e6 * ceilings.seconds_per_step);
+    for(const std::string& request : requests)
+      measure(request, ceilings, (std::max)(1, runs));
+  } catch(const std::exception& e) {
+    std::fprintf(stderr, "benchmark_device: %s\n", e.what());
+    return 1;
+  }
+  return 0;
+}

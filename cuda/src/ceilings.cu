@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "Cuda_executor.cuh"
+#include "Stream.cuh"
+#include "devices.cuh"
+
+#include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace htl_cuda {
+namespace {
+
+using CGAL::Handle_tunnel_loops::internal::device::Ceilings;
+
+/// Measures the time between two places in a stream.
+class Stopwatch
+{
+public:
+  explicit Stopwatch(cudaStream_t stream)
+      : stream_(stream) {
+    check(cudaEventCreate(&begin_), "making an event");
+    check(cudaEventCreate(&end_), "making an event");
+    check(cudaEventRecord(begin_, stream), "recording an event");
+  }
+  ~Stopwatch() {
+    cudaEventDestroy(begin_);
+    cudaEventDestroy(end_);
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+  double seconds() {
+    check(cudaEventRecord(end_, stream_), "recording an event");
+    check(cudaEventSynchronize(end_), "measuring");
+    float milliseconds = 0.f;
+    check(cudaEventElapsedTime(&milliseconds, begin_, end_), "measuring");
+    return 1e-3 * milliseconds;
+  }
+
+private:
+  cudaStream_t stream_;
+  cudaEvent_t begin_ = nullptr, end_ = nullptr;
+};
+
+/// A program of steps in which nothing is done.
+struct Nothing
+{
+  Index number_of_steps;
+
+  struct State
+  {
+    Index step;
+  };
+  __host__ __device__ State load() const { return {0}; }
+  __host__ __device__ void store(const State&) const {}
+  __host__ __device__ bool begin_step(State& state) const { return state.step++ < number_of_steps; }
+  __host__ __device__ void clear_ahead(const State&) const {}
+  __host__ __device__ Index size(const State&) const { return 0; }
+  __host__ __device__ void end_step(State&) const {}
+  __host__ __device__ void operator()(Index, const State&) const {}
+};
+
+/// Copies one array to another.
+struct Copy
+{
+  const float4* from;
+  float4* to;
+  __host__ __device__ void operator()(Index i) const { to[i] = from[i]; }
+};
+
+/// Does nothing.
+struct Idle
+{
+  __host__ __device__ void operator()(Index) const {}
+};
+
+// The best of a few runs, after one that does not count.
+template <typename Run> double seconds_of(cudaStream_t stream, const Run& run) {
+  run();
+  double best = 1e9;
+  for(int i = 0; i < 5; ++i) {
+    Stopwatch stopwatch(stream);
+    run();
+    best = std::min(best, stopwatch.seconds());
+  }
+  return best;
+}
+
+std::string version_of(int version) {
+  return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+}
+
+} // namespace
+} // namespace htl_cuda
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+Ceilings measure_ceilings(int device) {
+  using namespace htl_cuda;
+  device = usable_device(device);
+  const Current_device current(device);
+  Ceilings ceilings;
+  cudaDeviceProp properties;
+  check(cudaGetDeviceProperties(&properties, device), "asking for the properties of the device");
+  ceilings.device = properties.name;
+  int driver = 0, runtime = 0;
+  check(cudaDriverGetVersion(&driver), "asking for the version of the driver");
+  check(cudaRuntimeGetVersion(&runtime), "asking for the version of the runtime");
+  ceilings.versions = "driver " + version_of(driver) + ", runtime " + version_of(runtime);
+
+  const Stream stream(nullptr);
+  Cuda_executor executor(device, stream.get());
+  const std::size_t size = std::min<std::size_t>(std::size_t(1) << 26, executor.free_bytes() / 64);
+  const Device_buffer<float4> from = executor.make<float4>(size), to = executor.make<float4>(size);
+  const double copying = seconds_of(stream.get(), [&] {
+    executor.for_each(size, Copy{from.span().data(), to.span().data()});
+  });
+  ceilings.bytes_per_second = 2. * sizeof(float4) * double(size) / copying;
+
+  constexpr Index number = 1000;
+  ceilings.seconds_per_launch = seconds_of(stream.get(),
+                                           [&] {
+                                             for(Index i = 0; i < number; ++i)
+                                               executor.for_each(1, Idle());
+                                           }) /
+                                number;
+  ceilings.seconds_per_step =
+      seconds_of(stream.get(), [&] { executor.run(Nothing{number}); }) / number;
+  return ceilings;
+}
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
