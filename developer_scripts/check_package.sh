@@ -118,6 +118,16 @@ check_package_info() {
   grep -qx 'GPL (v3 or later)' "$info/license.txt" || complain "$info/license.txt: not $licence"
 }
 
+# What is compiled for a device includes no header of CGAL, only of this package.
+check_device_headers() {
+  local header
+  {
+    files 'cuda/*.cu' 'cuda/*.cuh' | xargs -r grep -h '^#include <CGAL/' | sort -u
+    echo "#include <CGAL/$package/internal/device/Host_executor.h>"
+  } | "${CXX:-c++}" -std=c++17 -Iinclude -x c++ -M - | tr -s ' \\' '\n' | grep '/CGAL/' |
+    grep -v '^include/' | while read -r header; do complain "cuda: includes $header"; done
+}
+
 # The list was made with CGAL 5.5; other releases include other packages.
 check_dependencies() {
   local list=package_info/$package/dependencies
@@ -188,6 +198,7 @@ check_headers
 check_header_code
 check_program_folders
 check_package_info
+check_device_headers
 check_dependencies
 check_manual_examples
 check_manual_headers
