@@ -38,9 +38,11 @@ proved for every answer, by a method of its own, before it is returned
 The method follows \cgalCite{weinrauch2023variational}: a phase field grows from one vertex over the
 surface; where two of its fronts meet there is a handle (section 4.1). A field from one side of that
 front to the other finds the tunnel (4.2), a field from one side of the tunnel to the other a better
-handle (4.3). The loops are then pulled taut in their homotopy classes, and told apart by their
-growth along the normals (4.5). Several connected components are treated at once; a component of
-genus 0 contributes nothing.
+handle (4.3). The loops are then pulled taut in their homotopy classes. Which loop of a pair is the
+handle is decided by linking numbers: it bounds in the solid, or the other one bounds outside of it
+(`Handle_tunnel_loops::Loop_linking`). Where these do not tell, it is the loop that grows more when
+both are moved along the normals (4.5). Several connected components are treated at once; a
+component of genus 0 contributes nothing.
 
 Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover;
 memory is about 60 bytes per face, and 5 more for each thread.
@@ -104,6 +106,12 @@ nothing has been written to `out`.} \cgalParamNEnd \cgalParamNBegin{visitor}
   \cgalParamNEnd
   \cgalParamNBegin{do_tighten}
     \cgalParamDescription{whether to pull the loops taut in their homotopy classes}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_compute_linking}
+    \cgalParamDescription{whether linking numbers tell handles from tunnels; otherwise the growth
+      along the normals does, and it is not known which loops bound inside and outside}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

@@ -10,10 +10,11 @@
 #include "command.h"
 #include "failure.h"
 #include "help_style.h"
+#include "linking_words.h"
 #include "loops_binding.h"
 #include "loops_json_reader.h"
 #include "mesh_reader.h"
-#include "words.h"
+#include "self_contact.h"
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 
@@ -32,7 +33,6 @@ struct Check_options
 };
 
 using CGAL::Handle_tunnel_loops::Certificate;
-using CGAL::Handle_tunnel_loops::Loop_linking;
 
 constexpr std::size_t largest_number_of_lines = 10;
 
@@ -61,57 +61,42 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::string name_of_loop(std::size_t loop) {
-  return "pair " + std::to_string(loop / 2) + ", " + name_of(loop_types[loop % 2]);
+// The names of handles and tunnels are wrong, and nothing else.
+bool has_wrong_types_only(const Certificate& c) {
+  return c.closed_on_surface && c.basis && c.pairing && !c.types;
 }
 
-// "2 with pair 0, handle and -1 with itself"
-std::string numbers(const std::vector<Loop_linking::Number>& row, std::size_t loop) {
-  constexpr std::size_t largest_number_of_numbers = 4;
-  std::string text;
-  for(std::size_t i = 0; i < row.size() && i < largest_number_of_numbers; ++i)
-    text += (text.empty() ? "" : "; ") + std::to_string(row[i].second) + " with " +
-            (row[i].first == loop ? "itself" : name_of_loop(row[i].first));
-  return text + (row.size() > largest_number_of_numbers ? "; ..." : "");
-}
-
-// What is no failure, but should be known: loops that bound on neither side, or may do so.
-std::vector<std::string> remarks(const Certificate& certificate) {
-  std::vector<std::string> lines;
-  for(std::size_t i = 0; i < certificate.linking.size(); ++i) {
-    const Loop_linking& linking = certificate.linking[i];
-    if(!linking.problem.empty())
-      lines.push_back(name_of_loop(i) + ": undecided, " + linking.problem);
-    else if(!linking.bounds_inside() && !linking.bounds_outside())
-      lines.push_back(
-          name_of_loop(i) +
-          ": bounds on neither side, by its linking numbers with loops pushed outwards (" +
-          numbers(linking.row, i) + ") and of loops with it pushed outwards (" +
-          numbers(linking.column, i) + ")");
-  }
-  return lines;
-}
-
-// What has been found to be right.
-std::string praise(const Certificate& certificate, std::size_t number_of_pairs) {
-  const std::string text = "the " + std::to_string(2 * number_of_pairs) +
+// What has been found to be right, and what is no failure but should be known.
+std::string praise(const Certificate& certificate, bool is_boundary_of_solid) {
+  const std::size_t number_of_loops = certificate.linking.size();
+  const std::string text = "the " + std::to_string(number_of_loops) +
                            " loops are closed, lie on the surface and are a basis of H1(S; Z)";
-  if(number_of_pairs == 0)
+  if(number_of_loops == 0)
     return text;
+  std::vector<std::string> remarks;
+  if(!is_boundary_of_solid)
+    remarks.push_back(
+        "the surface touches or crosses itself: where it does, there is no inside and "
+        "outside, and loops bound by their linking numbers alone");
+  for(const auto& lines : {lines_of(certificate.failure), remarks_on_sides(certificate)})
+    remarks.insert(remarks.end(), lines.begin(), lines.end());
   return text + "; each tunnel loop crosses its handle loop once\n" +
-         summary_of_sides(certificate) + list(remarks(certificate));
+         summary_of_sides(certificate) + list(remarks);
 }
 
 void run(const Check_options& options) {
   const Mesh mesh = read_mesh(options.mesh_file);
   const Bound_loops loops = bind_loops(read_loops_json(options.loops_file), mesh);
   require_none(options.loops_file, loops.problems);
-  const auto certificate =
+  const Certificate certificate =
       CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(mesh, loops.pairs);
-  if(!certificate)
+  const bool is_boundary_of_solid = loops.pairs.empty() || !touches_itself(mesh);
+  // Names mean nothing where there is no inside.
+  if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
     require_none(options.loops_file, lines_of(certificate.failure));
   if(!options.is_quiet)
-    std::cout << options.loops_file << ": " << praise(certificate, loops.pairs.size()) << std::endl;
+    std::cout << options.loops_file << ": " << praise(certificate, is_boundary_of_solid)
+              << std::endl;
 }
 
 constexpr char description[] =

@@ -10,8 +10,8 @@
 #include "loops_json_writer.h"
 
 #include "json_pieces.h"
+#include "linking_words.h"
 #include "text_writer.h"
-#include "words.h"
 
 #include <optional>
 

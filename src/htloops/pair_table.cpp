@@ -9,6 +9,7 @@
 
 #include "pair_table.h"
 
+#include "linking_words.h"
 #include "loop_colours.h"
 #include "words.h"
 

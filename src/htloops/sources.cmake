@@ -16,6 +16,7 @@ set(HTLOOPS_SOURCES
   host_backend.cpp
   input_file.cpp
   interrupt.cpp
+  linking_words.cpp
   loops_binding.cpp
   loops_command.cpp
   loops_json_reader.cpp
@@ -36,6 +37,7 @@ set(HTLOOPS_SOURCES
   reeb_exports.cpp
   reeb_json_writer.cpp
   reeb_solver.cpp
+  self_contact.cpp
   soup_diagnosis.cpp
   soup_reader.cpp
   stl_guard.cpp

@@ -23,8 +23,10 @@
 namespace CGAL {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// The two kinds of loops: a handle loop bounds a disc in the solid inside the surface, a tunnel
-/// loop bounds a surface in the space outside it.
+/// The two kinds of loops: a handle loop bounds a surface in the solid inside the surface, a tunnel
+/// loop bounds one in the space outside it. A short loop need not bound on either side
+/// (`Handle_tunnel_loops::Loop_linking` tells); then these are the names of the loop that is more
+/// like a handle, and of the other.
 enum class Loop_type { HANDLE, TUNNEL };
 
 /*!
