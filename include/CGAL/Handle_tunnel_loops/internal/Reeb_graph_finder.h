@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Diffusion_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
+#include <CGAL/Handle_tunnel_loops/internal/Offset_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/Reeb_finishing.h>
 #include <CGAL/Handle_tunnel_loops/internal/Reeb_sweep.h>
 
@@ -38,10 +39,14 @@ std::vector<Time> diffusion_times(const Flat_mesh& mesh,
     typename Loop_finder<Execution>::Options options;
     options.constants = constants;
     Loop_finder<Execution> finder(mesh, mesh.seeds, options, progress);
-    finder.initial_pass();
+    finder.initial_pass(statistics);
     finder.tunnel_pass(statistics);
     finder.refinement_pass(statistics);
-    pairs = finder.classified_pairs();
+    pairs = finder.finished_pairs();
+    const Offset_lengths lengths(mesh);
+    for(Flat_pair& pair : pairs)
+      if(lengths.growth(pair.handle) < lengths.growth(pair.tunnel))
+        std::swap(pair.handle, pair.tunnel);
   }
   progress.start(Stage::CERTIFICATE);
   Diffusion_field<Execution> field(mesh, constants);

@@ -19,7 +19,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Loop_pass.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Offset_lengths.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <algorithm>
@@ -102,17 +101,11 @@ public:
     progress_.end(Stage::REFINE);
   }
 
-  /// paper, 4.5
-  std::vector<Flat_pair> classified_pairs() {
-    progress_.start(Stage::CLASSIFY);
-    const Offset_lengths lengths(mesh_);
+  /// the pairs; which loop of a pair is the handle remains to be seen.
+  std::vector<Flat_pair> finished_pairs() const {
     std::vector<Flat_pair> pairs;
-    for(std::size_t k = 0; k < handles_.size(); ++k) {
+    for(std::size_t k = 0; k < handles_.size(); ++k)
       pairs.push_back({handles_[k], tunnels_[k]});
-      if(lengths.growth(handles_[k]) < lengths.growth(tunnels_[k]))
-        std::swap(pairs[k].handle, pairs[k].tunnel);
-    }
-    progress_.end(Stage::CLASSIFY);
     return pairs;
   }
 

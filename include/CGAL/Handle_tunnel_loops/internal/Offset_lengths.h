@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_OFFSET_LENGTHS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_OFFSET_LENGTHS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_OFFSET_LENGTHS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_OFFSET_LENGTHS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -19,10 +19,10 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace reference {
 
 /// Tells handle loops from tunnel loops as the paper does (4.5): by the length of the loop after it
-/// has been moved slightly along the normals.
+/// has been moved slightly along the normals. In floating point, for uses in which a wrong name
+/// does no harm.
 class Offset_lengths
 {
 public:
@@ -79,9 +79,8 @@ private:
   std::vector<double> volume_; // by component, eighteen times what it encloses
 };
 
-} // namespace reference
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_OFFSET_LENGTHS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_OFFSET_LENGTHS_H
