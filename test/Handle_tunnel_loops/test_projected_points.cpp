@@ -4,6 +4,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/Linking_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/Sparse_matrix.h>
 #include <CGAL/Handle_tunnel_loops/internal/Surface_curves.h>
@@ -133,6 +134,68 @@ TEST(Collinear, IsDecidedExactly) {
   EXPECT_TRUE(are_collinear(a, a, {5., 1., 2.}));
   EXPECT_TRUE(are_collinear({-1e300, 0., 0.}, {1e300, 0., 0.}, {1e-300, 0., 0.}));
   EXPECT_FALSE(are_collinear({-1e300, 0., 0.}, {1e300, 0., 0.}, {1e-300, 1e-300, 0.}));
+}
+
+// A line of loop 0 beside an edge of loop 1: over it, under it, short of it, or touching it.
+class Line_and_edge : public testing::Test
+{
+protected:
+  // The line leads from (1, y, z) to (1, 1, 0), the edge from (0, 0, 0) to (2, 0, 0).
+  void link(double y, double z) {
+    Surface_curves curves;
+    curves.vertices = {
+        {0., 0., 0.}, {2., 0., 0.}, {1., 1., 1.}, {1., 2. * y - 1., 2. * z - 1.}, {1., 1., -1.}};
+    curves.edges = {{0, 1, 2, 4}};
+    curves.corners = {{2, 3, 4, 0}};
+    curves.walks.add(0, 1, 1);
+    curves.walks.finish(1);
+    curves.crossings.finish(1);
+    curves.outward = {1, 1};
+    Linking_numbers numbers(curves);
+    numbers.link(Sequential_execution());
+    contacts = numbers.contacts().size();
+    value = numbers.linking().empty() ? 0 : numbers.linking().front().value;
+  }
+
+  std::size_t contacts = 0;
+  std::int64_t value = 0;
+};
+
+constexpr double smallest_step = 0x1p-53;
+
+TEST_F(Line_and_edge, TouchAtTheEnd) {
+  link(0., 0.);
+  EXPECT_EQ(contacts, 1u);
+}
+
+TEST_F(Line_and_edge, TouchWithin) {
+  link(-1., 0.);
+  EXPECT_EQ(contacts, 1u);
+  link(-smallest_step, 0.);
+  EXPECT_EQ(contacts, 1u);
+}
+
+TEST_F(Line_and_edge, MayEndShortOfEachOther) {
+  link(smallest_step, 0.);
+  EXPECT_EQ(contacts, 0u);
+  EXPECT_EQ(value, 0);
+}
+
+// Only one of the two counts: the line is seen above the edge, if it is seen to cross it.
+TEST_F(Line_and_edge, MayPassEachOther) {
+  link(-1., -1.);
+  EXPECT_EQ(contacts, 0u);
+  EXPECT_EQ(value, 0);
+  link(-1., 1.);
+  EXPECT_EQ(contacts, 0u);
+  const std::int64_t above = value;
+  EXPECT_EQ(above, -1);
+  link(-1., smallest_step);
+  EXPECT_EQ(contacts, 0u);
+  EXPECT_EQ(value, above);
+  link(-1., -smallest_step);
+  EXPECT_EQ(contacts, 0u);
+  EXPECT_EQ(value, 0);
 }
 
 TEST(Boxes, AreFoundWhereTheyMeet) {

@@ -42,10 +42,12 @@ struct Certificate
   /// how each loop lies in space, handles and tunnels in turn; empty if that was not asked for.
   std::vector<Loop_linking> linking;
 
-  /// the number of handle loops that bound in the solid, if linking numbers were computed.
+  /// the number of handle loops that bound in the solid, if linking numbers were computed and the
+  /// loops are a basis.
   std::optional<std::size_t> handles_bound_inside;
 
-  /// the number of tunnel loops that bound outside the solid, if linking numbers were computed.
+  /// the number of tunnel loops that bound outside the solid, if linking numbers were computed and
+  /// the loops are a basis.
   std::optional<std::size_t> tunnels_bound_outside;
 
   /// in words, what failed, a line for each failure; empty if nothing did.

@@ -133,7 +133,7 @@ public:
     check_pairing(failures);
     check_types(failures);
     certificate_.failure = words(failures);
-    if(is_linked_)
+    if(is_linked_ && certificate_.basis)
       count();
     return std::move(certificate_);
   }

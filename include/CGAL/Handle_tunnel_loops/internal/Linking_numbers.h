@@ -303,19 +303,25 @@ private:
     return (edge.source == c.apex || edge.target == c.apex) && (other == c.from || other == c.to);
   }
 
-  // 0 unless the corner is seen to pass over the edge; 1 if the edge then leads to the left. If a
-  // line is seen as a point all turns are zero, and it crosses nothing.
+  // 0 unless the corner is seen to pass over the edge; 1 if the edge then leads to the left.
   int crossing(Index c, Index e) {
     const Index a = first_end(c), b = a + 1;
     const Index p = curves_.edges[e].source, q = curves_.edges[e].target;
+    if(points_.turn(a, b, p) * points_.turn(a, b, q) > 0 ||
+       points_.turn(p, q, a) * points_.turn(p, q, b) > 0)
+      return 0;
+    // They are seen to meet. If they lie in a plane they do meet.
+    const int side = points_.side(a, b, p, q);
+    if(side == 0) {
+      add_contact({c, e});
+      return 0;
+    }
+    // If a line is seen as a point all turns are zero, and it crosses nothing.
     const int sense = points_.turn_of_moved(a, b, q);
     if(sense == points_.turn_of_moved(a, b, p) ||
        points_.turn_to_moved(p, q, a) == points_.turn_to_moved(p, q, b))
       return 0;
-    const int height = points_.side(a, b, p, q) * sense;
-    if(height == 0)
-      add_contact({c, e});
-    return height > 0 ? sense : 0;
+    return side == sense ? sense : 0;
   }
 
   const Surface_curves& curves_;
