@@ -101,6 +101,21 @@ TYPED_TEST(Solver, StartsFromAnySeed) {
   }
 }
 
+// A slow front, a wide one and a fast one.
+TYPED_TEST(Solver, TakesOtherConstantsOfTheField) {
+  std::vector<CGAL::Handle_tunnel_loops::Field_constants> variants(3);
+  variants[0].step = 0.02;
+  variants[1].gradient_coefficient = 0.2;
+  variants[2].driving_force = 0.2;
+  const Mesh mesh = mesh_of({"multi-torus", {900, 2, 0}});
+  for(const auto& constants : variants) {
+    Pairs pairs;
+    CGAL::handle_tunnel_loops<TypeParam>(mesh, std::back_inserter(pairs),
+                                         CGAL::parameters::field_constants(constants));
+    expect_handle_tunnel_pairs(mesh, pairs, 2);
+  }
+}
+
 TYPED_TEST(Solver, MayLeaveOutTheRefinement) {
   const Mesh mesh = mesh_of({"gyroid", {3000, 5, 0}});
   Pairs pairs;

@@ -39,7 +39,7 @@ Each step costs time in proportion to the whole mesh and there are about as many
 is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is
 about 700 bytes per vertex.
 
-It needs \eigen; the macro `CGAL_EIGEN3_ENABLED` has to be defined, as it is in programs that are
+It needs Eigen; the macro `CGAL_EIGEN3_ENABLED` has to be defined, as it is in programs that are
 linked with the target `CGAL::Eigen3_support`.
 */
 struct Reference_tag : public Sequential_tag

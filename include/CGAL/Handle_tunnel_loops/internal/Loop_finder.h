@@ -307,7 +307,9 @@ private:
   std::unique_ptr<Crossing_index> contour_index_;
 };
 
-/// The finder that a concurrency tag stands for. Specialised where a tag asks for another one.
+/// The finder that a concurrency tag stands for. Specialised where a tag asks for another one,
+/// which has the same `Options` and the same passes, to be called in their order, and takes part in
+/// the tests of agreement.
 template <typename ConcurrencyTag> struct Loop_finder_of
 {
   using type = Loop_finder<decltype(execution<ConcurrencyTag>())>;

@@ -55,7 +55,7 @@ public:
       , successors_(1) {}
 
   const std::vector<Front_event>& events() const { return events_; }
-  std::vector<Front_meeting>& meetings() { return meetings_; }
+  const std::vector<Front_meeting>& meetings() const { return meetings_; }
 
   /// one more than the largest layer; 0 is the base layer.
   std::size_t number_of_layers() const { return successors_.size(); }
@@ -76,8 +76,7 @@ public:
   template <typename Values> void cover(Index v, std::size_t step, const Values& covered) {
     const Crossing behind = front_before(v);
     const Index layer = layer_of(behind);
-    const bool is_closing = closes(v);
-    if(is_closing)
+    if(closes(v))
       log(Front_event_type::CLOSING, step, v,
           {record(layer, placed(Fronts(region_).loop(behind), covered))}, {});
     region_.add(v);

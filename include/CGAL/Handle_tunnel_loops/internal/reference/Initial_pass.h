@@ -20,7 +20,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Layered_field.h>
 
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,8 +38,11 @@ A merge is a contact of fronts, not of bands: two layers that were just split st
 class Initial_pass
 {
 public:
-  Initial_pass(const Flat_mesh& mesh, const Field_constants& constants, std::vector<Index> seeds)
+  Initial_pass(const Flat_mesh& mesh,
+               const Field_constants& constants,
+               const std::vector<Index>& seeds)
       : mesh_(mesh)
+      , patience_(patience(constants))
       , field_(mesh, constants)
       , arrivals_(mesh)
       , tracker_(mesh) {
@@ -50,7 +52,6 @@ public:
   const Layered_field& field() const { return field_; }
   const Arrivals& arrivals() const { return arrivals_; }
   const Front_tracker& tracker() const { return tracker_; }
-  Front_tracker& tracker() { return tracker_; }
 
   bool is_done() const { return arrivals_.number_of_reached() == mesh_.number_of_vertices(); }
 
@@ -63,7 +64,7 @@ public:
     resolve_rows();
     if(arrivals_.number_of_reached() != reached_before)
       last_progress_ = arrivals_.number_of_steps();
-    else if(arrivals_.number_of_steps() - last_progress_ > patience)
+    else if(arrivals_.number_of_steps() - last_progress_ > patience_)
       push_on(covered);
   }
 
@@ -89,9 +90,6 @@ public:
 
 private:
   using Values = Layered_field::Vector_of_values;
-
-  // A front that moves at all passes a vertex in far fewer steps.
-  static constexpr std::size_t patience = 64;
 
   // The region of a seed is the seed and its neighbors.
   void start(const std::vector<Index>& seeds) {
@@ -198,6 +196,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
+  std::size_t patience_;
   Layered_field field_;
   Arrivals arrivals_;
   Front_tracker tracker_;

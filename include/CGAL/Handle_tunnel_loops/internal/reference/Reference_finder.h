@@ -44,12 +44,12 @@ public:
 
   /// \p seeds are the vertices to start from, one in each component.
   Reference_finder(const Flat_mesh& mesh,
-                   std::vector<Index> seeds,
+                   const std::vector<Index>& seeds,
                    const Options& options,
                    Progress& progress)
       : mesh_(mesh)
       , progress_(progress)
-      , initial_pass_(mesh, options.constants, std::move(seeds))
+      , initial_pass_(mesh, options.constants, seeds)
       , loop_pass_(mesh, options.constants) {}
 
   /// paper, 4.1

@@ -71,7 +71,7 @@ public:
         steps_at_rest = 0;
         continue;
       }
-      if(++steps_at_rest < patience)
+      if(++steps_at_rest < patience(constants_))
         continue;
       if(!push_on(reached))
         break;
@@ -81,9 +81,6 @@ public:
   }
 
 private:
-  // A front that moves at all passes a vertex in far fewer steps.
-  static constexpr std::size_t patience = 64;
-
   template <typename Reached> void step(const Reached& reached) {
     const Eigen::ArrayXd before = phi_;
     const Eigen::ArrayXd diffusion = (laplacian_ * phi_.matrix()).array();

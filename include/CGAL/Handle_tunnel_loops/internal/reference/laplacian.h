@@ -19,6 +19,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -56,6 +58,14 @@ inline Eigen::SparseMatrix<double, Eigen::RowMajor> laplacian(const Flat_mesh& m
 /// the value itself, becomes negative.
 inline double time_step(const Field_constants& c) {
   return c.step / (0.5 * c.mobility * 4. * c.gradient_coefficient);
+}
+
+/// A number of steps in which a front that moves at all has passed many edges (its speed is that of
+/// `Field_constants`); if it has not reached a vertex in so many, it is at rest.
+inline std::size_t patience(const Field_constants& c) {
+  const double speed = c.mobility * c.driving_force * std::sqrt(c.gradient_coefficient) /
+                       (2. * std::sqrt(2. * c.penalty));
+  return static_cast<std::size_t>(20. / (speed * time_step(c))) + 20;
 }
 
 } // namespace reference
