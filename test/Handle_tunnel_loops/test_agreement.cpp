@@ -82,7 +82,7 @@ TYPED_TEST(Solver, FindsLoopsOfSimilarLengths) {
   for(const Recipe& recipe : recipes_of_all_kinds({1, 2, 7}, 1))
     if(recipe.kind != "random") {
       SCOPED_TRACE(recipe);
-      expect_similar_lengths<TypeParam>(mesh_of(recipe), 0.9, 1.6);
+      expect_similar_lengths<TypeParam>(mesh_of(recipe), 0.95, 1.2);
     }
 }
 

@@ -29,9 +29,8 @@ namespace reference {
 
 /*!
 The operation of the tunnel pass and the refinement pass (paper, 4.2 and 4.3): a field grows from
-the left side of a loop, which is a wall, until it comes to the right side. A streamline leads from
-the place where it came to back to the left side; along the left side, and across the loop, it is
-closed.
+the left side of a loop, which is a wall, until it comes to the right side. From the places that it
+comes to streamlines lead back to the left side; along the loop, and across it, they are closed.
 */
 class Loop_pass
 {
@@ -40,9 +39,9 @@ public:
       : mesh_(mesh)
       , constants_(constants) {}
 
-  /// `walls` are edges that may not be crossed, those of `loop` among them. Returns an empty loop
-  /// if there is no way.
-  Crossing_loop dual_loop(const Crossing_loop& loop, const Walls& walls) const {
+  /// `walls` are edges that may not be crossed, those of `loop` among them. Returns the loops of
+  /// all streamlines, the shortest first.
+  std::vector<Crossing_loop> dual_loops(const Crossing_loop& loop, const Walls& walls) const {
     Single_field field(mesh_, constants_, walls);
     for(const Crossing& c : loop)
       field.add_source(c.left);
@@ -53,13 +52,22 @@ public:
         is_target[c.right] = 1;
         has_target = true;
       }
-    const Index target = has_target ? field.run_until(is_target) : no_index;
-    if(target == no_index)
+    if(!has_target)
       return {};
-    std::vector<Place> line = Streamline(mesh_, field.arrivals()).trace(target);
-    append_along(loop, line.back().a, target, line);
-    remove_turns(line);
-    return Loop_of_line(mesh_)(line);
+    std::vector<std::pair<double, Crossing_loop>> loops;
+    for(const Index target : field.run_until(is_target)) {
+      std::vector<Place> line = Streamline(mesh_, field.arrivals()).trace(target);
+      append_along(loop, line.back().a, target, line);
+      remove_turns(line);
+      const Crossing_loop dual = Loop_of_line(mesh_)(line);
+      loops.emplace_back(length(mesh_, dual), dual);
+    }
+    std::stable_sort(loops.begin(), loops.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Crossing_loop> sorted;
+    for(auto& [length, dual] : loops)
+      sorted.push_back(std::move(dual));
+    return sorted;
   }
 
 private:
@@ -71,8 +79,8 @@ private:
     std::size_t from = loop.size(), to = loop.size();
     double shortest = 0.;
     for(std::size_t i = 0; i < loop.size(); ++i)
-      for(std::size_t j = 0; j < loop.size(); ++j) {
-        if(loop[i].left != left || loop[j].right != right)
+      for(std::size_t j = 0; loop[i].left == left && j < loop.size(); ++j) {
+        if(loop[j].right != right)
           continue;
         const double direct = std::abs(along[i] - along[j]);
         const double distance = (std::min)(direct, along.back() - direct);

@@ -70,13 +70,15 @@ public:
     const Crossing_numbers with_handles(mesh_, handles_);
     for(std::size_t k = 0; k < handles_.size(); ++k) {
       report(k);
-      Crossing_loop tunnel =
-          loop_pass_.dual_loop(handles_[k], with_handles.walls(k, handles_.size()));
-      if(!is_tunnel(with_handles(tunnel), k)) {
-        tunnel = tunnel_in_covered_region(initial_pass_.tracker().meetings()[k]);
-        ++statistics.kept_sweep_tunnels;
-      }
-      tunnels_.push_back(std::move(tunnel));
+      const std::vector<Crossing_loop> loops =
+          loop_pass_.dual_loops(handles_[k], with_handles.walls(k, handles_.size()));
+      const auto shortest =
+          std::find_if(loops.begin(), loops.end(),
+                       [&](const Crossing_loop& loop) { return is_tunnel(with_handles(loop), k); });
+      statistics.kept_sweep_tunnels += shortest == loops.end();
+      tunnels_.push_back(shortest != loops.end()
+                             ? *shortest
+                             : tunnel_in_covered_region(initial_pass_.tracker().meetings()[k]));
     }
     progress_.end(Stage::TUNNEL);
   }
@@ -89,12 +91,15 @@ public:
     Handle_exchange exchange(numbers_of_tunnels(with_handles), numbers_of_tunnels(with_tunnels));
     for(std::size_t k = 0; k < handles_.size(); ++k) {
       report(k);
-      Crossing_loop refined = loop_pass_.dual_loop(tunnels_[k], with_tunnels.walls(k, k + 1));
-      const Numbers numbers = with_tunnels(refined);
-      const bool is_better =
-          std::abs(numbers[k]) == 1 && length(mesh_, refined) < length(mesh_, handles_[k]);
-      if(is_better && exchange.replace(k, with_handles(refined), numbers))
-        handles_[k] = std::move(refined);
+      const std::vector<Crossing_loop> loops =
+          loop_pass_.dual_loops(tunnels_[k], with_tunnels.walls(k, k + 1));
+      const auto better = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
+        const Numbers numbers = with_tunnels(loop);
+        return std::abs(numbers[k]) == 1 && length(mesh_, loop) < length(mesh_, handles_[k]) &&
+               exchange.replace(k, with_handles(loop), numbers);
+      });
+      if(better != loops.end())
+        handles_[k] = *better;
       else
         ++statistics.kept_sweep_handles;
     }

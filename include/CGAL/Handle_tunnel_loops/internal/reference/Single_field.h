@@ -19,6 +19,9 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -55,29 +58,35 @@ public:
 
   const Arrivals& arrivals() const { return arrivals_; }
 
-  /// makes steps until one of the targets is reached, and returns it; `no_index` if all that can be
-  /// reached from the sources is covered before.
-  Index run_until(const std::vector<char>& is_target) {
-    Index target = no_index;
+  /// makes steps until all of the targets are reached, but only a third more than until the first
+  /// is; stops when all that can be reached from the sources is covered. Returns the targets
+  /// reached, in their order.
+  std::vector<Index> run_until(const std::vector<char>& is_target) {
+    const auto number_of_targets =
+        static_cast<std::size_t>(std::count(is_target.begin(), is_target.end(), 1));
+    std::vector<Index> targets;
+    std::size_t last_step = (std::numeric_limits<std::size_t>::max)();
     const auto reached = [&](Index v) {
-      if(target == no_index && is_target[v])
-        target = v;
+      if(!is_target[v])
+        return;
+      if(targets.empty())
+        last_step = arrivals_.number_of_steps() * 4 / 3;
+      targets.push_back(v);
     };
     std::size_t steps_at_rest = 0;
-    while(target == no_index) {
+    while((targets.empty() || targets.size() < number_of_targets) &&
+          arrivals_.number_of_steps() < last_step)
+    {
       const std::size_t reached_before = arrivals_.number_of_reached();
       step(reached);
-      if(arrivals_.number_of_reached() != reached_before) {
-        steps_at_rest = 0;
-        continue;
-      }
-      if(++steps_at_rest < patience(constants_))
+      steps_at_rest = arrivals_.number_of_reached() == reached_before ? steps_at_rest + 1 : 0;
+      if(steps_at_rest < patience(constants_))
         continue;
       if(!push_on(reached))
         break;
       steps_at_rest = 0;
     }
-    return target;
+    return targets;
   }
 
 private:
