@@ -31,9 +31,9 @@ All fields of the initial pass are the rows of a sparse matrix, and obey the equ
 section 3 with all its terms; the fields of the other two passes cover the whole mesh; tunnels, and
 handles after the refinement, are streamlines across the triangles. Nothing is tightened:
 `do_tighten` has no effect. Nothing is shared with the other solvers but the adaptor, the conversion
-of the answer and its certificate. `Statistics::front_events` holds the splits, merges and closings
-of the initial pass afterwards, and `Statistics::resolution` where the mesh was too coarse for what
-the paper takes for granted.
+of the answer, the linking numbers that tell handles from tunnels, and the certificate.
+`Statistics::front_events` holds the splits, merges and closings of the initial pass afterwards, and
+`Statistics::resolution` where the mesh was too coarse for what the paper takes for granted.
 
 Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
 is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is

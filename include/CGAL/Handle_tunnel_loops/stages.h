@@ -63,9 +63,9 @@ struct Statistics
   std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was kept
   std::vector<Front_event> front_events; ///< of the initial pass; logged by `Reference_tag` only
   Field_resolution resolution;           ///< of the initial pass; by `Reference_tag` only
-  std::string backend;                ///< "host" or "cuda": where the fields, if any, ran
-  std::string fallback;               ///< why not on the device, if that was asked for
-  std::size_t device_bytes = 0;       ///< of the device's memory, at most at one time
+  std::string backend;          ///< "host", "cuda" or "reference": what computed the fields, if any
+  std::string fallback;         ///< why not on the device, if that was asked for
+  std::size_t device_bytes = 0; ///< of the device's memory, at most at one time
 
   /// the wall time of a stage, in seconds.
   double seconds_of(Stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }

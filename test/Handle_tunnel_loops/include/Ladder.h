@@ -42,7 +42,9 @@ private:
     return 2 * columns_ + 4 * rung + i;
   }
 
-  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) { soup_.triangles.push_back({a, b, c}); }
+  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    soup_.triangles.push_back({a, b, c});
+  }
 
   void add_drum(double x) {
     const double size = columns_;
@@ -51,8 +53,8 @@ private:
         soup_.points.push_back({x + double(i), double(i) * double(i) / size, z + 0.001 * i});
     for(std::uint32_t r = 0; r < rungs_; ++r)
       for(std::uint32_t i = 0; i < 4; ++i)
-        soup_.points.push_back({x + 0.4 + 0.1 * (i % 2), -1.,
-                                size * (0.1 + 0.8 * (r + 0.2 * i) / double(rungs_))});
+        soup_.points.push_back(
+            {x + 0.4 + 0.1 * (i % 2), -1., size * (0.1 + 0.8 * (r + 0.2 * i) / double(rungs_))});
   }
 
   void add_lid(std::uint32_t first, bool is_top) {

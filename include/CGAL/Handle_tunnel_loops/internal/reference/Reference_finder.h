@@ -14,6 +14,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include <CGAL/Handle_tunnel_loops/Device_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/Flat_pair.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Crossing_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
@@ -38,6 +39,7 @@ public:
   struct Options
   {
     Field_constants constants;
+    Device_options device; ///< has no effect
     bool do_refine_handles = true;
     bool do_tighten = true; ///< has no effect: the loops are streamlines
   };
@@ -58,6 +60,7 @@ public:
     initial_pass_.run(progress_);
     for(const Front_meeting& meeting : initial_pass_.tracker().meetings())
       handles_.push_back(meeting.loop);
+    statistics.backend = "reference";
     statistics.front_events = initial_pass_.tracker().events();
     statistics.resolution = initial_pass_.resolution();
     progress_.end(Stage::INITIAL);
