@@ -28,18 +28,24 @@ void add_picture_options(CLI::App& command,
   command.add_option("--picture", picture.file, "a picture of the mesh and " + what)
       ->option_text("FILE.png")
       ->group(group);
-  command
-      .add_option("--view", picture.view, "direction the picture is seen from; default: oblique")
-      ->option_text("X,Y,Z")
-      ->delimiter(',')
-      ->expected(3)
-      ->needs("--picture")
-      ->group(group);
+  const auto add_direction = [&](const char* name, std::vector<double>& direction,
+                                 const char* meaning) {
+    command.add_option(name, direction, meaning)
+        ->option_text("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->needs("--picture")
+        ->group(group);
+  };
+  add_direction("--view", picture.view, "direction the picture is seen from; default: oblique");
+  add_direction("--up", picture.up, "direction that is upright in the picture; default: 0,0,1");
 }
 
 void check_picture_options(const Picture_options& picture) {
   if(!picture.view.empty() && is_zero(picture.view))
     throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
+  if(!picture.up.empty() && is_zero(picture.up))
+    throw Failure(Exit_code::WRONG_USAGE, "--up 0,0,0 is no direction");
 }
 
 void add_threads_option(CLI::App& command, int& number_of_threads, const std::string& group) {

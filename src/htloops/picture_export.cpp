@@ -63,6 +63,8 @@ void export_picture(const Picture_options& options,
   htl_picture::Options picture;
   if(!options.view.empty())
     picture.view = {options.view[0], options.view[1], options.view[2]};
+  if(!options.up.empty())
+    picture.up = {options.up[0], options.up[1], options.up[2]};
   Staged_path path(options.file);
   try {
     htl_picture::write_picture(path.temporary(), points_of(mesh), triangles_of(mesh), face_colours,

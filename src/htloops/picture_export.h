@@ -22,6 +22,7 @@ struct Picture_options
 {
   std::string file;
   std::vector<double> view; ///< the direction the picture is seen from; empty for the default
+  std::vector<double> up;   ///< the direction that is upright in it; empty for the default
 };
 
 #ifdef HTLOOPS_HAS_PICTURE

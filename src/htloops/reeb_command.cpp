@@ -184,37 +184,33 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
   CLI::Option* seed =
       command
           .add_option("--seed", options.seeds,
-                      "vertex that the diffusion starts from; repeatable; default: the handle "
-                      "loops, or an end")
+                      "vertex to diffuse from; repeatable; default: handle loops, or an end")
           ->option_text("VERTEX")
           ->allow_extra_args(false)
           ->group(group);
   CLI::Option* height =
       command
-          .add_option("--height", options.height,
-                      "take the height in a direction as the function, not a diffusion")
+          .add_option("--height", options.height, "take the height in a direction, not a diffusion")
           ->option_text("X,Y,Z")
           ->delimiter(',')
           ->expected(3)
           ->excludes(seed)
           ->group(group);
-  command
-      .add_option("--values", options.values_file,
-                  "take the function from a file: a number for each vertex")
+  command.add_option("--values", options.values_file, "take a number for each vertex from a file")
       ->option_text("FILE")
       ->excludes(seed)
       ->excludes(height)
       ->group(group);
   command
       .add_option("--simplify", options.threshold,
-                  "take off leaves up to this part of the whole, 0 to 1; default: 0.03; 0: none")
+                  "leaves to take off, as part of the whole, 0 to 1; default: 0.03")
       ->option_text("PART")
       ->check(CLI::Range(0., 1.))
       ->group(group);
   command
       .add_option("--measure", options.measure,
-                  "measure leaves by limbs, persistence, length, area or vertices; default: limbs "
-                  "for a diffusion, else persistence")
+                  "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
+                  "else persistence")
       ->option_text("NAME")
       ->check(CLI::IsMember(measures))
       ->group(group);

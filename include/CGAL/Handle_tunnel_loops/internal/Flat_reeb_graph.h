@@ -14,11 +14,21 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 
+#include <array>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// A place of which only a picture is made.
+using Place = std::array<float, 3>;
+
+inline Place to_place(const Vector& p) {
+  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
+
+inline Vector to_vector(const Place& p) { return {p[0], p[1], p[2]}; }
 
 enum class Node_kind { MINIMUM, SADDLE, MAXIMUM, REGULAR };
 
@@ -35,15 +45,15 @@ struct Flat_reeb_graph
 
   struct Arc
   {
-    Index lower = no_index, upper = no_index;  ///< nodes
-    double lower_girth = 0., upper_girth = 0.; ///< of the front at the ends
+    Index lower = no_index, upper = no_index;   ///< nodes
+    float lower_girth = 0.f, upper_girth = 0.f; ///< of the front at the ends
   };
 
   /// A mean of the front of an arc.
   struct Sample
   {
     Index arc;
-    Vector position;
+    Place position;
   };
 
   std::vector<Node> nodes; ///< from the lowest to the highest

@@ -40,7 +40,7 @@ struct Front
 
   /// about the length of the front: on a regular triangulation each edge that it crosses counts
   /// with 1.73 edge lengths, and there are two of them on one.
-  double girth() const { return (std::max)(weight, 0.) / 3.46; }
+  float girth() const { return static_cast<float>((std::max)(weight, 0.) / 3.46); }
 
   /// the mean of the places; `otherwise` if they weigh next to nothing, as on degenerate triangles.
   Vector mean(const Vector& otherwise) const {

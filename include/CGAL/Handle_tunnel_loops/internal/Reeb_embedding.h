@@ -77,20 +77,19 @@ template <typename T> struct Grouped
 class Reeb_embedding
 {
 public:
-  explicit Reeb_embedding(const Flat_reeb_graph& graph)
+  /// the samples of the graph are taken from it.
+  explicit Reeb_embedding(Flat_reeb_graph& graph)
       : graph_(graph)
-      , samples_(graph.arcs.size(), [&](const auto& f) {
-        for(const Flat_reeb_graph::Sample& sample : graph.samples)
+      , samples_(graph.arcs.size(), [samples = std::move(graph.samples)](const auto& f) {
+        for(const Flat_reeb_graph::Sample& sample : samples)
           f(sample.arc, sample.position);
       }) {}
 
   Polyline polyline(const Reeb_simplification::Path& path) const {
     Polyline line(1, graph_.nodes[path.lower].position);
     for(const Reeb_simplification::Piece& piece : path.pieces) {
-      const auto first = samples_.items.begin() + samples_.begin[piece.arc];
-      const auto last = samples_.items.begin() + samples_.begin[piece.arc + 1];
       const std::size_t size = line.size();
-      line.insert(line.end(), first, last);
+      append_samples(piece.arc, line);
       if(piece.is_reversed)
         std::reverse(line.begin() + size, line.end());
     }
@@ -101,25 +100,30 @@ public:
   /// fills in what the means say of an arc.
   void measure(Index a, Arc_extent& extent) const {
     const Flat_reeb_graph::Arc& arc = graph_.arcs[a];
-    Polyline line(samples_.items.begin() + samples_.begin[a],
-                  samples_.items.begin() + samples_.begin[a + 1]);
+    Polyline line;
     if(graph_.nodes[arc.lower].kind == Node_kind::MINIMUM)
-      line.insert(line.begin(), graph_.nodes[arc.lower].position);
+      line.push_back(graph_.nodes[arc.lower].position);
+    append_samples(a, line);
     if(graph_.nodes[arc.upper].kind == Node_kind::MAXIMUM)
       line.push_back(graph_.nodes[arc.upper].position);
     extent.lower.girth = arc.lower_girth;
     extent.upper.girth = arc.upper_girth;
     extent.has_places = !line.empty();
     if(extent.has_places) {
-      extent.length = length(line);
-      extent.lower.place = line.front();
-      extent.upper.place = line.back();
+      extent.length = static_cast<float>(length(line));
+      extent.lower.place = to_place(line.front());
+      extent.upper.place = to_place(line.back());
     }
   }
 
 private:
+  void append_samples(Index arc, Polyline& line) const {
+    for(std::size_t i = samples_.begin[arc]; i < samples_.begin[arc + 1]; ++i)
+      line.push_back(to_vector(samples_.items[i]));
+  }
+
   const Flat_reeb_graph& graph_;
-  Grouped<Vector> samples_; // by arc
+  Grouped<Place> samples_; // by arc
 };
 
 } // namespace internal

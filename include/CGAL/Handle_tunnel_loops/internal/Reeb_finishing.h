@@ -47,7 +47,7 @@ template <typename Execution, typename Value> class Reeb_finishing
 public:
   Reeb_finishing(const Flat_mesh& mesh,
                  const Sweep_order& order,
-                 const Flat_reeb_graph& graph,
+                 Flat_reeb_graph& graph,
                  const Value& value)
       : mesh_(mesh)
       , order_(order)
@@ -81,27 +81,29 @@ private:
     case Reeb_measure::LENGTH:
       return extent.length;
     case Reeb_measure::AREA:
-      return extent.area;
     case Reeb_measure::VERTICES:
-      return extent.number_of_vertices;
+      return extent.amount;
     default:
       return extent.high - extent.low;
     }
   }
 
+  // What of the surface belongs to a vertex.
+  double amount_at(Index v, Reeb_measure measure) const {
+    return measure == Reeb_measure::AREA ? area_at(v) : 1.;
+  }
+
   std::vector<Arc_extent> extents(Reeb_measure measure) const {
-    std::vector<Arc_extent> extents(graph_.arcs.size());
+    std::vector<Arc_extent> extents;
+    extents.reserve(Reeb_simplification::largest_number_of_paths(graph_));
+    extents.resize(graph_.arcs.size());
     for_each_index(execution_, extents.size(), [&](std::size_t a) {
       extents[a].low = value_(graph_.nodes[graph_.arcs[a].lower].vertex);
       extents[a].high = value_(graph_.nodes[graph_.arcs[a].upper].vertex);
       embedding_.measure(static_cast<Index>(a), extents[a]);
     });
-    for(Index v = 0; v < graph_.vertex_arc.size(); ++v) {
-      Arc_extent& extent = extents[graph_.vertex_arc[v]];
-      extent.number_of_vertices += 1.;
-      if(measure == Reeb_measure::AREA)
-        extent.area += area_at(v);
-    }
+    for(Index v = 0; v < graph_.vertex_arc.size(); ++v)
+      extents[graph_.vertex_arc[v]].amount += amount_at(v, measure);
     return extents;
   }
 
@@ -136,9 +138,7 @@ private:
       Box& box = boxes[mesh_.component[v]];
       extent.low = (std::min)(extent.low, value_(v));
       extent.high = (std::max)(extent.high, value_(v));
-      extent.number_of_vertices += 1.;
-      if(measure == Reeb_measure::AREA)
-        extent.area += area_at(v);
+      extent.amount += amount_at(v, measure);
       for(int d = 0; d < 3; ++d) {
         box.low[d] = (std::min)(box.low[d], mesh_.points[v][d]);
         box.high[d] = (std::max)(box.high[d], mesh_.points[v][d]);
@@ -146,7 +146,7 @@ private:
     }
     std::vector<double> sizes(number);
     for(std::size_t c = 0; c < number; ++c) {
-      extents[c].length = norm(boxes[c].high - boxes[c].low);
+      extents[c].length = static_cast<float>(norm(boxes[c].high - boxes[c].low));
       sizes[c] = size(extents[c], measure);
     }
     return sizes;

@@ -71,14 +71,14 @@ Embedded_reeb_graph find_reeb_graph(const Flat_mesh& mesh,
   const auto began = Clock::now();
   const Execution execution;
   const Sweep_order order(execution, mesh, key);
-  const Flat_reeb_graph graph = [&] {
+  Flat_reeb_graph graph = [&] {
     const std::vector<Star> stars = sweep_stars(execution, mesh, order);
     const std::uint64_t largest_number_of_steps = 8 * std::uint64_t(mesh.neighbor.size());
     Reeb_sweep sweep(mesh, order, stars, largest_number_of_steps, mean_edge_length(mesh));
-    Flat_reeb_graph graph = sweep.run();
+    Flat_reeb_graph swept = sweep.run();
     statistics.number_of_steps = sweep.number_of_steps();
     statistics.has_used_trees = sweep.has_used_trees();
-    return graph;
+    return swept;
   }();
   statistics.number_of_critical_nodes = graph.nodes.size();
   const auto has_swept = Clock::now();

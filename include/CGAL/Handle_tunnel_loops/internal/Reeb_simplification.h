@@ -30,18 +30,18 @@ namespace internal {
 /// An end of the part of an arc, or of a path of arcs, on which the means of the front are known.
 struct Arc_end
 {
-  Vector place = {0., 0., 0.}; ///< the last mean, or the extremum
-  double girth = 0.;           ///< the length of the front at the node
+  Place place = {0.f, 0.f, 0.f}; ///< the last mean, or the extremum
+  float girth = 0.f;             ///< the length of the front at the node
 };
 
-/// How large an arc or a path is: the lowest and the highest value on it, and what adds up along
-/// it.
+/// How large an arc or a path is: the lowest and the highest value on it, what of the surface
+/// belongs to it, and its length.
 struct Arc_extent
 {
   double low = 0., high = 0.;
-  double area = 0., number_of_vertices = 0.;
-  double length = 0.; ///< of the line of the means, without the ways to saddles at the ends
+  double amount = 0.; ///< of vertices, or area, as is asked for
   Arc_end lower, upper;
+  float length = 0.f;      ///< of the line of the means, without the ways to saddles at the ends
   bool has_places = false; ///< arcs that are too short have no means
 
   /// the length as a multiple of the radius of a circle as long as the front at an end.
@@ -75,11 +75,24 @@ public:
     std::vector<Piece> pieces;
   };
 
+  /// how many paths there may be in all: each leaf that is taken off makes one, and takes away an
+  /// extremum.
+  static std::size_t largest_number_of_paths(const Flat_reeb_graph& graph) {
+    return graph.arcs.size() + static_cast<std::size_t>(std::count_if(
+                                   graph.nodes.begin(), graph.nodes.end(), [](const auto& node) {
+                                     return node.kind != Node_kind::SADDLE;
+                                   }));
+  }
+
   Reeb_simplification(const Flat_reeb_graph& graph, std::vector<Arc_extent> extents)
       : graph_(graph)
       , extent_(std::move(extents))
       , arcs_at_(graph.nodes.size(), {no_index, no_index, no_index})
       , became_(graph.arcs.size()) {
+    const std::size_t number = largest_number_of_paths(graph);
+    extent_.reserve(number);
+    paths_.reserve(number);
+    became_.reserve(number);
     std::iota(became_.begin(), became_.end(), Index(0));
     for(Index a = 0; a < graph.arcs.size(); ++a) {
       paths_.push_back({graph.arcs[a].lower, graph.arcs[a].upper, nothing, nothing});
@@ -192,12 +205,10 @@ private:
     Arc_extent sum;
     sum.low = (std::min)(a.low, b.low);
     sum.high = (std::max)(a.high, b.high);
-    sum.area = a.area + b.area + extent_[leaf].area;
-    sum.number_of_vertices =
-        a.number_of_vertices + b.number_of_vertices + extent_[leaf].number_of_vertices;
+    sum.amount = a.amount + b.amount + extent_[leaf].amount;
     sum.length = a.length + b.length;
     if(a.has_places && b.has_places)
-      sum.length += norm(b.lower.place - a.upper.place);
+      sum.length += static_cast<float>(norm(to_vector(b.lower.place) - to_vector(a.upper.place)));
     sum.has_places = a.has_places || b.has_places;
     sum.lower = {(a.has_places ? a : b).lower.place, a.lower.girth};
     sum.upper = {(b.has_places ? b : a).upper.place, b.upper.girth};

@@ -59,6 +59,7 @@ public:
 
   Flat_reeb_graph run() {
     graph_.vertex_arc.resize(mesh_.number_of_vertices());
+    reserve();
     const std::vector<Index>& vertices = order_.vertices();
     std::size_t r = 0;
     for(; r < vertices.size() && labels_.number_of_steps() <= largest_number_of_steps_; ++r)
@@ -76,6 +77,17 @@ public:
   bool has_used_trees() const { return trees_ != nullptr; }
 
 private:
+  // Euler's formula tells how many nodes and arcs there will be.
+  void reserve() {
+    std::size_t extrema = 0;
+    for(const Star& star : stars_)
+      extrema += star.kind == Vertex_kind::MINIMUM || star.kind == Vertex_kind::MAXIMUM;
+    const std::size_t saddles = extrema + 2 * mesh_.genus - 2 * mesh_.seeds.size();
+    graph_.nodes.reserve(extrema + saddles);
+    graph_.arcs.reserve((extrema + 3 * saddles) / 2);
+    front_.reserve((extrema + 3 * saddles) / 2);
+  }
+
   void pass_with_labels(Index v) {
     const Star& star = stars_[v];
     switch(star.kind) {
@@ -132,8 +144,8 @@ private:
   }
 
   Index add_arc(Index lower) {
-    graph_.arcs.push_back({lower, no_index, 0., 0.});
-    front_.push_back({{}, graph_.nodes[lower].position});
+    graph_.arcs.push_back({lower, no_index, 0.f, 0.f});
+    front_.push_back({{}, to_place(graph_.nodes[lower].position)});
     return number_of_arcs() - 1;
   }
 
@@ -197,17 +209,17 @@ private:
   void sample(Index v, Index arc) {
     Running_front& front = front_[arc];
     const Vector mean = front.sum.mean(mesh_.points[v]);
-    const Vector step = mean - front.last_sample;
+    const Vector step = mean - to_vector(front.last_sample);
     if(dot(step, step) <= squared_spacing_)
       return;
-    front.last_sample = mean;
-    graph_.samples.push_back({arc, mean});
+    front.last_sample = to_place(mean);
+    graph_.samples.push_back({arc, front.last_sample});
   }
 
   struct Running_front
   {
     Front sum;
-    Vector last_sample;
+    Place last_sample;
   };
 
   const Flat_mesh& mesh_;
