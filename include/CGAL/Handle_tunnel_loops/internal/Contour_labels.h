@@ -89,8 +89,8 @@ public:
       next_[group.arc_below] = arc;
       for(auto i = group.begin; i != group.end; ++i)
         if(strands[*i].arc != arc)
-          for(Index slot : walked_[*i])
-            label_[slot] = strands[*i].arc;
+          for(const Crossed_edge& edge : walked_[*i])
+            label_[mesh_.row_begin[edge.lower] + edge.position] = strands[*i].arc;
     }
     for(Index i = 0; i < at.number_of_wedges(); ++i) {
       const Index arc = strands[at.next_wedge(i)].arc;
@@ -100,6 +100,12 @@ public:
 
 private:
   using Iterator = std::vector<Index>::iterator;
+
+  // An edge by its lower end and the position of the other in the ring of that.
+  struct Crossed_edge
+  {
+    Index lower, position;
+  };
 
   // The strands of one contour; all but the longest are walked.
   struct Group
@@ -123,10 +129,19 @@ private:
     if(group.end - group.begin > 1)
       walk(at, group, strands);
     for(auto i = group.begin; i != group.end; ++i)
-      if(*i != group.longest)
+      if(*i != group.longest) {
+        strands[*i].front = front_along(walked_[*i]);
         whole -= strands[*i].front;
+      }
     strands[group.longest].front = whole;
     groups_.push_back(group);
+  }
+
+  Front front_along(const std::vector<Crossed_edge>& edges) const {
+    Front front;
+    for(const Crossed_edge& edge : edges)
+      front += crossing_of_front(mesh_, edge.lower, mesh_.ring(edge.lower), edge.position);
+    return front;
   }
 
   // In turns, until all but one have arrived; where the last one arrives is then clear.
@@ -146,7 +161,6 @@ private:
       walks_.erase(walks_.begin() + kept, walks_.end());
     }
     group.longest = walks_.front().strand;
-    strands[group.longest].front = {};
     settle(group, strands);
   }
 
@@ -158,8 +172,7 @@ private:
 
   bool step(const Crossroads& at, Walk& walk, Strands& strands) {
     ++number_of_steps_;
-    walked_[walk.strand].push_back(walk.contour.slot());
-    strands[walk.strand].front += walk.contour.front();
+    walked_[walk.strand].push_back({walk.contour.left(), walk.contour.position()});
     if(walk.contour.advance(at.center()))
       return true;
     strands[walk.strand].arrival = at.wedge_that_ends_at(walk.contour.left());
@@ -188,7 +201,7 @@ private:
   // Of the saddle at hand.
   std::vector<Index> by_arc_;
   std::vector<Group> groups_;
-  std::vector<std::vector<Index>> walked_; // by strand, the slots that it was walked over
+  std::vector<std::vector<Crossed_edge>> walked_; // by strand, what it was walked over
   std::vector<Walk> walks_;
   std::vector<char> taken_;
 };

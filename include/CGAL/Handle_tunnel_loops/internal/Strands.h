@@ -123,7 +123,6 @@ public:
   Index left() const { return left_; }
   Index position() const { return position_; }
   Index slot() const { return mesh_->row_begin[left_] + position_; }
-  Front front() const { return crossing_of_front(*mesh_, left_, mesh_->ring(left_), position_); }
 
   /// goes on to the next edge; returns false, and stays, if that leads to the star of \p center.
   bool advance(Index center) {
