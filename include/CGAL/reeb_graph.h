@@ -112,7 +112,7 @@ private:
     Statistics ignored;
     Progress progress(
         callback, [](Stage) {}, [](Stage) {}, ignored);
-    return diffusion_times<Execution>(mesh_, sources(), constants, progress);
+    return diffusion_times<ConcurrencyTag>(mesh_, sources(), constants, progress);
   }
 
   std::vector<Index> sources() const {

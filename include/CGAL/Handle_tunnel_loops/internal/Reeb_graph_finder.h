@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Diffusion_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
-#include <CGAL/Handle_tunnel_loops/internal/Offset_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/Loop_growth.h>
 #include <CGAL/Handle_tunnel_loops/internal/Reeb_finishing.h>
 #include <CGAL/Handle_tunnel_loops/internal/Reeb_sweep.h>
 
@@ -28,7 +28,7 @@ namespace internal {
 
 /// The arrival times of a diffusion that starts from the sources, if there are any; in components
 /// without one, from both sides of the handle loops, or else from one vertex.
-template <typename Execution>
+template <typename ConcurrencyTag>
 std::vector<Time> diffusion_times(const Flat_mesh& mesh,
                                   const std::vector<Index>& sources,
                                   const Field_constants& constants,
@@ -36,24 +36,23 @@ std::vector<Time> diffusion_times(const Flat_mesh& mesh,
   std::vector<Flat_pair> pairs;
   if(sources.empty() && mesh.genus > 0) {
     Statistics statistics;
-    typename Loop_finder<Execution>::Options options;
+    using Finder = typename Loop_finder_of<ConcurrencyTag>::type;
+    typename Finder::Options options;
     options.constants = constants;
-    Loop_finder<Execution> finder(mesh, mesh.seeds, options, progress);
+    options.do_tighten = false; // a front forgets where exactly it started
+    Finder finder(mesh, mesh.seeds, options, progress);
     finder.initial_pass(statistics);
     finder.tunnel_pass(statistics);
     finder.refinement_pass(statistics);
     pairs = finder.finished_pairs();
-    const Offset_lengths lengths(mesh);
-    for(Flat_pair& pair : pairs)
-      if(lengths.growth(pair.handle) < lengths.growth(pair.tunnel))
-        std::swap(pair.handle, pair.tunnel);
   }
   progress.start(Stage::CERTIFICATE);
-  Diffusion_field<Execution> field(mesh, constants);
+  Diffusion_field<decltype(execution<ConcurrencyTag>())> field(mesh, constants);
   for(Index v : sources)
     field.add_source(v);
+  const Loop_growth growth(mesh);
   for(const Flat_pair& pair : pairs)
-    field.add_source(pair.handle);
+    field.add_source(growth(pair.handle) >= growth(pair.tunnel) ? pair.handle : pair.tunnel);
   field.complete_sources(progress);
   return field.times(progress);
 }
