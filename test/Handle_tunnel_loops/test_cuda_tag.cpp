@@ -101,9 +101,9 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Surfaces,
                          Cuda,
                          testing::Values(Recipe{"torus", {6000, 1, 0}},
-                                         Recipe{"gyroid", {20000, 25, 0}},
+                                         Recipe{"gyroid", {8000, 9, 0}},
                                          Recipe{"lattice", {6000, 12, 0}},
-                                         Recipe{"sponge", {8000, 40, 1}},
+                                         Recipe{"sponge", {4000, 20, 1}},
                                          Recipe{"random", {2000, 60, 2}},
                                          Recipe{"random", {400, 10, 3}}),
                          [](const auto& test) {
