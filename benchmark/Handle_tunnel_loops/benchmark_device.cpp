@@ -66,19 +66,15 @@ Mesh make_mesh(const std::string& request) {
 // neighbours' values once for all of them.
 constexpr double bytes_per_update = 2 * 4 + 4 + 6 * 4 + 2 * 4 + 4;
 
-void measure_initial_pass(const Mesh& mesh, const impl::device::Ceilings& ceilings, int runs) {
-  const auto index = get(boost::vertex_index, mesh);
-  const auto point = get(CGAL::vertex_point, mesh);
-  using Execution = decltype(impl::execution<CGAL::Parallel_if_available_tag>());
-  const impl::Flat_mesh flat =
-      impl::Flat_mesh_builder<Mesh, std::decay_t<decltype(index)>, std::decay_t<decltype(point)>,
-                              Execution>(mesh, index, point)
-          .build();
-  const auto solver = impl::device::make_cuda_solver(flat, {});
+void measure_sweep(const impl::Flat_mesh& mesh,
+                   bool in_graph,
+                   const impl::device::Ceilings& ceilings,
+                   int runs) {
+  const auto solver = impl::device::make_cuda_solver(mesh, {}, in_graph);
   std::vector<double> seconds;
   for(int i = 0; i <= runs; ++i) {
     const auto began = Clock::now();
-    solver->sweep(flat.seeds, impl::step_coefficients({}), [](double) { return true; });
+    solver->sweep(mesh.seeds, impl::step_coefficients({}), [](double) { return true; });
     if(i > 0) // the first run loads the code
       seconds.push_back(seconds_since(began));
   }
@@ -87,10 +83,22 @@ void measure_initial_pass(const Mesh& mesh, const impl::device::Ceilings& ceilin
   const double steps = double(solver->costs().number_of_steps) / sweeps;
   const double moving = updates * bytes_per_update / ceilings.bytes_per_second;
   const double waiting = steps * (std::min)(ceilings.seconds_per_step, ceilings.seconds_per_launch);
-  std::printf("  initial pass alone: %.4f s; %.4g updates, %.0f steps; floor %.4f s (memory %.4f, "
+  std::printf("  initial pass, %s: %.4f s; %.4g updates, %.0f steps; floor %.4f s (memory %.4f, "
               "steps %.4f), ratio %.2f\n",
-              median(seconds), updates, steps, moving + waiting, moving, waiting,
-              median(seconds) / (moving + waiting));
+              in_graph ? "steps in a graph" : "steps in one kernel", median(seconds), updates,
+              steps, moving + waiting, moving, waiting, median(seconds) / (moving + waiting));
+}
+
+void measure_initial_pass(const Mesh& mesh, const impl::device::Ceilings& ceilings, int runs) {
+  const auto index = get(boost::vertex_index, mesh);
+  const auto point = get(CGAL::vertex_point, mesh);
+  using Execution = decltype(impl::execution<CGAL::Parallel_if_available_tag>());
+  const impl::Flat_mesh flat =
+      impl::Flat_mesh_builder<Mesh, std::decay_t<decltype(index)>, std::decay_t<decltype(point)>,
+                              Execution>(mesh, index, point)
+          .build();
+  for(const bool in_graph : {false, true})
+    measure_sweep(flat, in_graph, ceilings, runs);
 }
 
 void measure_all(const Mesh& mesh, int runs) {
@@ -137,9 +145,11 @@ int main(int argc, char** argv) {
                 "lattice:10000000:3", "gyroid:10000000:30", "gyroid:10000000:1000"};
   try {
     const impl::device::Ceilings ceilings = impl::device::measure_ceilings(-1);
-    std::printf("%s, %s: %.0f GB/s, %.2f us a launch, %.2f us a barrier\n", ceilings.device.c_str(),
-                ceilings.versions.c_str(), 1e-9 * ceilings.bytes_per_second,
-                1e6 * ceilings.seconds_per_launch, 1e6 * ceilings.seconds_per_step);
+    std::printf("%s, %s: %.0f GB/s, %.2f us a launch, %.2f us a barrier, %.2f us a "
+                "step of a graph\n",
+                ceilings.device.c_str(), ceilings.versions.c_str(),
+                1e-9 * ceilings.bytes_per_second, 1e6 * ceilings.seconds_per_launch,
+                1e6 * ceilings.seconds_per_step, 1e6 * ceilings.seconds_per_graph_step);
     for(const std::string& request : requests)
       measure(request, ceilings, (std::max)(1, runs));
   } catch(const std::exception& e) {

@@ -11,6 +11,7 @@
 #define HTL_CUDA_CUDA_EXECUTOR_CUH
 
 #include "Device_memory.cuh"
+#include "Step_graph.cuh"
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/run_steps.h>
@@ -25,12 +26,6 @@ namespace htl_cuda {
 using CGAL::Handle_tunnel_loops::internal::Index;
 
 constexpr int threads_per_block = 256;
-
-/// The first of the elements that a thread of the grid works on, and how far apart they are.
-__device__ inline std::size_t thread_number() {
-  return std::size_t(blockIdx.x) * blockDim.x + threadIdx.x;
-}
-__device__ inline std::size_t number_of_threads() { return std::size_t(gridDim.x) * blockDim.x; }
 
 template <typename Function> __global__ void for_each_kernel(std::size_t n, Function f) {
   for(std::size_t i = thread_number(); i < n; i += number_of_threads())
@@ -70,6 +65,10 @@ __global__ void __launch_bounds__(threads_per_block) run_kernel(Program program)
   CGAL::Handle_tunnel_loops::internal::device::run_steps(program, threads);
 }
 
+/// How a program of many steps runs: in one kernel with a barrier of the grid after each step, or
+/// in a graph with a node that repeats two kernels while the second says so.
+enum class Launch { COOPERATIVE, GRAPH };
+
 /// Runs on the current device, in the order of a stream. What it provides is what `Host_executor`
 /// provides. The stream must outlive it.
 class Cuda_executor
@@ -77,9 +76,10 @@ class Cuda_executor
 public:
   template <typename T> using Buffer = Device_buffer<T>;
 
-  Cuda_executor(int device, cudaStream_t stream)
+  Cuda_executor(int device, cudaStream_t stream, Launch launch = Launch::COOPERATIVE)
       : memory_(device)
-      , stream_(stream) {
+      , stream_(stream)
+      , launch_(launch) {
     check(
         cudaDeviceGetAttribute(&number_of_multiprocessors_, cudaDevAttrMultiProcessorCount, device),
         "asking for the number of multiprocessors");
@@ -89,7 +89,11 @@ public:
   Cuda_executor(const Cuda_executor&) = delete;
   Cuda_executor& operator=(const Cuda_executor&) = delete;
 
-  std::size_t free_bytes() const { return memory_.free_bytes(); }
+  /// waits for the stream: what is given back counts when it has its turn.
+  std::size_t free_bytes() const {
+    check(cudaStreamSynchronize(stream_), "running on the device");
+    return memory_.free_bytes();
+  }
   std::size_t bytes_in_use() const { return memory_.bytes_in_use(); }
 
   template <typename T> Buffer<T> make(std::size_t size) {
@@ -129,6 +133,8 @@ public:
   }
 
   template <typename Program> void run(const Program& program) {
+    if(launch_ == Launch::GRAPH)
+      return run_graph(program);
     int blocks = 0;
     check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, run_kernel<Program>,
                                                         threads_per_block, 0),
@@ -144,6 +150,14 @@ public:
   }
 
 private:
+  template <typename Program> void run_graph(const Program& program) {
+    const Buffer<typename Program::State> state = make<typename Program::State>(1);
+    const Step_graph<Program> graph(program, state.span().data(),
+                                    static_cast<unsigned>(largest_grid()), threads_per_block);
+    check(cudaGraphLaunch(graph.get(), stream_), "starting the steps of a field");
+    check(cudaStreamSynchronize(stream_), "running on the device"); // the graph ends here
+  }
+
   std::size_t largest_grid() const { return std::size_t(number_of_multiprocessors_) * 8; }
 
   template <typename... Parameters, typename... Arguments>
@@ -158,6 +172,7 @@ private:
 
   Device_memory memory_;
   cudaStream_t stream_;
+  Launch launch_;
   int number_of_multiprocessors_ = 0;
 };
 

@@ -53,6 +53,8 @@ public:
     return free + (attribute(cudaMemPoolAttrReservedMemCurrent) - bytes_in_use());
   }
 
+  void give_back_unused() const { check(cudaMemPoolTrimTo(pool_, 0), "giving back memory"); }
+
 private:
   std::size_t attribute(cudaMemPoolAttr which) const {
     std::uint64_t bytes = 0;
@@ -77,8 +79,13 @@ public:
     if(size == 0)
       return;
     void* data = nullptr;
-    const cudaError_t error =
-        cudaMallocFromPoolAsync(&data, size * sizeof(T), memory.pool(), stream);
+    cudaError_t error = cudaMallocFromPoolAsync(&data, size * sizeof(T), memory.pool(), stream);
+    if(error == cudaErrorMemoryAllocation) { // what the pool keeps may be in pieces
+      cudaGetLastError();
+      check(cudaStreamSynchronize(stream), "waiting for the device");
+      memory.give_back_unused();
+      error = cudaMallocFromPoolAsync(&data, size * sizeof(T), memory.pool(), stream);
+    }
     if(error == cudaErrorMemoryAllocation) {
       cudaGetLastError();
       throw CGAL::Handle_tunnel_loops::Out_of_device_memory_exception(size * sizeof(T),

@@ -138,6 +138,9 @@ Ceilings measure_ceilings(int device) {
                                 number;
   ceilings.seconds_per_step =
       seconds_of(stream.get(), [&] { executor.run(Nothing{number}); }) / number;
+  Cuda_executor graph_executor(device, stream.get(), Launch::GRAPH);
+  ceilings.seconds_per_graph_step =
+      seconds_of(stream.get(), [&] { graph_executor.run(Nothing{number}); }) / number;
   return ceilings;
 }
 

@@ -24,10 +24,10 @@ namespace {
 class Cuda_solver : public Solver
 {
 public:
-  Cuda_solver(const Flat_mesh& mesh, int device, void* stream)
+  Cuda_solver(const Flat_mesh& mesh, int device, void* stream, htl_cuda::Launch launch)
       : device_(device)
       , stream_(static_cast<cudaStream_t>(stream))
-      , executor_(device, stream_.get())
+      , executor_(device, stream_.get(), launch)
       , solver_(executor_, mesh) {}
 
   std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
@@ -71,10 +71,13 @@ private:
 
 } // namespace
 
-std::unique_ptr<Solver> make_cuda_solver(const Flat_mesh& mesh, const Device_options& options) {
+std::unique_ptr<Solver>
+make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, bool repeats_in_graph) {
   const int device = htl_cuda::usable_device(options.device);
   const htl_cuda::Current_device current(device);
-  return std::make_unique<Cuda_solver>(mesh, device, options.stream);
+  return std::make_unique<Cuda_solver>(mesh, device, options.stream,
+                                       repeats_in_graph ? htl_cuda::Launch::GRAPH
+                                                        : htl_cuda::Launch::COOPERATIVE);
 }
 
 } // namespace device

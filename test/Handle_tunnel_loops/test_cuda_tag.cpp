@@ -52,7 +52,8 @@ private:
   Device_solver<Host_executor> solver_;
 };
 
-std::unique_ptr<Solver> make_cuda_solver(const Flat_mesh& mesh, const Device_options& options) {
+std::unique_ptr<Solver>
+make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, bool) {
   if(options.device < 0)
     throw No_device_exception("there is no device in this test");
   return std::make_unique<Stand_in>(mesh, std::size_t(options.device) << 10);

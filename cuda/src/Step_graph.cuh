@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_CUDA_STEP_GRAPH_CUH
+#define HTL_CUDA_STEP_GRAPH_CUH
+
+#include "checks.cuh"
+
+#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+
+#include <cstddef>
+
+namespace htl_cuda {
+
+using CGAL::Handle_tunnel_loops::internal::Index;
+
+/// The first of the elements that a thread of the grid works on, and how far apart they are.
+__device__ inline std::size_t thread_number() {
+  return std::size_t(blockIdx.x) * blockDim.x + threadIdx.x;
+}
+__device__ inline std::size_t number_of_threads() { return std::size_t(gridDim.x) * blockDim.x; }
+
+/// Between the steps of a program, for one thread: the state goes on, and the node that repeats the
+/// steps is told whether there is a next one. At first there was no step before.
+template <typename Program>
+__global__ void between_steps_kernel(Program program,
+                                     typename Program::State* state,
+                                     bool is_first,
+                                     cudaGraphConditionalHandle is_next) {
+  if(is_first)
+    *state = program.load();
+  else
+    program.end_step(*state);
+  const bool goes_on = program.begin_step(*state);
+  if(goes_on)
+    program.clear_ahead(*state);
+  else
+    program.store(*state);
+  cudaGraphSetConditional(is_next, goes_on ? 1u : 0u);
+}
+
+/// The items of one step.
+template <typename Program>
+__global__ void step_kernel(Program program, const typename Program::State* state) {
+  const typename Program::State now = *state;
+  const Index size = program.size(now);
+  for(std::size_t i = thread_number(); i < size; i += number_of_threads())
+    program(static_cast<Index>(i), now);
+}
+
+/// A graph that makes all steps of a program, see `run_steps()`: a while node around two kernels.
+template <typename Program> class Step_graph
+{
+public:
+  using State = typename Program::State;
+
+  Step_graph(const Program& program, State* state, unsigned blocks, unsigned threads) {
+    try {
+      build(program, state, blocks, threads);
+    } catch(...) {
+      destroy();
+      throw;
+    }
+  }
+  ~Step_graph() { destroy(); }
+  Step_graph(const Step_graph&) = delete;
+  Step_graph& operator=(const Step_graph&) = delete;
+
+  cudaGraphExec_t get() const { return executable_; }
+
+private:
+  void build(const Program& program, State* state, unsigned blocks, unsigned threads) {
+    check(cudaGraphCreate(&graph_, 0), "making a graph");
+    cudaGraphConditionalHandle is_next;
+    check(cudaGraphConditionalHandleCreate(&is_next, graph_, 0, cudaGraphCondAssignDefault),
+          "making a condition");
+    const cudaGraphNode_t begin = add_between_steps(graph_, nullptr, program, state, true, is_next);
+
+    cudaGraphNodeParams parameters = {};
+    parameters.type = cudaGraphNodeTypeConditional;
+    parameters.conditional.handle = is_next;
+    parameters.conditional.type = cudaGraphCondTypeWhile;
+    parameters.conditional.size = 1;
+    cudaGraphNode_t loop;
+#if CUDART_VERSION >= 13000
+    check(cudaGraphAddNode(&loop, graph_, &begin, nullptr, 1, &parameters), "adding a node");
+#else
+    check(cudaGraphAddNode(&loop, graph_, &begin, 1, &parameters), "adding a node");
+#endif
+    const cudaGraph_t body = parameters.conditional.phGraph_out[0];
+
+    Program copy = program;
+    const State* const_state = state;
+    void* arguments[] = {&copy, &const_state};
+    const cudaGraphNode_t step = add_kernel(
+        body, nullptr, reinterpret_cast<void*>(step_kernel<Program>), blocks, threads, arguments);
+    add_between_steps(body, &step, program, state, false, is_next);
+    check(cudaGraphInstantiate(&executable_, graph_, 0), "preparing a graph");
+  }
+
+  static cudaGraphNode_t add_between_steps(cudaGraph_t graph,
+                                           const cudaGraphNode_t* after,
+                                           Program program,
+                                           State* state,
+                                           bool is_first,
+                                           cudaGraphConditionalHandle is_next) {
+    void* arguments[] = {&program, &state, &is_first, &is_next};
+    return add_kernel(graph, after, reinterpret_cast<void*>(between_steps_kernel<Program>), 1, 1,
+                      arguments);
+  }
+
+  static cudaGraphNode_t add_kernel(cudaGraph_t graph,
+                                    const cudaGraphNode_t* after,
+                                    void* kernel,
+                                    unsigned blocks,
+                                    unsigned threads,
+                                    void** arguments) {
+    cudaKernelNodeParams parameters = {};
+    parameters.func = kernel;
+    parameters.gridDim = dim3(blocks);
+    parameters.blockDim = dim3(threads);
+    parameters.kernelParams = arguments;
+    cudaGraphNode_t node;
+    check(cudaGraphAddKernelNode(&node, graph, after, after == nullptr ? 0 : 1, &parameters),
+          "adding a node");
+    return node;
+  }
+
+  void destroy() {
+    if(executable_ != nullptr)
+      cudaGraphExecDestroy(executable_);
+    if(graph_ != nullptr)
+      cudaGraphDestroy(graph_);
+  }
+
+  cudaGraph_t graph_ = nullptr;
+  cudaGraphExec_t executable_ = nullptr;
+};
+
+} // namespace htl_cuda
+
+#endif // HTL_CUDA_STEP_GRAPH_CUH
