@@ -21,8 +21,10 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
 
-/// The states of a cell: in the band now or before; reached from the right; marked.
-constexpr std::uint32_t cell_is_active = 1, cell_is_right = 2, cell_is_marked = 4;
+/// The states of a cell: in the band now or before; reached from the right; marked; and, of an
+/// active one, whether its row is longer than a stencil or may be cut by walls.
+constexpr std::uint32_t cell_is_active = 1, cell_is_right = 2, cell_is_marked = 4,
+                        cell_is_special = 8;
 
 /// Counters of the steps. What one step writes is read after its barrier and cleared two steps
 /// later, so there are three of each.
@@ -94,12 +96,16 @@ public:
     return racy_load(arrays_.state[cell]) & cell_is_right;
   }
 
-  /// calls `f(u, cell of u)` for each neighbour that no wall parts from the cell; the second
-  /// argument is `no_index` where the field has not been.
+  CGAL_HTL_HOST_DEVICE bool is_special(Index cell) const {
+    return (racy_load(arrays_.state[cell]) & cell_is_special) != 0;
+  }
+
+  /// calls `f(u, cell of u)` for each neighbour that no wall parts from the cell, which is active;
+  /// the second argument is `no_index` where the field has not been.
   template <typename Function>
   CGAL_HTL_HOST_DEVICE void for_each_neighbor(Index cell, const Function& f) const {
     const Ring ring = region_.mesh().ring(region_.vertex(cell));
-    const bool may_have_walls = region_.has_walls() && region_.is_special(cell);
+    const bool may_have_walls = region_.has_walls() && is_special(cell);
     for(Index i = 0; i < ring.size(); ++i)
       if(!may_have_walls || !region_.is_wall(cell, ring[i]))
         f(ring[i], region_.find(cell, ring[i]));
@@ -109,14 +115,12 @@ public:
   /// new there.
   CGAL_HTL_HOST_DEVICE void activate_neighbors(Index cell, Time step) const {
     const Ring ring = region_.mesh().ring(region_.vertex(cell));
-    const bool may_have_walls = region_.has_walls() && region_.is_special(cell);
+    const bool may_have_walls = region_.has_walls() && is_special(cell);
     for(Index i = 0; i < ring.size(); ++i) {
       if(may_have_walls && region_.is_wall(cell, ring[i]))
         continue;
       const Index u = region_.insert(cell, ring[i]);
-      if(u != no_index && (racy_load(arrays_.state[u]) & cell_is_active) == 0 &&
-         (fetch_or(arrays_.state[u], cell_is_active) & cell_is_active) == 0)
-      {
+      if(u != no_index && activate(u, 0)) {
         append_to_band(u, step);
         change_band_size(cell, step - 1, 1);
       }
@@ -137,8 +141,7 @@ public:
   /// makes a cell a source: its value is one for ever. Returns false if it is one already; only
   /// sources of one side may be added at a time.
   CGAL_HTL_HOST_DEVICE bool add_source(Index cell, Time time, std::uint32_t side) const {
-    if((racy_load(arrays_.state[cell]) & cell_is_active) != 0 ||
-       (fetch_or(arrays_.state[cell], cell_is_active | side) & cell_is_active) != 0)
+    if(!activate(cell, side))
       return false;
     arrays_.value[0][cell] = arrays_.value[1][cell] = 1.f;
     racy_store(arrays_.time[cell], time);
@@ -146,6 +149,15 @@ public:
   }
 
 private:
+  // Returns false if the cell is active already.
+  CGAL_HTL_HOST_DEVICE bool activate(Index cell, std::uint32_t side) const {
+    std::uint32_t& state = arrays_.state[cell];
+    if((racy_load(state) & cell_is_active) != 0)
+      return false;
+    const std::uint32_t special = region_.is_special(cell) ? cell_is_special : 0u;
+    return (fetch_or(state, cell_is_active | side | special) & cell_is_active) == 0;
+  }
+
   Region region_;
   Field_arrays arrays_;
 };

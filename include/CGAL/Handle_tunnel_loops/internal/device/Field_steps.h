@@ -93,6 +93,8 @@ private:
     fetch_max(passes().progress[step % 2][pass], passes().progress[(step + 1) % 2][pass]);
     if(passes().band_size.empty())
       return;
+    if(region().is_starved(pass))
+      return racy_store(passes().last_step[pass], Time(0));
     Index& change = passes().band_change[(step + 2) % 3][pass];
     passes().band_size[pass] += change;
     change = 0;
@@ -164,7 +166,7 @@ private:
 
   CGAL_HTL_HOST_DEVICE float mean(Index cell, Time step) const {
     const Span<float>& value = arrays().value[(step + 1) % 2];
-    if(region().is_special(cell)) {
+    if(field_.is_special(cell)) {
       float sum = 0.f;
       Index number = 0;
       field_.for_each_neighbor(cell, [&](Index, Index u) {

@@ -40,6 +40,8 @@ public:
   CGAL_HTL_HOST_DEVICE Index find(Index, Index u) const { return u; }
   CGAL_HTL_HOST_DEVICE Index insert(Index, Index u) const { return u; }
 
+  CGAL_HTL_HOST_DEVICE static bool is_starved(Index) { return false; }
+
   CGAL_HTL_HOST_DEVICE bool is_special(Index cell) const {
     return mesh_.ring(cell).size() > stencil_width ||
            (has_walls() && walls_.may_be_beside(0, cell));
