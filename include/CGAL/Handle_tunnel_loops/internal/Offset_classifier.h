@@ -15,7 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/Square_root_sum.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -23,8 +22,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <vector>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -39,15 +38,15 @@ solid tube.
 The normal at a point is the sum of the normals of the faces that contain it, weighted by area, and
 scaled to length one; the point is the one at the exact ratio on its edge. Thus the growth is a sum
 of square roots of rational numbers: a segment e from a point with area vector M to one with N
-contributes N e / (|N| |e|) - M e / (|M| |e|). It is enclosed by intervals first, and where these do
-not decide a comparison, the sign of the sum is computed exactly.
+contributes N e / (|N| |e|) - M e / (|M| |e|). It is computed in floating point with
+a bound of the error first, and where that does not decide a comparison, the sign of the sum is
+computed exactly.
 */
 template <typename TriangleMesh, typename VertexPointMap> class Offset_classifier
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using Interval = Interval_nt<>;
 
 public:
   Offset_classifier(const TriangleMesh& tm, VertexPointMap point)
@@ -56,18 +55,14 @@ public:
 
   /// the derivative of the length of a loop by the way that it is moved along the normals, to which
   /// the faces look.
-  template <typename Loop> double growth(const Loop& loop) const {
-    const Interval sum = enclosed_growth(loop);
-    return (sum.inf() + sum.sup()) / 2.;
-  }
+  template <typename Loop> double growth(const Loop& loop) const { return estimate(loop).value; }
 
   /// 1 if loop a grows by more than loop b, -1 if by less, 0 if by as much.
   template <typename Loop> int compare_growth(const Loop& a, const Loop& b) const {
-    const Interval difference = enclosed_growth(a) - enclosed_growth(b);
-    if(difference.inf() > 0.)
-      return 1;
-    if(difference.sup() < 0.)
-      return -1;
+    const Estimate x = estimate(a), y = estimate(b);
+    const double difference = x.value - y.value;
+    if(std::abs(difference) > 2. * (x.error + y.error))
+      return difference > 0. ? 1 : -1;
     Square_root_sum sum;
     add_growth(a, 1, sum);
     add_growth(b, -1, sum);
@@ -77,10 +72,20 @@ public:
 private:
   template <typename FT> using Vector_of = std::array<FT, 3>;
 
-  // A point of a loop and the sum of the area vectors of the faces there.
+  static constexpr double epsilon = 0x1p-52;
+
+  // A point of a loop and the sum of the area vectors of the faces there, with a bound of its error
+  // if it is computed in floating point.
   template <typename FT> struct Place
   {
     Vector_of<FT> point, area;
+    double error = 0.;
+  };
+
+  // A value that is off by no more than `error`.
+  struct Estimate
+  {
+    double value = 0., error = 0.;
   };
 
   template <typename FT>
@@ -91,13 +96,14 @@ private:
     return FT(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
   }
 
-  // A power of two that takes the coordinates near a loop to about 1: the growth has no unit, and
-  // nothing overflows.
+  // A power of two that makes the coordinates along a loop smaller than 1: the growth has no unit,
+  // and nothing overflows.
   template <typename Loop> double scale(const Loop& loop) const {
     double largest = 0.;
     for(const auto& step : loop.steps())
-      for(double x : coordinates(point_, source(step.halfedge, tm_)))
-        largest = (std::max)(largest, std::abs(x));
+      for(vertex_descriptor v : {source(step.halfedge, tm_), target(step.halfedge, tm_)})
+        for(double x : coordinates(point_, v))
+          largest = (std::max)(largest, std::abs(x));
     int exponent;
     std::frexp(largest, &exponent);
     return std::ldexp(1., (std::min)(-exponent, 1000));
@@ -110,34 +116,37 @@ private:
 
   // Adds twice the area vector of the face of h.
   template <typename FT>
-  void add_area(halfedge_descriptor h, double scale, Vector_of<FT>& sum) const {
+  void add_area(halfedge_descriptor h, double scale, Place<FT>& place) const {
     const Vector_of<FT> a = point<FT>(source(h, tm_), scale),
                         u = minus(point<FT>(target(h, tm_), scale), a),
                         v = minus(point<FT>(target(next(h, tm_), tm_), scale), a);
     for(int d = 0; d < 3; ++d)
-      sum[d] += u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3];
+      place.area[d] += u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3];
+    if constexpr(std::is_same<FT, double>::value)
+      place.error += epsilon * (8. * std::sqrt(product(u, u) * product(v, v)) +
+                                2. * std::sqrt(product(place.area, place.area)));
   }
 
   template <typename FT, typename Step> Place<FT> place(const Step& step, double scale) const {
-    Place<FT> place = {{FT(0), FT(0), FT(0)}, {FT(0), FT(0), FT(0)}};
+    Place<FT> place = {{FT(0), FT(0), FT(0)}, {FT(0), FT(0), FT(0)}, 0.};
     if(step.is_vertex()) {
       const vertex_descriptor v =
           step.ratio == 1. ? target(step.halfedge, tm_) : source(step.halfedge, tm_);
       place.point = point<FT>(v, scale);
       for(halfedge_descriptor h : halfedges_around_source(v, tm_))
-        add_area(h, scale, place.area);
+        add_area(h, scale, place);
       return place;
     }
     const Vector_of<FT> p = point<FT>(source(step.halfedge, tm_), scale),
                         q = point<FT>(target(step.halfedge, tm_), scale);
     for(int d = 0; d < 3; ++d)
       place.point[d] = p[d] + FT(step.ratio) * (q[d] - p[d]);
-    add_area(step.halfedge, scale, place.area);
-    add_area(opposite(step.halfedge, tm_), scale, place.area);
+    add_area(step.halfedge, scale, place);
+    add_area(opposite(step.halfedge, tm_), scale, place);
     return place;
   }
 
-  // calls f(sign, area, segment) for the terms of the growth.
+  // calls f(sign, place, segment) for the terms of the growth.
   template <typename FT, typename Loop, typename Function>
   void for_each_term(const Loop& loop, const Function& f) const {
     const auto& steps = loop.steps();
@@ -148,35 +157,39 @@ private:
     for(const auto& step : steps) {
       Place<FT> next = place<FT>(step, s);
       const Vector_of<FT> segment = minus(next.point, previous.point);
-      f(1, next.area, segment);
-      f(-1, previous.area, segment);
+      f(1, next, segment);
+      f(-1, previous, segment);
       previous = std::move(next);
     }
   }
 
-  template <typename Loop> Interval enclosed_growth(const Loop& loop) const {
-    const typename Interval::Protector protector;
-    Interval sum(0.);
-    for_each_term<Interval>(
-        loop, [&](int sign, const Vector_of<Interval>& area, const Vector_of<Interval>& segment) {
-          sum += Interval(sign) * enclosed_cosine(area, segment);
+  // A cosine is off by no more than the directions of its vectors, and these by little more than
+  // the errors of the vectors over their lengths; the factors are generous.
+  template <typename Loop> Estimate estimate(const Loop& loop) const {
+    Estimate sum;
+    for_each_term<double>(
+        loop, [&](int sign, const Place<double>& place, const Vector_of<double>& segment) {
+          const double area = std::sqrt(product(place.area, place.area)),
+                       length = std::sqrt(product(segment, segment));
+          // No coordinate is larger than 1.
+          const double off = 4. * place.error / area + epsilon * (32. + 64. / length);
+          // Also if there is no area or no length: no cosine is beyond 1.
+          if(!(off < 0.5)) {
+            sum.error += 1.;
+            return;
+          }
+          sum.value += sign * product(place.area, segment) / (area * length);
+          sum.error += off;
         });
+    sum.error += 4. * epsilon * double(loop.size()) * double(loop.size());
     return sum;
-  }
-
-  // No cosine is beyond 1, and that of a zero vector is zero.
-  static Interval enclosed_cosine(const Vector_of<Interval>& a, const Vector_of<Interval>& b) {
-    const Interval lengths = CGAL_NTS sqrt(product(a, a)) * CGAL_NTS sqrt(product(b, b));
-    if(lengths.sup() == 0.)
-      return Interval(0.);
-    const Interval cosine = lengths.inf() > 0. ? product(a, b) / lengths : Interval(-1., 1.);
-    return cosine.inf() >= -1. && cosine.sup() <= 1. ? cosine : Interval(-1., 1.);
   }
 
   template <typename Loop>
   void add_growth(const Loop& loop, int factor, Square_root_sum& sum) const {
-    for_each_term<Exact_rational>(loop, [&](int sign, const Vector_of<Exact_rational>& area,
+    for_each_term<Exact_rational>(loop, [&](int sign, const Place<Exact_rational>& place,
                                             const Vector_of<Exact_rational>& segment) {
+      const Vector_of<Exact_rational>& area = place.area;
       const Exact_rational cosine = product(area, segment);
       if(cosine == 0)
         return;
