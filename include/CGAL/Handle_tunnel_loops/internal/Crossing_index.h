@@ -125,7 +125,7 @@ struct Loops_from
   Index first;
 
   CGAL_HTL_HOST_DEVICE bool contains(Index loop) const { return loop >= first; }
-  bool are_all_after(Index loop) const { return loop < first; }
+  CGAL_HTL_HOST_DEVICE bool are_all_after(Index loop) const { return loop < first; }
 };
 
 /// One loop.
@@ -135,7 +135,7 @@ struct Only_loop
   Index number;
 
   CGAL_HTL_HOST_DEVICE bool contains(Index loop) const { return loop == number; }
-  bool are_all_after(Index loop) const { return loop < number; }
+  CGAL_HTL_HOST_DEVICE bool are_all_after(Index loop) const { return loop < number; }
 };
 
 /// whether a curve with these intersection numbers crosses loop `number`, one of the `barred`

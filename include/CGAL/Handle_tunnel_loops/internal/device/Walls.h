@@ -31,7 +31,7 @@ template <typename Loop_set> struct Walls
   CGAL_HTL_HOST_DEVICE bool is_wall(Index loop, Index u, Index v) const {
     const Loop_set barred = {loop};
     // The entries are sorted by loop.
-    for(Index i = begins[u + 1]; i > begins[u] && entries[i - 1].loop >= barred.first(); --i)
+    for(Index i = begins[u + 1]; i > begins[u] && !barred.are_all_after(entries[i - 1].loop); --i)
       if(entries[i - 1].other == v && barred.contains(entries[i - 1].loop))
         return true;
     return false;
