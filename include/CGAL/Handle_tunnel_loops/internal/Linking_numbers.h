@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -94,6 +95,10 @@ public:
   /// where the surface touches itself. The numbers of the loops that pass there mean nothing.
   const std::vector<Contact>& contacts() const { return contacts_; }
 
+  /// whether there are so many contacts that the search for them was given up, as on a surface that
+  /// is a point. Then no number means anything.
+  bool has_too_many_contacts() const { return has_too_many_contacts_; }
+
   /// V less its transpose less the intersection matrix (with the sign of the side to which the
   /// faces look). It is empty unless the surface touches itself, or crosses itself near loops; then
   /// the numbers of these loops mean nothing.
@@ -131,7 +136,10 @@ private:
 
   void add_contact(const Contact& contact) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    contacts_.push_back(contact);
+    if(contacts_.size() < 1000 + curves_.corners.size() / 16)
+      contacts_.push_back(contact);
+    else
+      has_too_many_contacts_ = true;
   }
 
   // ---- midpoints where a copy crosses a walk
@@ -290,7 +298,7 @@ private:
 
   void add_terms(Index c, Index e, std::vector<Matrix_entry>& entries) {
     const Corner& corner = curves_.corners[c];
-    if(touches(corner, curves_.edges[e]))
+    if(has_too_many_contacts_ || touches(corner, curves_.edges[e]))
       return;
     const int sign = crossing(c, e);
     if(sign != 0)
@@ -332,6 +340,7 @@ private:
   int number_of_attempts_ = 0;
   std::mutex mutex_; // for contacts_
   std::vector<Contact> contacts_;
+  std::atomic<bool> has_too_many_contacts_{false};
 };
 
 } // namespace internal

@@ -134,10 +134,17 @@ private:
     Builder builder(tm_, point_, vertex_index_);
     const Surface_curves curves = builder.build(walks_, outward_);
     Linking_numbers numbers(curves);
-    numbers.link(execution);
     intersections_ = numbers.intersections();
-    linking_ = numbers.linking();
     problems_ = lasting_problems_;
+    if(problems_.size() == loops_.size())
+      return false;
+    numbers.link(execution);
+    linking_ = numbers.linking();
+    if(numbers.has_too_many_contacts()) {
+      for(std::size_t i = 0; i < loops_.size(); ++i)
+        add_problem(i, "the surface touches itself in very many places");
+      return false;
+    }
     for(const Linking_numbers::Contact& contact : numbers.contacts()) {
       note_contact(contact, curves, builder);
       avoid(contact, curves, builder);
