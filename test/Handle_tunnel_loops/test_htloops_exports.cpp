@@ -82,6 +82,23 @@ TEST_F(Exports, vtp_has_data_for_each_line) {
   EXPECT_EQ(count_of(text, "<DataArray"), count_of(text, "</DataArray>"));
 }
 
+TEST_F(Exports, open_lines_do_not_come_back) {
+  Exported_lines lines = {"arcs", "arc", {}};
+  lines.lines.push_back(
+      {{Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0)}, false, {1, 2, 3}, "arc", 0, 7, 2.});
+  const auto written = [&](const std::string& name) {
+    export_lines(folder_.path(name), lines);
+    return folder_.read(name);
+  };
+  EXPECT_EQ(written("b.polylines.txt"), "3 0 0 0 1 0 0 1 1 0\n");
+  EXPECT_EQ(count_of(written("b.ply"), "element edge 2\n"), 1u);
+  EXPECT_EQ(count_of(written("b.ply"), "\n0 1\n1 2\n"), 1u);
+  EXPECT_EQ(count_of(written("b.obj"), "o arc_7\n"), 1u);
+  EXPECT_EQ(count_of(written("b.obj"), "\nl 1 2 3\n"), 1u);
+  EXPECT_EQ(count_of(written("b.vtp"), "\n0 1 2\n"), 1u);
+  EXPECT_EQ(count_of(written("b.vtp"), "Name=\"arc\""), 1u);
+}
+
 TEST_F(Exports, other_formats_are_refused_beforehand) {
   EXPECT_NO_THROW(check_lines_format("a.polylines.txt"));
   for(const char* name : {"a.txt", "a.png", "ply", ".ply"})

@@ -126,10 +126,9 @@ struct Reeb_statistics
   std::uint64_t number_of_steps = 0;        ///< edges walked over where contours part
   bool has_used_trees = false;              ///< whether the steps became too many
   double seconds_of_adaptor = 0.;           ///< wall time of the preparation of the mesh
-  double seconds_of_function =
-      0.;                       ///< wall time of the loops and the diffusion, or of reading values
-  double seconds_of_sweep = 0.; ///< wall time of the Reeb graph itself
-  double seconds_of_finishing = 0.; ///< wall time of simplification and embedding
+  double seconds_of_function = 0.;  ///< of the loops and the diffusion, or of reading values
+  double seconds_of_sweep = 0.;     ///< of the Reeb graph itself
+  double seconds_of_finishing = 0.; ///< of simplification and embedding
 
   /// the wall time of all, in seconds.
   double total_seconds() const {
