@@ -384,17 +384,16 @@ TEST(Reeb_graph, RefusesWhatIsNotFinite) {
 // As double these integers are equal.
 TEST(Reeb_graph, ComparesIntegersExactly) {
   const Mesh mesh = mesh_of(Recipe{"sphere", {100, 0, 0}});
-  std::vector<std::int64_t> numbers(mesh.number_of_vertices());
+  std::vector<std::size_t> numbers(mesh.number_of_vertices());
   Function same(numbers.size(), 0.);
   const Function heights = height(mesh);
   std::vector<std::size_t> order = identity(mesh);
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return heights[i] < heights[j]; });
   for(std::size_t i = 0; i < order.size(); ++i)
-    numbers[order[i]] = (std::int64_t(1) << 60) + static_cast<std::int64_t>(i);
+    numbers[order[i]] = (std::size_t(1) << 60) + i;
   Graph graph;
-  CGAL::reeb_graph(mesh, graph,
-                   parameters::vertex_function_map(Vector_map<std::int64_t>{&numbers}));
+  CGAL::reeb_graph(mesh, graph, parameters::vertex_function_map(Vector_map<std::size_t>{&numbers}));
   EXPECT_EQ(num_edges(graph), 1u);
   EXPECT_GT(num_edges(reeb_of(mesh, same).graph), 1u);
 }

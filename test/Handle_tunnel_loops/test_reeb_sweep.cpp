@@ -172,4 +172,15 @@ TEST(Reeb_sweep, DoesNotWalkForEver) {
   EXPECT_LT(limited.number_of_steps(), limit + mesh.neighbor.size());
 }
 
+TEST(Ordering_key, OrdersAsTheNumbers) {
+  EXPECT_EQ(ordering_key(-0.), ordering_key(0.));
+  EXPECT_LT(ordering_key(-2.5), ordering_key(-1.));
+  EXPECT_LT(ordering_key(-1e-300), ordering_key(1e-300));
+  EXPECT_LT(ordering_key(1.), ordering_key(1.5));
+  EXPECT_LT(ordering_key(-1), ordering_key(0));
+  EXPECT_LT(ordering_key(std::int64_t(1) << 60), ordering_key((std::int64_t(1) << 60) + 1));
+  EXPECT_LT(ordering_key(std::uint64_t(1)),
+            ordering_key((std::numeric_limits<std::uint64_t>::max)()));
+}
+
 } // namespace

@@ -42,7 +42,10 @@ public:
     Index not_finite = no_index;
     for(std::size_t v = 0; v < vertices.size(); ++v) {
       const Scalar scalar = get(map, vertices[v]);
-      values_.push_back(CGAL::to_double(scalar));
+      if constexpr(std::is_arithmetic<Scalar>::value)
+        values_.push_back(static_cast<double>(scalar));
+      else
+        values_.push_back(CGAL::to_double(scalar));
       if(!std::isfinite(values_.back()))
         not_finite = (std::min)(not_finite, mesh.original[v]);
       if constexpr(std::is_integral<Scalar>::value)
