@@ -1,6 +1,7 @@
 // What is written for the device, run on the processor in several ways.
 
 #include "Device_agreement.h"
+#include "Random_growth.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
@@ -8,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -60,6 +63,47 @@ TEST_P(Device_passes, AgreeWithTheHostOnRandomSurfaces) {
     Solver solver(executor, mesh);
     expect_agreement(solver, mesh, seed, c);
   }
+}
+
+// The handles of other times than those of a field.
+void expect_handles_of_host(Order run_order,
+                            const Flat_mesh& mesh,
+                            const std::vector<Time>& times) {
+  Host_executor executor(run_order);
+  device::Costs costs;
+  const device::Device_mesh<Host_executor> device_mesh(executor, device::view_of(mesh));
+  device::Device_sweep<Host_executor> sweep(executor, mesh, device_mesh, costs);
+  sweep.set_times(times);
+  EXPECT_EQ(sweep.handles(),
+            find_sweep_handles(Sequential_execution(), mesh, Arrival_order(times)));
+}
+
+// With times in any order that has one minimum, saddles have many wedges.
+TEST_P(Device_passes, FindTheHandlesOfTheHostInAnyOrder) {
+  Random random(2);
+  Index wedges = 0;
+  for(int i = 0; i < 300; ++i) {
+    const Recipe recipe = random_recipe(random, 12);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(100);
+    SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
+    const std::vector<Time> times = Random_growth(mesh, random, width).times();
+    expect_handles_of_host(GetParam(), mesh, times);
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      wedges = (std::max)(wedges, number_of_lower_wedges(mesh, Arrival_order(times), v));
+  }
+  EXPECT_GE(wedges, 5u) << "the meshes are too harmless";
+}
+
+TEST_P(Device_passes, FindTheHandleOfTheSmallestTorusInEveryOrder) {
+  const Flat_mesh mesh = flat_mesh_of(smallest_torus());
+  std::vector<Time> times(7);
+  std::iota(times.begin(), times.end(), 0u);
+  int left = GetParam() == Order::THREADS ? 200 : 5040;
+  do {
+    SCOPED_TRACE(testing::PrintToString(times));
+    expect_handles_of_host(GetParam(), mesh, times);
+  } while(--left > 0 && std::next_permutation(times.begin(), times.end()));
 }
 
 // In so little memory that the passes of a search must run one after the other, they find the same.

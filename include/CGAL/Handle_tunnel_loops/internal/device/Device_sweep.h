@@ -102,6 +102,12 @@ public:
         [](double) { return true; });
   }
 
+  /// takes other arrival times for its own.
+  void set_times(const std::vector<Time>& times) {
+    time_ = Buffer<Time>();
+    time_ = uploaded(executor_, times);
+  }
+
   /// the handles, in the order in which the sweep finds them.
   std::vector<Sweep_handle> handles() {
     const std::vector<std::uint64_t> keys = saddles();
