@@ -3,6 +3,7 @@
 
 #include "Crossing_loops.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/Host_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/Region_search.h>
@@ -29,7 +30,12 @@ struct Swept_surface
       , coefficients(step_coefficients(Field_constants()))
       , loops(handles())
       , index(mesh, loops)
-      , regions(execution, mesh, stencils, coefficients, loops, index) {}
+      , regions(
+            execution,
+            mesh,
+            Host_passes<Sequential_execution>(mesh, coefficients).times_from_loops(loops, index),
+            loops,
+            index) {}
 
   std::vector<Crossing_loop> handles() const {
     Narrow_band band(mesh, stencils, coefficients);

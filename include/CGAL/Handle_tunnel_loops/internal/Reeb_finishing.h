@@ -122,20 +122,20 @@ private:
   // What a threshold of one means: the range of the function, the diagonal of the box around the
   // component, its area, its number of vertices.
   std::vector<double> sizes_of_components(Reeb_measure measure) const {
-    struct Box
+    struct Bounds
     {
       Vector low, high;
     };
     const std::size_t number = mesh_.seeds.size();
     std::vector<Arc_extent> extents(number);
-    std::vector<Box> boxes(number);
+    std::vector<Bounds> boxes(number);
     for(std::size_t c = 0; c < number; ++c) {
       extents[c].low = extents[c].high = value_(mesh_.seeds[c]);
       boxes[c] = {mesh_.points[mesh_.seeds[c]], mesh_.points[mesh_.seeds[c]]};
     }
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
       Arc_extent& extent = extents[mesh_.component[v]];
-      Box& box = boxes[mesh_.component[v]];
+      Bounds& box = boxes[mesh_.component[v]];
       extent.low = (std::min)(extent.low, value_(v));
       extent.high = (std::max)(extent.high, value_(v));
       extent.amount += amount_at(v, measure);
