@@ -338,10 +338,10 @@ private:
                executor_.free_bytes();
   }
 
-  // At first the passes may cover the mesh four times over.
+  // At first the passes may cover the mesh sixteen times over, as far as the memory allows.
   Room first_room(std::size_t number_of_passes) const {
     const std::size_t pages =
-        4 * 2 * (mesh_.number_of_vertices() / Batch::page_size + number_of_passes);
+        16 * 2 * (mesh_.number_of_vertices() / Batch::page_size + number_of_passes);
     Room room = {smallest_number_of_pages, 2};
     while(room.number_of_pages < pages && has_memory_for(2 * room.number_of_pages))
       room.number_of_pages *= 2;
