@@ -244,18 +244,20 @@ private:
     auto certification =
         impl::certification<Pair>(tm_, point_, CGAL::get_initialized_vertex_index_map(tm_, np),
                                   CGAL::get_initialized_face_index_map(tm_, np));
-    if(certification.are_closed(pairs)) {
-      const auto execution = impl::execution<ConcurrencyTag>();
+    const bool are_closed = certification.are_closed(pairs);
+    if(are_closed)
       certification.prepare();
+    progress.end(Stage::CLASSIFY);
+    progress.start(Stage::CERTIFICATE);
+    if(are_closed) {
+      const auto execution = impl::execution<ConcurrencyTag>();
       if(parameters::choose_parameter(
              parameters::get_parameter(np, internal_np::do_compute_linking), true))
         certification.link(execution);
       else
-        certification.intersect();
+        certification.intersect(execution);
       classify(execution, certification, pairs);
     }
-    progress.end(Stage::CLASSIFY);
-    progress.start(Stage::CERTIFICATE);
     certificate_ = certification.finish();
     if(!certificate_)
       throw Uncertified_loops_exception("the loops found fail their certificate: " +

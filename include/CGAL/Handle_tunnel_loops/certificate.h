@@ -105,7 +105,7 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
     if(choose_parameter(get_parameter(np, internal_np::do_compute_linking), true))
       certification.link(impl::execution<ConcurrencyTag>());
     else
-      certification.intersect();
+      certification.intersect(impl::execution<ConcurrencyTag>());
   }
   return certification.finish();
 }

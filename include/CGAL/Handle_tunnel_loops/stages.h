@@ -23,7 +23,9 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// The stages of the computation, in order.
+/// The stages of the computation, in order. `CLASSIFY` finishes the pairs and finds where the solid
+/// is; the linking numbers, which name the loops, are computed beside the certificate, in
+/// `CERTIFICATE`.
 enum class Stage { ADAPTOR, INITIAL, TUNNEL, REFINE, CLASSIFY, CERTIFICATE };
 
 /// the number of stages.

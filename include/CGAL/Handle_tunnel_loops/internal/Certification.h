@@ -67,12 +67,16 @@ public:
         certifier_.number_of_components());
   }
 
-  /// computes the intersection numbers.
-  void intersect() { linker_.intersect(); }
+  /// computes the intersection numbers, and whether the loops are a basis.
+  template <typename Execution> void intersect(Execution) {
+    Execution::invoke([this] { certificate_.basis = certifier_.are_basis(); },
+                      [this] { linker_.intersect(); });
+  }
 
-  /// computes the intersection numbers and the linking numbers.
+  /// computes the linking numbers besides.
   template <typename Execution> void link(Execution execution) {
-    linker_.link(execution);
+    Execution::invoke([this] { certificate_.basis = certifier_.are_basis(); },
+                      [this, execution] { linker_.link(execution); });
     const auto& problems = linker_.problems();
     std::vector<Loop_linking>& linking = certificate_.linking;
     linking.resize(loops_.size());
@@ -128,7 +132,6 @@ public:
     certificate_.failure = words(certifier_.failures());
     if(!certificate_.closed_on_surface)
       return std::move(certificate_);
-    certificate_.basis = certifier_.are_basis();
     std::vector<std::string> failures = certifier_.failures();
     check_pairing(failures);
     check_types(failures);

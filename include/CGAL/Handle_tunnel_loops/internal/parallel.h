@@ -17,6 +17,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #endif
 
 #include <algorithm>
@@ -34,7 +35,8 @@ struct Is_parallel : std::is_convertible<ConcurrencyTag, Parallel_tag>
 
 /// The execution policies: `for_ranges(n, grain, f)` calls `f(begin, end)` on ranges that cover
 /// [0, n). Ranges begin at multiples of `grain` and have that size, whatever the number of
-/// threads, so that sums kept per range are reproducible.
+/// threads, so that sums kept per range are reproducible. `invoke(f, g)` calls both, perhaps at the
+/// same time.
 struct Sequential_execution
 {
   static constexpr bool is_parallel = false;
@@ -43,6 +45,11 @@ struct Sequential_execution
   static void for_ranges(std::size_t n, std::size_t grain, const Function& f) {
     for(std::size_t begin = 0; begin < n; begin += grain)
       f(begin, (std::min)(n, begin + grain));
+  }
+
+  template <typename F, typename G> static void invoke(const F& f, const G& g) {
+    f();
+    g();
   }
 };
 
@@ -56,6 +63,10 @@ struct Parallel_execution
     const std::size_t number_of_ranges = (n + grain - 1) / grain;
     tbb::parallel_for(std::size_t(0), number_of_ranges,
                       [&](std::size_t i) { f(i * grain, (std::min)(n, (i + 1) * grain)); });
+  }
+
+  template <typename F, typename G> static void invoke(const F& f, const G& g) {
+    tbb::parallel_invoke(f, g);
   }
 };
 #endif
