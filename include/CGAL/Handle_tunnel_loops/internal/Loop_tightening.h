@@ -40,12 +40,17 @@ public:
       : mesh_(mesh) {}
 
   /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
-  /// as long as the loop, however fine the mesh is.
-  void tighten(Crossing_loop& loop) { tighten(loop, (std::max)(std::size_t(200), loop.size())); }
+  /// as long as the loop, however fine the mesh is, as long as the work is bounded: by four times
+  /// the mesh, and by half a second or so. Returns whether the loop is taut.
+  bool tighten(Crossing_loop& loop) {
+    const std::size_t work = (std::min)(4 * mesh_.number_of_faces(), std::size_t(4000000));
+    const std::size_t rounds = (std::min)(loop.size(), work / (loop.size() + 1));
+    return tighten(loop, (std::max)(std::size_t(200), rounds));
+  }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
   /// latest after the given number of rounds.
-  void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
+  bool tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     remove_backtracks(loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
@@ -71,6 +76,7 @@ public:
       previous_length = current;
     }
     loop = std::move(best);
+    return idle_rounds == 2;
   }
 
 private:
