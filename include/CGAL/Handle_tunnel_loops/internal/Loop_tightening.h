@@ -40,12 +40,9 @@ public:
       : mesh_(mesh) {}
 
   /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
-  /// as long as the loop, however fine the mesh is, as long as the work is bounded: by four times
-  /// the mesh, and by half a second or so. Returns whether the loop is taut.
+  /// as long as the loop, however fine the mesh is. Returns whether the loop is taut.
   bool tighten(Crossing_loop& loop) {
-    const std::size_t work = (std::min)(4 * mesh_.number_of_faces(), std::size_t(4000000));
-    const std::size_t rounds = (std::min)(loop.size(), work / (loop.size() + 1));
-    return tighten(loop, (std::max)(std::size_t(200), rounds));
+    return tighten(loop, (std::max)(std::size_t(200), loop.size()));
   }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
@@ -143,52 +140,71 @@ private:
     set_ratios(loop);
   }
 
+  // At the ends exactly: the funnel has to tell whether the path is held at a corner.
   static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
-    return {l[0] + ratio * (r[0] - l[0]), l[1] + ratio * (r[1] - l[1])};
+    return {(1. - ratio) * l[0] + ratio * r[0], (1. - ratio) * l[1] + ratio * r[1]};
   }
 
-  // The funnel algorithm: `bends_` are the corners of the shortest path through the portals.
+  // One side of the funnel: the corners that a path from the apex, the last of `bends_`, would turn
+  // around on its way to the last of them.
+  struct Funnel_side
+  {
+    std::vector<Bend> corners;
+    std::size_t first = 0;
+    double sign; // 1 to the left, -1 to the right
+
+    void clear() {
+      corners.clear();
+      first = 0;
+    }
+    bool is_empty() const { return first == corners.size(); }
+  };
+
+  // The funnel algorithm of Lee and Preparata: `bends_` are the corners of the shortest path
+  // through the portals. Each corner enters the funnel once and leaves it once.
   void find_bends(const Crossing_loop& loop) {
     const std::size_t n = loop.size();
     const double ratio = loop[0].ratio;
-    const Point_2 goal = between(left_[n], right_[n], ratio);
+    const Bend goal = {n, between(left_[n], right_[n], ratio)};
     bends_.clear();
     bends_.push_back({0, between(left_[0], right_[0], ratio)});
-    Point_2 apex = bends_[0].point, left = apex, right = apex;
-    std::size_t left_portal = 0, right_portal = 0;
-    const auto restart = [&](const Point_2& corner, std::size_t portal) {
-      bends_.push_back({portal, corner});
-      apex = left = right = corner;
-      left_portal = right_portal = portal;
-      return portal;
-    };
-    // Where points coincide a corner may seem to be the apex; to turn there again would never end.
-    const auto is_beyond_apex = [&](std::size_t portal) { return portal > bends_.back().portal; };
-    for(std::size_t i = 1; i <= n; ++i) {
-      const Point_2 l = i == n ? goal : left_[i], r = i == n ? goal : right_[i];
-      if(cross(minus(right, apex), minus(r, apex)) >= 0.) {
-        if(right == apex || !is_beyond_apex(left_portal) ||
-           cross(minus(left, apex), minus(r, apex)) < 0.) {
-          right = r;
-          right_portal = i;
-        } else {
-          i = restart(left, left_portal);
-          continue;
-        }
-      }
-      if(cross(minus(left, apex), minus(l, apex)) <= 0.) {
-        if(left == apex || !is_beyond_apex(right_portal) ||
-           cross(minus(right, apex), minus(l, apex)) > 0.) {
-          left = l;
-          left_portal = i;
-        } else {
-          i = restart(right, right_portal);
-          continue;
-        }
-      }
+    funnel_left_.clear();
+    funnel_right_.clear();
+    for(std::size_t i = 1; i < n; ++i) {
+      narrow(funnel_right_, funnel_left_, {i, right_[i]});
+      narrow(funnel_left_, funnel_right_, {i, left_[i]});
     }
+    narrow(funnel_left_, funnel_right_, goal);
+    bends_.insert(bends_.end(), funnel_left_.corners.begin() + funnel_left_.first,
+                  funnel_left_.corners.end());
     if(bends_.back().portal != n)
-      bends_.push_back({n, goal});
+      bends_.push_back(goal);
+  }
+
+  // Lets one side of the funnel end at `corner`. Where that lies beyond the other side, the path
+  // turns around the corners there. Corners that it passes straight ahead count as well: there too
+  // the way around the other side may be shorter.
+  void narrow(Funnel_side& side, Funnel_side& other, const Bend& corner) {
+    std::vector<Bend>& corners = side.corners;
+    if(corner.point == (side.is_empty() ? bends_ : corners).back().point)
+      return;
+    while(!side.is_empty() &&
+          !passes(side.first + 1 == corners.size() ? bends_.back() : corners[corners.size() - 2],
+                  corners.back(), corner, side.sign))
+      corners.pop_back();
+    if(side.is_empty())
+      while(!other.is_empty() &&
+            passes(bends_.back(), other.corners[other.first], corner, other.sign))
+        bends_.push_back(other.corners[other.first++]);
+    corners.push_back(corner);
+  }
+
+  // Whether the shortest path to `to` that stays to the right of `by` (sign 1) or to the left of it
+  // (-1) touches it.
+  static bool passes(const Bend& from, const Bend& by, const Bend& to, double sign) {
+    const Point_2 first = minus(by.point, from.point), second = minus(to.point, by.point);
+    const double turn = sign * cross(first, second);
+    return turn > 0. || (turn == 0. && dot(first, second) >= 0.);
   }
 
   void set_ratios(Crossing_loop& loop) const {
@@ -349,6 +365,7 @@ private:
   const Flat_mesh& mesh_;
   std::vector<Point_2> left_, right_;
   std::vector<Bend> bends_;
+  Funnel_side funnel_left_ = {{}, 0, 1.}, funnel_right_ = {{}, 0, -1.};
 };
 
 } // namespace internal

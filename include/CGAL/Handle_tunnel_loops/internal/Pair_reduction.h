@@ -46,15 +46,9 @@ public:
   }
 
 private:
-  // Crossings times rounds for one try: some tenths of a second.
-  static constexpr std::size_t largest_work = 1000000;
-
   bool shorten(Crossing_loop& loop, const Crossing_loop& by) {
     // Of two loops of nearly the same length, the sum is hardly ever shorter than both.
     if(length(mesh_, loop) < 1.1 * length(mesh_, by))
-      return false;
-    // A long loop that is not yet taut, on a very fine mesh, would lose length with any twist.
-    if(loop.size() > 512 && !tightening_.tighten(loop, 3))
       return false;
     const double threshold = 0.99 * length(mesh_, loop);
     for(const bool forward : {true, false}) {
@@ -73,12 +67,8 @@ private:
   bool becomes_shorter(Crossing_loop& loop, double threshold) {
     double previous = 2. * length(mesh_, loop);
     double current = 0.5 * previous;
-    std::size_t work = largest_work;
-    while(current >= threshold && current < 0.97 * previous && work > 0) {
-      const std::size_t rounds =
-          (std::max)(std::size_t(8), (std::min)(loop.size() / 64, largest_work / 5 / loop.size()));
-      work -= (std::min)(work, rounds * loop.size());
-      tightening_.tighten(loop, rounds);
+    while(current >= threshold && current < 0.97 * previous) {
+      tightening_.tighten(loop, (std::max)(std::size_t(8), loop.size() / 64));
       previous = current;
       current = length(mesh_, loop);
     }
