@@ -49,11 +49,12 @@ memory is about 60 bytes per face, and 5 more for each thread.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag`, and
-`Cuda_if_available_tag`. The result does not depend on it, nor on the number of threads. \tparam
-TriangleMesh a model of `FaceListGraph` \tparam OutputIterator a model of `OutputIterator` that
-accepts `Handle_tunnel_pair<TriangleMesh>`, with the value type of the vertex point map as second
-argument if that is not the mesh's own \tparam NamedParameters a sequence of \ref
-bgl_namedparameters "Named Parameters"
+  `Cuda_if_available_tag`. The result does not depend on it, nor on the number of threads.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam OutputIterator a model of `OutputIterator` that accepts
+  `Handle_tunnel_pair<TriangleMesh>`, with the value type of the vertex point map as second argument
+  if that is not the mesh's own
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
 \param out the iterator that the pairs are written to
@@ -87,11 +88,15 @@ bgl_namedparameters "Named Parameters"
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{is told the progress, from 0 to 1, and asks to stop by returning `false`;
-it is called by one thread at a time, not always the same} \cgalParamType{an instance of
-`std::function<bool(double)>`} \cgalParamDefault{an empty function} \cgalParamExtra{After a stop,
-nothing has been written to `out`.} \cgalParamNEnd \cgalParamNBegin{visitor}
+      it is called by one thread at a time, not always the same}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{an empty function}
+    \cgalParamExtra{After a stop, nothing has been written to `out`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
     \cgalParamDescription{is told when a stage begins and ends; copied, unless passed by
-`std::ref()`} \cgalParamType{a class model of `HandleTunnelLoopsVisitor`}
+      `std::ref()`}
+    \cgalParamType{a class model of `HandleTunnelLoopsVisitor`}
     \cgalParamDefault{`Handle_tunnel_loops::Default_visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{field_constants}
@@ -117,7 +122,7 @@ nothing has been written to `out`.} \cgalParamNEnd \cgalParamNBegin{visitor}
   \cgalParamNEnd
   \cgalParamNBegin{device_options}
     \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
-`Cuda_if_available_tag`}
+      `Cuda_if_available_tag`}
     \cgalParamType{`Handle_tunnel_loops::Device_options`}
     \cgalParamDefault{the current device, and a stream of its own}
   \cgalParamNEnd
@@ -126,10 +131,10 @@ nothing has been written to `out`.} \cgalParamNEnd \cgalParamNBegin{visitor}
 \return `out`, past the last pair written
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
-triangle mesh with finite coordinates; the message names an element \throws
-Handle_tunnel_loops::Interrupted_exception if the callback asked to stop \throws
-Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that is a
-  defect of the package, and nothing has been written
+  triangle mesh with finite coordinates; the message names an element
+\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
+\throws Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that
+  is a defect of the package, and nothing has been written
 \throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
 \throws std::invalid_argument if the seed vertex or the constants of the field are not valid
 

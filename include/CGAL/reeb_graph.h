@@ -209,9 +209,11 @@ halfedges it is \f$ O(n \log n) \f$ from there on. The memory is about 80 bytes 
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
-not depend on it. \tparam TriangleMesh a model of `FaceListGraph` \tparam Graph a
-`Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex point map \tparam
-NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  not depend on it.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex
+  point map
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
 \param graph the graph that the result is assigned to. It has no parallel edges and no loops, so
@@ -223,8 +225,11 @@ that it is fit for `CGAL::split_graph_into_polylines()`; this takes some nodes o
   \cgalParamNBegin{vertex_function_map}
     \cgalParamDescription{the function; equal values are ordered by the indices of their vertices}
     \cgalParamType{a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and
-numbers that `CGAL::to_double()` takes as values; they are compared as `double`, integers as they
-are} \cgalParamDefault{the arrival time of a diffusion} \cgalParamNEnd \cgalParamNBegin{seed_vertex}
+      numbers that `CGAL::to_double()` takes as values; they are compared as `double`, integers as
+      they are}
+    \cgalParamDefault{the arrival time of a diffusion}
+  \cgalParamNEnd
+  \cgalParamNBegin{seed_vertex}
     \cgalParamDescription{the vertex at which the diffusion starts, in its component}
     \cgalParamType{`boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
     \cgalParamDefault{see above}
