@@ -130,9 +130,11 @@ public:
 
   \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
     `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and
-    `Cuda_if_available_tag`. The result is the same. \param out an output iterator that accepts
-  `Pair` \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but
-  `vertex_point_map` and `geom_traits` \return `out`, past the last pair written
+    `Cuda_if_available_tag`. The result is the same.
+  \param out an output iterator that accepts `Pair`
+  \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but
+    `vertex_point_map` and `geom_traits`
+  \return `out`, past the last pair written
   */
   template <typename ConcurrencyTag = Sequential_tag,
             typename OutputIterator,
@@ -251,11 +253,9 @@ private:
     progress.start(Stage::CERTIFICATE);
     if(are_closed) {
       const auto execution = impl::execution<ConcurrencyTag>();
-      if(parameters::choose_parameter(
-             parameters::get_parameter(np, internal_np::do_compute_linking), true))
-        certification.link(execution);
-      else
-        certification.intersect(execution);
+      certification.relate(
+          execution, parameters::choose_parameter(
+                         parameters::get_parameter(np, internal_np::do_compute_linking), true));
       classify(execution, certification, pairs);
     }
     certificate_ = certification.finish();

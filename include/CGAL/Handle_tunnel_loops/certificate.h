@@ -102,10 +102,9 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
       CGAL::get_initialized_vertex_index_map(tm, np), CGAL::get_initialized_face_index_map(tm, np));
   if(certification.are_closed(pairs)) {
     certification.prepare();
-    if(choose_parameter(get_parameter(np, internal_np::do_compute_linking), true))
-      certification.link(impl::execution<ConcurrencyTag>());
-    else
-      certification.intersect(impl::execution<ConcurrencyTag>());
+    certification.relate(
+        impl::execution<ConcurrencyTag>(),
+        choose_parameter(get_parameter(np, internal_np::do_compute_linking), true));
   }
   return certification.finish();
 }

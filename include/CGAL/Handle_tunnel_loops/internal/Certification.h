@@ -67,34 +67,19 @@ public:
         certifier_.number_of_components());
   }
 
-  /// computes the intersection numbers, and whether the loops are a basis.
-  template <typename Execution> void intersect(Execution) {
+  /// finds out whether the loops are a basis, and their intersection numbers; with \p do_link the
+  /// linking numbers as well.
+  template <typename Execution> void relate(Execution execution, bool do_link) {
     Execution::invoke([this] { certificate_.basis = certifier_.are_basis(); },
-                      [this] { linker_.intersect(); });
+                      [this, execution, do_link] {
+                        if(do_link)
+                          linker_.link(execution);
+                        else
+                          linker_.intersect();
+                      });
+    if(do_link)
+      note_linking();
   }
-
-  /// computes the linking numbers besides.
-  template <typename Execution> void link(Execution execution) {
-    Execution::invoke([this] { certificate_.basis = certifier_.are_basis(); },
-                      [this, execution] { linker_.link(execution); });
-    const auto& problems = linker_.problems();
-    std::vector<Loop_linking>& linking = certificate_.linking;
-    linking.resize(loops_.size());
-    for(Loop_linking& l : linking)
-      l.bounds_inside_component = l.bounds_outside_component = true;
-    for(const Matrix_entry& e : linker_.linking()) {
-      linking[e.row].row.emplace_back(e.column, e.value);
-      linking[e.column].column.emplace_back(e.row, e.value);
-      if(linker_.component(e.row) == linker_.component(e.column))
-        linking[e.row].bounds_inside_component = linking[e.column].bounds_outside_component = false;
-    }
-    for(const auto& [loop, problem] : problems) {
-      linking[loop].problem = problem;
-      linking[loop].bounds_inside_component = linking[loop].bounds_outside_component = false;
-    }
-    is_linked_ = true;
-  }
-
   /// 1 if the linking numbers show that the first loop of a pair is the handle, -1 if the second,
   /// 0 if they do not tell.
   int handle_of_pair(std::size_t k) const {
@@ -142,6 +127,24 @@ public:
   }
 
 private:
+  void note_linking() {
+    std::vector<Loop_linking>& linking = certificate_.linking;
+    linking.resize(loops_.size());
+    for(Loop_linking& l : linking)
+      l.bounds_inside_component = l.bounds_outside_component = true;
+    for(const Matrix_entry& e : linker_.linking()) {
+      linking[e.row].row.emplace_back(e.column, e.value);
+      linking[e.column].column.emplace_back(e.row, e.value);
+      if(linker_.component(e.row) == linker_.component(e.column))
+        linking[e.row].bounds_inside_component = linking[e.column].bounds_outside_component = false;
+    }
+    for(const auto& [loop, problem] : linker_.problems()) {
+      linking[loop].problem = problem;
+      linking[loop].bounds_inside_component = linking[loop].bounds_outside_component = false;
+    }
+    is_linked_ = true;
+  }
+
   static std::string words(const std::vector<std::string>& lines) {
     std::string text;
     for(const std::string& line : lines)

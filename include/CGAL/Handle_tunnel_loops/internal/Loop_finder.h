@@ -188,10 +188,15 @@ private:
       if(!found.walks.empty())
         set_tunnel(k, found.walks.front());
     });
-    std::vector<Index> open;
-    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(open),
-                 [&](Index k) { return is_open[k] != 0; });
-    return open;
+    return marked(numbers, is_open);
+  }
+
+  static std::vector<Index> marked(const std::vector<Index>& numbers,
+                                   const std::vector<char>& is_marked) {
+    std::vector<Index> result;
+    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(result),
+                 [&](Index k) { return is_marked[k] != 0; });
+    return result;
   }
 
   // One field for all loops together, where fronts of their own would cover the mesh again and
@@ -212,10 +217,7 @@ private:
       if(!walk.empty())
         set_tunnel(k, walk);
     });
-    std::vector<Index> open;
-    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(open),
-                 [&](Index k) { return is_open[k] != 0; });
-    search_tunnels(contours, open, (std::numeric_limits<std::size_t>::max)());
+    search_tunnels(contours, marked(numbers, is_open), (std::numeric_limits<std::size_t>::max)());
   }
 
   void set_tunnel(Index k, const std::vector<Index>& walk) {

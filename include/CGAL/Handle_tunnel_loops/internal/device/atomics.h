@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/host_device.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -61,15 +62,22 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_add(std::uint32_t& x, std::uint3
 #endif
 }
 
+/// sets `x` to `value` if that comes before it, and returns what it was.
+template <typename Before>
+inline std::uint32_t
+exchange_if(std::uint32_t& x, std::uint32_t value, const Before& comes_before) {
+  std::uint32_t old = __atomic_load_n(&x, __ATOMIC_RELAXED);
+  while(comes_before(value, old) &&
+        !__atomic_compare_exchange_n(&x, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+    ;
+  return old;
+}
+
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_min(std::uint32_t& x, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
   return atomicMin(&x, value);
 #else
-  std::uint32_t old = __atomic_load_n(&x, __ATOMIC_RELAXED);
-  while(value < old &&
-        !__atomic_compare_exchange_n(&x, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
-    ;
-  return old;
+  return exchange_if(x, value, std::less<>());
 #endif
 }
 
@@ -77,11 +85,7 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_max(std::uint32_t& x, std::uint3
 #ifdef __CUDA_ARCH__
   return atomicMax(&x, value);
 #else
-  std::uint32_t old = __atomic_load_n(&x, __ATOMIC_RELAXED);
-  while(value > old &&
-        !__atomic_compare_exchange_n(&x, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
-    ;
-  return old;
+  return exchange_if(x, value, std::greater<>());
 #endif
 }
 
