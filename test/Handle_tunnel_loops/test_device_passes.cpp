@@ -2,6 +2,7 @@
 
 #include "Device_agreement.h"
 #include "Random_growth.h"
+#include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
@@ -56,9 +57,7 @@ TEST_P(Device_passes, AgreeWithTheHostOnRandomSurfaces) {
     const Field_constants c = i % 2 == 0 ? Field_constants() : random_constants(random);
     const Flat_mesh mesh = flat_mesh_of(recipe);
     const Index seed = static_cast<Index>(random.below(mesh.number_of_vertices()));
-    SCOPED_TRACE(testing::Message() << recipe << ", seed vertex " << seed << ", constants "
-                                    << c.mobility << ' ' << c.driving_force << ' '
-                                    << c.gradient_coefficient << ' ' << c.penalty << ' ' << c.step);
+    SCOPED_TRACE(testing::Message() << recipe << ", seed vertex " << seed << ", constants " << c);
     Host_executor executor(GetParam());
     Solver solver(executor, mesh);
     expect_agreement(solver, mesh, seed, c);

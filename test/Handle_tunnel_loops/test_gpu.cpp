@@ -3,6 +3,7 @@
 
 #include "Device_agreement.h"
 #include "Same_loops.h"
+#include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>

@@ -2,6 +2,7 @@
 
 #include "Crossing_loops.h"
 #include "Random_growth.h"
+#include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/Narrow_band.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
@@ -152,7 +153,7 @@ protected:
     while(band.step(No_walls(), [](Index) {})) {
     }
     std::vector<double> times;
-    for(const Time time : band.times())
+    for(const Time time : band.take_times())
       times.push_back(static_cast<double>(time) / ticks_per_step);
     return times;
   }
@@ -263,7 +264,7 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
 TEST(Front_tracker, FindsAllHandlesInAnyOrder) {
   Random random(11);
   for(int i = 0; i < 300; ++i) {
-    const Recipe recipe = random_recipe(random);
+    const Recipe recipe = random_recipe(random, 11);
     const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(100);
     SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
     const Flat_mesh mesh = flat_mesh_of(recipe);

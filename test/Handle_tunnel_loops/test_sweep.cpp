@@ -3,6 +3,7 @@
 
 #include "Crossing_loops.h"
 #include "Random_growth.h"
+#include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/sweep_handles.h>
 
@@ -81,7 +82,7 @@ TEST(Sweep, FindsAllHandlesInAnyOrder) {
   Random random(1);
   std::size_t wedges = 0;
   for(int i = 0; i < 1500; ++i) {
-    const Recipe recipe = random_recipe(random);
+    const Recipe recipe = random_recipe(random, 11);
     const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(100);
     SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
     const Flat_mesh mesh = flat_mesh_of(recipe);

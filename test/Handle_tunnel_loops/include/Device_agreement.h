@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <ostream>
@@ -55,22 +54,6 @@ using CGAL::Handle_tunnel_loops::Statistics;
 using generators::Random;
 
 const auto go_on = [](double) { return true; };
-
-inline Field_constants random_constants(Random& random) {
-  Field_constants c;
-  c.mobility = std::pow(10., random.uniform(-3., 3.));
-  c.gradient_coefficient = std::pow(10., random.uniform(-6., 6.));
-  c.penalty = std::pow(10., random.uniform(-6., 3.));
-  c.driving_force = c.penalty * (1. + std::pow(10., random.uniform(-3., 6.)));
-  c.step = random.uniform(0.05, 1.);
-  return c;
-}
-
-inline Recipe random_recipe(Random& random, std::size_t largest_genus) {
-  const std::size_t genus = random.below(largest_genus + 1);
-  return {"random",
-          {20 + 12 * genus + random.below(400), genus, static_cast<unsigned>(random.next())}};
-}
 
 // Runs passes on the host without anybody looking on.
 class Quiet_progress : public Progress

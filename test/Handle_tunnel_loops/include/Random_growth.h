@@ -14,13 +14,6 @@
 using CGAL::Handle_tunnel_loops::internal::never;
 using CGAL::Handle_tunnel_loops::internal::Time;
 
-// A coarse surface of genus below 12.
-inline Recipe random_recipe(generators::Random& random) {
-  const std::size_t genus = random.below(12);
-  return {"random",
-          {20 + 12 * genus + random.below(200), genus, static_cast<unsigned>(random.next())}};
-}
-
 // Vertices are reached one after the other, each of them beside one that was reached before.
 class Random_growth
 {

@@ -76,7 +76,7 @@ public:
     for(Index v : sources_)
       start_around(v);
     grow(mesh_.number_of_vertices(), progress);
-    return std::move(band_.times());
+    return band_.take_times();
   }
 
 private:

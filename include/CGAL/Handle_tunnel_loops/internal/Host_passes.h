@@ -52,7 +52,7 @@ public:
     while(band.number_of_reached() < n && band.step(walls, [](Index) {}))
       if(band.number_of_steps() % 64 == 0)
         progress.advance(double(band.number_of_reached()) / double(n));
-    times_ = std::move(band.times());
+    times_ = band.take_times();
     return find_sweep_handles(execution_, mesh_, Arrival_order(times_));
   }
 
@@ -75,7 +75,7 @@ public:
     band.start(walls);
     while(band.step(walls, [](Index) {}))
       ;
-    return std::move(band.times());
+    return band.take_times();
   }
 
   /// calls `f(k, found)` for the loops that are searched for; several threads may.

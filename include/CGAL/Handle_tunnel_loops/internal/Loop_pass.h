@@ -145,11 +145,12 @@ private:
 
   void note_meetings(Index v, const Walls& walls) {
     const Side side = band_.side(v);
-    for(Index u : mesh_.ring(v))
-      if(band_.is_reached(u) && band_.side(u) != side && !band_.is_wall(v, u, walls)) {
-        const std::uint64_t time = std::uint64_t(band_.time(u)) + band_.time(v);
-        meetings_.push_back(side == Side::RIGHT ? Meeting{time, u, v} : Meeting{time, v, u});
-      }
+    band_.for_each_reached_neighbor(v, [&](Index u) {
+      if(band_.side(u) == side || band_.is_wall(v, u, walls))
+        return;
+      const std::uint64_t time = std::uint64_t(band_.time(u)) + band_.time(v);
+      meetings_.push_back(side == Side::RIGHT ? Meeting{time, u, v} : Meeting{time, v, u});
+    });
   }
 
   // Once the fronts have met in one place, they go on meeting beside it.

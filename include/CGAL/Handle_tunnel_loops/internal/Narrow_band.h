@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,14 +54,16 @@ public:
       , coefficients_(k)
       , spark_(k.penalty / k.diffusion)
       , value_(mesh.number_of_vertices() + 1, 0.f)
-      , time_(mesh.number_of_vertices(), never)
-      , state_(mesh.number_of_vertices(), 0)
+      , time_(mesh.number_of_vertices() + 1, never)
+      , state_(mesh.number_of_vertices() + 1, 0)
       , band_(new Index[mesh.number_of_vertices() + 1])
       , touched_(new Index[mesh.number_of_vertices() + 1])
-      , next_(new float[mesh.number_of_vertices()]) {
-    for(Index v = 0; v < state_.size(); ++v)
+      , next_(new float[mesh.number_of_vertices()])
+      , noted_(new Index[mesh.number_of_vertices() + 1]) {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
       if(mesh.ring(v).size() > Stencils::width)
         state_[v] = special;
+    state_.back() = active;
   }
 
   /// says that there may be walls at \p v, in all runs to come; walls elsewhere are not seen.
@@ -109,9 +112,28 @@ public:
     return true;
   }
 
+  /// calls `f(u)` for the reached neighbours of \p v.
+  template <typename Function> void for_each_reached_neighbor(Index v, const Function& f) const {
+    const auto visit = [&](const auto& neighbors) {
+      for(Index u : neighbors)
+        if(is_reached(u))
+          f(u);
+    };
+    if(is_special(v))
+      visit(mesh_.ring(v));
+    else
+      visit(stencils_.neighbors(v));
+  }
+
   bool is_reached(Index v) const { return time_[v] != never; }
   Time time(Index v) const { return time_[v]; }
-  std::vector<Time>& times() { return time_; }
+
+  /// the times of all vertices; the band cannot be used after it.
+  std::vector<Time> take_times() {
+    time_.pop_back();
+    return std::move(time_);
+  }
+
   Side side(Index v) const { return state_[v] & right ? Side::RIGHT : Side::LEFT; }
 
   /// a mark of the caller's on a reached vertex; gone after `reset()`.
@@ -153,14 +175,15 @@ private:
 
   bool is_special(Index v) const { return (state_[v] & (special | special_now)) != 0; }
 
-  // The neighbours of a vertex that is not special.
-  struct Ring_row
+  // The neighbours of a vertex that is not special, and the vertex that does not exist, which is
+  // active and never reached. The stencil is in the cache already, which the ring is not.
+  struct Stencil_row
   {
     Index vertex;
-    Ring ring;
+    const Index* neighbors;
 
-    Index size() const { return ring.size(); }
-    Index operator[](Index i) const { return ring[i]; }
+    static constexpr Index size() { return Stencils::width; }
+    Index operator[](Index i) const { return neighbors[i]; }
   };
 
   // Those neighbours of a special vertex from which no wall parts it, in `special_rows_`, which
@@ -175,7 +198,7 @@ private:
     Index operator[](Index i) const { return (*rows)[begin + i]; }
   };
 
-  Ring_row row(Index v) const { return {v, mesh_.ring(v)}; }
+  Stencil_row row(Index v) const { return {v, stencils_.neighbors(v).data()}; }
 
   void arrive(Index v, Time time, Side side) {
     time_[v] = time;
@@ -216,43 +239,53 @@ private:
     return sum / static_cast<float>(row.size());
   }
 
+  // The new values, and of whom the front takes notice: few, so that the loops over the whole band
+  // stay short, and without a branch.
   void compute() {
     number_of_updates_ += band_size_ + special_band_.size();
+    // Copies, which no write through a pointer can change.
+    const Step_coefficients k = coefficients_;
+    const float* const values = value_.data();
+    std::size_t number_of_noted = 0;
     for(std::size_t i = 0; i < band_size_; ++i) {
       const Index v = band_[i];
-      next_[i] = stepped_value(value_[v], stencils_.mean(v, value_.data()), coefficients_);
+      const float before = values[v];
+      const float after = stepped_value(before, stencils_.mean(v, values), k);
+      next_[i] = after;
+      noted_[number_of_noted] = static_cast<Index>(i);
+      number_of_noted += is_noted(before, after, spark_);
     }
+    number_of_noted_ = number_of_noted;
     next_special_.clear();
     for(const Special_row& row : special_band_)
       next_special_.push_back(stepped_value(value_[row.vertex], mean(row), coefficients_));
+  }
+
+  static bool is_noted(float before, float after, float spark) {
+    return ((before < front_threshold) & (after >= front_threshold)) |
+           ((before <= spark) & (after > spark));
   }
 
   template <typename Walls, typename Reached>
   void commit(const Walls& walls, const Reached& reached) {
     // What is activated meanwhile goes behind the old band.
     const std::size_t size = band_size_, special_size = special_band_.size();
-    std::size_t kept = 0;
-    for(std::size_t i = 0; i < size; ++i) {
-      const Index v = band_[i];
-      band_[kept] = v;
-      kept += settle(row(v), next_[i], walls, reached);
+    for(std::size_t j = 0; j < number_of_noted_; ++j) {
+      const Index i = noted_[j];
+      next_[i] = settled_value(row(band_[i]), next_[i], walls, reached);
     }
-    band_size_ =
-        std::copy(band_.get() + size, band_.get() + band_size_, band_.get() + kept) - band_.get();
-
-    kept = 0;
     for(std::size_t i = 0; i < special_size; ++i) {
       const Special_row row = special_band_[i];
-      special_band_[kept] = row;
-      kept += settle(row, next_special_[i], walls, reached);
+      if(is_noted(value_[row.vertex], next_special_[i], spark_))
+        next_special_[i] = settled_value(row, next_special_[i], walls, reached);
     }
-    special_band_.erase(special_band_.begin() + kept, special_band_.begin() + special_size);
+    set_values(size, special_size);
   }
 
-  /// gives a vertex its new value, and says whether it may still change. No vertex passes the
-  /// threshold before a neighbour has.
+  /// the new value of a vertex of which the front takes notice. No vertex passes the threshold
+  /// before a neighbour has.
   template <typename Row, typename Walls, typename Reached>
-  bool settle(const Row& row, float after, const Walls& walls, const Reached& reached) {
+  float settled_value(const Row& row, float after, const Walls& walls, const Reached& reached) {
     const Index v = row.vertex;
     const float before = value_[v];
     if(before < front_threshold && after >= front_threshold) {
@@ -264,10 +297,31 @@ private:
         reached(v);
       }
     }
-    value_[v] = after;
     if(before <= spark_ && after > spark_)
       activate_neighbors(row, walls);
-    return after < 1.f;
+    return after;
+  }
+
+  // Those that have come to one leave the band, the first `size` places of it.
+  void set_values(std::size_t size, std::size_t special_size) {
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < size; ++i) {
+      const Index v = band_[i];
+      value_[v] = next_[i];
+      band_[kept] = v;
+      kept += next_[i] < 1.f;
+    }
+    band_size_ =
+        std::copy(band_.get() + size, band_.get() + band_size_, band_.get() + kept) - band_.get();
+
+    kept = 0;
+    for(std::size_t i = 0; i < special_size; ++i) {
+      const Special_row row = special_band_[i];
+      value_[row.vertex] = next_special_[i];
+      special_band_[kept] = row;
+      kept += next_special_[i] < 1.f;
+    }
+    special_band_.erase(special_band_.begin() + kept, special_band_.begin() + special_size);
   }
 
   // Among the neighbours reached in earlier steps; the vertex itself if there is none.
@@ -324,12 +378,15 @@ private:
   const Stencils& stencils_;
   Step_coefficients coefficients_;
   float spark_; // a vertex stays at zero as long as all its neighbours are below this value
-  std::vector<float> value_; // one more than there are vertices, see Stencils
+  // These three have one more place than there are vertices, see `Stencils`.
+  std::vector<float> value_;
   std::vector<Time> time_;
   std::vector<std::uint8_t> state_;
   std::unique_ptr<Index[]> band_; // not initialised: a pass in a small region touches little of it
   std::unique_ptr<Index[]> touched_;
   std::unique_ptr<float[]> next_;
+  std::unique_ptr<Index[]> noted_; // places in the band
+  std::size_t number_of_noted_ = 0;
   std::size_t band_size_ = 0;
   std::size_t number_of_touched_ = 0;
   std::vector<Special_row> special_band_;

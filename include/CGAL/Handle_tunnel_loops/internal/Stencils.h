@@ -51,6 +51,9 @@ public:
     return stencil_mean(row.weight, [&](Index i) { return values[row.neighbors[i]]; });
   }
 
+  /// the neighbours of a vertex with a short row, filled up.
+  const std::array<Index, width>& neighbors(Index v) const { return rows_[v].neighbors; }
+
 private:
   struct Row
   {
