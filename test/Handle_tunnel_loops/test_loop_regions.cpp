@@ -48,7 +48,7 @@ struct Swept_surface
       ;
     std::vector<Crossing_loop> found;
     for(const Sweep_handle& handle :
-        find_sweep_handles(execution, mesh, Arrival_order(band.times())))
+        find_sweep_handles(execution, mesh, Arrival_order(band.take_times())))
       found.push_back(handle.loop);
     return found;
   }

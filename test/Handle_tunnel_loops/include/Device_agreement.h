@@ -2,6 +2,7 @@
 #define HTL_TEST_DEVICE_AGREEMENT_H
 
 #include "Flat_mesh_of_soup.h"
+#include "Quiet_progress.h"
 
 #include "generators/Random.h"
 
@@ -49,23 +50,9 @@ namespace device_agreement {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::Field_constants;
-using CGAL::Handle_tunnel_loops::Stage;
-using CGAL::Handle_tunnel_loops::Statistics;
 using generators::Random;
 
 const auto go_on = [](double) { return true; };
-
-// Runs passes on the host without anybody looking on.
-class Quiet_progress : public Progress
-{
-public:
-  Quiet_progress()
-      : Progress(
-            {}, [](Stage) {}, [](Stage) {}, statistics_) {}
-
-private:
-  Statistics statistics_;
-};
 
 inline std::vector<Crossing_loop> loops_of(const std::vector<Sweep_handle>& handles) {
   std::vector<Crossing_loop> loops;

@@ -20,6 +20,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/Refinement_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/Region_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/Second_look.h>
 #include <CGAL/Handle_tunnel_loops/internal/Worker_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/sweep_handles.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -143,6 +144,7 @@ private:
           Pair_reduction(mesh_).reduce(handles_[k], tunnels_[k]);
         },
         1);
+    Second_look<Execution>(mesh_, progress_).improve(handles_, tunnels_);
   }
 
   std::vector<Index> all_loops() const {

@@ -219,10 +219,12 @@ private:
       hold_at_corner(loop, bends_[b]);
   }
 
+  // Where the path goes through a vertex but for rounding, it goes through the vertex.
   double crossing_ratio(std::size_t i, const Point_2& from, const Point_2& direction) const {
     const double across = cross(minus(right_[i], left_[i]), direction);
     const double ratio = across == 0. ? 0.5 : cross(minus(from, left_[i]), direction) / across;
-    return (std::min)(1., (std::max)(0., ratio));
+    constexpr double rounding = 1e-12;
+    return ratio < rounding ? 0. : ratio > 1. - rounding ? 1. : ratio;
   }
 
   // All the portals that end at the corner are passed exactly there.
