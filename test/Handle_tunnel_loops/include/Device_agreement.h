@@ -98,12 +98,13 @@ inline std::vector<Found_walks> expect_same(device::Solver& solver,
   });
   return found;
 }
+
 // All passes on a mesh, one after the other.
 inline Tally expect_agreement(device::Solver& solver,
                               const Flat_mesh& mesh,
                               Index seed,
                               const Field_constants& c) {
-  const Step_coefficients k = step_coefficients(c);
+  const Step_coefficients k = step_coefficients(c), searching = coefficients_for_searching(k);
   Host_passes<Sequential_execution> host(mesh, k);
   Quiet_progress progress;
   const std::vector<Sweep_handle> handles = solver.sweep({seed}, k, go_on);
@@ -113,13 +114,14 @@ inline Tally expect_agreement(device::Solver& solver,
 
   const std::vector<Crossing_loop> contours = loops_of(handles);
   const Crossing_index index(mesh, contours);
-  EXPECT_EQ(solver.times_from_loops(contours, index, k), host.times_from_loops(contours, index));
+  EXPECT_EQ(solver.times_from_loops(contours, index, searching),
+            host.times_from_loops(contours, index));
   const std::vector<Index> all = first_numbers(contours.size());
   Tally tally;
   for(const std::uint64_t updates : {100u, 3000u})
-    tally.add(expect_same(solver, host, k, {contours, index, false, all, 1, {}, updates}));
+    tally.add(expect_same(solver, host, searching, {contours, index, false, all, 1, {}, updates}));
   const std::vector<Found_walks> tunnels =
-      expect_same(solver, host, k, {contours, index, false, all});
+      expect_same(solver, host, searching, {contours, index, false, all});
   tally.add(tunnels);
   std::vector<Crossing_loop> loops;
   std::vector<Time> steps;
@@ -129,7 +131,7 @@ inline Tally expect_agreement(device::Solver& solver,
       steps.push_back(static_cast<Time>(20 + loops.back().size()));
     }
   const Crossing_index tunnel_index(mesh, loops);
-  tally.add(expect_same(solver, host, k,
+  tally.add(expect_same(solver, host, searching,
                         {loops, tunnel_index, true, first_numbers(loops.size()), 6, steps}));
   return tally;
 }

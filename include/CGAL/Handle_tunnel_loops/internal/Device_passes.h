@@ -42,7 +42,8 @@ template <typename Execution> class Device_passes
 public:
   Device_passes(const Flat_mesh& mesh, const Step_coefficients& k, const Device_options& options)
       : solver_(device::make_cuda_solver(mesh, options))
-      , coefficients_(k) {
+      , coefficients_(k)
+      , coefficients_for_searching_(internal::coefficients_for_searching(k)) {
     static_assert(Is_linked_with_cuda<Execution>::value,
                   "Cuda_tag is used but the program is not linked with Handle_tunnel_loops::cuda");
   }
@@ -66,7 +67,7 @@ public:
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index) {
-    return solver_->times_from_loops(loops, index, coefficients_);
+    return solver_->times_from_loops(loops, index, coefficients_for_searching_);
   }
 
   template <typename Function>
@@ -75,7 +76,8 @@ public:
       progress.throw_if_interrupted();
       return true;
     };
-    const std::vector<Found_walks> found = solver_->search(search, coefficients_, go_on);
+    const std::vector<Found_walks> found =
+        solver_->search(search, coefficients_for_searching_, go_on);
     for_each_index(
         execution_, found.size(),
         [&](std::size_t i) {
@@ -95,7 +97,7 @@ private:
   }
 
   std::unique_ptr<device::Solver> solver_;
-  Step_coefficients coefficients_;
+  Step_coefficients coefficients_, coefficients_for_searching_;
   Execution execution_;
   std::vector<Time> times_;
 };

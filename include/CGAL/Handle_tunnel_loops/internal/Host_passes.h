@@ -34,6 +34,7 @@ public:
   Host_passes(const Flat_mesh& mesh, const Step_coefficients& k, const Device_options& = {})
       : mesh_(mesh)
       , coefficients_(k)
+      , coefficients_for_searching_(internal::coefficients_for_searching(k))
       , stencils_(execution_, mesh) {}
 
   void report(Statistics& statistics) const { statistics.backend = "host"; }
@@ -62,7 +63,7 @@ public:
   /// the arrival times of one field from both sides of all loops, none of which it crosses.
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index) const {
-    Narrow_band band(mesh_, stencils_, coefficients_);
+    Narrow_band band(mesh_, stencils_, coefficients_for_searching_);
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
       if(index.has_crossing(v))
         band.expect_walls(v);
@@ -91,8 +92,9 @@ private:
   template <typename Loop_set, typename Function>
   void search_with(const Loop_search& search, Progress& progress, const Function& f) const {
     using Pass = Loop_pass<Loop_set>;
-    Worker_pool<Pass> passes(
-        [&] { return std::make_unique<Pass>(mesh_, stencils_, coefficients_, search.index); });
+    Worker_pool<Pass> passes([&] {
+      return std::make_unique<Pass>(mesh_, stencils_, coefficients_for_searching_, search.index);
+    });
     for_each_index(
         execution_, search.numbers.size(),
         [&](std::size_t i) {
@@ -115,7 +117,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Step_coefficients coefficients_;
+  Step_coefficients coefficients_, coefficients_for_searching_;
   Execution execution_;
   Stencils stencils_;
   std::vector<Time> times_;

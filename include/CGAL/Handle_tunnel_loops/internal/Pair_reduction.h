@@ -68,7 +68,7 @@ private:
     double previous = 2. * length(mesh_, loop);
     double current = 0.5 * previous;
     while(current >= threshold && current < 0.97 * previous) {
-      tightening_.tighten(loop, (std::max)(std::size_t(8), loop.size() / 64));
+      tightening_.tighten(loop, (std::max)(std::size_t(8), loop.size() / 16));
       previous = current;
       current = length(mesh_, loop);
     }

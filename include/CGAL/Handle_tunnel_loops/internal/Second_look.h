@@ -75,7 +75,7 @@ private:
 
   static constexpr double gain_worth_having = 0.99;
 
-  std::size_t first_share() const { return mesh_.number_of_vertices() / 8 + (1 << 16); }
+  std::size_t first_share() const { return mesh_.number_of_vertices() / 16 + (1 << 16); }
 
   // About the area within half the length of a loop on both sides of its partner, in vertices: a
   // taut loop crosses two edges on an edge length.

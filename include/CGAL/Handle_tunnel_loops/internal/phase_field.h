@@ -36,6 +36,7 @@ struct Step_coefficients
   float diffusion;
   float drive;
   float penalty;
+  float settled = 1.f; ///< a value that comes so far is set to one
 };
 
 /// The largest stable step makes the new value a mean of the neighbours, diffusion = 1.
@@ -44,6 +45,13 @@ inline Step_coefficients step_coefficients(const Field_constants& c) {
   const double factor = c.step * largest_step * 0.5 * c.mobility;
   return {static_cast<float>(factor * 4. * c.gradient_coefficient),
           static_cast<float>(factor * c.driving_force), static_cast<float>(factor * c.penalty)};
+}
+
+/// The coefficients for the loop passes, which need the way that a front takes, not its profile: a
+/// value that has come so far behind the front is updated no more.
+inline Step_coefficients coefficients_for_searching(Step_coefficients k) {
+  k.settled = 0.8f;
+  return k;
 }
 
 /// Rows of the Laplacian have room for so many neighbours; longer ones are treated apart.
@@ -64,7 +72,7 @@ stepped_value(float phi, float mean_of_neighbors, const Step_coefficients& k) {
                        k.drive * std::sqrt(phi * (1.f - phi)) - k.penalty * (1.f - 2.f * phi);
   const float value = phi + change;
   const float positive = value > 0.f ? value : 0.f; // in this form it compiles to no branch
-  return positive < 1.f ? positive : 1.f;
+  return positive < k.settled ? positive : 1.f;
 }
 
 /// Arrival times are integers, so that their order is exact however long a run is.
