@@ -153,14 +153,14 @@ private:
     const auto began = Clock::now();
     if(!allows_parallel_arcs)
       make_simple(flat);
-    Reeb_converter<TriangleMesh, Vertex_point_map, Geom_traits>(point_, traits_, mesh_, vertices_)
-        .convert(flat, value, graph);
     if constexpr(is_given<internal_np::vertex_arc_map_t>) {
       const auto map = parameters::get_parameter(np_, internal_np::vertex_arc_map);
       for(std::size_t a = 0; a < flat.arcs.size(); ++a)
         for(Index v : flat.arcs[a].vertices)
           put(map, vertices_[v], a);
     }
+    Reeb_converter<TriangleMesh, Vertex_point_map, Geom_traits>(point_, traits_, mesh_, vertices_)
+        .convert(Execution(), std::move(flat), value, graph);
     statistics_.seconds_of_finishing += seconds_since(began);
   }
 

@@ -14,10 +14,14 @@
 
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/Reeb_finishing.h>
+#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/graph/properties.hpp>
+
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,27 +45,42 @@ public:
       , vertices_(vertices)
       , origin_(coordinates(0) - mesh.scale * mesh.points[0]) {}
 
-  /// \p value gives the value of the function at a vertex.
-  template <typename Graph, typename Value>
-  void convert(const Embedded_reeb_graph& flat, const Value& value, Graph& graph) const {
+  /// \p value gives the value of the function at a vertex. Of `flat` no more is kept in memory than
+  /// is still to be turned.
+  template <typename Execution, typename Graph, typename Value>
+  void
+  convert(Execution execution, Embedded_reeb_graph&& flat, const Value& value, Graph& graph) const {
     graph = Graph(flat.nodes.size());
     for(std::size_t i = 0; i < flat.nodes.size(); ++i)
       convert(flat.nodes[i], value, graph[i]);
-    for(std::size_t a = 0; a < flat.arcs.size(); ++a) {
-      auto& arc = graph[add_edge(flat.arcs[a].lower, flat.arcs[a].upper, graph).first];
-      arc.index = a;
-      arc.length = mesh_.scale * length(flat.arcs[a].line);
-      for(const Vector& p : flat.arcs[a].line)
-        arc.polyline.push_back(place(p));
-      arc.polyline.front() = graph[flat.arcs[a].lower].point;
-      arc.polyline.back() = graph[flat.arcs[a].upper].point;
-      arc.vertices.reserve(flat.arcs[a].vertices.size());
-      for(Index v : flat.arcs[a].vertices)
-        arc.vertices.push_back(vertices_[v]);
-    }
+    std::vector<typename boost::edge_bundle_type<Graph>::type*> arcs;
+    arcs.reserve(flat.arcs.size());
+    for(const Embedded_reeb_graph::Arc& arc : flat.arcs)
+      arcs.push_back(&graph[add_edge(arc.lower, arc.upper, graph).first]);
+    for_each_index(execution, arcs.size(), [&](std::size_t a) {
+      const Embedded_reeb_graph::Arc arc = std::move(flat.arcs[a]);
+      arcs[a]->index = a;
+      convert(arc, graph[arc.lower].point, graph[arc.upper].point, *arcs[a]);
+    });
   }
 
 private:
+  template <typename Arc>
+  void convert(const Embedded_reeb_graph::Arc& flat,
+               const Point& lower,
+               const Point& upper,
+               Arc& arc) const {
+    arc.length = mesh_.scale * length(flat.line);
+    arc.polyline.reserve(flat.line.size());
+    for(const Vector& p : flat.line)
+      arc.polyline.push_back(place(p));
+    arc.polyline.front() = lower;
+    arc.polyline.back() = upper;
+    arc.vertices.reserve(flat.vertices.size());
+    for(Index v : flat.vertices)
+      arc.vertices.push_back(vertices_[v]);
+  }
+
   template <typename Value, typename Node>
   void convert(const Flat_reeb_graph::Node& flat, const Value& value, Node& node) const {
     constexpr Reeb_node_type types[] = {Reeb_node_type::MINIMUM, Reeb_node_type::SADDLE,

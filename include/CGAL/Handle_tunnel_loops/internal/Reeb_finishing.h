@@ -17,8 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -56,25 +56,38 @@ public:
       , embedding_(graph) {}
 
   Embedded_reeb_graph run(Reeb_measure measure, double threshold) const {
-    Reeb_simplification simplification(graph_, extents(measure));
-    if(threshold > 0.) {
-      const std::vector<double> sizes = sizes_of_components(measure);
-      simplification.run([measure](const Arc_extent& extent) { return size(extent, measure); },
-                         [&](const Arc_extent& extent, const Arc_end& base, Index node) {
-                           const Index c = mesh_.component[graph_.nodes[node].vertex];
-                           return size(extent, measure) <= threshold * sizes[c] ||
-                                  (measure == Reeb_measure::LIMBS &&
-                                   extent.slenderness(base) < slenderness_of_limbs);
-                         });
+    using Path = Reeb_simplification::Path;
+    if(!(threshold > 0.)) {
+      const auto path = [this](Index a) {
+        return Path{graph_.arcs[a].lower, graph_.arcs[a].upper, {{a, false}}};
+      };
+      return graph_of(graph_.arcs.size(), path, [](Index arc) { return arc; });
     }
-    const auto [paths, path_of_arc] = simplification.result();
-    return graph_of(paths, path_of_arc);
+    const auto [paths, path_of_arc] = simplified(measure, threshold);
+    return graph_of(
+        paths.size(), [&paths = paths](Index i) -> const Path& { return paths[i]; },
+        [&path_of_arc = path_of_arc](Index arc) { return path_of_arc[arc]; });
   }
 
 private:
   // A leaf that is less long than this, in units of the radius at its base, is a bump and no limb.
   // On animals and parts, most bumps and caps have less, toes, ears, legs and heads have more.
   static constexpr double slenderness_of_limbs = 0.8;
+
+  // The paths, and for each arc the number of its path.
+  std::pair<std::vector<Reeb_simplification::Path>, std::vector<Index>>
+  simplified(Reeb_measure measure, double threshold) const {
+    Reeb_simplification simplification(graph_, extents(measure));
+    const std::vector<double> sizes = sizes_of_components(measure);
+    simplification.run([measure](const Arc_extent& extent) { return size(extent, measure); },
+                       [&](const Arc_extent& extent, const Arc_end& base, Index node) {
+                         const Index c = mesh_.component[graph_.nodes[node].vertex];
+                         return size(extent, measure) <= threshold * sizes[c] ||
+                                (measure == Reeb_measure::LIMBS &&
+                                 extent.slenderness(base) < slenderness_of_limbs);
+                       });
+    return simplification.result();
+  }
 
   static double size(const Arc_extent& extent, Reeb_measure measure) {
     switch(measure) {
@@ -152,34 +165,50 @@ private:
     return sizes;
   }
 
-  Embedded_reeb_graph graph_of(const std::vector<Reeb_simplification::Path>& paths,
-                               const std::vector<Index>& path_of_arc) const {
-    constexpr int rounds_of_smoothing = 10;
-    std::vector<Index> number(graph_.nodes.size(), no_index);
-    for(const auto& path : paths)
-      number[path.lower] = number[path.upper] = 0;
+  // Of so many paths: `path(i)`, to which the arcs with `path_of_arc(arc) == i` belong.
+  template <typename PathAt, typename PathOfArc>
+  Embedded_reeb_graph
+  graph_of(std::size_t number_of_paths, const PathAt& path, const PathOfArc& path_of_arc) const {
     Embedded_reeb_graph result;
+    result.arcs.resize(number_of_paths);
+    number_nodes(path, result);
+    const Grouped<Index> vertices(number_of_paths, [&](const auto& f) {
+      for(Index v : order_.vertices())
+        f(path_of_arc(graph_.vertex_arc[v]), v);
+    });
+    constexpr int rounds_of_smoothing = 10;
+    for_each_index(
+        execution_, number_of_paths,
+        [&](std::size_t i) {
+          Embedded_reeb_graph::Arc& arc = result.arcs[i];
+          arc.line = embedding_.polyline(path(static_cast<Index>(i)));
+          smooth(arc.line, rounds_of_smoothing);
+          arc.vertices.assign(vertices.items.begin() + vertices.begin[i],
+                              vertices.items.begin() + vertices.begin[i + 1]);
+        },
+        256);
+    return result;
+  }
+
+  // The nodes that are ends of paths keep their order.
+  template <typename PathAt>
+  void number_nodes(const PathAt& path, Embedded_reeb_graph& result) const {
+    std::vector<Index> number(graph_.nodes.size(), no_index);
+    for(Index i = 0; i < result.arcs.size(); ++i) {
+      const Reeb_simplification::Path& ends = path(i);
+      number[ends.lower] = number[ends.upper] = 0;
+      result.arcs[i].lower = ends.lower;
+      result.arcs[i].upper = ends.upper;
+    }
     for(Index node = 0; node < number.size(); ++node)
       if(number[node] != no_index) {
         number[node] = static_cast<Index>(result.nodes.size());
         result.nodes.push_back(graph_.nodes[node]);
       }
-    const Grouped<Index> vertices(paths.size(), [&](const auto& f) {
-      for(Index v : order_.vertices())
-        f(path_of_arc[graph_.vertex_arc[v]], v);
-    });
-    result.arcs.resize(paths.size());
-    for_each_index(
-        execution_, paths.size(),
-        [&](std::size_t i) {
-          Embedded_reeb_graph::Arc& arc = result.arcs[i];
-          arc = {number[paths[i].lower], number[paths[i].upper], embedding_.polyline(paths[i]),
-                 std::vector<Index>(vertices.items.begin() + vertices.begin[i],
-                                    vertices.items.begin() + vertices.begin[i + 1])};
-          smooth(arc.line, rounds_of_smoothing);
-        },
-        256);
-    return result;
+    for(Embedded_reeb_graph::Arc& arc : result.arcs) {
+      arc.lower = number[arc.lower];
+      arc.upper = number[arc.upper];
+    }
   }
 
   const Flat_mesh& mesh_;
@@ -212,18 +241,31 @@ inline Embedded_reeb_graph::Arc split_arc(Embedded_reeb_graph& graph, Index a, d
   return above;
 }
 
+/// marks the arcs that join the same nodes as one before them.
+inline std::vector<char> parallel_arcs(const Embedded_reeb_graph& graph) {
+  std::vector<std::array<Index, 3>> sorted;
+  sorted.reserve(graph.arcs.size());
+  for(Index a = 0; a < graph.arcs.size(); ++a) {
+    const auto [low, high] = std::minmax(graph.arcs[a].lower, graph.arcs[a].upper);
+    sorted.push_back({low, high, a});
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<char> is_parallel(graph.arcs.size(), 0);
+  for(std::size_t i = 1; i < sorted.size(); ++i)
+    is_parallel[sorted[i][2]] =
+        sorted[i][0] == sorted[i - 1][0] && sorted[i][1] == sorted[i - 1][1];
+  return is_parallel;
+}
+
 /// puts regular nodes on arcs so that no two join the same nodes, and none joins a node to itself.
 inline void make_simple(Embedded_reeb_graph& graph) {
-  const Index number_of_arcs = static_cast<Index>(graph.arcs.size());
-  std::map<std::pair<Index, Index>, Index> seen;
-  for(Index a = 0; a < number_of_arcs; ++a) {
-    const Index lower = graph.arcs[a].lower, upper = graph.arcs[a].upper;
-    if(lower == upper) {
+  const std::vector<char> is_parallel = parallel_arcs(graph);
+  for(Index a = 0; a < is_parallel.size(); ++a)
+    if(graph.arcs[a].lower == graph.arcs[a].upper) {
       graph.arcs.push_back(split_arc(graph, a, 2. / 3.));
       graph.arcs.push_back(split_arc(graph, a, 0.5));
-    } else if(!seen.emplace(std::minmax(lower, upper), a).second)
+    } else if(is_parallel[a])
       graph.arcs.push_back(split_arc(graph, a, 0.5));
-  }
 }
 
 } // namespace internal
