@@ -46,7 +46,7 @@ both are moved along the normals (4.5). Several connected components are treated
 component of genus 0 contributes nothing.
 
 Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover;
-memory is about 60 bytes per face, and 5 more for each thread.
+memory is about 60 bytes per face, and 5 to 8 more for each thread.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag`, and

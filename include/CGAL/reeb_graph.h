@@ -205,7 +205,7 @@ without it the component would have no node with three arcs.
 The time for a given function is linear but for sorting the vertices, plus the length of the shorter
 contour at each saddle where one parts; if these add up to more than eight times the number of
 halfedges it is \f$ O(n \log n) \f$ from there on. The memory is about 80 bytes per face, and
-100 to 200 where a third of the vertices are critical points.
+100 to 180 where a third of the vertices are critical points.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
