@@ -17,7 +17,6 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #endif
 
 #include <algorithm>
@@ -66,7 +65,12 @@ struct Parallel_execution
   }
 
   template <typename F, typename G> static void invoke(const F& f, const G& g) {
-    tbb::parallel_invoke(f, g);
+    for_ranges(2, 1, [&](std::size_t i, std::size_t) {
+      if(i == 0)
+        f();
+      else
+        g();
+    });
   }
 };
 #endif
