@@ -67,8 +67,13 @@ private:
   bool becomes_shorter(Crossing_loop& loop, double threshold) {
     double previous = 2. * length(mesh_, loop);
     double current = 0.5 * previous;
-    while(current >= threshold && current < 0.97 * previous) {
-      tightening_.tighten(loop, (std::max)(std::size_t(8), loop.size() / 16));
+    std::size_t work = tightening_.share_of_work();
+    while(current >= threshold && current < 0.97 * previous && work > 0) {
+      const std::size_t most_rounds = tightening_.share_of_work() / 8 / (loop.size() + 1);
+      const std::size_t rounds =
+          (std::max)(std::size_t(8), (std::min)(loop.size() / 16, most_rounds));
+      work -= (std::min)(work, rounds * loop.size());
+      tightening_.tighten(loop, rounds);
       previous = current;
       current = length(mesh_, loop);
     }
