@@ -39,8 +39,8 @@ The method follows \cgalCite{weinrauch2023variational}: a phase field grows from
 surface; where two of its fronts meet there is a handle (section 4.1). A field from one side of that
 front to the other finds the tunnel (4.2), a field from one side of the tunnel to the other a better
 handle (4.3). The loops are then pulled taut in their homotopy classes, and looked for once more by
-lengths of edges, since the fields only count these. Which loop of a pair is the
-handle is decided by linking numbers: it bounds in the solid, or the other one bounds outside of it
+lengths of edges, since the fields only count these. Which loop of a pair is the handle is decided
+by linking numbers: it bounds in the solid, or the other one bounds outside of it
 (`Handle_tunnel_loops::Loop_linking`). Where these do not tell, it is the loop that grows more when
 both are moved along the normals (4.5). Several connected components are treated at once; a
 component of genus 0 contributes nothing.

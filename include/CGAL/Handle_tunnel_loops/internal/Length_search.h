@@ -61,10 +61,10 @@ public:
     const bool is_done = search(walls, number_of_visits);
     std::vector<Index> walk;
     if(is_done && best_.left != no_index)
-      walk = close();
+      walk = rail_.closed_walk(way_back(best_.right), way_back(best_.left));
     if(!is_dual(index.intersections(walk), k, only))
       walk.clear();
-    reset(loop);
+    reset();
     return walk;
   }
 
@@ -100,7 +100,6 @@ private:
     for(const std::uint8_t side : {std::uint8_t(0), right})
       for(Index i = 0; i < loop.size(); ++i) {
         const Index v = side == right ? loop[i].right : loop[i].left;
-        places_[v].state |= beside_loop;
         if(places_[v].distance == infinite)
           reach(v, {0.f, no_index, i, static_cast<std::uint8_t>(beside_loop | side)});
       }
@@ -140,8 +139,7 @@ private:
       if((there.state & visited) != 0)
         note_meeting(v, u, distance);
       else if(distance < there.distance)
-        reach(u, {distance, v, here.source,
-                  static_cast<std::uint8_t>((there.state & beside_loop) | (here.state & right))});
+        reach(u, {distance, v, here.source, static_cast<std::uint8_t>(here.state & right)});
     }
   }
 
@@ -160,24 +158,17 @@ private:
     return (std::min)(one_way, position.back() - one_way);
   }
 
-  std::vector<Index> close() {
-    std::vector<Index> walk;
-    for(Index v = best_.right; v != no_index; v = places_[v].parent)
-      walk.push_back(v);
-    std::reverse(walk.begin(), walk.end());
-    for(Index v = best_.left; v != no_index; v = places_[v].parent)
-      walk.push_back(v);
-    rail_.append(Loop_rail::left, Loop_rail::left, walk.back(), Loop_rail::right, walk.front(),
-                 walk);
-    remove_spurs(walk);
-    return walk;
+  // From `v` to a source.
+  std::vector<Index> way_back(Index v) const {
+    std::vector<Index> way;
+    for(; v != no_index; v = places_[v].parent)
+      way.push_back(v);
+    return way;
   }
 
-  void reset(const Crossing_loop& loop) {
+  void reset() {
     for(Index v : reached_)
       places_[v] = Place();
-    for(const Crossing& c : loop)
-      places_[c.left] = places_[c.right] = Place();
     reached_.clear();
     queue_.clear();
   }

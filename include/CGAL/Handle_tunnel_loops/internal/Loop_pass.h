@@ -88,7 +88,8 @@ public:
       for(const Meeting& meeting : meetings_) {
         if(walks.size() == limits.number_of_walks || continues_a_meeting(meeting))
           continue;
-        std::vector<Index> walk = close(meeting, walls);
+        std::vector<Index> walk =
+            rail_.closed_walk(way_back(meeting.right, walls), way_back(meeting.left, walls));
         if(!is_dual(index_.intersections(walk), number, barred))
           continue;
         mark(meeting);
@@ -170,17 +171,6 @@ private:
   void mark(const Meeting& meeting) {
     band_.mark(meeting.left);
     band_.mark(meeting.right);
-  }
-
-  std::vector<Index> close(const Meeting& meeting, const Walls& walls) {
-    std::vector<Index> walk = way_back(meeting.right, walls);
-    std::reverse(walk.begin(), walk.end());
-    const std::vector<Index> to_left = way_back(meeting.left, walls);
-    walk.insert(walk.end(), to_left.begin(), to_left.end());
-    rail_.append(Loop_rail::left, Loop_rail::left, walk.back(), Loop_rail::right, walk.front(),
-                 walk);
-    remove_spurs(walk);
-    return walk;
   }
 
   // From `v` to a source.

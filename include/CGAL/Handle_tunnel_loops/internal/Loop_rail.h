@@ -49,6 +49,18 @@ public:
     way.for_each([&](const Crossing& c) { walk.push_back(c.*side); });
   }
 
+  /// the closed walk from the right side back along `to_right`, then along `to_left` to the left
+  /// side, and along that to where it began. The ways start beside each other and end at ends of
+  /// crossings.
+  std::vector<Index> closed_walk(const std::vector<Index>& to_right,
+                                 const std::vector<Index>& to_left) const {
+    std::vector<Index> walk(to_right.rbegin(), to_right.rend());
+    walk.insert(walk.end(), to_left.begin(), to_left.end());
+    append(left, left, walk.back(), right, walk.front(), walk);
+    remove_spurs(walk);
+    return walk;
+  }
+
   /// the length of the left side up to each crossing, and at last all of it.
   const std::vector<double>& along() const { return along_; }
 

@@ -40,20 +40,19 @@ public:
       : mesh_(mesh) {}
 
   /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
-  /// as long as the loop, however fine the mesh is, within a share of work. Returns whether the
-  /// loop is taut.
-  bool tighten(Crossing_loop& loop) {
+  /// as long as the loop, however fine the mesh is, within a share of work.
+  void tighten(Crossing_loop& loop) {
     const std::size_t rounds = (std::min)(loop.size(), share_of_work() / (loop.size() + 1));
-    return tighten(loop, (std::max)(std::size_t(200), rounds));
+    tighten(loop, (std::max)(std::size_t(200), rounds));
   }
 
-  /// Crossings times rounds. On a mesh of n faces a loop crosses about as many edges
-  /// as the square root of n; only on ugly ones there are loops that need more than the share.
+  /// Crossings times rounds. On a mesh of n faces a loop crosses about as many edges as the square
+  /// root of n; only on ugly ones there are loops that need more than the share.
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
   /// latest after the given number of rounds.
-  bool tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
+  void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     remove_backtracks(loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
@@ -79,7 +78,6 @@ public:
       previous_length = current;
     }
     loop = std::move(best);
-    return idle_rounds == 2;
   }
 
 private:
