@@ -175,8 +175,10 @@ private:
     funnel_left_.clear();
     funnel_right_.clear();
     for(std::size_t i = 1; i < n; ++i) {
-      narrow(funnel_right_, funnel_left_, {i, right_[i]});
-      narrow(funnel_left_, funnel_right_, {i, left_[i]});
+      if(i == 1 || loop[i].right != loop[i - 1].right)
+        narrow(funnel_right_, funnel_left_, {i, right_[i]});
+      if(i == 1 || loop[i].left != loop[i - 1].left)
+        narrow(funnel_left_, funnel_right_, {i, left_[i]});
     }
     narrow(funnel_left_, funnel_right_, goal);
     bends_.insert(bends_.end(), funnel_left_.corners.begin() + funnel_left_.first,

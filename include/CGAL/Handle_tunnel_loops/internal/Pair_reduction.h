@@ -62,22 +62,24 @@ private:
     return false;
   }
 
-  // Tightens some rounds at a time, as long as the threshold is in sight. The finer the mesh, the
-  // less a round moves the loop.
+  // Tightens some rounds at a time, as long as the threshold is in sight. A loop that loses a twist
+  // does so from the first rounds on: soon there is less left to gain than has been gained.
   bool becomes_shorter(Crossing_loop& loop, double threshold) {
-    double previous = 2. * length(mesh_, loop);
-    double current = 0.5 * previous;
-    std::size_t work = tightening_.share_of_work();
-    while(current >= threshold && current < 0.97 * previous && work > 0) {
-      const std::size_t most_rounds = tightening_.share_of_work() / 8 / (loop.size() + 1);
-      const std::size_t rounds =
-          (std::max)(std::size_t(8), (std::min)(loop.size() / 16, most_rounds));
-      work -= (std::min)(work, rounds * loop.size());
+    const double first = length(mesh_, loop);
+    const std::size_t rounds = (std::max)(std::size_t(8), loop.size() / 64);
+    const std::size_t most_work = (std::max)(tightening_.share_of_work(), 200 * loop.size());
+    double before = first, most_left = 1.5;
+    for(std::size_t work = 0; work < most_work; work += rounds * loop.size()) {
       tightening_.tighten(loop, rounds);
-      previous = current;
-      current = length(mesh_, loop);
+      const double now = length(mesh_, loop);
+      if(now < threshold)
+        return true;
+      if(now - threshold > most_left * (first - now) || now > 0.99 * before)
+        return false;
+      before = now;
+      most_left = 1.;
     }
-    return current < threshold;
+    return false;
   }
 
   // Crossings with the same left end, one on each loop; there are some, because the loops cross.
