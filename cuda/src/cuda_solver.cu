@@ -42,6 +42,11 @@ public:
     return solver_.sweep_times();
   }
 
+  Front_log front_log() override {
+    const htl_cuda::Current_device current(device_);
+    return solver_.front_log();
+  }
+
   std::vector<Index> front_labels(Time level) override {
     const htl_cuda::Current_device current(device_);
     return solver_.front_labels(level);

@@ -94,6 +94,11 @@ CGAL_HTL_HOST_DEVICE inline Time crossing_time(float before, float after, Time s
   return step * ticks_per_step - static_cast<Time>(late * (ticks_per_step - 2));
 }
 
+/// the step of a moment that `crossing_time()` gives; 0 for the sources, which are there before.
+CGAL_HTL_HOST_DEVICE inline Time step_of(Time time) {
+  return (time + (ticks_per_step - 2)) / ticks_per_step;
+}
+
 /// the order in which vertices are reached: by time, ties by number.
 CGAL_HTL_HOST_DEVICE inline std::uint64_t arrival_key(Time time, std::uint32_t v) {
   return std::uint64_t(time) << 32 | v;

@@ -13,46 +13,13 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Wedge_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/saddle_formulas.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
-
-/// Counts the saddles, or lists them where there is a list.
-struct Find_saddles
-{
-  Mesh_view mesh;
-  Span<const Time> time;
-  Index* number_of_saddles;
-  Span<std::uint64_t> keys; ///< time and vertex, unsorted
-
-  CGAL_HTL_HOST_DEVICE void operator()(Index v) const {
-    const std::uint64_t key = arrival_key(time[v], v);
-    const Index wedges = number_of_lower_wedges(
-        mesh.ring(v), [&](Index u) { return arrival_key(time[u], u) < key; });
-    if(wedges < 2)
-      return;
-    const Index place = next_place(*number_of_saddles);
-    if(place < keys.size())
-      keys[place] = key;
-  }
-};
-
-/// A wedge of earlier vertices around a saddle, and the arc of the contour that leaves it: what
-/// `Saddle` says of them, but for the crossings of the arc, which are not kept.
-struct Wedge
-{
-  Index first, last; ///< positions in the ring, counterclockwise
-  Index foot;        ///< the first vertex
-  Index left, right; ///< ends of the edge where the arc is
-  Index arc_size;
-  Index arrival;      ///< the wedge at which the arc arrives
-  Index handle_start; ///< if the contours before this wedge and at it meet: where the loop begins
-  Index handle_size;
-};
 
 /// What one thread knows of a saddle.
 class Saddle_view
@@ -110,14 +77,30 @@ public:
 
   /// calls `f` for the crossings of the handle at wedge `i`, one after the other.
   template <typename Function> CGAL_HTL_HOST_DEVICE void trace(Index i, const Function& f) const {
-    Index at = wedges_[i].handle_start;
-    do {
-      const Index leaving = target(at, i);
+    trace_contour(wedges_[i].handle_start, i, f);
+  }
+
+  /// calls `f` for the crossings of the contour that arrives at a wedge when wedges 0 .. step - 1
+  /// have been joined, one after the other.
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void trace_contour(Index start, Index step, const Function& f) const {
+    cycles().for_each(start, step, [&](Index at, Index leaving) {
       join(at, leaving, f);
       trace_arc(leaving, f);
-      at = wedges_[leaving].arrival;
-    } while(at != wedges_[i].handle_start);
+    });
   }
+
+  /// calls `f` for the crossings of the contour just below the saddle that are around wedge `i` or
+  /// on the arc that leaves it: those of all wedges together are the contours just below it.
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void trace_strand(Index i, const Function& f) const {
+    join(i, i, f);
+    trace_arc(i, f);
+  }
+
+  CGAL_HTL_HOST_DEVICE Wedge_cycles cycles() const { return Wedge_cycles(wedges_); }
+
+  CGAL_HTL_HOST_DEVICE const Wedge& wedge(Index i) const { return wedges_[i]; }
 
 private:
   // A contour, as it is when wedges 0 .. i - 1 have been joined.
@@ -131,12 +114,6 @@ private:
     return arrival_key(time_[u], u) < arrival_key(time_[v], v);
   }
   CGAL_HTL_HOST_DEVICE bool is_lower(Index p) const { return is_earlier(ring_[p], center_); }
-
-  // The wedge at which the strand that arrives at a wedge leaves, before step i of the unfolding:
-  // each step has exchanged two neighbours.
-  CGAL_HTL_HOST_DEVICE static Index target(Index wedge, Index i) {
-    return wedge >= i ? wedge : (wedge + 1 == i ? 0 : wedge + 1);
-  }
 
   CGAL_HTL_HOST_DEVICE void start_arc(Index i) const {
     Wedge& wedge = wedges_[i];
@@ -183,25 +160,20 @@ private:
 
   CGAL_HTL_HOST_DEVICE Cycle cycle(Index start, Index i) const {
     Cycle result = {0, false, false};
-    Index at = start;
-    do {
-      const Index leaving = target(at, i);
+    cycles().for_each(start, i, [&](Index at, Index leaving) {
       result.has_wedge = result.has_wedge || at == i;
       result.has_longest = result.has_longest || wedges_[leaving].arc_size == no_index;
       result.size += wedges_[leaving].arc_size;
-      at = wedges_[leaving].arrival;
-    } while(at != start);
+    });
     return result;
   }
 
   CGAL_HTL_HOST_DEVICE Index loop_size(Index start, Index i) const {
-    Index size = 0, at = start;
-    do {
-      const Index leaving = target(at, i);
+    Index size = 0;
+    cycles().for_each(start, i, [&](Index at, Index leaving) {
       join(at, leaving, [&](const Crossing&) { ++size; });
       size += wedges_[leaving].arc_size;
-      at = wedges_[leaving].arrival;
-    } while(at != start);
+    });
     return size;
   }
 
@@ -224,11 +196,11 @@ private:
   template <typename Function>
   CGAL_HTL_HOST_DEVICE void trace_arc(Index i, const Function& f) const {
     Index left = ring_[wedges_[i].first], right = ring_[ring_.previous(wedges_[i].first)];
-    for(Index size = wedges_[i].arc_size;; --size) {
+    for(;;) {
       f(contour_crossing(left, right, time_[left], time_[right], time_[center_]));
-      if(size == 1)
-        break;
       const Index apex = apex_ahead(left, right);
+      if(apex == center_)
+        break;
       (is_earlier(apex, center_) ? left : right) = apex;
     }
   }

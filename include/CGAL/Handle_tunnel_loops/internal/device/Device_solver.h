@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_sweep.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Front_layers.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/label_front.h>
 
 #include <algorithm>
@@ -42,6 +43,10 @@ public:
   }
 
   std::vector<Time> sweep_times() override { return sweep_.times(); }
+
+  Front_log front_log() override {
+    return Front_layers<Executor>(executor_, host_mesh_, mesh_.view(), sweep_.time_span()).run();
+  }
 
   std::vector<Index> front_labels(Time level) override {
     return label_front(executor_, mesh_.view(), sweep_.time_span(), level);

@@ -14,10 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/Sweep_handle.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Field_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Sweep_saddles.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Whole_mesh.h>
 
 #include <algorithm>
@@ -110,20 +110,9 @@ public:
 
   /// the handles, in the order in which the sweep finds them.
   std::vector<Sweep_handle> handles() {
-    const std::vector<std::uint64_t> keys = saddles();
-    std::vector<Index> vertices(keys.size());
-    std::transform(keys.begin(), keys.end(), vertices.begin(),
-                   [](std::uint64_t key) { return static_cast<Index>(key); });
-    if(vertices.empty())
-      return {};
-    const Buffer<Index> saddles = uploaded(executor_, vertices);
-    const std::vector<Index> begins = wedge_begins(saddles);
-    const Buffer<Index> begin = uploaded(executor_, begins);
-    const Buffer<Wedge> wedges = executor_.template make<Wedge>(begins.back());
-    const Saddle_arrays arrays = {mesh_.view(), time_.span(), saddles.span(), begin.span(),
-                                  wedges.span()};
-    executor_.for_each(vertices.size(), Walk_contours{arrays});
-    return traced(arrays, vertices, begins, downloaded(executor_, wedges));
+    const Sweep_saddles<Executor> saddles(executor_, mesh_.view(), time_.span());
+    return traced(saddles.arrays(), vertices_of(saddles.keys()), saddles.begins(),
+                  saddles.wedges());
   }
 
   /// the arrival times, in the memory of the executor.
@@ -189,30 +178,6 @@ private:
     } while(control.state.step == pause);
     costs_.number_of_updates += control.state.number_of_updates;
     costs_.number_of_steps += control.state.step;
-  }
-
-  // The saddles as arrival keys, the earliest first.
-  std::vector<std::uint64_t> saddles() {
-    const Buffer<Index> number = filled(executor_, 1, Index(0));
-    const auto find = [&](const Span<std::uint64_t>& keys) {
-      executor_.fill(number.span(), Index(0));
-      executor_.for_each(mesh_.number_of_vertices(),
-                         Find_saddles{mesh_.view(), time_.span(), number.span().data(), keys});
-    };
-    find({});
-    const Buffer<std::uint64_t> keys =
-        executor_.template make<std::uint64_t>(downloaded(executor_, number)[0]);
-    find(keys.span());
-    std::vector<std::uint64_t> sorted = downloaded(executor_, keys);
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
-  }
-
-  std::vector<Index> wedge_begins(const Buffer<Index>& saddles) {
-    const Buffer<Index> numbers = executor_.template make<Index>(saddles.span().size());
-    executor_.for_each(saddles.span().size(),
-                       Count_wedges{mesh_.view(), time_.span(), saddles.span(), numbers.span()});
-    return begins_of(downloaded(executor_, numbers));
   }
 
   std::vector<Sweep_handle> traced(const Saddle_arrays& arrays,

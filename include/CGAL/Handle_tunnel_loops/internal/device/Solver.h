@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/Front_log.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/Sweep_handle.h>
 #include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
@@ -50,6 +51,9 @@ public:
 
   /// the arrival times of the last sweep.
   virtual std::vector<Time> sweep_times() = 0;
+
+  /// the layers of the last sweep, and what happened to its fronts.
+  virtual Front_log front_log() = 0;
 
   /// the labels of the front of the last sweep at a level, by position in the rings; see `Front`.
   virtual std::vector<Index> front_labels(Time level) = 0;

@@ -1,0 +1,124 @@
+// The layers of a sweep and the events of its fronts, as the device's code finds them.
+
+#include "Layer_definitions.h"
+#include "Random_growth.h"
+#include "random_input.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/Saddle.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Front_layers.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace layer_definitions;
+using device::Host_executor;
+using generators::Random;
+using Order = Host_executor::Order;
+
+class Front_layers : public testing::TestWithParam<Order>
+{
+protected:
+  Front_log found(const Flat_mesh& mesh, const std::vector<Time>& times) const {
+    Host_executor executor(GetParam());
+    const device::Span<const Time> span(times.data(), times.size());
+    return device::Front_layers<Host_executor>(executor, mesh, device::view_of(mesh), span).run();
+  }
+
+  // How many of a number of meshes there is time for.
+  int share(int number) const { return GetParam() == Order::THREADS ? (number + 9) / 10 : number; }
+};
+
+std::string name_of(const testing::TestParamInfo<Order>& info) {
+  return info.param == Order::FORWARD ? "forward"
+                                      : (info.param == Order::SHUFFLED ? "shuffled" : "threads");
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders,
+                         Front_layers,
+                         testing::Values(Order::FORWARD, Order::SHUFFLED, Order::THREADS),
+                         name_of);
+
+Recipe small_recipe(Random& random) {
+  const std::size_t genus = random.below(6);
+  return {"random",
+          {20 + 12 * genus + random.below(100), genus, static_cast<unsigned>(random.next())}};
+}
+
+// With few different times there are large plateaus; minima are anywhere.
+std::vector<Time> random_times(const Flat_mesh& mesh, Random& random, std::size_t number) {
+  std::vector<Time> times(mesh.number_of_vertices());
+  for(Time& time : times)
+    time = static_cast<Time>(random.below(number));
+  return times;
+}
+
+TEST_P(Front_layers, AreTheContoursOfTheLevels) {
+  Random random(1);
+  std::size_t merges = 0;
+  for(int i = 0; i < share(300); ++i) {
+    const Recipe recipe = small_recipe(random);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(50);
+    SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
+    const std::vector<Time> times = Random_growth(mesh, random, width).times();
+    const Front_log log = found(mesh, times);
+    expect_layers(log, mesh, times);
+    expect_arcs_of_levels(log, mesh, order_of(mesh, times));
+    expect_fronts_at_events(log, mesh, order_of(mesh, times));
+    expect_lengths(log, mesh, times);
+    merges += number_of(log, Front_event_type::MERGE);
+  }
+  EXPECT_GT(merges, 20u) << "the meshes are too harmless";
+}
+
+TEST_P(Front_layers, AreTheContoursOfTheLevelsWithAnyNumberOfMinima) {
+  Random random(2);
+  for(int i = 0; i < share(200); ++i) {
+    const Recipe recipe = small_recipe(random);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const std::size_t number = i % 3 == 0 ? 3 : 1000000;
+    SCOPED_TRACE(testing::Message() << recipe << ", times " << number);
+    const std::vector<Time> times = random_times(mesh, random, number);
+    const Front_log log = found(mesh, times);
+    expect_layers(log, mesh, times);
+    expect_arcs_of_levels(log, mesh, order_of(mesh, times));
+  }
+}
+
+TEST_P(Front_layers, AreRightInEveryOrderOfTheSmallestTorus) {
+  const Flat_mesh mesh = flat_mesh_of(smallest_torus());
+  std::vector<Time> times(7);
+  std::iota(times.begin(), times.end(), 0u);
+  int left = share(5040);
+  do {
+    SCOPED_TRACE(testing::PrintToString(times));
+    const Front_log log = found(mesh, times);
+    expect_layers(log, mesh, times);
+    expect_arcs_of_levels(log, mesh, order_of(mesh, times));
+  } while(--left > 0 && std::next_permutation(times.begin(), times.end()));
+}
+
+TEST_P(Front_layers, AreTheArcsOfTheHost) {
+  Random random(3);
+  Index wedges = 0;
+  for(int i = 0; i < share(300); ++i) {
+    const Recipe recipe = random_recipe(random, 12);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(100);
+    SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
+    const std::vector<Time> times = Random_growth(mesh, random, width).times();
+    expect_layers(found(mesh, times), mesh, times);
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      wedges = (std::max)(wedges, number_of_lower_wedges(mesh, Arrival_order(times), v));
+  }
+  EXPECT_GE(wedges, GetParam() == Order::THREADS ? 4u : 5u) << "the meshes are too harmless";
+}
+
+} // namespace
