@@ -188,6 +188,7 @@ private:
     options.do_refine_handles =
         choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
     options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
+    options.do_log_fronts = choose_parameter(get_parameter(np, internal_np::do_log_fronts), false);
     options.device =
         choose_parameter(get_parameter(np, internal_np::device_options), Device_options());
     impl::check_constants(options.constants);

@@ -121,6 +121,12 @@ memory is about 60 bytes per face, and 5 to 8 more for each thread.
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{do_log_fronts}
+    \cgalParamDescription{whether `Handle_tunnel_loops::Statistics::front_events` is filled, which
+      `Handle_tunnel_loops_solver::statistics()` returns; `Reference_tag` always does}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{device_options}
     \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
       `Cuda_if_available_tag`}

@@ -33,10 +33,10 @@ constexpr std::nullptr_t solve_by_reference = nullptr;
 // For "auto" the first that there is of those that may be chosen so. A new backend is a line here
 // and a function that solves.
 constexpr Backend backends[] = {
-    {"auto", true, false, solve_on_device_if_available},
-    {"cuda", false, false, solve_on_device},
-    {"host", true, false, solve_on_host},
-    {"reference", false, true, solve_by_reference},
+    {"auto", true, solve_on_device_if_available},
+    {"cuda", false, solve_on_device},
+    {"host", true, solve_on_host},
+    {"reference", false, solve_by_reference},
 };
 
 } // namespace

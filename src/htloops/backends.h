@@ -26,6 +26,7 @@ struct Solve_options
   bool do_refine_handles = true;
   bool do_tighten = true;
   bool do_compute_linking = true;
+  bool do_log_fronts = false;
   int number_of_threads = 0; ///< 0: as many as the machine has
 };
 
@@ -34,7 +35,6 @@ struct Backend
 {
   const char* name;
   bool is_chosen_by_auto;
-  bool logs_events; ///< those of the fronts of the initial pass
   /// null in a build without it.
   Answer (*solve)(const Mesh&, const Solve_options&, Progress_bar&);
 };

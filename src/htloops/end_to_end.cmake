@@ -167,18 +167,21 @@ run(4 check open.off loops.json)
 
 # A backend is there or it is not.
 run("0|5" loops mesh.off --quiet --backend cuda)
-run("0|5" loops mesh.off --quiet --backend reference -o reference.json --events events.json)
-if(EXISTS "${FOLDER}/reference.json")
-  run(0 check mesh.off reference.json)
-  file(READ "${FOLDER}/events.json" events)
-  string(JSON format GET "${events}" format)
-  expect_equal("${format}" "htloops-events/1")
-  string(REGEX MATCHALL "\"type\": \"merge\"" merges "${events}")
-  list(LENGTH merges number_of_merges)
-  expect_equal("${number_of_merges}" 3)
-endif()
-run(2 loops mesh.off --backend host --events events.json)
-expect_match("${errors}" "logs no events")
+
+# What happens to the fronts, by each backend that is there.
+foreach(backend IN ITEMS cuda host reference)
+  run("0|5" loops mesh.off --quiet --backend ${backend} -o ${backend}.json
+    --events ${backend}.events.json)
+  if(EXISTS "${FOLDER}/${backend}.json")
+    run(0 check mesh.off ${backend}.json)
+    file(READ "${FOLDER}/${backend}.events.json" events)
+    string(JSON format GET "${events}" format)
+    expect_equal("${format}" "htloops-events/1")
+    string(REGEX MATCHALL "\"type\": \"merge\"" merges "${events}")
+    list(LENGTH merges number_of_merges)
+    expect_equal("${number_of_merges}" 3)
+  endif()
+endforeach()
 
 # Help is no error.
 foreach(command IN ITEMS "" loops check generate)

@@ -57,7 +57,8 @@ void write_event(Text_writer& out, const Front_event& event) {
 void write_events(const std::string& target, const Answer& answer) {
   Text_writer out(target);
   out << "{ \"format\": \"htloops-events/1\",\n";
-  write_resolution(out, answer.statistics.resolution);
+  if(answer.backend == "reference")
+    write_resolution(out, answer.statistics.resolution);
   out << "  \"events\": [";
   const char* separator = "\n";
   for(const Front_event& event : answer.statistics.front_events) {

@@ -16,8 +16,8 @@
 
 namespace htloops {
 
-/// writes the events of the fronts as JSON, format "htloops-events/1"; `target` may be "-". Throws
-/// `Failure` if the file cannot be written.
+/// writes the events of the fronts as JSON, format "htloops-events/1"; `target` may be "-". Only
+/// the reference solver knows of a resolution. Throws `Failure` if the file cannot be written.
 void write_events(const std::string& target, const Answer& answer);
 
 } // namespace htloops

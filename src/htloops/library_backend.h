@@ -47,12 +47,11 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
     bar.update(fraction);
     return interrupting_signal() == 0;
   };
-  const auto np = parameters::do_refine_handles(
-      options.do_refine_handles,
-      parameters::do_tighten(options.do_tighten,
-                             parameters::do_compute_linking(
-                                 options.do_compute_linking,
-                                 parameters::callback(callback).visitor(std::ref(visitor)))));
+  const auto watched = parameters::callback(callback).visitor(std::ref(visitor));
+  const auto logged = parameters::do_log_fronts(options.do_log_fronts, watched);
+  const auto linked = parameters::do_compute_linking(options.do_compute_linking, logged);
+  const auto np = parameters::do_refine_handles(options.do_refine_handles,
+                                                parameters::do_tighten(options.do_tighten, linked));
 
   Answer answer;
   const Stopwatch stopwatch;

@@ -57,10 +57,7 @@ std::vector<std::string> outputs_of(const Loops_options& options) {
   return outputs;
 }
 
-void check_options(const Loops_options& options, const Backend& backend) {
-  if(!options.events_file.empty() && !backend.logs_events)
-    throw Failure(Exit_code::WRONG_USAGE, std::string("the backend ") + backend.name +
-                                              " logs no events; --backend reference does");
+void check_options(const Loops_options& options) {
   check_picture_options(options.picture);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
@@ -74,6 +71,7 @@ Answer solve(const Backend& backend, const Mesh& mesh, const Loops_options& opti
   solve_options.do_refine_handles = !options.do_not_refine;
   solve_options.do_tighten = !options.do_not_tighten;
   solve_options.do_compute_linking = options.classifier == "linking";
+  solve_options.do_log_fronts = !options.events_file.empty();
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   return backend.solve(mesh, solve_options, bar);
@@ -105,7 +103,7 @@ void show(const Loops_options& options, const Answer& answer, double read_second
 
 void run(const Loops_options& options) {
   const Backend& backend = choose_backend(options.backend);
-  check_options(options, backend);
+  check_options(options);
   const Stopwatch stopwatch;
   const Mesh mesh = read_mesh(options.mesh_file);
   const double read_seconds = stopwatch.seconds();
@@ -128,7 +126,7 @@ void add_output_options(CLI::App& command, Loops_options& options) {
       ->group(group);
   command
       .add_option("--events", options.events_file,
-                  "what happens to the fronts, as JSON; with --backend reference")
+                  "what happens to the fronts of the first pass, as JSON")
       ->option_text("FILE.json")
       ->group(group);
   add_picture_options(command, options.picture, "the loops", group);

@@ -3,6 +3,7 @@
 
 #define CGAL_LINKED_WITH_CUDA
 
+#include "Same_events.h"
 #include "Same_loops.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
@@ -120,6 +121,21 @@ TEST_P(Cuda, FindsTheLoopsOfTheHost) {
   EXPECT_GT(solver.statistics().device_bytes, 0u);
   expect_same(find<CGAL::Cuda_if_available_tag>(large_device), expected);
   EXPECT_EQ(solver.statistics().backend, "cuda");
+}
+
+TEST_P(Cuda, LogsTheFrontsOfTheHost) {
+  const auto log = parameters::do_log_fronts(true);
+  solver.find_loops(CGAL::Emptyset_iterator(), log);
+  const auto expected = solver.statistics().front_events;
+  solver.find_loops<CGAL::Cuda_tag>(CGAL::Emptyset_iterator(),
+                                    parameters::device_options(large_device, log));
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(solver.statistics().front_events, expected);
+  solver.find_loops<CGAL::Cuda_if_available_tag>(CGAL::Emptyset_iterator(),
+                                                 parameters::device_options(no_device, log));
+  EXPECT_EQ(solver.statistics().front_events, expected);
+  find<CGAL::Cuda_tag>(large_device);
+  EXPECT_TRUE(solver.statistics().front_events.empty()) << "nobody asked for them";
 }
 
 // With the memory that it asks for, and with more: the passes of a search run in as many batches as

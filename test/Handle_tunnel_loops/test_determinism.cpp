@@ -1,6 +1,7 @@
 // The same mesh has the same loops, bit for bit: called again, in parallel, with any number of
 // threads. And the numbering of the vertices changes little.
 
+#include "Same_events.h"
 #include "Same_loops.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,18 @@ INSTANTIATE_TEST_SUITE_P(Surfaces,
                          });
 
 TEST_P(Loops, AreTheSameAgain) { expect_same(find_loops(mesh), expected); }
+
+TEST_P(Loops, AreTheSameWhenFrontsAreLoggedAndSoIsTheLog) {
+  const auto log = CGAL::parameters::do_log_fronts(true);
+  Solver solver(mesh);
+  Pairs pairs;
+  solver.find_loops(std::back_inserter(pairs), log);
+  expect_same(pairs, expected);
+  const auto events = solver.statistics().front_events;
+  EXPECT_FALSE(events.empty());
+  solver.find_loops<CGAL::Parallel_if_available_tag>(CGAL::Emptyset_iterator(), log);
+  EXPECT_EQ(solver.statistics().front_events, events);
+}
 
 TEST_P(Loops, AreTheSameAgainFromOneSolver) {
   Solver solver(mesh);

@@ -35,14 +35,17 @@ inline const char* front_event_name(Front_event_type type) {
 }
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// An event of the initial pass, as `Reference_tag` logs it (paper, section 4.1).
+/// An event of the initial pass (paper, section 4.1). A field has rests as events with
+/// `Reference_tag` only.
 struct Front_event
 {
   /// A front, at the moment before or after the event.
   struct Front
   {
-    std::size_t layer; ///< the row of the matrix of fields in which the front lies
-    double length;     ///< in the unit of the coordinates
+    /// the row of the matrix of fields in which the front lies; rows are numbered from 1 in the
+    /// order in which their fronts begin.
+    std::size_t layer;
+    double length; ///< in the unit of the coordinates
   };
 
   Front_event_type type;

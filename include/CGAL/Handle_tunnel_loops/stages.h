@@ -63,8 +63,9 @@ struct Statistics
   std::array<double, number_of_stages> seconds{}; ///< by stage
   std::size_t kept_sweep_tunnels = 0; ///< tunnels for which the loop of the initial pass was kept
   std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was kept
-  std::vector<Front_event> front_events; ///< of the initial pass; logged by `Reference_tag` only
-  Field_resolution resolution;           ///< of the initial pass; by `Reference_tag` only
+  /// of the initial pass, if `do_log_fronts` asks for them; always by `Reference_tag`.
+  std::vector<Front_event> front_events;
+  Field_resolution resolution;  ///< of the initial pass; by `Reference_tag` only
   std::string backend;          ///< "host", "cuda" or "reference": what computed the fields, if any
   std::string fallback;         ///< why not on the device, if that was asked for
   std::size_t device_bytes = 0; ///< of the device's memory, at most at one time

@@ -2,7 +2,9 @@
 #define HTL_TEST_DEVICE_AGREEMENT_H
 
 #include "Flat_mesh_of_soup.h"
+#include "Layer_definitions.h"
 #include "Quiet_progress.h"
+#include "Same_events.h"
 
 #include "generators/Random.h"
 
@@ -22,7 +24,7 @@
 #include <vector>
 
 // What a device computes is what the host's own passes compute: the same times, the same handles,
-// the same walks. And its fronts have the components that they have.
+// the same layers, the same walks. And its fronts have the components that they have.
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -111,6 +113,10 @@ inline Tally expect_agreement(device::Solver& solver,
   EXPECT_EQ(handles, host.sweep({seed}, progress));
   EXPECT_EQ(solver.sweep_times(), host.sweep_times());
   EXPECT_EQ(handles.size(), mesh.genus);
+  const Front_log log = solver.front_log();
+  layer_definitions::expect_layers(log, mesh, host.sweep_times());
+  EXPECT_EQ(log.layer, host.front_log().layer);
+  EXPECT_EQ(log.events, host.front_log().events);
 
   const std::vector<Crossing_loop> contours = loops_of(handles);
   const Crossing_index index(mesh, contours);

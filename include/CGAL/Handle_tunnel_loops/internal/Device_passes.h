@@ -65,6 +65,8 @@ public:
     return times_;
   }
 
+  Front_log front_log() { return solver_->front_log(); }
+
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index) {
     return solver_->times_from_loops(loops, index, coefficients_for_searching_);

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/Loop_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/Worker_pool.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Front_layers.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Processor_executor.h>
 #include <CGAL/Handle_tunnel_loops/internal/sweep_handles.h>
 
 #include <memory>
@@ -59,6 +61,14 @@ public:
 
   /// the arrival times of the last sweep.
   const std::vector<Time>& sweep_times() const { return times_; }
+
+  /// the layers of the last sweep, and what happened to its fronts.
+  Front_log front_log() const {
+    using Executor = device::Processor_executor<Execution>;
+    Executor executor;
+    const device::Span<const Time> times(times_.data(), times_.size());
+    return device::Front_layers<Executor>(executor, mesh_, device::view_of(mesh_), times).run();
+  }
 
   /// the arrival times of one field from both sides of all loops, none of which it crosses.
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,

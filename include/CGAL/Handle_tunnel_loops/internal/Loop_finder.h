@@ -49,6 +49,7 @@ public:
     Device_options device;
     bool do_refine_handles = true;
     bool do_tighten = true;
+    bool do_log_fronts = false;
   };
 
   /// \p seeds are the vertices to start from, one in each component.
@@ -66,6 +67,8 @@ public:
     progress_.start(Stage::INITIAL);
     passes_.emplace(mesh_, step_coefficients(options_.constants), options_.device);
     sweep_handles_ = passes_->sweep(seeds_, progress_);
+    if(options_.do_log_fronts)
+      statistics.front_events = passes_->front_log().events;
     passes_->report(statistics);
     handles_.resize(sweep_handles_.size());
     is_refined_.assign(sweep_handles_.size(), 0);

@@ -52,6 +52,8 @@ public:
     return device_ ? device_->sweep_times() : host_->sweep_times();
   }
 
+  Front_log front_log() { return device_ ? device_->front_log() : host_->front_log(); }
+
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index) {
     return device_ ? device_->times_from_loops(loops, index)

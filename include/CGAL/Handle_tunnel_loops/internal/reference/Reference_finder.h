@@ -41,7 +41,8 @@ public:
     Field_constants constants;
     Device_options device; ///< has no effect
     bool do_refine_handles = true;
-    bool do_tighten = true; ///< has no effect: the loops are streamlines
+    bool do_tighten = true;    ///< has no effect: the loops are streamlines
+    bool do_log_fronts = true; ///< has no effect: they are always logged
   };
 
   /// \p seeds are the vertices to start from, one in each component.
