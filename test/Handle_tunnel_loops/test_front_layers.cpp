@@ -92,6 +92,29 @@ TEST_P(Front_layers, AreTheContoursOfTheLevelsWithAnyNumberOfMinima) {
   }
 }
 
+// Both surfaces of a mesh, one beside the other.
+Soup together(Soup a, const Soup& b) {
+  const auto n = static_cast<Index>(a.points.size());
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for(const auto& t : b.triangles)
+    a.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  return a;
+}
+
+TEST_P(Front_layers, AreThoseOfEachComponent) {
+  Random random(4);
+  for(int i = 0; i < share(50); ++i) {
+    Recipe a = small_recipe(random), b = small_recipe(random);
+    a.request.genus = b.request.genus = 1 + random.below(3);
+    SCOPED_TRACE(testing::Message() << a << " and " << b);
+    const Flat_mesh mesh = flat_mesh_of(together(soup_of(a), soup_of(b)));
+    const std::vector<Time> times = random_times(mesh, random, 1000);
+    const Front_log log = found(mesh, times);
+    expect_layers(log, mesh, times);
+    expect_arcs_of_levels(log, mesh, order_of(mesh, times));
+  }
+}
+
 TEST_P(Front_layers, AreRightInEveryOrderOfTheSmallestTorus) {
   const Flat_mesh mesh = flat_mesh_of(smallest_torus());
   std::vector<Time> times(7);

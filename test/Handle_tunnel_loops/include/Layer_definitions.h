@@ -80,7 +80,8 @@ inline Spans spans_of(const Front_log& log, const Flat_mesh& mesh, const Sweep_o
   return spans;
 }
 
-// A surface of genus g that is swept from m minima: g + m - 1 merges, and Euler's formula.
+// A surface of genus g that is swept from m minima: g + m - 1 merges, and Euler's formula. (For c
+// components of genus g in all, `Flat_mesh_of_soup.h` takes g - c + 1 for the genus.)
 inline void expect_counts(const Front_log& log, const Flat_mesh& mesh, std::size_t minima) {
   const std::size_t splits = number_of(log, Front_event_type::SPLIT);
   const std::size_t merges = number_of(log, Front_event_type::MERGE);

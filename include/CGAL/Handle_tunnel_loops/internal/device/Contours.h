@@ -77,30 +77,42 @@ public:
 
   /// calls `f` for the crossings of the handle at wedge `i`, one after the other.
   template <typename Function> CGAL_HTL_HOST_DEVICE void trace(Index i, const Function& f) const {
-    trace_contour(wedges_[i].handle_start, i, f);
+    trace_contour(wedges_[i].handle_start, i, f, [&](Index leaving) { trace_arc(leaving, f); });
   }
 
-  /// calls `f` for the crossings of the contour that arrives at a wedge when wedges 0 .. step - 1
-  /// have been joined, one after the other.
-  template <typename Function>
-  CGAL_HTL_HOST_DEVICE void trace_contour(Index start, Index step, const Function& f) const {
+  /// goes along the contour that arrives at a wedge when wedges 0 .. step - 1 have been joined:
+  /// calls `f` for the crossings in the star of the saddle, and `arc(i)` where the arc that leaves
+  /// wedge i is.
+  template <typename Function, typename Arc_function>
+  CGAL_HTL_HOST_DEVICE void
+  trace_contour(Index start, Index step, const Function& f, const Arc_function& arc) const {
     cycles().for_each(start, step, [&](Index at, Index leaving) {
       join(at, leaving, f);
-      trace_arc(leaving, f);
+      arc(leaving);
     });
   }
 
-  /// calls `f` for the crossings of the contour just below the saddle that are around wedge `i` or
-  /// on the arc that leaves it: those of all wedges together are the contours just below it.
+  /// calls `f` for the crossings around wedge `i` of the contour just below the saddle; with those
+  /// of the arcs, they are all of its contours.
   template <typename Function>
-  CGAL_HTL_HOST_DEVICE void trace_strand(Index i, const Function& f) const {
+  CGAL_HTL_HOST_DEVICE void trace_wedge(Index i, const Function& f) const {
     join(i, i, f);
-    trace_arc(i, f);
+  }
+
+  /// calls `f` for the crossings of the arc that leaves wedge `i`, one after the other.
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void trace_arc(Index i, const Function& f) const {
+    Index left = ring_[wedges_[i].first], right = ring_[ring_.previous(wedges_[i].first)];
+    for(;;) {
+      f(contour_crossing(left, right, time_[left], time_[right], time_[center_]));
+      const Index apex = apex_ahead(left, right);
+      if(apex == center_)
+        break;
+      (is_earlier(apex, center_) ? left : right) = apex;
+    }
   }
 
   CGAL_HTL_HOST_DEVICE Wedge_cycles cycles() const { return Wedge_cycles(wedges_); }
-
-  CGAL_HTL_HOST_DEVICE const Wedge& wedge(Index i) const { return wedges_[i]; }
 
 private:
   // A contour, as it is when wedges 0 .. i - 1 have been joined.
@@ -190,18 +202,6 @@ private:
       f(Crossing{ring_[p], center_, largest_ratio});
       if(p == wedges_[leaving].first)
         break;
-    }
-  }
-
-  template <typename Function>
-  CGAL_HTL_HOST_DEVICE void trace_arc(Index i, const Function& f) const {
-    Index left = ring_[wedges_[i].first], right = ring_[ring_.previous(wedges_[i].first)];
-    for(;;) {
-      f(contour_crossing(left, right, time_[left], time_[right], time_[center_]));
-      const Index apex = apex_ahead(left, right);
-      if(apex == center_)
-        break;
-      (is_earlier(apex, center_) ? left : right) = apex;
     }
   }
 

@@ -28,7 +28,7 @@ namespace device {
 /*!
 Finds the layers of the fronts of a sweep, and what happens to the fronts.
 
-All contours just below saddles are walked, once for the layers and twice for the lengths, and not
+All contours just below saddles are walked, once for the layers and once for the lengths, and not
 kept: memory is eight bytes per vertex, and what the saddles take.
 */
 template <typename Executor> class Front_layers
@@ -118,9 +118,12 @@ private:
   }
 
   std::vector<Linked_fronts> linked_fronts() {
-    const Buffer<Linked_fronts> fronts = filled(executor_, number_of_wedges(), Linked_fronts());
+    const Buffer<Measured_curve> arcs = executor_.template make<Measured_curve>(number_of_wedges());
     executor_.for_each(number_of_wedges(),
-                       Measure_links{saddles_.arrays(), saddle_of_wedge_.span(), fronts.span()});
+                       Measure_arcs{saddles_.arrays(), saddle_of_wedge_.span(), arcs.span()});
+    const Buffer<Linked_fronts> fronts = filled(executor_, number_of_wedges(), Linked_fronts());
+    executor_.for_each(number_of_wedges(), Measure_links{saddles_.arrays(), saddle_of_wedge_.span(),
+                                                         arcs.span(), fronts.span()});
     return downloaded(executor_, fronts);
   }
 

@@ -21,47 +21,64 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
 
-/// Adds up the length of a closed curve from its crossings.
-class Curve_length
+/// A place in the unit of the mesh.
+struct Place
 {
-public:
-  CGAL_HTL_HOST_DEVICE explicit Curve_length(const Mesh_view& mesh)
-      : points_(mesh.points) {}
+  double x, y, z;
+};
 
-  CGAL_HTL_HOST_DEVICE void add(const Crossing& c) {
-    const Point p = position(c);
-    if(is_empty_)
-      first_ = p;
+CGAL_HTL_HOST_DEVICE inline Place place_of(const Crossing& c, const Mesh_view& mesh) {
+  const double* p = mesh.points.data() + 3 * std::size_t(c.left);
+  const double* q = mesh.points.data() + 3 * std::size_t(c.right);
+  return {p[0] + c.ratio * (q[0] - p[0]), p[1] + c.ratio * (q[1] - p[1]),
+          p[2] + c.ratio * (q[2] - p[2])};
+}
+
+CGAL_HTL_HOST_DEVICE inline double distance(const Place& p, const Place& q) {
+  const double x = q.x - p.x, y = q.y - p.y, z = q.z - p.z;
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+/// A curve from the first to the last of its crossings.
+struct Measured_curve
+{
+  Place first = {}, last = {};
+  double length = 0.;
+  bool is_empty = true;
+
+  CGAL_HTL_HOST_DEVICE void add(const Place& p) {
+    if(is_empty)
+      first = p;
     else
-      sum_ += distance(last_, p);
-    last_ = p;
-    is_empty_ = false;
+      length += distance(last, p);
+    last = p;
+    is_empty = false;
   }
 
-  CGAL_HTL_HOST_DEVICE double closed() const { return sum_ + distance(last_, first_); }
-
-private:
-  struct Point
-  {
-    double x, y, z;
-  };
-
-  CGAL_HTL_HOST_DEVICE Point position(const Crossing& c) const {
-    const double* p = points_.data() + 3 * std::size_t(c.left);
-    const double* q = points_.data() + 3 * std::size_t(c.right);
-    return {p[0] + c.ratio * (q[0] - p[0]), p[1] + c.ratio * (q[1] - p[1]),
-            p[2] + c.ratio * (q[2] - p[2])};
+  CGAL_HTL_HOST_DEVICE void add(const Measured_curve& other) {
+    add(other.first);
+    length += other.length;
+    last = other.last;
   }
 
-  CGAL_HTL_HOST_DEVICE static double distance(const Point& p, const Point& q) {
-    const double x = q.x - p.x, y = q.y - p.y, z = q.z - p.z;
-    return std::sqrt(x * x + y * y + z * z);
-  }
+  CGAL_HTL_HOST_DEVICE double closed_length() const { return length + distance(last, first); }
+};
 
-  Span<const double> points_;
-  Point first_ = {0., 0., 0.}, last_ = {0., 0., 0.};
-  double sum_ = 0.;
-  bool is_empty_ = true;
+/// Measures the arcs, one thread for each: these are long, and all fronts are made of them.
+struct Measure_arcs
+{
+  Saddle_arrays saddles;
+  Span<const Index> saddle_of_wedge;
+  Span<Measured_curve> arcs; ///< by wedge
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index wedge) const {
+    const Index saddle = saddle_of_wedge[wedge];
+    Measured_curve arc;
+    saddles.saddle(saddle).trace_arc(wedge - saddles.begin[saddle], [&](const Crossing& c) {
+      arc.add(place_of(c, saddles.mesh));
+    });
+    arcs[wedge] = arc;
+  }
 };
 
 /// The fronts that meet or part in one step of the unfolding of a saddle. Two meet and go on as the
@@ -77,26 +94,28 @@ struct Measure_links
 {
   Saddle_arrays saddles;
   Span<const Index> saddle_of_wedge;
+  Span<const Measured_curve> arcs;
   Span<Linked_fronts> fronts;
 
   CGAL_HTL_HOST_DEVICE void operator()(Index wedge) const {
-    const Saddle_view view = saddles.saddle(saddle_of_wedge[wedge]);
-    const Index i = wedge - saddles.begin[saddle_of_wedge[wedge]];
+    const Index saddle = saddle_of_wedge[wedge], i = wedge - saddles.begin[saddle];
     if(i == 0)
       return;
     Linked_fronts& f = fronts[wedge];
-    f.do_meet = !view.cycles().are_joined(i - 1, i, i);
-    f.below[0] = length(view, i - 1, i);
-    f.below[1] = f.do_meet ? length(view, i, i) : 0.;
-    f.above[0] = length(view, i - 1, i + 1);
-    f.above[1] = f.do_meet ? 0. : length(view, i, i + 1);
+    f.do_meet = !saddles.saddle(saddle).cycles().are_joined(i - 1, i, i);
+    f.below[0] = length(saddle, i - 1, i);
+    f.below[1] = f.do_meet ? length(saddle, i, i) : 0.;
+    f.above[0] = length(saddle, i - 1, i + 1);
+    f.above[1] = f.do_meet ? 0. : length(saddle, i, i + 1);
   }
 
 private:
-  CGAL_HTL_HOST_DEVICE double length(const Saddle_view& view, Index start, Index step) const {
-    Curve_length sum(saddles.mesh);
-    view.trace_contour(start, step, [&](const Crossing& c) { sum.add(c); });
-    return sum.closed();
+  CGAL_HTL_HOST_DEVICE double length(Index saddle, Index start, Index step) const {
+    Measured_curve front;
+    saddles.saddle(saddle).trace_contour(
+        start, step, [&](const Crossing& c) { front.add(place_of(c, saddles.mesh)); },
+        [&](Index i) { front.add(arcs[saddles.begin[saddle] + i]); });
+    return front.closed_length();
   }
 };
 
@@ -108,10 +127,10 @@ struct Measure_closings
   Span<double> lengths;
 
   CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
-    Curve_length sum(mesh);
+    Measured_curve front;
     for(const Index u : mesh.ring(maxima[i]))
-      sum.add({u, maxima[i], largest_ratio});
-    lengths[i] = sum.closed();
+      front.add(place_of({u, maxima[i], largest_ratio}, mesh));
+    lengths[i] = front.closed_length();
   }
 };
 

@@ -42,8 +42,10 @@ struct Layer_links
   Span<Index> first; ///< by vertex, then by gap: the earliest contour that crosses the edge up
 
   CGAL_HTL_HOST_DEVICE Index number_of_vertices() const { return static_cast<Index>(link.size()); }
-  CGAL_HTL_HOST_DEVICE bool is_end(Index link) const { return link >= number_of_vertices(); }
-  CGAL_HTL_HOST_DEVICE Index number_of_end(Index link) const { return link - number_of_vertices(); }
+  CGAL_HTL_HOST_DEVICE bool is_end(Index target) const { return target >= number_of_vertices(); }
+  CGAL_HTL_HOST_DEVICE Index number_of_end(Index target) const {
+    return target - number_of_vertices();
+  }
   CGAL_HTL_HOST_DEVICE Index end_of_contour(Index wedge) const {
     return number_of_vertices() + wedge;
   }
@@ -94,7 +96,9 @@ struct Note_contours
     const Index saddle = saddle_of_wedge[wedge], begin = links.saddles.begin[saddle];
     const Saddle_view view = links.saddles.saddle(saddle);
     const Index contour = begin + view.cycles().first_of_contour(wedge - begin);
-    view.trace_strand(wedge - begin, [&](const Crossing& c) { note(c.left, c.right, contour); });
+    const auto note_at = [&](const Crossing& c) { note(c.left, c.right, contour); };
+    view.trace_wedge(wedge - begin, note_at);
+    view.trace_arc(wedge - begin, note_at);
   }
 
 private:
