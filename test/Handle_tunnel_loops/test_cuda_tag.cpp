@@ -123,12 +123,13 @@ TEST_P(Cuda, FindsTheLoopsOfTheHost) {
   EXPECT_EQ(solver.statistics().backend, "cuda");
 }
 
+// In no more memory than the loops take.
 TEST_P(Cuda, LogsTheFrontsOfTheHost) {
   const auto log = parameters::do_log_fronts(true);
   solver.find_loops(CGAL::Emptyset_iterator(), log);
   const auto expected = solver.statistics().front_events;
   solver.find_loops<CGAL::Cuda_tag>(CGAL::Emptyset_iterator(),
-                                    parameters::device_options(large_device, log));
+                                    parameters::device_options(device_with(needed_kib()), log));
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(solver.statistics().front_events, expected);
   solver.find_loops<CGAL::Cuda_if_available_tag>(CGAL::Emptyset_iterator(),

@@ -55,8 +55,7 @@ struct Layer_links
     return arrival_key(saddles.time[u], u) < arrival_key(saddles.time[v], v);
   }
 
-  /// the position of the neighbour that the front goes up to from `v`. At a minimum all are as
-  /// good.
+  /// the position of the neighbour that the front goes up to from `v`; at a minimum, the first.
   CGAL_HTL_HOST_DEVICE Index way_up(Index v) const {
     const Ring ring = saddles.mesh.ring(v);
     for(Index p = 0; p < ring.size(); ++p)
@@ -102,6 +101,8 @@ struct Note_contours
   }
 
 private:
+  // The edge is one that a front goes up if an earlier neighbour is behind it, or, at a minimum,
+  // where there are none, if it is the first.
   CGAL_HTL_HOST_DEVICE void note(Index from, Index to, Index contour) const {
     const Ring ring = links.saddles.mesh.ring(from);
     const Index p = ring.position(to), before = ring.previous(p);
