@@ -35,10 +35,10 @@ public:
     std::uint64_t all = UINT64_MAX;
     const cudaError_t error = cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all);
     if(error != cudaSuccess)
-      cudaMemPoolDestroy(pool_);
+      ignore(cudaMemPoolDestroy(pool_));
     check(error, "telling a pool to keep its memory");
   }
-  ~Device_memory() { cudaMemPoolDestroy(pool_); }
+  ~Device_memory() { ignore(cudaMemPoolDestroy(pool_)); }
   Device_memory(const Device_memory&) = delete;
   Device_memory& operator=(const Device_memory&) = delete;
 
@@ -102,7 +102,7 @@ public:
   }
   ~Device_buffer() {
     if(data_ != nullptr)
-      cudaFreeAsync(data_, stream_); // a destructor has nobody to tell of an error
+      ignore(cudaFreeAsync(data_, stream_));
   }
 
   Span<T> span() const { return {data_, size_}; }

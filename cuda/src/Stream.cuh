@@ -27,7 +27,7 @@ public:
   }
   ~Stream() {
     if(is_own_)
-      cudaStreamDestroy(stream_);
+      ignore(cudaStreamDestroy(stream_));
   }
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;

@@ -21,34 +21,46 @@ namespace {
 
 using CGAL::Handle_tunnel_loops::internal::device::Ceilings;
 
+/// A place in a stream, and when the work came there.
+class Event
+{
+public:
+  explicit Event(cudaStream_t stream)
+      : stream_(stream) {
+    check(cudaEventCreate(&event_), "making an event");
+  }
+  ~Event() { ignore(cudaEventDestroy(event_)); }
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+
+  cudaEvent_t get() const { return event_; }
+  void record() { check(cudaEventRecord(event_, stream_), "recording an event"); }
+
+private:
+  cudaStream_t stream_;
+  cudaEvent_t event_ = nullptr;
+};
+
 /// Measures the time between two places in a stream.
 class Stopwatch
 {
 public:
   explicit Stopwatch(cudaStream_t stream)
-      : stream_(stream) {
-    check(cudaEventCreate(&begin_), "making an event");
-    check(cudaEventCreate(&end_), "making an event");
-    check(cudaEventRecord(begin_, stream), "recording an event");
+      : begin_(stream)
+      , end_(stream) {
+    begin_.record();
   }
-  ~Stopwatch() {
-    cudaEventDestroy(begin_);
-    cudaEventDestroy(end_);
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
 
   double seconds() {
-    check(cudaEventRecord(end_, stream_), "recording an event");
-    check(cudaEventSynchronize(end_), "measuring");
+    end_.record();
+    check(cudaEventSynchronize(end_.get()), "measuring");
     float milliseconds = 0.f;
-    check(cudaEventElapsedTime(&milliseconds, begin_, end_), "measuring");
+    check(cudaEventElapsedTime(&milliseconds, begin_.get(), end_.get()), "measuring");
     return 1e-3 * milliseconds;
   }
 
 private:
-  cudaStream_t stream_;
-  cudaEvent_t begin_ = nullptr, end_ = nullptr;
+  Event begin_, end_;
 };
 
 /// A program of steps in which nothing is done.

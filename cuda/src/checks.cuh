@@ -27,15 +27,24 @@ void check(cudaError_t error, const char* what) {
   throw Exception(std::string(what) + ": " + cudaGetErrorString(error));
 }
 
+/// for destructors, which have nobody to tell of an error: it is not to be reported again either.
+inline void ignore(cudaError_t error) {
+  if(error != cudaSuccess)
+    cudaGetLastError();
+}
+
 /// Makes a device the current one of the thread, and then the one before it again.
 class Current_device
 {
 public:
   explicit Current_device(int device) {
     check(cudaGetDevice(&before_), "asking for the current device");
-    check(cudaSetDevice(device), "choosing the device");
+    const cudaError_t error = cudaSetDevice(device);
+    if(error != cudaSuccess) // which may be that of earlier work, and the device chosen
+      ignore(cudaSetDevice(before_));
+    check(error, "choosing the device");
   }
-  ~Current_device() { cudaSetDevice(before_); }
+  ~Current_device() { ignore(cudaSetDevice(before_)); }
   Current_device(const Current_device&) = delete;
   Current_device& operator=(const Current_device&) = delete;
 
