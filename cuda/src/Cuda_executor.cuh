@@ -25,7 +25,7 @@ namespace htl_cuda {
 
 using CGAL::Handle_tunnel_loops::internal::Index;
 
-constexpr int threads_per_block = 256;
+constexpr int most_threads_per_block = 256;
 
 template <typename Function> __global__ void for_each_kernel(std::size_t n, Function f) {
   for(std::size_t i = thread_number(); i < n; i += number_of_threads())
@@ -60,7 +60,7 @@ struct Grid_threads
 
 /// All steps of a program in one launch; the barrier between them is that of the grid.
 template <typename Program>
-__global__ void __launch_bounds__(threads_per_block) run_kernel(Program program) {
+__global__ void __launch_bounds__(most_threads_per_block) run_kernel(Program program) {
   Grid_threads threads = {cooperative_groups::this_grid()};
   CGAL::Handle_tunnel_loops::internal::device::run_steps(program, threads);
 }
@@ -80,12 +80,12 @@ public:
       : memory_(device)
       , stream_(stream)
       , launch_(launch) {
-    check(
-        cudaDeviceGetAttribute(&number_of_multiprocessors_, cudaDevAttrMultiProcessorCount, device),
-        "asking for the number of multiprocessors");
+    ask(cudaDevAttrMultiProcessorCount, device, number_of_multiprocessors_);
+    ask(cudaDevAttrMaxThreadsPerBlock, device, threads_per_block_);
+    threads_per_block_ = std::min(threads_per_block_, most_threads_per_block);
   }
   /// All buffers have been given back by now; what is still to do with them is waited for.
-  ~Cuda_executor() { cudaStreamSynchronize(stream_); }
+  ~Cuda_executor() { ignore(cudaStreamSynchronize(stream_)); }
   Cuda_executor(const Cuda_executor&) = delete;
   Cuda_executor& operator=(const Cuda_executor&) = delete;
 
@@ -128,7 +128,7 @@ public:
 
   template <typename Function>
   void for_each_of(const Index* n, std::size_t limit, const Function& f) {
-    launch(std::min<std::size_t>(limit, largest_grid() * threads_per_block),
+    launch(std::min<std::size_t>(limit, largest_grid() * threads_per_block_),
            for_each_of_kernel<Function>, n, limit, f);
   }
 
@@ -137,25 +137,23 @@ public:
       return run_graph(program);
     int blocks = 0;
     check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, run_kernel<Program>,
-                                                        threads_per_block, 0),
+                                                        threads_per_block_, 0),
           "asking for the occupancy");
     // A barrier is the faster the fewer blocks meet at it; four hide the latency of the memory.
-    blocks = std::min(blocks, 4) * number_of_multiprocessors_;
-    Program copy = program;
-    void* arguments[] = {&copy};
-    check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(run_kernel<Program>),
-                                      dim3(static_cast<unsigned>(blocks)), dim3(threads_per_block),
-                                      arguments, 0, stream_),
-          "starting the steps of a field");
+    start({std::min(blocks, 4) * number_of_multiprocessors_, true}, run_kernel<Program>, program);
   }
 
 private:
   template <typename Program> void run_graph(const Program& program) {
     const Buffer<typename Program::State> state = make<typename Program::State>(1);
-    const Step_graph<Program> graph(program, state.span().data(),
-                                    static_cast<unsigned>(largest_grid()), threads_per_block);
+    const Step_graph<Program> graph(program, state.span().data(), static_cast<int>(largest_grid()),
+                                    threads_per_block_);
     check(cudaGraphLaunch(graph.get(), stream_), "starting the steps of a field");
     check(cudaStreamSynchronize(stream_), "running on the device"); // the graph ends here
+  }
+
+  static void ask(cudaDeviceAttr attribute, int device, int& value) {
+    check(cudaDeviceGetAttribute(&value, attribute, device), "asking for what the device can do");
   }
 
   std::size_t largest_grid() const { return std::size_t(number_of_multiprocessors_) * 8; }
@@ -164,16 +162,35 @@ private:
   void launch(std::size_t n, void (*kernel)(Parameters...), const Arguments&... arguments) {
     if(n == 0)
       return;
-    const std::size_t blocks =
-        std::min((n + threads_per_block - 1) / threads_per_block, largest_grid());
-    kernel<<<static_cast<unsigned>(blocks), threads_per_block, 0, stream_>>>(arguments...);
-    check(cudaGetLastError(), "starting a kernel");
+    const std::size_t blocks = (n + threads_per_block_ - 1) / threads_per_block_;
+    start({static_cast<int>(std::min(blocks, largest_grid())), false}, kernel, arguments...);
+  }
+
+  struct Grid
+  {
+    int number_of_blocks;
+    bool is_cooperative; ///< whether the blocks meet at barriers
+  };
+
+  template <typename... Parameters, typename... Arguments>
+  void start(const Grid& grid, void (*kernel)(Parameters...), const Arguments&... arguments) {
+    cudaLaunchAttribute cooperative = {};
+    cooperative.id = cudaLaunchAttributeCooperative;
+    cooperative.val.cooperative = 1;
+    cudaLaunchConfig_t configuration = {};
+    configuration.gridDim = dim3(static_cast<unsigned>(grid.number_of_blocks));
+    configuration.blockDim = dim3(static_cast<unsigned>(threads_per_block_));
+    configuration.stream = stream_;
+    configuration.attrs = &cooperative;
+    configuration.numAttrs = grid.is_cooperative ? 1 : 0;
+    check(cudaLaunchKernelEx(&configuration, kernel, arguments...), "starting a kernel");
   }
 
   Device_memory memory_;
   cudaStream_t stream_;
   Launch launch_;
   int number_of_multiprocessors_ = 0;
+  int threads_per_block_ = 0;
 };
 
 } // namespace htl_cuda

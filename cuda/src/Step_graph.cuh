@@ -60,7 +60,7 @@ template <typename Program> class Step_graph
 public:
   using State = typename Program::State;
 
-  Step_graph(const Program& program, State* state, unsigned blocks, unsigned threads) {
+  Step_graph(const Program& program, State* state, int blocks, int threads) {
     try {
       build(program, state, blocks, threads);
     } catch(...) {
@@ -75,9 +75,9 @@ public:
   cudaGraphExec_t get() const { return executable_; }
 
 private:
-  void build(const Program& program, State* state, unsigned blocks, unsigned threads) {
+  void build(const Program& program, State* state, int blocks, int threads) {
     check(cudaGraphCreate(&graph_, 0), "making a graph");
-    cudaGraphConditionalHandle is_next;
+    cudaGraphConditionalHandle is_next = 0;
     check(cudaGraphConditionalHandleCreate(&is_next, graph_, 0, cudaGraphCondAssignDefault),
           "making a condition");
     const cudaGraphNode_t begin = add_between_steps(graph_, nullptr, program, state, true, is_next);
@@ -87,46 +87,49 @@ private:
     parameters.conditional.handle = is_next;
     parameters.conditional.type = cudaGraphCondTypeWhile;
     parameters.conditional.size = 1;
-    cudaGraphNode_t loop;
+    cudaGraphNode_t loop = nullptr;
 #if CUDART_VERSION >= 13000
     check(cudaGraphAddNode(&loop, graph_, &begin, nullptr, 1, &parameters), "adding a node");
 #else
     check(cudaGraphAddNode(&loop, graph_, &begin, 1, &parameters), "adding a node");
 #endif
     const cudaGraph_t body = parameters.conditional.phGraph_out[0];
-
-    Program copy = program;
-    const State* const_state = state;
-    void* arguments[] = {&copy, &const_state};
-    const cudaGraphNode_t step = add_kernel(
-        body, nullptr, reinterpret_cast<void*>(step_kernel<Program>), blocks, threads, arguments);
+    const cudaGraphNode_t step = add_kernel<Program, const State*>(
+        body, nullptr, {blocks, threads}, step_kernel<Program>, program, state);
     add_between_steps(body, &step, program, state, false, is_next);
     check(cudaGraphInstantiate(&executable_, graph_, 0), "preparing a graph");
   }
 
+  struct Grid
+  {
+    int blocks, threads;
+  };
+
   static cudaGraphNode_t add_between_steps(cudaGraph_t graph,
                                            const cudaGraphNode_t* after,
-                                           Program program,
+                                           const Program& program,
                                            State* state,
                                            bool is_first,
                                            cudaGraphConditionalHandle is_next) {
-    void* arguments[] = {&program, &state, &is_first, &is_next};
-    return add_kernel(graph, after, reinterpret_cast<void*>(between_steps_kernel<Program>), 1, 1,
-                      arguments);
+    return add_kernel<Program, State*, bool, cudaGraphConditionalHandle>(
+        graph, after, {1, 1}, between_steps_kernel<Program>, program, state, is_first, is_next);
   }
 
+  template <typename... Parameters>
   static cudaGraphNode_t add_kernel(cudaGraph_t graph,
                                     const cudaGraphNode_t* after,
-                                    void* kernel,
-                                    unsigned blocks,
-                                    unsigned threads,
-                                    void** arguments) {
+                                    const Grid& grid,
+                                    void (*kernel)(Parameters...),
+                                    Parameters... arguments) {
+    cudaFuncAttributes attributes; // asked for so that the kernel is loaded before the graph runs
+    check(cudaFuncGetAttributes(&attributes, kernel), "loading a kernel");
+    void* pointers[] = {&arguments...};
     cudaKernelNodeParams parameters = {};
-    parameters.func = kernel;
-    parameters.gridDim = dim3(blocks);
-    parameters.blockDim = dim3(threads);
-    parameters.kernelParams = arguments;
-    cudaGraphNode_t node;
+    parameters.func = reinterpret_cast<void*>(kernel);
+    parameters.gridDim = dim3(static_cast<unsigned>(grid.blocks));
+    parameters.blockDim = dim3(static_cast<unsigned>(grid.threads));
+    parameters.kernelParams = pointers;
+    cudaGraphNode_t node = nullptr;
     check(cudaGraphAddKernelNode(&node, graph, after, after == nullptr ? 0 : 1, &parameters),
           "adding a node");
     return node;
@@ -134,9 +137,9 @@ private:
 
   void destroy() {
     if(executable_ != nullptr)
-      cudaGraphExecDestroy(executable_);
+      ignore(cudaGraphExecDestroy(executable_));
     if(graph_ != nullptr)
-      cudaGraphDestroy(graph_);
+      ignore(cudaGraphDestroy(graph_));
   }
 
   cudaGraph_t graph_ = nullptr;
