@@ -140,7 +140,7 @@ private:
     const Buffer<Time> progress[2] = {filled(executor_, 1, Time(0)), filled(executor_, 1, Time(0))};
     const Buffer<Time> last_step = filled(executor_, 1, never);
     const Buffer<Field_control> control = filled(executor_, 1, Field_control());
-    Field_arrays arrays;
+    Field_arrays arrays = {};
     arrays.value[0] = values[0].span();
     arrays.value[1] = values[1].span();
     arrays.time = time_.span();
