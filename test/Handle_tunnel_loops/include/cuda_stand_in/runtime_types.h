@@ -1,0 +1,147 @@
+#ifndef HTL_TEST_CUDA_STAND_IN_RUNTIME_TYPES_H
+#define HTL_TEST_CUDA_STAND_IN_RUNTIME_TYPES_H
+
+#include "kernel_language.h"
+
+#include <cstddef>
+
+// The types of the CUDA runtime, as far as they are used and as its manual describes them.
+
+#define CUDART_VERSION 13000
+
+namespace cuda_stand_in {
+class Stream;
+class Event;
+class Pool;
+class Graph;
+class Executable_graph;
+struct Graph_node;
+} // namespace cuda_stand_in
+
+// NOLINTBEGIN(readability-identifier-naming): CUDA's names
+
+enum cudaError_t {
+  cudaSuccess = 0,
+  cudaErrorInvalidValue = 1,
+  cudaErrorMemoryAllocation = 2,
+  cudaErrorInvalidConfiguration = 9,
+  cudaErrorInvalidDeviceFunction = 98,
+  cudaErrorNoDevice = 100,
+  cudaErrorInvalidDevice = 101,
+  cudaErrorNoKernelImageForDevice = 209,
+  cudaErrorInvalidResourceHandle = 400,
+  cudaErrorNotReady = 600,
+  cudaErrorIllegalAddress = 700,
+  cudaErrorLaunchFailure = 719,
+  cudaErrorCooperativeLaunchTooLarge = 720,
+  cudaErrorNotSupported = 801
+};
+
+using cudaStream_t = cuda_stand_in::Stream*;
+using cudaEvent_t = cuda_stand_in::Event*;
+using cudaMemPool_t = cuda_stand_in::Pool*;
+using cudaGraph_t = cuda_stand_in::Graph*;
+using cudaGraphExec_t = cuda_stand_in::Executable_graph*;
+using cudaGraphNode_t = cuda_stand_in::Graph_node*;
+using cudaGraphConditionalHandle = unsigned long long;
+
+// ---- devices
+
+enum cudaDeviceAttr {
+  cudaDevAttrMaxThreadsPerBlock = 1,
+  cudaDevAttrMultiProcessorCount = 16,
+  cudaDevAttrComputeCapabilityMajor = 75,
+  cudaDevAttrCooperativeLaunch = 95,
+  cudaDevAttrMemoryPoolsSupported = 115
+};
+
+struct cudaDeviceProp
+{
+  char name[256];
+};
+
+struct cudaFuncAttributes
+{
+  int maxThreadsPerBlock;
+};
+
+// ---- memory
+
+enum cudaMemcpyKind { cudaMemcpyHostToDevice = 1, cudaMemcpyDeviceToHost = 2 };
+enum cudaMemAllocationType { cudaMemAllocationTypePinned = 1 };
+enum cudaMemLocationType { cudaMemLocationTypeDevice = 1 };
+
+struct cudaMemPoolProps
+{
+  cudaMemAllocationType allocType;
+  struct
+  {
+    cudaMemLocationType type;
+    int id;
+  } location;
+};
+
+enum cudaMemPoolAttr {
+  cudaMemPoolAttrReleaseThreshold = 4,
+  cudaMemPoolAttrReservedMemCurrent = 5,
+  cudaMemPoolAttrUsedMemCurrent = 7
+};
+
+// ---- streams and launches
+
+constexpr unsigned cudaStreamDefault = 0, cudaStreamNonBlocking = 1;
+
+enum cudaLaunchAttributeID { cudaLaunchAttributeCooperative = 2 };
+
+struct cudaLaunchAttribute
+{
+  cudaLaunchAttributeID id;
+  union {
+    int cooperative;
+  } val;
+};
+
+struct cudaLaunchConfig_t
+{
+  dim3 gridDim, blockDim;
+  std::size_t dynamicSmemBytes;
+  cudaStream_t stream;
+  cudaLaunchAttribute* attrs;
+  unsigned numAttrs;
+};
+
+// ---- graphs
+
+constexpr unsigned cudaGraphCondAssignDefault = 1;
+
+enum cudaGraphNodeType { cudaGraphNodeTypeKernel = 0, cudaGraphNodeTypeConditional = 13 };
+enum cudaGraphConditionalNodeType { cudaGraphCondTypeIf = 0, cudaGraphCondTypeWhile = 1 };
+
+struct cudaGraphEdgeData
+{};
+
+struct cudaKernelNodeParams
+{
+  void* func;
+  dim3 gridDim, blockDim;
+  unsigned sharedMemBytes;
+  void** kernelParams;
+};
+
+struct cudaConditionalNodeParams
+{
+  cudaGraphConditionalHandle handle;
+  cudaGraphConditionalNodeType type;
+  unsigned size;
+  cudaGraph_t* phGraph_out;
+};
+
+struct cudaGraphNodeParams
+{
+  cudaGraphNodeType type;
+  cudaConditionalNodeParams conditional;
+};
+
+// NOLINTEND(readability-identifier-naming)
+
+#endif // HTL_TEST_CUDA_STAND_IN_RUNTIME_TYPES_H
