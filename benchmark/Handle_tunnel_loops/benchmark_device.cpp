@@ -1,6 +1,7 @@
 // Measures the computation on a CUDA device, from arrays on the host to loops on the host, stage by
 // stage, and the initial pass against its floor: the bytes that its updates move at least, at the
-// bandwidth of the device, and its steps, at the cost of a barrier.
+// bandwidth of the device, and its steps, at the cost of a barrier; beside the host solver on two
+// threads.
 //
 //   benchmark_device [-n RUNS] [KIND:FACES:GENUS]...
 //
@@ -13,6 +14,8 @@
 #include <CGAL/handle_tunnel_loops.h>
 
 #include "generators/generators.h"
+
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -101,26 +104,46 @@ void measure_initial_pass(const Mesh& mesh, const impl::device::Ceilings& ceilin
     measure_sweep(flat, in_graph, ceilings, runs);
 }
 
-void measure_all(const Mesh& mesh, int runs) {
-  std::vector<std::vector<double>> stages(HTL::number_of_stages);
-  std::vector<double> totals;
+/// What the runs of a solver took.
+struct Measured
+{
+  std::vector<std::vector<double>> stages = std::vector<std::vector<double>>(HTL::number_of_stages);
+  std::vector<double> totals; ///< from arrays to loops: no adaptor, no certificate
   HTL::Statistics statistics;
+};
+
+template <typename Tag> Measured measure_solver(const Mesh& mesh, int runs) {
+  Measured measured;
   for(int i = 0; i < runs; ++i) {
     std::vector<Pair> pairs;
     CGAL::Handle_tunnel_loops_solver<Mesh> solver(CGAL::Parallel_if_available_tag(), mesh,
                                                   CGAL::parameters::default_values());
-    solver.find_loops<CGAL::Cuda_tag>(std::back_inserter(pairs));
-    statistics = solver.statistics();
-    for(std::size_t s = 0; s < stages.size(); ++s)
-      stages[s].push_back(statistics.seconds[s]);
-    totals.push_back(statistics.total_seconds() - statistics.seconds_of(Stage::ADAPTOR) -
-                     statistics.seconds_of(Stage::CERTIFICATE));
+    solver.find_loops<Tag>(std::back_inserter(pairs));
+    const HTL::Statistics& statistics = measured.statistics = solver.statistics();
+    for(std::size_t s = 0; s < HTL::number_of_stages; ++s)
+      measured.stages[s].push_back(statistics.seconds[s]);
+    measured.totals.push_back(statistics.total_seconds() - statistics.seconds_of(Stage::ADAPTOR) -
+                              statistics.seconds_of(Stage::CERTIFICATE));
   }
-  std::printf(" ");
-  for(std::size_t s = 0; s < stages.size(); ++s)
-    std::printf(" %s %.3f,", HTL::stage_name(static_cast<Stage>(s)), median(stages[s]));
-  std::printf(" arrays to loops %.3f s; %.0f bytes of the device per face\n", median(totals),
-              double(statistics.device_bytes) / double(statistics.number_of_faces));
+  return measured;
+}
+
+void print(const char* backend, const Measured& measured) {
+  std::printf("  %s:", backend);
+  for(std::size_t s = 0; s < measured.stages.size(); ++s)
+    std::printf(" %s %.3f,", HTL::stage_name(static_cast<Stage>(s)), median(measured.stages[s]));
+  std::printf(" arrays to loops %.3f s\n", median(measured.totals));
+}
+
+void measure_all(const Mesh& mesh, int runs) {
+  const Measured device = measure_solver<CGAL::Cuda_tag>(mesh, runs);
+  print("device", device);
+  std::printf("  %.0f bytes of the device per face\n",
+              double(device.statistics.device_bytes) / double(mesh.number_of_faces()));
+  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
+  const Measured host = measure_solver<CGAL::Parallel_if_available_tag>(mesh, 1);
+  print("host, two threads", host);
+  std::printf("  the host takes %.1f times as long\n", median(host.totals) / median(device.totals));
 }
 
 void measure(const std::string& request, const impl::device::Ceilings& ceilings, int runs) {

@@ -27,6 +27,10 @@ using CGAL::Handle_tunnel_loops::internal::Index;
 
 constexpr int most_threads_per_block = 256;
 
+// Of the threads that meet at barriers. A barrier is the faster the fewer blocks there are; four
+// hide the latency of the memory, and leave registers for the loads of all neighbours at a time.
+constexpr int most_blocks_per_multiprocessor = 4;
+
 template <typename Function> __global__ void for_each_kernel(std::size_t n, Function f) {
   for(std::size_t i = thread_number(); i < n; i += number_of_threads())
     f(static_cast<Index>(i));
@@ -60,7 +64,8 @@ struct Grid_threads
 
 /// All steps of a program in one launch; the barrier between them is that of the grid.
 template <typename Program>
-__global__ void __launch_bounds__(most_threads_per_block) run_kernel(Program program) {
+__global__ void __launch_bounds__(most_threads_per_block, most_blocks_per_multiprocessor)
+    run_kernel(Program program) {
   Grid_threads threads = {cooperative_groups::this_grid()};
   CGAL::Handle_tunnel_loops::internal::device::run_steps(program, threads);
 }
@@ -139,8 +144,8 @@ public:
     check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, run_kernel<Program>,
                                                         threads_per_block_, 0),
           "asking for the occupancy");
-    // A barrier is the faster the fewer blocks meet at it; four hide the latency of the memory.
-    start({std::min(blocks, 4) * number_of_multiprocessors_, true}, run_kernel<Program>, program);
+    blocks = std::min(blocks, most_blocks_per_multiprocessor) * number_of_multiprocessors_;
+    start({blocks, true}, run_kernel<Program>, program);
   }
 
 private:

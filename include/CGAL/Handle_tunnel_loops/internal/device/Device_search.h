@@ -338,10 +338,12 @@ private:
                executor_.free_bytes();
   }
 
-  // At first the passes may cover the mesh sixteen times over, as far as the memory allows.
+  // At first the passes may cover the mesh sixteen times over, as far as the memory allows; a few
+  // passes cannot cover it more often than there are passes.
   Room first_room(std::size_t number_of_passes) const {
+    const std::size_t covers = (std::min)(number_of_passes, std::size_t(16));
     const std::size_t pages =
-        16 * 2 * (mesh_.number_of_vertices() / Batch::page_size + number_of_passes);
+        2 * (covers * (mesh_.number_of_vertices() / Batch::page_size + 1) + 16 * number_of_passes);
     Room room = {smallest_number_of_pages, 2};
     while(room.number_of_pages < pages && has_memory_for(2 * room.number_of_pages))
       room.number_of_pages *= 2;
