@@ -14,14 +14,17 @@
 
 /// \file host_device.h
 /// Marks functions that the processor and a CUDA device run alike, and before them such templates
-/// as may also be given functions of the processor alone.
+/// as may also be given functions of the processor alone; and loops of few rounds whose loads a
+/// device is to begin together.
 
 #ifdef __CUDACC__
 #define CGAL_HTL_HOST_DEVICE __host__ __device__
 #define CGAL_HTL_CALLS_ANY_FUNCTION _Pragma("nv_exec_check_disable")
+#define CGAL_HTL_UNROLL _Pragma("unroll")
 #else
 #define CGAL_HTL_HOST_DEVICE
 #define CGAL_HTL_CALLS_ANY_FUNCTION
+#define CGAL_HTL_UNROLL
 #endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOST_DEVICE_H

@@ -22,9 +22,9 @@ namespace internal {
 namespace device {
 
 /// The states of a cell: in the band now or before; reached from the right; marked; and, of an
-/// active one, whether its row is longer than a stencil or may be cut by walls.
+/// active one, whether there may be walls beside it.
 constexpr std::uint32_t cell_is_active = 1, cell_is_right = 2, cell_is_marked = 4,
-                        cell_is_special = 8;
+                        cell_may_have_walls = 8;
 
 /// Counters of the steps. What one step writes is read after its barrier and cleared two steps
 /// later, so there are three of each.
@@ -96,8 +96,8 @@ public:
     return racy_load(arrays_.state[cell]) & cell_is_right;
   }
 
-  CGAL_HTL_HOST_DEVICE bool is_special(Index cell) const {
-    return (racy_load(arrays_.state[cell]) & cell_is_special) != 0;
+  CGAL_HTL_HOST_DEVICE bool may_have_walls(Index cell) const {
+    return region_.has_walls() && (racy_load(arrays_.state[cell]) & cell_may_have_walls) != 0;
   }
 
   /// calls `f(u, cell of u)` for each neighbour that no wall parts from the cell, which is active;
@@ -105,9 +105,9 @@ public:
   template <typename Function>
   CGAL_HTL_HOST_DEVICE void for_each_neighbor(Index cell, const Function& f) const {
     const Ring ring = region_.mesh().ring(region_.vertex(cell));
-    const bool may_have_walls = region_.has_walls() && is_special(cell);
+    const bool has_walls = may_have_walls(cell);
     for(Index i = 0; i < ring.size(); ++i)
-      if(!may_have_walls || !region_.is_wall(cell, ring[i]))
+      if(!has_walls || !region_.is_wall(cell, ring[i]))
         f(ring[i], region_.find(cell, ring[i]));
   }
 
@@ -115,9 +115,9 @@ public:
   /// new there.
   CGAL_HTL_HOST_DEVICE void activate_neighbors(Index cell, Time step) const {
     const Ring ring = region_.mesh().ring(region_.vertex(cell));
-    const bool may_have_walls = region_.has_walls() && is_special(cell);
+    const bool has_walls = may_have_walls(cell);
     for(Index i = 0; i < ring.size(); ++i) {
-      if(may_have_walls && region_.is_wall(cell, ring[i]))
+      if(has_walls && region_.is_wall(cell, ring[i]))
         continue;
       const Index u = region_.insert(cell, ring[i]);
       if(u != no_index && activate(u, 0)) {
@@ -125,6 +125,32 @@ public:
         change_band_size(cell, step - 1, 1);
       }
     }
+  }
+
+  /// puts those of the given cells that are new into the field and into the band of the given step;
+  /// they are of the pass of `cell`, and some may be `no_index`.
+  CGAL_HTL_HOST_DEVICE void
+  activate(const Index (&cells)[stencil_width], Index cell, Time step) const {
+    std::uint32_t states[stencil_width]; // before
+    CGAL_HTL_UNROLL
+    for(Index i = 0; i < stencil_width; ++i)
+      states[i] = cells[i] == no_index ? cell_is_active : racy_load(arrays_.state[cells[i]]);
+    CGAL_HTL_UNROLL
+    for(Index i = 0; i < stencil_width; ++i)
+      if((states[i] & cell_is_active) == 0)
+        states[i] = make_active(cells[i], 0);
+    Index number = 0;
+    CGAL_HTL_UNROLL
+    for(Index i = 0; i < stencil_width; ++i)
+      number += (states[i] & cell_is_active) == 0 ? 1 : 0;
+    if(number == 0)
+      return;
+    Index place = fetch_add(arrays_.control->counters.band_size[step % 3], number);
+    CGAL_HTL_UNROLL
+    for(Index i = 0; i < stencil_width; ++i)
+      if((states[i] & cell_is_active) == 0)
+        arrays_.band[step % 2][place++] = cells[i];
+    change_band_size(cell, step - 1, static_cast<int>(number));
   }
 
   /// notes that the band of the pass of a cell has become larger or smaller in a step.
@@ -149,13 +175,16 @@ public:
   }
 
 private:
+  // Returns the state before: another thread may have been faster.
+  CGAL_HTL_HOST_DEVICE std::uint32_t make_active(Index cell, std::uint32_t side) const {
+    const std::uint32_t walls = region_.may_have_walls(cell) ? cell_may_have_walls : 0u;
+    return fetch_or(arrays_.state[cell], cell_is_active | side | walls);
+  }
+
   // Returns false if the cell is active already.
   CGAL_HTL_HOST_DEVICE bool activate(Index cell, std::uint32_t side) const {
-    std::uint32_t& state = arrays_.state[cell];
-    if((racy_load(state) & cell_is_active) != 0)
-      return false;
-    const std::uint32_t special = region_.is_special(cell) ? cell_is_special : 0u;
-    return (fetch_or(state, cell_is_active | side | special) & cell_is_active) == 0;
+    return (racy_load(arrays_.state[cell]) & cell_is_active) == 0 &&
+           (make_active(cell, side) & cell_is_active) == 0;
   }
 
   Region region_;

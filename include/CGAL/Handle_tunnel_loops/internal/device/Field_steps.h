@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/device/Field.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Neighbors.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -122,80 +122,72 @@ private:
     racy_store(arrays().time[cell], time);
   }
 
+  // What is wanted of the memory is asked for before anything is decided.
   CGAL_HTL_HOST_DEVICE void update(Index cell, Time step) const {
     const Index pass = region().pass(cell);
+    const float before = arrays().value[(step + 1) % 2][cell];
+    const bool has_walls = field_.may_have_walls(cell);
+    const Ring ring = region().mesh().ring(region().vertex(cell));
     const Phase now = phase(pass, step);
     if(now.is_over)
       return;
-    const float before = arrays().value[(step + 1) % 2][cell];
-    if(before == 1.f) { // it has left the band
+    if(before == 1.f) // it has left the band
       arrays().value[step % 2][cell] = before;
-      return;
-    }
-    const float after =
-        now.is_push ? pushed(cell, pass, before, step) : settled(cell, pass, before, step);
-    arrays().value[step % 2][cell] = after;
-    if(before <= spark_ && (now.is_push ? after == 1.f : after > spark_))
-      field_.activate_neighbors(cell, step + 1);
-    if(after == 1.f)
-      field_.change_band_size(cell, step, -1);
-    field_.append_to_band(cell, step + 1);
+    else if(has_walls || ring.size() > stencil_width)
+      advance({cell, pass, before, now.is_push}, Neighbors_in_turn<Region>(field_, cell), step);
+    else
+      advance({cell, pass, before, now.is_push}, Neighbors_at_once<Region>(field_, cell, ring),
+              step);
   }
 
-  CGAL_HTL_HOST_DEVICE float settled(Index cell, Index pass, float before, Time step) const {
-    const float after = stepped_value(before, mean(cell, step), coefficients_);
-    if(before >= front_threshold || after < front_threshold)
+  // A cell of the band, and its value after the last step.
+  struct Banded
+  {
+    Index cell, pass;
+    float before;
+    bool is_push;
+  };
+
+  template <typename Neighbors>
+  CGAL_HTL_HOST_DEVICE void advance(const Banded& c, const Neighbors& neighbors, Time step) const {
+    const float after = c.is_push ? pushed(c, neighbors, step) : settled(c, neighbors, step);
+    arrays().value[step % 2][c.cell] = after;
+    if(c.before <= spark_ && (c.is_push ? after == 1.f : after > spark_))
+      neighbors.activate(step + 1);
+    if(after == 1.f)
+      field_.change_band_size(c.cell, step, -1);
+    field_.append_to_band(c.cell, step + 1);
+  }
+
+  template <typename Neighbors>
+  CGAL_HTL_HOST_DEVICE float settled(const Banded& c, const Neighbors& neighbors, Time step) const {
+    const float mean = neighbors.mean(arrays().value[(step + 1) % 2]);
+    const float after = stepped_value(c.before, mean, coefficients_);
+    if(c.before >= front_threshold || after < front_threshold)
       return after;
-    const Index earlier = earliest_neighbor(cell, step);
+    const Index earlier = neighbors.earliest(key_of_step(step));
     if(earlier == no_index)
       return just_below_threshold;
-    arrive(cell, crossing_time(before, after, step), earlier);
-    note_arrival(cell, pass, step);
+    arrive(c.cell, crossing_time(c.before, after, step), earlier);
+    note_arrival(c.cell, c.pass, step);
     return after;
   }
 
   // Where a front has come to rest, all that it touches is declared reached.
-  CGAL_HTL_HOST_DEVICE float pushed(Index cell, Index pass, float before, Time step) const {
-    const Index earlier = field_.is_reached(cell) ? no_index : earliest_neighbor(cell, step);
+  template <typename Neighbors>
+  CGAL_HTL_HOST_DEVICE float pushed(const Banded& c, const Neighbors& neighbors, Time step) const {
+    const Index earlier =
+        field_.is_reached(c.cell) ? no_index : neighbors.earliest(key_of_step(step));
     if(earlier == no_index)
-      return before;
-    arrive(cell, step * ticks_per_step, earlier);
-    note_arrival(cell, pass, step);
+      return c.before;
+    arrive(c.cell, step * ticks_per_step, earlier);
+    note_arrival(c.cell, c.pass, step);
     return 1.f;
   }
 
-  CGAL_HTL_HOST_DEVICE float mean(Index cell, Time step) const {
-    const Span<float>& value = arrays().value[(step + 1) % 2];
-    if(field_.is_special(cell)) {
-      float sum = 0.f;
-      Index number = 0;
-      field_.for_each_neighbor(cell, [&](Index, Index u) {
-        sum += u == no_index ? 0.f : value[u];
-        ++number;
-      });
-      return sum / static_cast<float>(number);
-    }
-    const Ring ring = region().mesh().ring(region().vertex(cell));
-    return stencil_mean(1.f / static_cast<float>(ring.size()), [&](Index i) {
-      const Index u = i < ring.size() ? region().find(cell, ring[i]) : no_index;
-      return u == no_index ? 0.f : value[u];
-    });
-  }
-
-  // Among the neighbours reached in earlier steps.
-  CGAL_HTL_HOST_DEVICE Index earliest_neighbor(Index cell, Time step) const {
-    std::uint64_t earliest = arrival_key((step - 1) * ticks_per_step, no_index);
-    Index found = no_index;
-    field_.for_each_neighbor(cell, [&](Index v, Index u) {
-      if(u == no_index)
-        return;
-      const std::uint64_t key = arrival_key(field_.time(u), v);
-      if(key < earliest) {
-        earliest = key;
-        found = u;
-      }
-    });
-    return found;
+  // Above the keys of what was reached in earlier steps.
+  CGAL_HTL_HOST_DEVICE static std::uint64_t key_of_step(Time step) {
+    return arrival_key((step - 1) * ticks_per_step, no_index);
   }
 
   Field<Region> field_;

@@ -77,9 +77,8 @@ public:
     return insert_key(std::uint64_t(pass) << 32 | u / page_size, u);
   }
 
-  CGAL_HTL_HOST_DEVICE bool is_special(Index cell) const {
-    const Index v = vertex(cell);
-    return mesh_.ring(v).size() > stencil_width || walls_.may_be_beside(loop(pass(cell)), v);
+  CGAL_HTL_HOST_DEVICE bool may_have_walls(Index cell) const {
+    return walls_.may_be_beside(loop(pass(cell)), vertex(cell));
   }
   CGAL_HTL_HOST_DEVICE bool is_wall(Index cell, Index u) const {
     return walls_.is_wall(loop(pass(cell)), vertex(cell), u);

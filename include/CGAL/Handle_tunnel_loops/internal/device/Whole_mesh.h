@@ -42,9 +42,8 @@ public:
 
   CGAL_HTL_HOST_DEVICE static bool is_starved(Index) { return false; }
 
-  CGAL_HTL_HOST_DEVICE bool is_special(Index cell) const {
-    return mesh_.ring(cell).size() > stencil_width ||
-           (has_walls() && walls_.may_be_beside(0, cell));
+  CGAL_HTL_HOST_DEVICE bool may_have_walls(Index cell) const {
+    return has_walls() && walls_.may_be_beside(0, cell);
   }
   CGAL_HTL_HOST_DEVICE bool is_wall(Index cell, Index u) const {
     return walls_.is_wall(0, cell, u);
