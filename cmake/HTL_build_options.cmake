@@ -4,8 +4,9 @@ add_library(htl_build_options INTERFACE)
 if(MSVC)
   target_compile_options(htl_build_options INTERFACE /W4 $<$<BOOL:${HTL_WARNINGS_AS_ERRORS}>:/WX>)
 else()
+  # Products and sums are rounded apart, as for CUDA devices: so all solvers compute the same.
   target_compile_options(htl_build_options INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off
     $<$<BOOL:${HTL_WARNINGS_AS_ERRORS}>:-Werror>
     $<$<BOOL:${HTL_NATIVE}>:-march=native>)
 endif()

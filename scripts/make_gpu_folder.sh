@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Makes a folder with the tests, the benchmark and the tool for CUDA devices, and all the shared
 # libraries that they need but those of the C library and of the driver: to be copied to a machine
-# that has a driver and nothing else, and there started with its run.sh.
+# that has a driver, a C library no older than that of this machine's libraries, and nothing else,
+# and there started with its run.sh.
 #
 #   scripts/make_gpu_folder.sh [FOLDER [CMake option...]]
 set -euo pipefail
@@ -26,10 +27,12 @@ mkdir -p "$folder/bin" "$folder/lib"
 for program in "${programs[@]}"; do
   cp "build/$program" "$folder/bin/"
   ldd "build/$program" | awk '$2 == "=>" && $3 ~ "^/" { print $3 }' | while read -r library; do
-    is_of_the_system "$library" || cp -nL "$library" "$folder/lib/"
+    is_of_the_system "$library" || cp -fL "$library" "$folder/lib/"
   done
 done
-git rev-parse HEAD >"$folder/commit"
+git describe --always --abbrev=40 --dirty >"$folder/commit"
+objdump -T "$folder"/bin/* "$folder"/lib/* | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n 1 |
+  cut -d_ -f2 >"$folder/glibc"
 
 cat >"$folder/run.sh" <<'RUN'
 #!/usr/bin/env bash
@@ -42,15 +45,28 @@ export LD_LIBRARY_PATH=$PWD/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export HTL_REQUIRE_GPU=1
 mkdir -p results
 
+here=$(getconf GNU_LIBC_VERSION | cut -d' ' -f2)
+if [ "$(printf '%s\n' "$(cat glibc)" "$here" | sort -V | head -n 1)" != "$(cat glibc)" ]; then
+  echo "The programs need version $(cat glibc) of the C library; this machine has $here." >&2
+  exit 1
+fi
+
+# What fails does not keep the rest from running.
+failed=0
 run() {
   local name=$1
   shift
   echo "== $name: $*"
-  "$@" 2>&1 | tee "results/$name.txt"
+  "$@" 2>&1 | tee "results/$name.txt" || failed=1
 }
 
 [ $# -gt 0 ] || set -- tests sanitizers benchmark
-echo "commit $(cat commit)" | tee results/machine.txt
+{
+  echo "commit $(cat commit)"
+  date -u +%F
+  grep -m 1 'model name' /proc/cpuinfo || uname -m
+  echo "$(nproc) cores"
+} | tee results/machine.txt
 nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv 2>/dev/null |
   tee -a results/machine.txt || true
 for what in "$@"; do
@@ -62,8 +78,10 @@ for what in "$@"; do
     sanitizers)
       if command -v compute-sanitizer >/dev/null; then
         filter='--gtest_filter=Gpu.AgreesWithTheHostOnRandomSurfaces:Gpu.LabelsFronts*'
-        run memcheck compute-sanitizer --tool memcheck --error-exitcode 1 bin/test_gpu "$filter"
-        run racecheck compute-sanitizer --tool racecheck --error-exitcode 1 bin/test_gpu "$filter"
+        # racecheck looks at shared memory only, of which there is what the barriers use.
+        for tool in memcheck initcheck synccheck racecheck; do
+          run "$tool" compute-sanitizer --tool "$tool" --error-exitcode 1 bin/test_gpu "$filter"
+        done
       else
         echo "== sanitizers: compute-sanitizer is not in the PATH"
       fi
@@ -73,7 +91,7 @@ for what in "$@"; do
       bin/htloops generate gyroid --faces 1000000 --genus 250 -o results/gyroid.off --quiet
       for backend in cuda host; do
         run "htloops_$backend" bin/htloops loops results/gyroid.off --backend "$backend" \
-          -o "results/gyroid.$backend.json"
+          --threads 2 -o "results/gyroid.$backend.json"
       done
       rm results/gyroid.off
       ;;
@@ -83,6 +101,7 @@ for what in "$@"; do
       ;;
   esac
 done
+exit "$failed"
 RUN
 chmod +x "$folder/run.sh"
 echo "Written to $folder: $(du -sh "$folder" | cut -f1)"

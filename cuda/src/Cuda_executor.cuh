@@ -27,8 +27,8 @@ using CGAL::Handle_tunnel_loops::internal::Index;
 
 constexpr int most_threads_per_block = 256;
 
-// Of the threads that meet at barriers. A barrier is the faster the fewer blocks there are; four
-// hide the latency of the memory, and leave registers for the loads of all neighbours at a time.
+// Of the threads that meet at barriers. With more of them, there are too few registers to load what
+// belongs to all neighbours of a vertex at a time.
 constexpr int most_blocks_per_multiprocessor = 4;
 
 template <typename Function> __global__ void for_each_kernel(std::size_t n, Function f) {
@@ -88,6 +88,8 @@ public:
     ask(cudaDevAttrMultiProcessorCount, device, number_of_multiprocessors_);
     ask(cudaDevAttrMaxThreadsPerBlock, device, threads_per_block_);
     threads_per_block_ = std::min(threads_per_block_, most_threads_per_block);
+    if(threads_per_block_ > int(warp_size))
+      threads_per_block_ -= threads_per_block_ % int(warp_size);
   }
   /// All buffers have been given back by now; what is still to do with them is waited for.
   ~Cuda_executor() { ignore(cudaStreamSynchronize(stream_)); }
@@ -137,15 +139,22 @@ public:
            for_each_of_kernel<Function>, n, limit, f);
   }
 
-  template <typename Program> void run(const Program& program) {
+  /// runs a program of many steps, see `run_steps()`. The fewer blocks meet at a barrier, the
+  /// faster it is: there are as many as the expected number of items in a step needs.
+  template <typename Program> void run(const Program& program, std::size_t expected_items) {
     if(launch_ == Launch::GRAPH)
       return run_graph(program);
     int blocks = 0;
     check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, run_kernel<Program>,
                                                         threads_per_block_, 0),
           "asking for the occupancy");
-    blocks = std::min(blocks, most_blocks_per_multiprocessor) * number_of_multiprocessors_;
-    start({blocks, true}, run_kernel<Program>, program);
+    const std::size_t wanted = expected_items / (std::size_t(number_of_multiprocessors_) *
+                                                 std::size_t(threads_per_block_)) +
+                               1;
+    blocks = static_cast<int>(
+        std::min({wanted, std::size_t(blocks), std::size_t(most_blocks_per_multiprocessor)}));
+    start({blocks * number_of_multiprocessors_, threads_per_block_, true}, run_kernel<Program>,
+          program);
   }
 
 private:
@@ -167,13 +176,17 @@ private:
   void launch(std::size_t n, void (*kernel)(Parameters...), const Arguments&... arguments) {
     if(n == 0)
       return;
-    const std::size_t blocks = (n + threads_per_block_ - 1) / threads_per_block_;
-    start({static_cast<int>(std::min(blocks, largest_grid())), false}, kernel, arguments...);
+    // Few items may each be a long walk: they do not wait for one another in a warp.
+    const bool are_few = n <= std::size_t(number_of_multiprocessors_) * warp_size;
+    const int threads = are_few ? 1 : threads_per_block_;
+    const std::size_t blocks = (n + threads - 1) / threads;
+    const std::size_t most = are_few ? blocks : largest_grid();
+    start({static_cast<int>(std::min(blocks, most)), threads, false}, kernel, arguments...);
   }
 
   struct Grid
   {
-    int number_of_blocks;
+    int number_of_blocks, threads_per_block;
     bool is_cooperative; ///< whether the blocks meet at barriers
   };
 
@@ -184,7 +197,7 @@ private:
     cooperative.val.cooperative = 1;
     cudaLaunchConfig_t configuration = {};
     configuration.gridDim = dim3(static_cast<unsigned>(grid.number_of_blocks));
-    configuration.blockDim = dim3(static_cast<unsigned>(threads_per_block_));
+    configuration.blockDim = dim3(static_cast<unsigned>(grid.threads_per_block));
     configuration.stream = stream_;
     configuration.attrs = &cooperative;
     configuration.numAttrs = grid.is_cooperative ? 1 : 0;

@@ -20,9 +20,15 @@ namespace htl_cuda {
 
 using CGAL::Handle_tunnel_loops::internal::Index;
 
-/// The first of the elements that a thread of the grid works on, and how far apart they are.
+constexpr unsigned warp_size = 32;
+
+/// The first of the elements that a thread of the grid works on, and how far apart they are. Warps
+/// are dealt out to the blocks in turn: what is too little for all threads keeps all
+/// multiprocessors busy. A block has less than a warp or whole ones.
 __device__ inline std::size_t thread_number() {
-  return std::size_t(blockIdx.x) * blockDim.x + threadIdx.x;
+  const unsigned width = blockDim.x < warp_size ? blockDim.x : warp_size;
+  const unsigned warp = threadIdx.x / width, lane = threadIdx.x % width;
+  return (std::size_t(warp) * gridDim.x + blockIdx.x) * width + lane;
 }
 __device__ inline std::size_t number_of_threads() { return std::size_t(gridDim.x) * blockDim.x; }
 

@@ -136,7 +136,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
   const char group[] = "How to compute";
   command
       .add_option("--backend", options.backend,
-                  "auto, host, cuda or reference; default: auto, the fastest there is")
+                  "auto, host, cuda or reference; default: auto, a CUDA device if there is one")
       ->option_text("NAME")
       ->check(CLI::IsMember(names_of_backends()))
       ->group(group);

@@ -29,9 +29,9 @@ passes and the contours run there, and only loops come back; the preparation of 
 tightening of the loops and the certificate run on the processor, in parallel if TBB is linked. The
 loops are those of the other tags.
 
-Which device and which stream is said by the named parameter `device_options`. A mesh takes about 40
-bytes per face of the device's memory; the loop passes take more, as far as there is more, and run
-the more at a time.
+Which device and which stream is said by the named parameter `device_options`. At least about
+100 bytes per face of the device's memory are asked for: some 40 for the mesh and one field, the rest
+for one loop pass. Where there is more, the loop passes take more, and run the more at a time.
 
 The program must be linked with the target `Handle_tunnel_loops::cuda`, which defines the macro
 `CGAL_LINKED_WITH_CUDA`; without, the use of this tag does not compile.

@@ -117,7 +117,8 @@ public:
     for(Time pause = steps_per_run; control().state.band_size != 0; pause += steps_per_run) {
       if(!callback(0.))
         return false;
-      executor_.run(Field_steps<Region>(field_, k, no_index, pause));
+      executor_.run(Field_steps<Region>(field_, k, no_index, pause),
+                    number_of_passes_ + seen_.state.band_size);
       note_meetings();
       close_walks();
     }
@@ -332,27 +333,28 @@ private:
     return (std::size_t(1) << 19) + 16 * number_of_vertices;
   }
 
-  bool has_memory_for(std::size_t number_of_pages) const {
+  bool fits(std::size_t number_of_pages, std::size_t free_bytes) const {
     return number_of_pages <= largest_number_of_pages &&
            number_of_pages * Batch::bytes_per_page + reserve(mesh_.number_of_vertices()) <=
-               executor_.free_bytes();
+               free_bytes;
   }
 
-  // At first the passes may cover the mesh sixteen times over, as far as the memory allows; a few
+  // At first the passes may cover the mesh eight times over, as far as the memory allows; a few
   // passes cannot cover it more often than there are passes.
   Room first_room(std::size_t number_of_passes) const {
-    const std::size_t covers = (std::min)(number_of_passes, std::size_t(16));
+    const std::size_t covers = (std::min)(number_of_passes, std::size_t(8));
     const std::size_t pages =
         2 * (covers * (mesh_.number_of_vertices() / Batch::page_size + 1) + 16 * number_of_passes);
+    const std::size_t free_bytes = executor_.free_bytes();
     Room room = {smallest_number_of_pages, 2};
-    while(room.number_of_pages < pages && has_memory_for(2 * room.number_of_pages))
+    while(room.number_of_pages < pages && fits(2 * room.number_of_pages, free_bytes))
       room.number_of_pages *= 2;
     return room;
   }
 
   // After a batch in which some passes found no room: for their pages, or for their walks.
   void make_room(Room& room, std::size_t& in_flight, std::size_t tried, std::size_t starved) const {
-    const bool may_grow = has_memory_for(2 * room.number_of_pages);
+    const bool may_grow = fits(2 * room.number_of_pages, executor_.free_bytes());
     if(!may_grow && tried == 1 && room.walk_size > mesh_.number_of_vertices())
       throw Out_of_device_memory_exception(2 * room.number_of_pages * Batch::bytes_per_page,
                                            executor_.free_bytes());

@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Whole_mesh.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -121,8 +122,8 @@ public:
   std::vector<Time> times() { return downloaded(executor_, time_); }
 
 private:
-  // So many steps are made between two looks at the callback.
-  static constexpr Time steps_per_run = 4096;
+  // So many steps are made between two looks at the callback, and at the size of the band.
+  static constexpr Time steps_per_run = 512;
 
   void run(const Whole_mesh& region,
            const std::vector<Source>& sources,
@@ -167,17 +168,20 @@ private:
   void
   make_steps(const Field<Whole_mesh>& field, const Step_coefficients& k, const Callback& callback) {
     const Index n = static_cast<Index>(mesh_.number_of_vertices());
-    Field_control control;
+    const auto began = std::chrono::steady_clock::now();
+    Field_control control = {};
     Time pause = 0;
     do {
       pause += steps_per_run;
-      executor_.run(Field_steps<Whole_mesh>(field, k, n, pause));
+      executor_.run(Field_steps<Whole_mesh>(field, k, n, pause), control.state.band_size);
       executor_.download(&control, Span<Field_control>(field.arrays().control, 1));
       if(!callback(double(control.state.number_of_reached) / double(n)))
         throw Interrupted_exception();
     } while(control.state.step == pause);
     costs_.number_of_updates += control.state.number_of_updates;
     costs_.number_of_steps += control.state.step;
+    costs_.seconds_of_sweeps +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   }
 
   std::vector<Sweep_handle> traced(const Saddle_arrays& arrays,

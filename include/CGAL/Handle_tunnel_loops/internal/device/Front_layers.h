@@ -80,7 +80,7 @@ private:
     executor_.for_each(number_of_wedges(), Note_contours{links(), saddle_of_wedge_.span()});
     executor_.for_each(n, Link_to_contours{links()});
     const Buffer<std::uint32_t> changed = filled(executor_, 3, std::uint32_t(0));
-    executor_.run(Follow_links(links(), changed.span()));
+    executor_.run(Follow_links(links(), changed.span()), n);
   }
 
   void link_critical_vertices() {

@@ -143,7 +143,7 @@ public:
   }
 
   /// runs a program of many steps, see `run_steps()`.
-  template <typename Program> void run(const Program& program) {
+  template <typename Program> void run(const Program& program, std::size_t = 0) {
     if(order_ == Order::THREADS)
       return run_in_threads(program);
     Threads threads = {*this, nullptr, 0, 1};

@@ -66,7 +66,7 @@ public:
   }
 
   /// runs a program of many steps, see `run_steps()`.
-  template <typename Program> void run(const Program& program) {
+  template <typename Program> void run(const Program& program, std::size_t = 0) {
     Threads threads = {*this};
     run_steps(program, threads);
   }

@@ -34,6 +34,7 @@ struct Costs
 {
   std::uint64_t number_of_updates = 0;
   std::uint64_t number_of_steps = 0;
+  double seconds_of_sweeps = 0.; ///< of the fields over the whole mesh
   std::uint64_t number_of_batches = 0;
   std::size_t largest_batch = 0; ///< loop passes at a time
   std::size_t largest_bytes = 0; ///< in use at one time

@@ -41,7 +41,7 @@ label_front(Executor& executor, const Mesh_view& mesh, const Span<const Time>& t
   const auto pairs = executor.template make<Front_pair>(downloaded(executor, number)[0]);
   collect(pairs.span());
   const auto changed = filled(executor, 3, std::uint32_t(0));
-  executor.run(Label_front(pairs.span(), label.span(), changed.span()));
+  executor.run(Label_front(pairs.span(), label.span(), changed.span()), pairs.span().size());
   return downloaded(executor, label);
 }
 
