@@ -30,8 +30,8 @@ tightening of the loops and the certificate run on the processor, in parallel if
 loops are those of the other tags.
 
 Which device and which stream is said by the named parameter `device_options`. At least about
-100 bytes per face of the device's memory are asked for: some 40 for the mesh and one field, the rest
-for one loop pass. Where there is more, the loop passes take more, and run the more at a time.
+100 bytes per face of the device's memory are asked for: some 40 for the mesh and one field, the
+rest for one loop pass. Where there is more, the loop passes take more, and run the more at a time.
 
 The program must be linked with the target `Handle_tunnel_loops::cuda`, which defines the macro
 `CGAL_LINKED_WITH_CUDA`; without, the use of this tag does not compile.

@@ -116,10 +116,21 @@ private:
     return true;
   }
 
-  // The next cell on the way back.
+  // The next cell on the way back. Each walk is gone twice, and walks come together: the way is
+  // noted.
   CGAL_HTL_HOST_DEVICE Index back(Index cell) const {
+    std::uint32_t& state = field_.arrays().state[cell];
+    const Ring ring = region().mesh().ring(region().vertex(cell));
+    if(state >> first_bit_of_way_back != 0)
+      return region().find(cell, ring[(state >> first_bit_of_way_back) - 1]);
+    const Index next = vertex_down(cell);
+    state |= (ring.position(next) + 1) << first_bit_of_way_back;
+    return region().find(cell, next);
+  }
+
+  CGAL_HTL_HOST_DEVICE Index vertex_down(Index cell) const {
     const std::uint32_t side = field_.side(cell);
-    const Index next = steepest_descent(
+    return steepest_descent(
         region().mesh(), region().vertex(cell),
         [&](Index u) {
           const Index neighbor = region().find(cell, u);
@@ -128,7 +139,6 @@ private:
         [&](Index u) {
           return field_.side(region().find(cell, u)) == side && !region().is_wall(cell, u);
         });
-    return region().find(cell, next);
   }
 
   // The way back from a vertex: calls `f` for each cell of it, and returns its last vertex.

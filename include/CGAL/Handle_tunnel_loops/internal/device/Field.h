@@ -22,9 +22,10 @@ namespace internal {
 namespace device {
 
 /// The states of a cell: in the band now or before; reached from the right; marked; and, of an
-/// active one, whether there may be walls beside it.
+/// active one, whether there may be walls beside it. Above them, once a walk has come by, the way
+/// back: one more than the position of the next vertex in the ring.
 constexpr std::uint32_t cell_is_active = 1, cell_is_right = 2, cell_is_marked = 4,
-                        cell_may_have_walls = 8;
+                        cell_may_have_walls = 8, first_bit_of_way_back = 8;
 
 /// Counters of the steps. What one step writes is read after its barrier and cleared two steps
 /// later, so there are three of each.
