@@ -56,25 +56,31 @@ public:
     remove_backtracks(loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
-    int idle_rounds = 0;
-    // Where many points coincide, going around them may seem to gain without end.
-    const std::size_t largest_size = 8 * loop.size() + 64;
-    for(std::size_t round = 0;
-        round < maximum_number_of_rounds && loop.size() >= 3 && loop.size() <= largest_size;
-        ++round)
-    {
-      rotate_start(loop);
-      shorten_within_strip(loop);
-      // On the mesh, not in the plane: on slivers rounding can make the two differ.
+    // On the mesh, not in the plane: on slivers rounding can make the two differ.
+    const auto keep_if_best = [&] {
       const double current = length(mesh_, loop);
       if(current <= best_length) {
         best = loop;
         best_length = current;
       }
+    };
+    int idle_rounds = 0;
+    // Where many points coincide, going around them may seem to gain without end.
+    const std::size_t largest_size = 8 * loop.size() + 64;
+    for(std::size_t round = 1; round <= maximum_number_of_rounds && loop.size() >= 3 &&
+                               loop.size() <= largest_size && idle_rounds < 2;
+        ++round)
+    {
+      rotate_start(loop);
+      shorten_within_strip(loop);
+      const double current = length_in_plane();
+      const bool is_measured = round % 8 == 0 || round == maximum_number_of_rounds;
+      if(is_measured)
+        keep_if_best();
       const bool changed = change_sides(loop);
       idle_rounds = changed || current < 0.999 * previous_length ? 0 : idle_rounds + 1;
-      if(idle_rounds == 2)
-        break;
+      if(idle_rounds == 2 && !is_measured)
+        keep_if_best();
       previous_length = current;
     }
     loop = std::move(best);
@@ -137,6 +143,16 @@ private:
     std::size_t portal;
     Point_2 point;
   };
+
+  // Of the path that has been found last.
+  double length_in_plane() const {
+    double sum = 0.;
+    for(std::size_t b = 1; b < bends_.size(); ++b) {
+      const Point_2 step = minus(bends_[b].point, bends_[b - 1].point);
+      sum += std::sqrt(dot(step, step));
+    }
+    return sum;
+  }
 
   void shorten_within_strip(Crossing_loop& loop) {
     unfold(loop);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
 
 #include <cfloat>
 
@@ -26,16 +27,26 @@ namespace internal {
 template <typename Mesh, typename Time_of, typename Is_allowed>
 CGAL_HTL_HOST_DEVICE Index
 steepest_descent(const Mesh& mesh, Index v, const Time_of& time, const Is_allowed& is_allowed) {
+  const Ring ring = mesh.ring(v);
+  const Time own_time = time(v);
   Index next = v;
   double steepest = 0.;
-  for(Index u : mesh.ring(v)) {
-    if(time(u) >= time(v) || !is_allowed(u))
-      continue;
-    const double drop = time(v) - time(u), distance = mesh.edge_length(u, v);
-    const double slope = distance > 0. ? drop / distance : DBL_MAX;
-    if(slope > steepest) {
-      steepest = slope;
-      next = u;
+  for(Index begin = 0; begin < ring.size(); begin += stencil_width) {
+    Time times[stencil_width]; // asked for before any of them is looked at
+    CGAL_HTL_UNROLL
+    for(Index i = 0; i < stencil_width; ++i)
+      times[i] = begin + i < ring.size() ? time(ring[begin + i]) : never;
+    CGAL_HTL_UNROLL
+    for(Index i = 0; i < stencil_width; ++i) {
+      if(times[i] >= own_time || !is_allowed(ring[begin + i]))
+        continue;
+      const Index u = ring[begin + i];
+      const double drop = own_time - times[i], distance = mesh.edge_length(u, v);
+      const double slope = distance > 0. ? drop / distance : DBL_MAX;
+      if(slope > steepest) {
+        steepest = slope;
+        next = u;
+      }
     }
   }
   return next;
