@@ -1,6 +1,7 @@
 // What is written for the device, run on the processor in several ways.
 
 #include "Device_agreement.h"
+#include "Orders.h"
 #include "Random_growth.h"
 #include "random_input.h"
 
@@ -21,20 +22,11 @@ using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
 using device::Host_executor;
 using Solver = device::Device_solver<Host_executor>;
-using Order = Host_executor::Order;
 
 class Device_passes : public testing::TestWithParam<Order>
 {};
 
-std::string name_of(const testing::TestParamInfo<Order>& info) {
-  return info.param == Order::FORWARD ? "forward"
-                                      : (info.param == Order::SHUFFLED ? "shuffled" : "threads");
-}
-
-INSTANTIATE_TEST_SUITE_P(Orders,
-                         Device_passes,
-                         testing::Values(Order::FORWARD, Order::SHUFFLED, Order::THREADS),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Orders, Device_passes, all_orders(), name_of_order);
 
 TEST_P(Device_passes, AgreeWithTheHostOnSmoothSurfaces) {
   for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3}, 1)) {

@@ -1,6 +1,7 @@
 // The layers of a sweep and the events of its fronts, as the device's code finds them.
 
 #include "Layer_definitions.h"
+#include "Orders.h"
 #include "Random_growth.h"
 #include "random_input.h"
 
@@ -20,7 +21,6 @@ namespace {
 using namespace layer_definitions;
 using device::Host_executor;
 using generators::Random;
-using Order = Host_executor::Order;
 
 class Front_layers : public testing::TestWithParam<Order>
 {
@@ -35,15 +35,7 @@ protected:
   int share(int number) const { return GetParam() == Order::THREADS ? (number + 9) / 10 : number; }
 };
 
-std::string name_of(const testing::TestParamInfo<Order>& info) {
-  return info.param == Order::FORWARD ? "forward"
-                                      : (info.param == Order::SHUFFLED ? "shuffled" : "threads");
-}
-
-INSTANTIATE_TEST_SUITE_P(Orders,
-                         Front_layers,
-                         testing::Values(Order::FORWARD, Order::SHUFFLED, Order::THREADS),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Orders, Front_layers, all_orders(), name_of_order);
 
 Recipe small_recipe(Random& random) {
   const std::size_t genus = random.below(6);

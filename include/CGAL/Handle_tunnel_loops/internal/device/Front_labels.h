@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
 #include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
 
@@ -94,55 +95,38 @@ struct Collect_front
   }
 };
 
-/// The hooking and jumping, in turns, as a program for `run_steps()`.
-class Label_front
+/// The hooking and jumping, in turns, as a program for `run_steps()`: it hooks in odd steps, and
+/// jumps in even ones.
+class Label_front : public Rounds
 {
 public:
-  /// `changed` has three numbers, all of them zero.
   Label_front(const Span<const Front_pair>& pairs,
               const Span<Index>& label,
               const Span<std::uint32_t>& changed)
-      : pairs_(pairs)
-      , label_(label)
-      , changed_(changed) {}
+      : Rounds(changed)
+      , pairs_(pairs)
+      , label_(label) {}
 
-  struct State
-  {
-    Index step; ///< hooks in odd steps, jumps in even ones
-    bool has_changed;
-  };
-
-  CGAL_HTL_HOST_DEVICE State load() const { return {0, true}; }
-  CGAL_HTL_HOST_DEVICE void store(const State&) const {}
-
-  CGAL_HTL_HOST_DEVICE bool begin_step(State& state) const {
-    if(!state.has_changed)
-      return false;
-    ++state.step;
-    return true;
-  }
-  CGAL_HTL_HOST_DEVICE void clear_ahead(const State& state) const {
-    changed_[(state.step + 1) % 3] = 0;
-  }
   CGAL_HTL_HOST_DEVICE Index size(const State&) const { return static_cast<Index>(pairs_.size()); }
   CGAL_HTL_HOST_DEVICE void end_step(State& state) const {
-    state.has_changed = state.step % 2 == 0 || changed_[state.step % 3] != 0;
+    if(state.step % 2 != 0)
+      Rounds::end_step(state);
   }
 
   CGAL_HTL_HOST_DEVICE void operator()(Index i, const State& state) const {
     if(state.step % 2 != 0)
-      hook(pairs_[i], changed_[state.step % 3]);
+      hook(pairs_[i], state);
     else
       jump(label_[pairs_[i].triangle]);
   }
 
 private:
-  CGAL_HTL_HOST_DEVICE void hook(const Front_pair& pair, std::uint32_t& changed) const {
+  CGAL_HTL_HOST_DEVICE void hook(const Front_pair& pair, const State& state) const {
     const Index a = racy_load(label_[pair.triangle]), b = racy_load(label_[pair.neighbor]);
     if(a == b)
       return;
     fetch_min(label_[a < b ? b : a], a < b ? a : b);
-    racy_store(changed, std::uint32_t(1));
+    note_change(state);
   }
 
   CGAL_HTL_HOST_DEVICE void jump(Index& label) const {
@@ -154,7 +138,6 @@ private:
 
   Span<const Front_pair> pairs_;
   Span<Index> label_;
-  Span<std::uint32_t> changed_;
 };
 
 } // namespace device

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Span.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Host_memory.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/run_steps.h>
 
 #include <algorithm>
@@ -97,7 +97,7 @@ barriers: one after the other, one after the other in random order, or in thread
 made to be fast: it is there so that all but the few lines of the device's own executor are tested
 where there is no device.
 */
-class Host_executor
+class Host_executor : public Host_memory
 {
 public:
   template <typename T> using Buffer = Host_buffer<T>;
@@ -119,16 +119,6 @@ public:
     if(size * sizeof(T) > free_bytes())
       throw Out_of_device_memory_exception(size * sizeof(T), free_bytes());
     return Buffer<T>(size, bytes_in_use_);
-  }
-
-  template <typename T> void upload(const Span<T>& to, const T* from) {
-    std::copy(from, from + to.size(), to.begin());
-  }
-  template <typename T> void download(T* to, const Span<T>& from) {
-    std::copy(from.begin(), from.end(), to);
-  }
-  template <typename T> void fill(const Span<T>& span, const T& value) {
-    std::fill(span.begin(), span.end(), value);
   }
 
   /// calls `f(i)` for i in [0, n).

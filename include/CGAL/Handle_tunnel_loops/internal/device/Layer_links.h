@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Contours.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
 
 namespace CGAL {
@@ -133,36 +134,14 @@ struct Link_to_contours
 };
 
 /// Follows the links to the ends by pointer jumping, as a program for `run_steps()`.
-class Follow_links
+class Follow_links : public Rounds
 {
 public:
-  /// `changed` has three numbers, all of them zero.
   Follow_links(const Layer_links& links, const Span<std::uint32_t>& changed)
-      : links_(links)
-      , changed_(changed) {}
+      : Rounds(changed)
+      , links_(links) {}
 
-  struct State
-  {
-    Index step;
-    bool has_changed;
-  };
-
-  CGAL_HTL_HOST_DEVICE State load() const { return {0, true}; }
-  CGAL_HTL_HOST_DEVICE void store(const State&) const {}
-
-  CGAL_HTL_HOST_DEVICE bool begin_step(State& state) const {
-    if(!state.has_changed)
-      return false;
-    ++state.step;
-    return true;
-  }
-  CGAL_HTL_HOST_DEVICE void clear_ahead(const State& state) const {
-    changed_[(state.step + 1) % 3] = 0;
-  }
   CGAL_HTL_HOST_DEVICE Index size(const State&) const { return links_.number_of_vertices(); }
-  CGAL_HTL_HOST_DEVICE void end_step(State& state) const {
-    state.has_changed = changed_[state.step % 3] != 0;
-  }
 
   // A link that another thread has changed meanwhile is as good, and shorter.
   CGAL_HTL_HOST_DEVICE void operator()(Index v, const State& state) const {
@@ -170,12 +149,11 @@ public:
     if(links_.is_end(next))
       return;
     racy_store(links_.link[v], racy_load(links_.link[next]));
-    racy_store(changed_[state.step % 3], std::uint32_t(1));
+    note_change(state);
   }
 
 private:
   Layer_links links_;
-  Span<std::uint32_t> changed_;
 };
 
 /// The numbers of the ends of the layers in which vertices lie.

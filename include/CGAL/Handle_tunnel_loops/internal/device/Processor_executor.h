@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Span.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Host_memory.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/run_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
 
@@ -28,7 +28,7 @@ namespace device {
 
 /// Runs on the processor, as the host solver runs, what is written for the device and has no
 /// counterpart of its own. (`Host_executor` is for the tests.)
-template <typename Execution> class Processor_executor
+template <typename Execution> class Processor_executor : public Host_memory
 {
 public:
   template <typename T> class Buffer
@@ -46,16 +46,6 @@ public:
   };
 
   template <typename T> Buffer<T> make(std::size_t size) { return Buffer<T>(size); }
-
-  template <typename T> void upload(const Span<T>& to, const T* from) {
-    std::copy(from, from + to.size(), to.begin());
-  }
-  template <typename T> void download(T* to, const Span<T>& from) {
-    std::copy(from.begin(), from.end(), to);
-  }
-  template <typename T> void fill(const Span<T>& span, const T& value) {
-    std::fill(span.begin(), span.end(), value);
-  }
 
   /// calls `f(i)` for i in [0, n).
   template <typename Function> void for_each(std::size_t n, const Function& f) {
