@@ -13,7 +13,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/handle_tunnel_loops.h>
 
+#include "Tuned_passes.h"
+
 #include "generators/generators.h"
+
+#include <cxxabi.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -24,6 +28,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -38,6 +43,51 @@ using HTL::Stage;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Pair = CGAL::Handle_tunnel_pair<Mesh>;
 using Clock = std::chrono::steady_clock;
+
+/// What is measured.
+struct Choices
+{
+  int runs = 3;
+  bool with_sweep = true, with_kernels = false, with_knobs = false, with_host = true;
+};
+
+std::vector<std::string> read_arguments(int argc, char** argv, Choices& choices) {
+  std::vector<std::string> requests;
+  for(int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if(argument == "-n" && i + 1 < argc)
+      choices.runs = (std::max)(1, std::atoi(argv[++i]));
+    else if(argument == "--kernels")
+      choices.with_kernels = true;
+    else if(argument == "--knobs")
+      choices.with_knobs = true;
+    else if(argument == "--no-host")
+      choices.with_host = false;
+    else if(argument == "--no-sweep")
+      choices.with_sweep = false;
+    else if(argument.substr(0, 1) == "-")
+      throw std::invalid_argument("there is no option " + argument);
+    else
+      requests.push_back(argument);
+  }
+  if(requests.empty())
+    requests = {"torus:1000000:1", "gyroid:1000000:250", "torus:10000000:1", "lattice:10000000:3",
+                "lattice:10000000:1000"};
+  return requests;
+}
+
+// What a kernel does, without the namespaces.
+std::string short_name(const std::string& type) {
+  int status = 0;
+  char* demangled = abi::__cxa_demangle(type.c_str(), nullptr, nullptr, &status);
+  std::string name = status == 0 ? demangled : type;
+  std::free(demangled);
+  for(const char* space :
+      {"CGAL::Handle_tunnel_loops::internal::device::", "CGAL::Handle_tunnel_loops::internal::"})
+    for(auto at = name.find(space); at != std::string::npos; at = name.find(space))
+      name.erase(at, std::string(space).size());
+  return name;
+}
 
 double seconds_since(Clock::time_point began) {
   return std::chrono::duration<double>(Clock::now() - began).count();
@@ -81,7 +131,9 @@ void measure_sweep(const impl::Flat_mesh& mesh,
       in_graph ? ceilings.seconds_per_graph_step : ceilings.seconds_per_step;
   if(waiting_for_step == 0.)
     return;
-  const auto solver = impl::device::make_cuda_solver(mesh, {}, in_graph);
+  impl::device::Tuning tuning;
+  tuning.repeats_in_graph = in_graph;
+  const auto solver = impl::device::make_cuda_solver(mesh, {}, tuning);
   std::vector<double> seconds, seconds_of_field;
   for(int i = 0; i <= runs; ++i) {
     const double before = solver->costs().seconds_of_sweeps;
@@ -105,16 +157,52 @@ void measure_sweep(const impl::Flat_mesh& mesh,
       median(seconds_of_field) / (moving + waiting));
 }
 
-void measure_initial_pass(const Mesh& mesh, const impl::device::Ceilings& ceilings, int runs) {
+impl::Flat_mesh flat_mesh_of(const Mesh& mesh) {
   const auto index = get(boost::vertex_index, mesh);
   const auto point = get(CGAL::vertex_point, mesh);
-  using Execution = decltype(impl::execution<CGAL::Parallel_if_available_tag>());
-  const impl::Flat_mesh flat =
-      impl::Flat_mesh_builder<Mesh, std::decay_t<decltype(index)>, std::decay_t<decltype(point)>,
-                              Execution>(mesh, index, point)
-          .build();
-  for(const bool in_graph : {false, true})
-    measure_sweep(flat, in_graph, ceilings, runs);
+  return impl::Flat_mesh_builder<Mesh, std::decay_t<decltype(index)>, std::decay_t<decltype(point)>,
+                                 benchmark_device::Execution>(mesh, index, point)
+      .build();
+}
+
+// A line for a run, and one for each kernel that takes a hundredth of the device's time.
+void print(const char* name, const benchmark_device::Tuned_run& run) {
+  std::printf("  %s:", name);
+  for(const Stage stage : {Stage::INITIAL, Stage::TUNNEL, Stage::REFINE, Stage::CLASSIFY})
+    std::printf(" %s %.4f,", stage == Stage::CLASSIFY ? "finish" : HTL::stage_name(stage),
+                run.statistics.seconds_of(stage));
+  std::printf(" all %.4f s; %.4g updates, %llu steps, %llu batches\n",
+              run.statistics.total_seconds(), double(run.costs.number_of_updates),
+              static_cast<unsigned long long>(run.costs.number_of_steps),
+              static_cast<unsigned long long>(run.costs.number_of_batches));
+  double all = 0.;
+  for(const auto& kernel : run.costs.kernels)
+    all += kernel.second.seconds;
+  for(const auto& [type, cost] : run.costs.kernels)
+    if(cost.seconds > 0.01 * all)
+      std::printf("    %8.4f s %7llu launches %5.1f%%  %s\n", cost.seconds,
+                  static_cast<unsigned long long>(cost.number_of_launches),
+                  100. * cost.seconds / all, short_name(type).c_str());
+}
+
+// One after the other, what may be chosen of the way in which a device is used.
+void measure_knobs(const impl::Flat_mesh& mesh) {
+  using impl::device::Tuning;
+  const auto run = [&](const std::string& name, void (*change)(Tuning&, int), int value) {
+    Tuning tuning;
+    change(tuning, value);
+    print((name + " " + std::to_string(value)).c_str(), benchmark_device::run_tuned(mesh, tuning));
+  };
+  for(const int blocks : {1, 2, 3})
+    run(
+        "blocks per multiprocessor", [](Tuning& t, int n) { t.blocks_per_multiprocessor = n; },
+        blocks);
+  for(const int threads : {64, 128})
+    run(
+        "threads per block", [](Tuning& t, int n) { t.threads_per_block = n; }, threads);
+  for(const int steps : {8, 32, 64})
+    run(
+        "steps per look", [](Tuning& t, int n) { t.steps_per_look = n; }, steps);
 }
 
 /// What the runs of a solver took.
@@ -149,49 +237,70 @@ void print(const char* backend, const Measured& measured) {
               median(measured.totals));
 }
 
-void measure_all(const Mesh& mesh, int runs) {
-  const Measured device = measure_solver<CGAL::Cuda_tag>(mesh, runs);
+// By threads of the host: two, as other benchmarks have, and all.
+void measure_host(const Mesh& mesh, double seconds_of_device) {
+  const auto measure = [&] {
+    const Measured host = measure_solver<CGAL::Parallel_if_available_tag>(mesh, 1);
+    print("host", host);
+    std::printf("  the host takes %.1f times as long\n", median(host.totals) / seconds_of_device);
+  };
+#ifdef CGAL_LINKED_WITH_TBB
+  std::printf("  host, %d threads\n", tbb::this_task_arena::max_concurrency());
+  measure();
+  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
+  std::printf("  host, at most two threads\n");
+#endif
+  measure();
+}
+
+void measure(const std::string& request,
+             const Mesh& mesh,
+             const impl::device::Ceilings& ceilings,
+             const Choices& choices) {
+  std::printf("%s: %zu faces\n", request.c_str(), std::size_t(num_faces(mesh)));
+  const Measured device = measure_solver<CGAL::Cuda_tag>(mesh, choices.runs);
   print("device", device);
   std::printf("  %.0f bytes of the device per face\n",
               double(device.statistics.device_bytes) / double(mesh.number_of_faces()));
-#ifdef CGAL_LINKED_WITH_TBB
-  std::printf("  beside the device: %d threads\n", tbb::this_task_arena::max_concurrency());
-  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
-#endif
-  const Measured host = measure_solver<CGAL::Parallel_if_available_tag>(mesh, 1);
-  print("host, at most two threads", host);
-  std::printf("  the host takes %.1f times as long\n", median(host.totals) / median(device.totals));
-}
-
-void measure(const std::string& request, const impl::device::Ceilings& ceilings, int runs) {
-  const Mesh mesh = make_mesh(request);
-  std::printf("%s: %zu faces\n", request.c_str(), std::size_t(num_faces(mesh)));
-  measure_initial_pass(mesh, ceilings, runs);
-  measure_all(mesh, runs);
+  const impl::Flat_mesh flat = flat_mesh_of(mesh);
+  if(choices.with_sweep)
+    for(const bool in_graph : {false, true})
+      measure_sweep(flat, in_graph, ceilings, choices.runs);
+  if(choices.with_kernels) {
+    impl::device::Tuning tuning;
+    print("all kernels waited for", benchmark_device::run_tuned(flat, tuning));
+    tuning.times_kernels = true;
+    print("all kernels timed", benchmark_device::run_tuned(flat, tuning));
+  }
+  if(choices.with_knobs)
+    measure_knobs(flat);
+  std::fflush(stdout);
+  if(choices.with_host)
+    measure_host(mesh, median(device.totals));
   std::fflush(stdout);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  int runs = 3, first = 1;
-  if(argc > 2 && std::string(argv[1]) == "-n") {
-    runs = std::atoi(argv[2]);
-    first = 3;
-  }
-  std::vector<std::string> requests(argv + first, argv + argc);
-  if(requests.empty())
-    requests = {"gyroid:1000000:250", "torus:1000000:1",    "torus:10000000:1",
-                "lattice:10000000:3", "gyroid:10000000:30", "gyroid:10000000:1000"};
+  const auto began = Clock::now();
   try {
+    Choices choices;
+    const std::vector<std::string> requests = read_arguments(argc, argv, choices);
+    std::vector<std::future<Mesh>> meshes; // all made at once
+    for(const std::string& request : requests)
+      meshes.push_back(std::async(std::launch::async, make_mesh, request));
     const impl::device::Ceilings ceilings = impl::device::measure_ceilings(-1);
     std::printf("%s, %s: %.0f GB/s, %.2f us a launch, %.2f us a barrier, %.2f us a "
                 "step of a graph\n",
                 ceilings.device.c_str(), ceilings.versions.c_str(),
                 1e-9 * ceilings.bytes_per_second, 1e6 * ceilings.seconds_per_launch,
                 1e6 * ceilings.seconds_per_step, 1e6 * ceilings.seconds_per_graph_step);
-    for(const std::string& request : requests)
-      measure(request, ceilings, (std::max)(1, runs));
+    for(auto& mesh : meshes)
+      mesh.wait();
+    for(std::size_t i = 0; i < requests.size(); ++i)
+      measure(requests[i], meshes[i].get(), ceilings, choices);
+    std::printf("%.0f s in all\n", seconds_since(began));
   } catch(const std::exception& e) {
     std::fprintf(stderr, "benchmark_device: %s\n", e.what());
     return 1;

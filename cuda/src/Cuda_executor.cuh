@@ -12,18 +12,27 @@
 
 #include "Device_memory.cuh"
 #include "Step_graph.cuh"
+#include "Stopwatch.cuh"
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/run_steps.h>
 
 #include <cooperative_groups.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <typeinfo>
 
 namespace htl_cuda {
 
 using CGAL::Handle_tunnel_loops::internal::Index;
+using CGAL::Handle_tunnel_loops::internal::device::Kernel_cost;
+using CGAL::Handle_tunnel_loops::internal::device::Tuning;
 
 constexpr int most_threads_per_block = 256;
 
@@ -70,10 +79,6 @@ __global__ void __launch_bounds__(most_threads_per_block, most_blocks_per_multip
   CGAL::Handle_tunnel_loops::internal::device::run_steps(program, threads);
 }
 
-/// How a program of many steps runs: in one kernel with a barrier of the grid after each step, or
-/// in a graph with a node that repeats two kernels while the second says so.
-enum class Launch { COOPERATIVE, GRAPH };
-
 /// Runs on the current device, in the order of a stream. What it provides is what `Host_executor`
 /// provides. The stream must outlive it.
 class Cuda_executor
@@ -81,13 +86,14 @@ class Cuda_executor
 public:
   template <typename T> using Buffer = Device_buffer<T>;
 
-  Cuda_executor(int device, cudaStream_t stream, Launch launch = Launch::COOPERATIVE)
+  Cuda_executor(int device, cudaStream_t stream, const Tuning& tuning = {})
       : memory_(device)
       , stream_(stream)
-      , launch_(launch) {
+      , tuning_(tuning) {
     ask(cudaDevAttrMultiProcessorCount, device, number_of_multiprocessors_);
     ask(cudaDevAttrMaxThreadsPerBlock, device, threads_per_block_);
-    threads_per_block_ = std::min(threads_per_block_, most_threads_per_block);
+    threads_per_block_ =
+        std::min({threads_per_block_, tuning.threads_per_block, most_threads_per_block});
     if(threads_per_block_ > int(warp_size))
       threads_per_block_ -= threads_per_block_ % int(warp_size);
   }
@@ -139,10 +145,12 @@ public:
            for_each_of_kernel<Function>, n, limit, f);
   }
 
-  /// runs a program of many steps, see `run_steps()`. The fewer blocks meet at a barrier, the
-  /// faster it is: there are as many as the expected number of items in a step needs.
+  /// runs a program of many steps, see `run_steps()`: in one kernel with a barrier of the grid
+  /// after each step, or in a graph with a node that repeats two kernels while the second says so.
+  /// The fewer blocks meet at a barrier, the faster it is: there are as many as the expected number
+  /// of items in a step needs.
   template <typename Program> void run(const Program& program, std::size_t expected_items) {
-    if(launch_ == Launch::GRAPH)
+    if(tuning_.repeats_in_graph)
       return run_graph(program);
     int blocks = 0;
     check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, run_kernel<Program>,
@@ -152,10 +160,13 @@ public:
                                                  std::size_t(threads_per_block_)) +
                                1;
     blocks = static_cast<int>(
-        std::min({wanted, std::size_t(blocks), std::size_t(most_blocks_per_multiprocessor)}));
+        std::min({wanted, std::size_t(blocks), std::size_t(tuning_.blocks_per_multiprocessor)}));
     start({blocks * number_of_multiprocessors_, threads_per_block_, true}, run_kernel<Program>,
           program);
   }
+
+  /// the kernels run so far, if they are timed.
+  const std::map<std::string, Kernel_cost>& kernels() const { return kernels_; }
 
 private:
   template <typename Program> void run_graph(const Program& program) {
@@ -201,12 +212,21 @@ private:
     configuration.stream = stream_;
     configuration.attrs = &cooperative;
     configuration.numAttrs = grid.is_cooperative ? 1 : 0;
+    std::optional<Stopwatch> stopwatch;
+    if(tuning_.times_kernels)
+      stopwatch.emplace(stream_);
     check(cudaLaunchKernelEx(&configuration, kernel, arguments...), "starting a kernel");
+    if(stopwatch) {
+      Kernel_cost& cost = kernels_[typeid(kernel).name()];
+      ++cost.number_of_launches;
+      cost.seconds += stopwatch->seconds();
+    }
   }
 
   Device_memory memory_;
   cudaStream_t stream_;
-  Launch launch_;
+  Tuning tuning_;
+  std::map<std::string, Kernel_cost> kernels_;
   int number_of_multiprocessors_ = 0;
   int threads_per_block_ = 0;
 };

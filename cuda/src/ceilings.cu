@@ -21,48 +21,6 @@ namespace {
 
 using CGAL::Handle_tunnel_loops::internal::device::Ceilings;
 
-/// A place in a stream, and when the work came there.
-class Event
-{
-public:
-  explicit Event(cudaStream_t stream)
-      : stream_(stream) {
-    check(cudaEventCreate(&event_), "making an event");
-  }
-  ~Event() { ignore(cudaEventDestroy(event_)); }
-  Event(const Event&) = delete;
-  Event& operator=(const Event&) = delete;
-
-  cudaEvent_t get() const { return event_; }
-  void record() { check(cudaEventRecord(event_, stream_), "recording an event"); }
-
-private:
-  cudaStream_t stream_;
-  cudaEvent_t event_ = nullptr;
-};
-
-/// Measures the time between two places in a stream.
-class Stopwatch
-{
-public:
-  explicit Stopwatch(cudaStream_t stream)
-      : begin_(stream)
-      , end_(stream) {
-    begin_.record();
-  }
-
-  double seconds() {
-    end_.record();
-    check(cudaEventSynchronize(end_.get()), "measuring");
-    float milliseconds = 0.f;
-    check(cudaEventElapsedTime(&milliseconds, begin_.get(), end_.get()), "measuring");
-    return 1e-3 * milliseconds;
-  }
-
-private:
-  Event begin_, end_;
-};
-
 /// A program of steps in which nothing is done.
 struct Nothing
 {
@@ -115,7 +73,9 @@ double seconds_per_step(Cuda_executor& executor, cudaStream_t stream) {
 
 // Zero where the driver is older than graphs that repeat a part of themselves.
 double seconds_per_graph_step(int device, cudaStream_t stream) {
-  Cuda_executor executor(device, stream, Launch::GRAPH);
+  Tuning tuning;
+  tuning.repeats_in_graph = true;
+  Cuda_executor executor(device, stream, tuning);
   try {
     return seconds_per_step(executor, stream);
   } catch(const CGAL::Handle_tunnel_loops::Device_exception&) {

@@ -24,11 +24,11 @@ namespace {
 class Cuda_solver : public Solver
 {
 public:
-  Cuda_solver(const Flat_mesh& mesh, int device, void* stream, htl_cuda::Launch launch)
+  Cuda_solver(const Flat_mesh& mesh, int device, void* stream, const Tuning& tuning)
       : device_(device)
       , stream_(static_cast<cudaStream_t>(stream))
-      , executor_(device, stream_.get(), launch)
-      , solver_(executor_, mesh) {}
+      , executor_(device, stream_.get(), tuning)
+      , solver_(executor_, mesh, tuning) {}
 
   std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
                                   const Step_coefficients& k,
@@ -65,7 +65,11 @@ public:
     return solver_.search(search, k, callback);
   }
 
-  const Costs& costs() const override { return solver_.costs(); }
+  Costs costs() const override {
+    Costs costs = solver_.costs();
+    costs.kernels = executor_.kernels();
+    return costs;
+  }
 
 private:
   int device_;
@@ -77,12 +81,10 @@ private:
 } // namespace
 
 std::unique_ptr<Solver>
-make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, bool repeats_in_graph) {
+make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning& tuning) {
   const int device = htl_cuda::usable_device(options.device);
   const htl_cuda::Current_device current(device);
-  return std::make_unique<Cuda_solver>(mesh, device, options.stream,
-                                       repeats_in_graph ? htl_cuda::Launch::GRAPH
-                                                        : htl_cuda::Launch::COOPERATIVE);
+  return std::make_unique<Cuda_solver>(mesh, device, options.stream, tuning);
 }
 
 } // namespace device

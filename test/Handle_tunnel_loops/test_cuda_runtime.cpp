@@ -86,7 +86,9 @@ class Cuda_launch : public Cuda_runtime, public testing::WithParamInterface<bool
 protected:
   static std::unique_ptr<device::Solver> make_solver(const Flat_mesh& mesh,
                                                      const Device_options& options = {}) {
-    return make_cuda_solver(mesh, options, GetParam());
+    device::Tuning tuning;
+    tuning.repeats_in_graph = GetParam();
+    return make_cuda_solver(mesh, options, tuning);
   }
 };
 

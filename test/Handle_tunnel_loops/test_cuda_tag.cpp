@@ -47,7 +47,7 @@ public:
   search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) override {
     return solver_.search(search, k, callback);
   }
-  const Costs& costs() const override { return solver_.costs(); }
+  Costs costs() const override { return solver_.costs(); }
 
 private:
   Host_executor executor_;
@@ -55,7 +55,7 @@ private:
 };
 
 std::unique_ptr<Solver>
-make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, bool) {
+make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning&) {
   if(options.device < 0)
     throw No_device_exception("there is no device in this test");
   return std::make_unique<Stand_in>(mesh, std::size_t(options.device) << 10);

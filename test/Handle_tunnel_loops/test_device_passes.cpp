@@ -63,7 +63,7 @@ void expect_handles_of_host(Order run_order,
   Host_executor executor(run_order);
   device::Costs costs;
   const device::Device_mesh<Host_executor> device_mesh(executor, device::view_of(mesh));
-  device::Device_sweep<Host_executor> sweep(executor, mesh, device_mesh, costs);
+  device::Device_sweep<Host_executor> sweep(executor, mesh, device_mesh, {}, costs);
   sweep.set_times(times);
   EXPECT_EQ(sweep.handles(),
             find_sweep_handles(Sequential_execution(), mesh, Arrival_order(times)));

@@ -40,17 +40,22 @@ struct Is_linked_with_cuda
 template <typename Execution> class Device_passes
 {
 public:
-  Device_passes(const Flat_mesh& mesh, const Step_coefficients& k, const Device_options& options)
-      : solver_(device::make_cuda_solver(mesh, options))
+  Device_passes(const Flat_mesh& mesh,
+                const Step_coefficients& k,
+                const Device_options& options,
+                const device::Tuning& tuning = {})
+      : solver_(device::make_cuda_solver(mesh, options, tuning))
       , coefficients_(k)
       , coefficients_for_searching_(internal::coefficients_for_searching(k)) {
     static_assert(Is_linked_with_cuda<Execution>::value,
                   "Cuda_tag is used but the program is not linked with Handle_tunnel_loops::cuda");
   }
 
+  device::Costs costs() const { return solver_->costs(); }
+
   void report(Statistics& statistics) const {
     statistics.backend = "cuda";
-    statistics.device_bytes = solver_->costs().largest_bytes;
+    statistics.device_bytes = costs().largest_bytes;
   }
 
   std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds, Progress& progress) {

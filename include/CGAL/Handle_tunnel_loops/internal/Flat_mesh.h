@@ -61,6 +61,7 @@ public:
 
   CGAL_HTL_HOST_DEVICE Index position(Index v) const {
     Index i = 0;
+    CGAL_HTL_NO_UNROLL
     while(i < size_ && first_[i] != v)
       ++i;
     return i;

@@ -32,25 +32,32 @@ public:
       , along_(along) {}
 
   /// sets out from the crossing of which `from` is the end `from_end` to that of which `to` is the
-  /// end `to_end`. An end that occurs several times is taken where the way is shortest.
-  CGAL_HTL_HOST_DEVICE void find(Crossing_end from_end, Index from, Crossing_end to_end, Index to) {
+  /// end `to_end`. An end that occurs several times is taken where the way is shortest. Returns
+  /// false where there are no such crossings.
+  CGAL_HTL_HOST_DEVICE bool find(Crossing_end from_end, Index from, Crossing_end to_end, Index to) {
     first_ = last_ = no_index;
+    CGAL_HTL_NO_UNROLL
     for(Index i = 0; i < size_; ++i)
       if(loop_[i].*from_end == from)
-        for(Index j = 0; j < size_; ++j)
-          if(loop_[j].*to_end == to &&
-             (first_ == no_index || distance(i, j) < distance(first_, last_))) {
-            first_ = i;
-            last_ = j;
-          }
+        CGAL_HTL_NO_UNROLL
+    for(Index j = 0; j < size_; ++j)
+      if(loop_[j].*to_end == to && (first_ == no_index || distance(i, j) < distance(first_, last_)))
+      {
+        first_ = i;
+        last_ = j;
+      }
+    if(first_ == no_index)
+      return false;
     const double forward = along_[last_] - along_[first_] + (last_ < first_ ? along_[size_] : 0.);
     is_forward_ = forward <= along_[size_] - forward;
+    return true;
   }
 
   /// calls `f` for the crossings on the way, the first and the last included.
   CGAL_HTL_CALLS_ANY_FUNCTION
   template <typename Function> CGAL_HTL_HOST_DEVICE void for_each(const Function& f) const {
     f(loop_[first_]);
+    CGAL_HTL_NO_UNROLL
     for(Index i = first_; i != last_;) {
       i = is_forward_ ? (i + 1 == size_ ? 0 : i + 1) : (i == 0 ? size_ - 1 : i - 1);
       f(loop_[i]);

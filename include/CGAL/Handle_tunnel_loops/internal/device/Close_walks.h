@@ -36,6 +36,7 @@ struct Walk_list
   Index* number_of_walks;
   Span<Index> vertices;
   Index* number_of_vertices;
+  Index* number_of_lost_walks; ///< that did not come back to their loop
 };
 
 /*!
@@ -118,39 +119,41 @@ private:
 
   // The next cell on the way back. Each walk is gone twice, and walks come together: the way is
   // noted.
-  CGAL_HTL_HOST_DEVICE Index back(Index cell) const {
-    std::uint32_t& state = field_.arrays().state[cell];
-    const Ring ring = region().mesh().ring(region().vertex(cell));
-    if(state >> first_bit_of_way_back != 0)
-      return region().find(cell, ring[(state >> first_bit_of_way_back) - 1]);
-    const Index next = vertex_down(cell);
-    state |= (ring.position(next) + 1) << first_bit_of_way_back;
-    return region().find(cell, next);
+  CGAL_HTL_NO_INLINE CGAL_HTL_HOST_DEVICE Located_cell back(const Located_cell& c) const {
+    std::uint32_t& state = field_.arrays().state[c.cell];
+    const Ring ring = region().mesh().ring(c.vertex);
+    if(state >> first_bit_of_way_back == 0)
+      state |= (ring.position(vertex_down(c)) + 1) << first_bit_of_way_back;
+    const Index position = (state >> first_bit_of_way_back) - 1;
+    if(position == ring.size())
+      return {no_index, no_index, c.pass};
+    return {region().find(c, ring[position]), ring[position], c.pass};
   }
 
-  CGAL_HTL_HOST_DEVICE Index vertex_down(Index cell) const {
-    const std::uint32_t side = field_.side(cell);
+  CGAL_HTL_HOST_DEVICE Index vertex_down(const Located_cell& c) const {
+    const std::uint32_t side = field_.side(c.cell);
     return steepest_descent(
-        region().mesh(), region().vertex(cell),
+        region().mesh(), c.vertex,
         [&](Index u) {
-          const Index neighbor = region().find(cell, u);
+          const Index neighbor = region().find(c, u);
           return neighbor == no_index ? never : field_.time(neighbor);
         },
         [&](Index u) {
-          return field_.side(region().find(cell, u)) == side && !region().is_wall(cell, u);
+          return field_.side(region().find(c, u)) == side && !region().is_wall(c, u);
         });
   }
 
-  // The way back from a vertex: calls `f` for each cell of it, and returns its last vertex.
+  // The way back from a vertex: calls `f` for each vertex of it, and returns its last vertex. It
+  // goes down, so it ends: at time zero, or, which would be an error, where there is no way down.
   template <typename Function>
   CGAL_HTL_HOST_DEVICE Index go_back(Index pass, Index v, const Function& f) const {
-    Index cell = region().find_in_pass(pass, v);
-    f(cell);
-    while(field_.time(cell) != 0) {
-      cell = back(cell);
-      f(cell);
+    Located_cell c = {region().find_in_pass(pass, v), v, pass};
+    f(v);
+    while(c.cell != no_index && field_.time(c.cell) != 0) {
+      c = back(c);
+      f(c.vertex);
     }
-    return region().vertex(cell);
+    return c.vertex;
   }
 
   // Whether there is a walk, which is then written.
@@ -159,7 +162,10 @@ private:
     const Index left = go_back(meeting.pass, meeting.left, [&](Index) { ++to_left; });
     const Index right = go_back(meeting.pass, meeting.right, [&](Index) { ++to_right; });
     Way_along_loop way = sides_.way_along(meeting.pass);
-    way.find(&Crossing::left, left, &Crossing::right, right);
+    if(!way.find(&Crossing::left, left, &Crossing::right, right)) {
+      fetch_add(*out_.number_of_lost_walks, 1);
+      return false;
+    }
     if(!is_dual(region().loop(meeting.pass), way, right))
       return false;
     way.for_each([&](const Crossing&) { ++along; });
@@ -179,8 +185,8 @@ private:
   write(const Meeting& meeting, const Way_along_loop& way, Index middle) const {
     Index* before = out_.vertices.data() + middle;
     Index* after = before;
-    go_back(meeting.pass, meeting.right, [&](Index cell) { *--before = region().vertex(cell); });
-    go_back(meeting.pass, meeting.left, [&](Index cell) { *after++ = region().vertex(cell); });
+    go_back(meeting.pass, meeting.right, [&](Index v) { *--before = v; });
+    go_back(meeting.pass, meeting.left, [&](Index v) { *after++ = v; });
     way.for_each([&](const Crossing& c) { *after++ = c.left; });
   }
 

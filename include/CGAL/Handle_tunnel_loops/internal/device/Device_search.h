@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Host_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Paged_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
 
 #include <algorithm>
 #include <numeric>
@@ -91,7 +92,7 @@ public:
       , walks_(filled(executor, number_of_passes_ * wanted_walks, Found_walk{no_index, 0, 0, 0}))
       , walk_vertices_(executor.template make<Index>(
             room.walk_size * wanted_walks * (sides.crossings.size() + 16 * number_of_passes_)))
-      , walk_counters_(filled(executor, 2, Index(0)))
+      , walk_counters_(filled(executor, 3, Index(0)))
       , field_(Region(mesh,
                       walls,
                       {keys_.span(), number_of_pages_.span().data(),
@@ -111,10 +112,10 @@ public:
                 control_.span().data()}) {}
 
   /// runs the passes until nothing is left to find. Returns false if the callback says so.
-  bool run(const Step_coefficients& k, const Callback& callback) {
+  bool run(const Step_coefficients& k, Time steps_per_look, const Callback& callback) {
     start();
     close_walks();
-    for(Time pause = steps_per_run; control().state.band_size != 0; pause += steps_per_run) {
+    for(Time pause = steps_per_look; control().state.band_size != 0; pause += steps_per_look) {
       if(!callback(0.))
         return false;
       executor_.run(Field_steps<Region>(field_, k, no_index, pause),
@@ -130,6 +131,8 @@ public:
   /// what was found by each of the passes that are not starved.
   std::vector<Found_walks> found() {
     const std::vector<Index> counters = downloaded(executor_, walk_counters_);
+    if(counters[2] != 0)
+      throw Device_exception("the way back from a meeting of two fronts is lost");
     std::vector<Found_walk> walks((std::min<std::size_t>)(counters[0], walks_.span().size()));
     std::vector<Index> vertices((std::min<std::size_t>)(counters[1], walk_vertices_.span().size()));
     executor_.download(walks.data(), Span<Found_walk>(walks_.span().data(), walks.size()));
@@ -154,9 +157,6 @@ public:
   const Field_control& control() const { return seen_; }
 
 private:
-  // So many steps lie between two looks at the meetings; a front passes an edge in four.
-  static constexpr Time steps_per_run = 16;
-
   static std::size_t cells(const Room& room) { return room.number_of_pages * Region::page_size; }
 
   Meeting_list meeting_list() const {
@@ -212,7 +212,7 @@ private:
     const typename Close_walks<Region>::Passes passes = {begins.span(), numbers_of_walks_.span(),
                                                          wanted_walks_};
     const Walk_list out = {walks_.span(), walk_counters_.span().data(), walk_vertices_.span(),
-                           walk_counters_.span().data() + 1};
+                           walk_counters_.span().data() + 1, walk_counters_.span().data() + 2};
     executor_.for_each(number_of_passes_,
                        Close_walks<Region>(field_, sides_.view(), meetings_.span(), passes, out));
     clear(control_.span().data()->number_of_meetings);
@@ -269,10 +269,12 @@ public:
   Device_search(Executor& executor,
                 const Device_mesh<Executor>& mesh,
                 const Flat_mesh& host_mesh,
+                const Tuning& tuning,
                 Costs& costs)
       : executor_(executor)
       , mesh_(mesh)
       , host_mesh_(host_mesh)
+      , steps_per_look_(tuning.steps_per_look)
       , costs_(costs) {}
 
   std::vector<Found_walks>
@@ -381,7 +383,7 @@ private:
     costs_.largest_bytes = (std::max)(costs_.largest_bytes, executor_.bytes_in_use());
     costs_.largest_batch = (std::max)(costs_.largest_batch, loops.size());
     ++costs_.number_of_batches;
-    if(!batch.run(k, callback))
+    if(!batch.run(k, steps_per_look_, callback))
       throw Interrupted_exception();
     costs_.number_of_updates += batch.control().state.number_of_updates;
     costs_.number_of_steps += batch.control().state.step;
@@ -399,6 +401,7 @@ private:
   Executor& executor_;
   const Device_mesh<Executor>& mesh_;
   const Flat_mesh& host_mesh_;
+  Time steps_per_look_;
   Costs& costs_;
 };
 

@@ -29,11 +29,12 @@ namespace device {
 template <typename Executor> class Device_solver : public Solver
 {
 public:
-  Device_solver(Executor& executor, const Flat_mesh& mesh)
+  Device_solver(Executor& executor, const Flat_mesh& mesh, const Tuning& tuning = {})
       : executor_(executor)
       , host_mesh_(mesh)
+      , tuning_(tuning)
       , mesh_(uploaded_mesh(executor, mesh))
-      , sweep_(executor, mesh, mesh_, costs_) {}
+      , sweep_(executor, mesh, mesh_, tuning, costs_) {}
 
   std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
                                   const Step_coefficients& k,
@@ -55,7 +56,7 @@ public:
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {
-    Device_sweep<Executor> sweep(executor_, host_mesh_, mesh_, costs_);
+    Device_sweep<Executor> sweep(executor_, host_mesh_, mesh_, tuning_, costs_);
     sweep.run_from_loops(loops, index, k);
     return sweep.times();
   }
@@ -63,13 +64,13 @@ public:
   std::vector<Found_walks>
   search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) override {
     if(search.bars_only_own)
-      return Device_search<Executor, Only_loop>(executor_, mesh_, host_mesh_, costs_)
+      return Device_search<Executor, Only_loop>(executor_, mesh_, host_mesh_, tuning_, costs_)
           .run(search, k, callback);
-    return Device_search<Executor, Loops_from>(executor_, mesh_, host_mesh_, costs_)
+    return Device_search<Executor, Loops_from>(executor_, mesh_, host_mesh_, tuning_, costs_)
         .run(search, k, callback);
   }
 
-  const Costs& costs() const override { return costs_; }
+  Costs costs() const override { return costs_; }
 
 private:
   // Refuses the mesh if there would not be room for the passes beside it.
@@ -86,6 +87,7 @@ private:
 
   Executor& executor_;
   const Flat_mesh& host_mesh_;
+  Tuning tuning_;
   Costs costs_;
   Device_mesh<Executor> mesh_;
   Device_sweep<Executor> sweep_;

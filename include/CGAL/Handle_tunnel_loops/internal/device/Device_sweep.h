@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Field_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Sweep_saddles.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Whole_mesh.h>
 
 #include <algorithm>
@@ -48,9 +49,10 @@ struct Start_field
 
   CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
     const Source& source = sources[i];
+    const Located_cell cell = field.region().located(source.vertex);
     if(round == Round::BAND)
-      field.activate_neighbors(source.vertex, 1);
-    else if(field.add_source(source.vertex, source.time, 0))
+      field.activate_neighbors(cell, 1);
+    else if(field.add_source(cell, source.time, 0))
       fetch_add(field.arrays().control->state.number_of_reached, 1);
   }
 };
@@ -64,10 +66,12 @@ public:
   Device_sweep(Executor& executor,
                const Flat_mesh& host_mesh,
                const Device_mesh<Executor>& mesh,
+               const Tuning& tuning,
                Costs& costs)
       : executor_(executor)
       , host_mesh_(host_mesh)
       , mesh_(mesh)
+      , steps_per_run_(tuning.steps_per_run)
       , costs_(costs) {}
 
   /// the bytes that a sweep needs beside the mesh.
@@ -122,9 +126,6 @@ public:
   std::vector<Time> times() { return downloaded(executor_, time_); }
 
 private:
-  // So many steps are made between two looks at the callback, and at the size of the band.
-  static constexpr Time steps_per_run = 512;
-
   void run(const Whole_mesh& region,
            const std::vector<Source>& sources,
            const Step_coefficients& k,
@@ -172,7 +173,7 @@ private:
     Field_control control = {};
     Time pause = 0;
     do {
-      pause += steps_per_run;
+      pause += steps_per_run_;
       executor_.run(Field_steps<Whole_mesh>(field, k, n, pause), control.state.band_size);
       executor_.download(&control, Span<Field_control>(field.arrays().control, 1));
       if(!callback(double(control.state.number_of_reached) / double(n)))
@@ -211,6 +212,7 @@ private:
   Executor& executor_;
   const Flat_mesh& host_mesh_;
   const Device_mesh<Executor>& mesh_;
+  Time steps_per_run_;
   Costs& costs_;
   Buffer<Time> time_;
 };

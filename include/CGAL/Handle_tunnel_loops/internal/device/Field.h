@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/device/Located_cell.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
 #include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
@@ -104,34 +105,38 @@ public:
   /// calls `f(u, cell of u)` for each neighbour that no wall parts from the cell, which is active;
   /// the second argument is `no_index` where the field has not been.
   template <typename Function>
-  CGAL_HTL_HOST_DEVICE void for_each_neighbor(Index cell, const Function& f) const {
-    const Ring ring = region_.mesh().ring(region_.vertex(cell));
-    const bool has_walls = may_have_walls(cell);
+  CGAL_HTL_HOST_DEVICE void for_each_neighbor(const Located_cell& c, const Function& f) const {
+    const Ring ring = region_.mesh().ring(c.vertex);
+    const bool has_walls = may_have_walls(c.cell);
+    CGAL_HTL_NO_UNROLL
     for(Index i = 0; i < ring.size(); ++i)
-      if(!has_walls || !region_.is_wall(cell, ring[i]))
-        f(ring[i], region_.find(cell, ring[i]));
+      if(!has_walls || !region_.is_wall(c, ring[i]))
+        f(ring[i], region_.find(c, ring[i]));
   }
 
   /// puts the neighbours of a cell into the band of the given step, and into the field if they are
   /// new there.
-  CGAL_HTL_HOST_DEVICE void activate_neighbors(Index cell, Time step) const {
-    const Ring ring = region_.mesh().ring(region_.vertex(cell));
-    const bool has_walls = may_have_walls(cell);
+  CGAL_HTL_HOST_DEVICE void activate_neighbors(const Located_cell& c, Time step) const {
+    const Ring ring = region_.mesh().ring(c.vertex);
+    const bool has_walls = may_have_walls(c.cell);
+    CGAL_HTL_NO_UNROLL
     for(Index i = 0; i < ring.size(); ++i) {
-      if(has_walls && region_.is_wall(cell, ring[i]))
+      if(has_walls && region_.is_wall(c, ring[i]))
         continue;
-      const Index u = region_.insert(cell, ring[i]);
-      if(u != no_index && activate(u, 0)) {
+      const Index u = region_.insert(c, ring[i]);
+      if(u != no_index && activate({u, ring[i], c.pass}, 0)) {
         append_to_band(u, step);
-        change_band_size(cell, step - 1, 1);
+        change_band_size(c.pass, step - 1, 1);
       }
     }
   }
 
-  /// puts those of the given cells that are new into the field and into the band of the given step;
-  /// they are of the pass of `cell`, and some may be `no_index`.
-  CGAL_HTL_HOST_DEVICE void
-  activate(const Index (&cells)[stencil_width], Index cell, Time step) const {
+  /// puts those of the given cells of a pass that are new into the field and into the band of the
+  /// given step; some may be `no_index`.
+  CGAL_HTL_HOST_DEVICE void activate(const Index (&cells)[stencil_width],
+                                     const Index (&vertices)[stencil_width],
+                                     Index pass,
+                                     Time step) const {
     std::uint32_t states[stencil_width]; // before
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
@@ -139,7 +144,7 @@ public:
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
       if((states[i] & cell_is_active) == 0)
-        states[i] = make_active(cells[i], 0);
+        states[i] = make_active({cells[i], vertices[i], pass}, 0);
     Index number = 0;
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
@@ -151,14 +156,14 @@ public:
     for(Index i = 0; i < stencil_width; ++i)
       if((states[i] & cell_is_active) == 0)
         arrays_.band[step % 2][place++] = cells[i];
-    change_band_size(cell, step - 1, static_cast<int>(number));
+    change_band_size(pass, step - 1, static_cast<int>(number));
   }
 
-  /// notes that the band of the pass of a cell has become larger or smaller in a step.
-  CGAL_HTL_HOST_DEVICE void change_band_size(Index cell, Time step, int change) const {
+  /// notes that the band of a pass has become larger or smaller in a step.
+  CGAL_HTL_HOST_DEVICE void change_band_size(Index pass, Time step, int change) const {
     const Span<Index>& changes = arrays_.passes.band_change[step % 3];
     if(!changes.empty())
-      fetch_add(changes[region_.pass(cell)], static_cast<Index>(change));
+      fetch_add(changes[pass], static_cast<Index>(change));
   }
 
   CGAL_HTL_HOST_DEVICE void append_to_band(Index cell, Time step) const {
@@ -167,25 +172,25 @@ public:
 
   /// makes a cell a source: its value is one for ever. Returns false if it is one already; only
   /// sources of one side may be added at a time.
-  CGAL_HTL_HOST_DEVICE bool add_source(Index cell, Time time, std::uint32_t side) const {
-    if(!activate(cell, side))
+  CGAL_HTL_HOST_DEVICE bool add_source(const Located_cell& c, Time time, std::uint32_t side) const {
+    if(!activate(c, side))
       return false;
-    arrays_.value[0][cell] = arrays_.value[1][cell] = 1.f;
-    racy_store(arrays_.time[cell], time);
+    arrays_.value[0][c.cell] = arrays_.value[1][c.cell] = 1.f;
+    racy_store(arrays_.time[c.cell], time);
     return true;
   }
 
 private:
   // Returns the state before: another thread may have been faster.
-  CGAL_HTL_HOST_DEVICE std::uint32_t make_active(Index cell, std::uint32_t side) const {
-    const std::uint32_t walls = region_.may_have_walls(cell) ? cell_may_have_walls : 0u;
-    return fetch_or(arrays_.state[cell], cell_is_active | side | walls);
+  CGAL_HTL_HOST_DEVICE std::uint32_t make_active(const Located_cell& c, std::uint32_t side) const {
+    const std::uint32_t walls = region_.may_have_walls(c) ? cell_may_have_walls : 0u;
+    return fetch_or(arrays_.state[c.cell], cell_is_active | side | walls);
   }
 
   // Returns false if the cell is active already.
-  CGAL_HTL_HOST_DEVICE bool activate(Index cell, std::uint32_t side) const {
-    return (racy_load(arrays_.state[cell]) & cell_is_active) == 0 &&
-           (make_active(cell, side) & cell_is_active) == 0;
+  CGAL_HTL_HOST_DEVICE bool activate(const Located_cell& c, std::uint32_t side) const {
+    return (racy_load(arrays_.state[c.cell]) & cell_is_active) == 0 &&
+           (make_active(c, side) & cell_is_active) == 0;
   }
 
   Region region_;

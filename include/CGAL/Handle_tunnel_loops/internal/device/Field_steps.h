@@ -124,20 +124,20 @@ private:
 
   // What is wanted of the memory is asked for before anything is decided.
   CGAL_HTL_HOST_DEVICE void update(Index cell, Time step) const {
-    const Index pass = region().pass(cell);
     const float before = arrays().value[(step + 1) % 2][cell];
     const bool has_walls = field_.may_have_walls(cell);
-    const Ring ring = region().mesh().ring(region().vertex(cell));
-    const Phase now = phase(pass, step);
+    const Located_cell located = region().located(cell);
+    const Ring ring = region().mesh().ring(located.vertex);
+    const Phase now = phase(located.pass, step);
     if(now.is_over)
       return;
+    const Banded banded = {cell, located.pass, before, now.is_push};
     if(before == 1.f) // it has left the band
       arrays().value[step % 2][cell] = before;
     else if(has_walls || ring.size() > stencil_width)
-      advance({cell, pass, before, now.is_push}, Neighbors_in_turn<Region>(field_, cell), step);
+      advance(banded, Neighbors_in_turn<Region>(field_, located), step);
     else
-      advance({cell, pass, before, now.is_push}, Neighbors_at_once<Region>(field_, cell, ring),
-              step);
+      advance(banded, Neighbors_at_once<Region>(field_, located, ring), step);
   }
 
   // A cell of the band, and its value after the last step.
@@ -155,7 +155,7 @@ private:
     if(c.before <= spark_ && (c.is_push ? after == 1.f : after > spark_))
       neighbors.activate(step + 1);
     if(after == 1.f)
-      field_.change_band_size(c.cell, step, -1);
+      field_.change_band_size(c.pass, step, -1);
     field_.append_to_band(c.cell, step + 1);
   }
 

@@ -53,20 +53,20 @@ struct Meeting_list
 
 template <typename Region>
 CGAL_HTL_HOST_DEVICE void
-note_meetings(const Field<Region>& field, Index cell, const Meeting_list& list) {
-  const Index pass = field.region().pass(cell), v = field.region().vertex(cell);
-  const Time time = field.time(cell);
-  const std::uint32_t side = field.side(cell);
-  field.for_each_neighbor(cell, [&](Index u, Index neighbor) {
+note_meetings(const Field<Region>& field, const Located_cell& c, const Meeting_list& list) {
+  const Time time = field.time(c.cell);
+  const std::uint32_t side = field.side(c.cell);
+  field.for_each_neighbor(c, [&](Index u, Index neighbor) {
     if(neighbor == no_index || field.side(neighbor) == side)
       return;
     // Each edge is noted once, from the end that was reached last.
     const Time other = field.time(neighbor);
-    if(other == never || arrival_key(other, u) > arrival_key(time, v))
+    if(other == never || arrival_key(other, u) > arrival_key(time, c.vertex))
       return;
     const Time step = (time + ticks_per_step - 1) / ticks_per_step;
     const bool is_right = side != 0;
-    list.append({pass, step, std::uint64_t(time) + other, is_right ? u : v, is_right ? v : u});
+    list.append({c.pass, step, std::uint64_t(time) + other, is_right ? u : c.vertex,
+                 is_right ? c.vertex : u});
   });
 }
 
@@ -77,7 +77,7 @@ template <typename Region> struct Note_late_meetings
   Meeting_list list;
 
   CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
-    note_meetings(field, field.arrays().reached[i], list);
+    note_meetings(field, field.region().located(field.arrays().reached[i]), list);
   }
 };
 
@@ -102,14 +102,14 @@ template <typename Region> struct Start_passes
     if(left == no_index || right == no_index)
       return; // the pass is starved
     if(round == Round::BAND) {
-      field.activate_neighbors(left, 1);
-      field.activate_neighbors(right, 1);
+      field.activate_neighbors({left, c.left, pass}, 1);
+      field.activate_neighbors({right, c.right, pass}, 1);
     } else if(round == Round::RIGHT_AGAIN) {
       if(field.side(right) == 0)
         list.append({pass, 0, 0, c.right, c.right});
     } else {
-      note_meetings(field, left, list);
-      note_meetings(field, right, list);
+      note_meetings(field, {left, c.left, pass}, list);
+      note_meetings(field, {right, c.right, pass}, list);
     }
   }
 
@@ -117,7 +117,7 @@ private:
   CGAL_HTL_HOST_DEVICE void add_source(Index pass, Index v) const {
     const Index cell = field.region().insert_in_pass(pass, v);
     if(cell != no_index)
-      field.add_source(cell, 0, round == Round::RIGHT ? cell_is_right : 0u);
+      field.add_source({cell, v, pass}, 0, round == Round::RIGHT ? cell_is_right : 0u);
   }
 };
 

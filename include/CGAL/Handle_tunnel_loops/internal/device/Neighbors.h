@@ -28,7 +28,7 @@ namespace device {
 template <typename Region> class Neighbors_in_turn
 {
 public:
-  CGAL_HTL_HOST_DEVICE Neighbors_in_turn(const Field<Region>& field, Index cell)
+  CGAL_HTL_HOST_DEVICE Neighbors_in_turn(const Field<Region>& field, const Located_cell& cell)
       : field_(field)
       , cell_(cell) {}
 
@@ -61,7 +61,7 @@ public:
 
 private:
   const Field<Region>& field_;
-  Index cell_;
+  Located_cell cell_;
 };
 
 /// The neighbours of any other cell, all at once: a thread waits for the memory once, and not for
@@ -70,7 +70,7 @@ template <typename Region> class Neighbors_at_once
 {
 public:
   CGAL_HTL_HOST_DEVICE
-  Neighbors_at_once(const Field<Region>& field, Index cell, const Ring& ring)
+  Neighbors_at_once(const Field<Region>& field, const Located_cell& cell, const Ring& ring)
       : field_(field)
       , cell_(cell)
       , size_(ring.size()) {
@@ -109,12 +109,13 @@ public:
     for(Index i = 0; i < stencil_width; ++i)
       cells[i] = i < size_ && cells_[i] == no_index ? field_.region().insert(cell_, vertices_[i])
                                                     : cells_[i];
-    field_.activate(cells, cell_, step);
+    field_.activate(cells, vertices_, cell_.pass, step);
   }
 
 private:
   const Field<Region>& field_;
-  Index cell_, size_;
+  Located_cell cell_;
+  Index size_;
   Index vertices_[stencil_width], cells_[stencil_width]; // `no_index` beyond the last
 };
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/device/Located_cell.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Walls.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
 
@@ -52,81 +53,43 @@ public:
   CGAL_HTL_HOST_DEVICE static bool has_walls() { return true; }
   CGAL_HTL_HOST_DEVICE Index loop(Index pass) const { return table_.loops[pass]; }
 
-  CGAL_HTL_HOST_DEVICE Index vertex(Index cell) const {
-    return static_cast<Index>(key_of(cell)) * page_size + cell % page_size;
-  }
-  CGAL_HTL_HOST_DEVICE Index pass(Index cell) const {
-    return static_cast<Index>(key_of(cell) >> 32);
+  /// what a cell stands for: of one that is known since before the last barrier. Who has put it in
+  /// knows, and does not ask.
+  CGAL_HTL_HOST_DEVICE Located_cell located(Index cell) const {
+    const std::uint64_t key = racy_load(table_.keys[cell / page_size]);
+    return {cell, static_cast<Index>(key) * page_size + cell % page_size,
+            static_cast<Index>(key >> 32)};
   }
 
   /// the cell of vertex `u` in the pass of a cell; `no_index` if the pass has not come near it.
-  CGAL_HTL_HOST_DEVICE Index find(Index cell, Index u) const {
-    const std::uint64_t key = (key_of(cell) & pass_bits) | u / page_size;
-    return key == key_of(cell) ? cell - cell % page_size + u % page_size : find(key, u);
+  CGAL_HTL_HOST_DEVICE Index find(const Located_cell& c, Index u) const {
+    return is_in_page(c, u) ? cell_in_page(c, u) : find_in_pass(c.pass, u);
   }
   CGAL_HTL_HOST_DEVICE Index find_in_pass(Index pass, Index u) const {
-    return find(std::uint64_t(pass) << 32 | u / page_size, u);
-  }
-
-  /// the same, but makes room for it; `no_index` if there is none, and then the pass is starved.
-  CGAL_HTL_HOST_DEVICE Index insert(Index cell, Index u) const {
-    const std::uint64_t key = (key_of(cell) & pass_bits) | u / page_size;
-    return key == key_of(cell) ? cell - cell % page_size + u % page_size : insert_key(key, u);
-  }
-  CGAL_HTL_HOST_DEVICE Index insert_in_pass(Index pass, Index u) const {
-    return insert_key(std::uint64_t(pass) << 32 | u / page_size, u);
-  }
-
-  CGAL_HTL_HOST_DEVICE bool may_have_walls(Index cell) const {
-    return walls_.may_be_beside(loop(pass(cell)), vertex(cell));
-  }
-  CGAL_HTL_HOST_DEVICE bool is_wall(Index cell, Index u) const {
-    return walls_.is_wall(loop(pass(cell)), vertex(cell), u);
-  }
-
-  CGAL_HTL_HOST_DEVICE void starve(Index pass) const {
-    racy_store(table_.is_starved[pass], std::uint32_t(1));
-  }
-  CGAL_HTL_HOST_DEVICE bool is_starved(Index pass) const {
-    return racy_load(table_.is_starved[pass]) != 0;
-  }
-
-private:
-  static constexpr std::uint64_t pass_bits = std::uint64_t(0xffffffffu) << 32;
-
-  // A table that is half full has runs far shorter than this.
-  static constexpr Index longest_run = 256;
-
-  // Keys are never taken out. A reader who misses one that is being put in misses a vertex at rest.
-  CGAL_HTL_HOST_DEVICE std::uint64_t key_of(Index cell) const {
-    return racy_load(table_.keys[cell / page_size]);
-  }
-
-  CGAL_HTL_HOST_DEVICE static std::uint64_t scrambled(std::uint64_t x) {
-    x ^= x >> 29;
-    x *= 0xbf58476d1ce4e5b9u;
-    x ^= x >> 32;
-    x *= 0x94d049bb133111ebu;
-    return x ^ x >> 31;
-  }
-
-  CGAL_HTL_HOST_DEVICE Index find(std::uint64_t key, Index u) const {
+    const std::uint64_t key = key_of(pass, u);
     const std::size_t mask = table_.keys.size() - 1;
     std::size_t place = scrambled(key) & mask;
+    CGAL_HTL_NO_UNROLL
     for(Index i = 0; i < longest_run; ++i) {
       const std::uint64_t present = racy_load(table_.keys[place]);
       if(present == key)
         return static_cast<Index>(place) * page_size + u % page_size;
       if(present == no_page)
-        return no_index;
+        break;
       place = (place + 1) & mask;
     }
     return no_index;
   }
 
-  CGAL_HTL_HOST_DEVICE Index insert_key(std::uint64_t key, Index u) const {
+  /// the same, but makes room for it; `no_index` if there is none, and then the pass is starved.
+  CGAL_HTL_HOST_DEVICE Index insert(const Located_cell& c, Index u) const {
+    return is_in_page(c, u) ? cell_in_page(c, u) : insert_in_pass(c.pass, u);
+  }
+  CGAL_HTL_HOST_DEVICE Index insert_in_pass(Index pass, Index u) const {
+    const std::uint64_t key = key_of(pass, u);
     const std::size_t mask = table_.keys.size() - 1;
     std::size_t place = scrambled(key) & mask;
+    CGAL_HTL_NO_UNROLL
     for(Index i = 0; i < longest_run; ++i) {
       std::uint64_t present = racy_load(table_.keys[place]);
       if(present == no_page) {
@@ -142,8 +105,46 @@ private:
         return static_cast<Index>(place) * page_size + u % page_size;
       place = (place + 1) & mask;
     }
-    starve(static_cast<Index>(key >> 32));
+    starve(pass);
     return no_index;
+  }
+
+  CGAL_HTL_HOST_DEVICE bool may_have_walls(const Located_cell& c) const {
+    return walls_.may_be_beside(loop(c.pass), c.vertex);
+  }
+  CGAL_HTL_HOST_DEVICE bool is_wall(const Located_cell& c, Index u) const {
+    return walls_.is_wall(loop(c.pass), c.vertex, u);
+  }
+
+  CGAL_HTL_HOST_DEVICE void starve(Index pass) const {
+    racy_store(table_.is_starved[pass], std::uint32_t(1));
+  }
+  CGAL_HTL_HOST_DEVICE bool is_starved(Index pass) const {
+    return racy_load(table_.is_starved[pass]) != 0;
+  }
+
+private:
+  // A table that is half full has runs far shorter than this.
+  static constexpr Index longest_run = 256;
+
+  // Keys are never taken out. A reader who misses one that is being put in misses a vertex at rest.
+  CGAL_HTL_HOST_DEVICE static std::uint64_t key_of(Index pass, Index u) {
+    return std::uint64_t(pass) << 32 | u / page_size;
+  }
+
+  CGAL_HTL_HOST_DEVICE static bool is_in_page(const Located_cell& c, Index u) {
+    return c.vertex / page_size == u / page_size;
+  }
+  CGAL_HTL_HOST_DEVICE static Index cell_in_page(const Located_cell& c, Index u) {
+    return c.cell - c.cell % page_size + u % page_size;
+  }
+
+  CGAL_HTL_HOST_DEVICE static std::uint64_t scrambled(std::uint64_t x) {
+    x ^= x >> 29;
+    x *= 0xbf58476d1ce4e5b9u;
+    x ^= x >> 32;
+    x *= 0x94d049bb133111ebu;
+    return x ^ x >> 31;
   }
 
   Mesh_view mesh_;

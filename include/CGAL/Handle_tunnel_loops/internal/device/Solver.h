@@ -19,6 +19,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -29,6 +31,13 @@ namespace device {
 /// is told how far the work has come, in [0, 1], and says whether to go on.
 using Callback = std::function<bool(double)>;
 
+/// What all launches of a kernel cost.
+struct Kernel_cost
+{
+  std::uint64_t number_of_launches = 0;
+  double seconds = 0.;
+};
+
 /// What the passes cost.
 struct Costs
 {
@@ -36,8 +45,9 @@ struct Costs
   std::uint64_t number_of_steps = 0;
   double seconds_of_sweeps = 0.; ///< of the fields over the whole mesh
   std::uint64_t number_of_batches = 0;
-  std::size_t largest_batch = 0; ///< loop passes at a time
-  std::size_t largest_bytes = 0; ///< in use at one time
+  std::size_t largest_batch = 0;              ///< loop passes at a time
+  std::size_t largest_bytes = 0;              ///< in use at one time
+  std::map<std::string, Kernel_cost> kernels; ///< by the name of their type, if they were timed
 };
 
 /// The passes on a device, behind plain arrays. All that is written to the host are loops.
@@ -68,7 +78,7 @@ public:
   virtual std::vector<Found_walks>
   search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) = 0;
 
-  virtual const Costs& costs() const = 0;
+  virtual Costs costs() const = 0;
 };
 
 } // namespace device

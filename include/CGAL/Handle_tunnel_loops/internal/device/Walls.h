@@ -31,6 +31,7 @@ template <typename Loop_set> struct Walls
   CGAL_HTL_HOST_DEVICE bool is_wall(Index loop, Index u, Index v) const {
     const Loop_set barred = {loop};
     // The entries are sorted by loop.
+    CGAL_HTL_NO_UNROLL
     for(Index i = begins[u + 1]; i > begins[u] && !barred.are_all_after(entries[i - 1].loop); --i)
       if(entries[i - 1].other == v && barred.contains(entries[i - 1].loop))
         return true;
@@ -41,6 +42,7 @@ template <typename Loop_set> struct Walls
   CGAL_HTL_HOST_DEVICE bool may_be_beside(Index loop, Index v) const {
     if(!Loop_set::is_one && begins[v] != begins[v + 1])
       return true;
+    CGAL_HTL_NO_UNROLL
     for(Index i = begins[v]; i < begins[v + 1]; ++i)
       if(entries[i].loop == loop)
         return true;
@@ -52,6 +54,7 @@ template <typename Loop_set> struct Walls
   CGAL_HTL_HOST_DEVICE void
   for_each_other_wall(Index loop, Index u, Index v, const Function& f) const {
     const Loop_set barred = {loop};
+    CGAL_HTL_NO_UNROLL
     for(Index i = begins[u]; i < begins[u + 1]; ++i)
       if(entries[i].other == v && entries[i].loop != loop && barred.contains(entries[i].loop))
         f(entries[i].loop);
@@ -60,6 +63,7 @@ template <typename Loop_set> struct Walls
   /// how often loop `loop` is crossed on the way from `u` to `v`, an edge or a point.
   CGAL_HTL_HOST_DEVICE int crossings(Index loop, Index u, Index v) const {
     int sum = 0;
+    CGAL_HTL_NO_UNROLL
     for(Index i = begins[u]; i < begins[u + 1]; ++i)
       if(entries[i].other == v && entries[i].loop == loop)
         sum += entries[i].sign;

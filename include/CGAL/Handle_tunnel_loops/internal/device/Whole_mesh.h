@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/device/Located_cell.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Walls.h>
 
 namespace CGAL {
@@ -35,18 +36,17 @@ public:
   CGAL_HTL_HOST_DEVICE const Mesh_view& mesh() const { return mesh_; }
   CGAL_HTL_HOST_DEVICE bool has_walls() const { return !walls_.begins.empty(); }
 
-  CGAL_HTL_HOST_DEVICE Index vertex(Index cell) const { return cell; }
-  CGAL_HTL_HOST_DEVICE Index pass(Index) const { return 0; }
-  CGAL_HTL_HOST_DEVICE Index find(Index, Index u) const { return u; }
-  CGAL_HTL_HOST_DEVICE Index insert(Index, Index u) const { return u; }
+  CGAL_HTL_HOST_DEVICE static Located_cell located(Index cell) { return {cell, cell, 0}; }
+  CGAL_HTL_HOST_DEVICE static Index find(const Located_cell&, Index u) { return u; }
+  CGAL_HTL_HOST_DEVICE static Index insert(const Located_cell&, Index u) { return u; }
 
   CGAL_HTL_HOST_DEVICE static bool is_starved(Index) { return false; }
 
-  CGAL_HTL_HOST_DEVICE bool may_have_walls(Index cell) const {
-    return has_walls() && walls_.may_be_beside(0, cell);
+  CGAL_HTL_HOST_DEVICE bool may_have_walls(const Located_cell& c) const {
+    return has_walls() && walls_.may_be_beside(0, c.vertex);
   }
-  CGAL_HTL_HOST_DEVICE bool is_wall(Index cell, Index u) const {
-    return walls_.is_wall(0, cell, u);
+  CGAL_HTL_HOST_DEVICE bool is_wall(const Located_cell& c, Index u) const {
+    return walls_.is_wall(0, c.vertex, u);
   }
 
 private:

@@ -14,6 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/host_device.h>
 
+#ifdef __CUDACC__
+#include <cuda/atomic>
+#endif
+
 #include <cstdint>
 #include <functional>
 
@@ -24,13 +28,16 @@ namespace device {
 
 /// \file atomics.h
 /// What threads do to common memory between two barriers. All of it is relaxed: only the barriers
-/// order anything.
+/// order anything. (The compiler's own functions are what the thread sanitizer sees through.)
 
-/// reads what another thread may be writing; the old value is as good as the new one. (On the
-/// device aligned words are read in one piece, and an ordinary load may use the first-level cache.)
+#ifdef __CUDACC__
+template <typename T> using Atomic_on_device = cuda::atomic_ref<T, cuda::thread_scope_device>;
+#endif
+
+/// reads what another thread may be writing; the old value is as good as the new one.
 template <typename T> CGAL_HTL_HOST_DEVICE T racy_load(const T& x) {
 #ifdef __CUDA_ARCH__
-  return x;
+  return Atomic_on_device<T>(const_cast<T&>(x)).load(cuda::memory_order_relaxed);
 #else
   return __atomic_load_n(&x, __ATOMIC_RELAXED);
 #endif
@@ -39,7 +46,7 @@ template <typename T> CGAL_HTL_HOST_DEVICE T racy_load(const T& x) {
 /// writes what other threads may be reading, or writing the same value to.
 template <typename T> CGAL_HTL_HOST_DEVICE void racy_store(T& x, T value) {
 #ifdef __CUDA_ARCH__
-  x = value;
+  Atomic_on_device<T>(x).store(value, cuda::memory_order_relaxed);
 #else
   __atomic_store_n(&x, value, __ATOMIC_RELAXED);
 #endif
@@ -48,7 +55,7 @@ template <typename T> CGAL_HTL_HOST_DEVICE void racy_store(T& x, T value) {
 /// returns the old value, as all of these.
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_or(std::uint32_t& x, std::uint32_t bits) {
 #ifdef __CUDA_ARCH__
-  return atomicOr(&x, bits);
+  return Atomic_on_device<std::uint32_t>(x).fetch_or(bits, cuda::memory_order_relaxed);
 #else
   return __atomic_fetch_or(&x, bits, __ATOMIC_RELAXED);
 #endif
@@ -56,7 +63,7 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_or(std::uint32_t& x, std::uint32
 
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_add(std::uint32_t& x, std::uint32_t summand) {
 #ifdef __CUDA_ARCH__
-  return atomicAdd(&x, summand);
+  return Atomic_on_device<std::uint32_t>(x).fetch_add(summand, cuda::memory_order_relaxed);
 #else
   return __atomic_fetch_add(&x, summand, __ATOMIC_RELAXED);
 #endif
@@ -75,7 +82,7 @@ exchange_if(std::uint32_t& x, std::uint32_t value, const Before& comes_before) {
 
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_min(std::uint32_t& x, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
-  return atomicMin(&x, value);
+  return Atomic_on_device<std::uint32_t>(x).fetch_min(value, cuda::memory_order_relaxed);
 #else
   return exchange_if(x, value, std::less<>());
 #endif
@@ -83,7 +90,7 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_min(std::uint32_t& x, std::uint3
 
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_max(std::uint32_t& x, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
-  return atomicMax(&x, value);
+  return Atomic_on_device<std::uint32_t>(x).fetch_max(value, cuda::memory_order_relaxed);
 #else
   return exchange_if(x, value, std::greater<>());
 #endif
@@ -92,9 +99,9 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_max(std::uint32_t& x, std::uint3
 CGAL_HTL_HOST_DEVICE inline std::uint64_t
 compare_and_swap(std::uint64_t& x, std::uint64_t expected, std::uint64_t value) {
 #ifdef __CUDA_ARCH__
-  return atomicCAS(reinterpret_cast<unsigned long long*>(&x),
-                   static_cast<unsigned long long>(expected),
-                   static_cast<unsigned long long>(value));
+  Atomic_on_device<std::uint64_t>(x).compare_exchange_strong(expected, value,
+                                                             cuda::memory_order_relaxed);
+  return expected;
 #else
   __atomic_compare_exchange_n(&x, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
   return expected;
@@ -111,7 +118,7 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t next_place(std::uint32_t& size) {
   const int leader = __ffs(static_cast<int>(here)) - 1;
   std::uint32_t first = 0;
   if((here & before) == 0)
-    first = atomicAdd(&size, static_cast<std::uint32_t>(__popc(here)));
+    first = fetch_add(size, static_cast<std::uint32_t>(__popc(here)));
   return __shfl_sync(here, first, leader) + static_cast<std::uint32_t>(__popc(here & before));
 #else
   return fetch_add(size, 1);
@@ -119,7 +126,6 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t next_place(std::uint32_t& size) {
 }
 
 } // namespace device
-
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

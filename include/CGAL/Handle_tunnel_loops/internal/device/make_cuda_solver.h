@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Device_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
 
 #include <memory>
 
@@ -27,9 +28,8 @@ namespace device {
 /// `Handle_tunnel_loops::cuda`. Throws `No_device_exception`, `Out_of_device_memory_exception` or
 /// `Device_exception`. The steps of the fields run in one kernel with barriers, or in a graph that
 /// repeats kernels, for comparison.
-std::unique_ptr<Solver> make_cuda_solver(const Flat_mesh& mesh,
-                                         const Device_options& options,
-                                         bool repeats_in_graph = false);
+std::unique_ptr<Solver>
+make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning& tuning = {});
 
 } // namespace device
 } // namespace internal
