@@ -123,17 +123,8 @@ Mesh make_mesh(const std::string& request) {
 constexpr double bytes_per_update = 2 * 4 + 4 + 4 + 6 * 4 + 2 * 4 + 4;
 
 // The field alone against its floor, and all of the pass: its memory, the saddles and the contours.
-void measure_sweep(const impl::Flat_mesh& mesh,
-                   bool in_graph,
-                   const impl::device::Ceilings& ceilings,
-                   int runs) {
-  const double waiting_for_step =
-      in_graph ? ceilings.seconds_per_graph_step : ceilings.seconds_per_step;
-  if(waiting_for_step == 0.)
-    return;
-  impl::device::Tuning tuning;
-  tuning.repeats_in_graph = in_graph;
-  const auto solver = impl::device::make_cuda_solver(mesh, {}, tuning);
+void measure_sweep(const impl::Flat_mesh& mesh, const impl::device::Ceilings& ceilings, int runs) {
+  const auto solver = impl::device::make_cuda_solver(mesh, {});
   std::vector<double> seconds, seconds_of_field;
   for(int i = 0; i <= runs; ++i) {
     const double before = solver->costs().seconds_of_sweeps;
@@ -148,13 +139,11 @@ void measure_sweep(const impl::Flat_mesh& mesh,
   const double updates = double(solver->costs().number_of_updates) / sweeps;
   const double steps = double(solver->costs().number_of_steps) / sweeps;
   const double moving = updates * bytes_per_update / ceilings.bytes_per_second;
-  const double waiting = steps * waiting_for_step;
-  std::printf(
-      "  initial pass, %s: %.4f s; its field %.4f s, %.4g updates, %.0f steps; floor of the "
-      "field %.4f s (memory %.4f, steps %.4f), ratio %.2f\n",
-      in_graph ? "steps in a graph" : "steps in one kernel", median(seconds),
-      median(seconds_of_field), updates, steps, moving + waiting, moving, waiting,
-      median(seconds_of_field) / (moving + waiting));
+  const double waiting = steps * ceilings.seconds_per_step;
+  std::printf("  initial pass: %.4f s; its field %.4f s, %.4g updates, %.0f steps; floor of the "
+              "field %.4f s (memory %.4f, steps %.4f), ratio %.2f\n",
+              median(seconds), median(seconds_of_field), updates, steps, moving + waiting, moving,
+              waiting, median(seconds_of_field) / (moving + waiting));
 }
 
 impl::Flat_mesh flat_mesh_of(const Mesh& mesh) {
@@ -193,16 +182,15 @@ void measure_knobs(const impl::Flat_mesh& mesh) {
     change(tuning, value);
     print((name + " " + std::to_string(value)).c_str(), benchmark_device::run_tuned(mesh, tuning));
   };
-  for(const int blocks : {1, 2, 3})
+  for(const int threads : {128, 256, 384, 512})
     run(
-        "blocks per multiprocessor", [](Tuning& t, int n) { t.blocks_per_multiprocessor = n; },
-        blocks);
-  for(const int threads : {64, 128})
-    run(
-        "threads per block", [](Tuning& t, int n) { t.threads_per_block = n; }, threads);
-  for(const int steps : {8, 32, 64})
+        "threads at barrier", [](Tuning& t, int n) { t.threads_at_barrier = n; }, threads);
+  for(const int steps : {16, 256})
     run(
         "steps per look", [](Tuning& t, int n) { t.steps_per_look = n; }, steps);
+  for(const int steps : {4, 64})
+    run(
+        "steps per look if met", [](Tuning& t, int n) { t.steps_per_look_if_met = n; }, steps);
 }
 
 /// What the runs of a solver took.
@@ -264,8 +252,7 @@ void measure(const std::string& request,
               double(device.statistics.device_bytes) / double(mesh.number_of_faces()));
   const impl::Flat_mesh flat = flat_mesh_of(mesh);
   if(choices.with_sweep)
-    for(const bool in_graph : {false, true})
-      measure_sweep(flat, in_graph, ceilings, choices.runs);
+    measure_sweep(flat, ceilings, choices.runs);
   if(choices.with_kernels) {
     impl::device::Tuning tuning;
     print("all kernels waited for", benchmark_device::run_tuned(flat, tuning));
@@ -291,11 +278,9 @@ int main(int argc, char** argv) {
     for(const std::string& request : requests)
       meshes.push_back(std::async(std::launch::async, make_mesh, request));
     const impl::device::Ceilings ceilings = impl::device::measure_ceilings(-1);
-    std::printf("%s, %s: %.0f GB/s, %.2f us a launch, %.2f us a barrier, %.2f us a "
-                "step of a graph\n",
-                ceilings.device.c_str(), ceilings.versions.c_str(),
-                1e-9 * ceilings.bytes_per_second, 1e6 * ceilings.seconds_per_launch,
-                1e6 * ceilings.seconds_per_step, 1e6 * ceilings.seconds_per_graph_step);
+    std::printf("%s, %s: %.0f GB/s, %.2f us a launch, %.2f us a barrier\n", ceilings.device.c_str(),
+                ceilings.versions.c_str(), 1e-9 * ceilings.bytes_per_second,
+                1e6 * ceilings.seconds_per_launch, 1e6 * ceilings.seconds_per_step);
     for(auto& mesh : meshes)
       mesh.wait();
     for(std::size_t i = 0; i < requests.size(); ++i)

@@ -11,8 +11,8 @@
 #define HTL_CUDA_CUDA_EXECUTOR_CUH
 
 #include "Device_memory.cuh"
-#include "Step_graph.cuh"
 #include "Stopwatch.cuh"
+#include "thread_numbers.cuh"
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
@@ -34,11 +34,12 @@ using CGAL::Handle_tunnel_loops::internal::Index;
 using CGAL::Handle_tunnel_loops::internal::device::Kernel_cost;
 using CGAL::Handle_tunnel_loops::internal::device::Tuning;
 
-constexpr int most_threads_per_block = 256;
+constexpr int threads_per_block = 256;
 
-// Of the threads that meet at barriers. With more of them, there are too few registers to load what
-// belongs to all neighbours of a vertex at a time.
-constexpr int most_blocks_per_multiprocessor = 4;
+// Of the threads that meet at barriers there is one block on each multiprocessor: the fewer blocks,
+// the cheaper the barrier. With more threads there are too few registers to load what belongs to
+// all neighbours of a vertex at a time.
+constexpr int fewest_threads_at_barrier = 128, most_threads_at_barrier = 640;
 
 template <typename Function> __global__ void for_each_kernel(std::size_t n, Function f) {
   for(std::size_t i = thread_number(); i < n; i += number_of_threads())
@@ -73,8 +74,7 @@ struct Grid_threads
 
 /// All steps of a program in one launch; the barrier between them is that of the grid.
 template <typename Program>
-__global__ void __launch_bounds__(most_threads_per_block, most_blocks_per_multiprocessor)
-    run_kernel(Program program) {
+__global__ void __launch_bounds__(most_threads_at_barrier, 1) run_kernel(Program program) {
   Grid_threads threads = {cooperative_groups::this_grid()};
   CGAL::Handle_tunnel_loops::internal::device::run_steps(program, threads);
 }
@@ -91,11 +91,11 @@ public:
       , stream_(stream)
       , tuning_(tuning) {
     ask(cudaDevAttrMultiProcessorCount, device, number_of_multiprocessors_);
-    ask(cudaDevAttrMaxThreadsPerBlock, device, threads_per_block_);
-    threads_per_block_ =
-        std::min({threads_per_block_, tuning.threads_per_block, most_threads_per_block});
-    if(threads_per_block_ > int(warp_size))
-      threads_per_block_ -= threads_per_block_ % int(warp_size);
+    int most_threads = 0;
+    ask(cudaDevAttrMaxThreadsPerBlock, device, most_threads);
+    threads_per_block_ = whole_warps(std::min(most_threads, threads_per_block));
+    threads_at_barrier_ =
+        whole_warps(std::min({most_threads, tuning.threads_at_barrier, most_threads_at_barrier}));
   }
   /// All buffers have been given back by now; what is still to do with them is waited for.
   ~Cuda_executor() { ignore(cudaStreamSynchronize(stream_)); }
@@ -145,36 +145,23 @@ public:
            for_each_of_kernel<Function>, n, limit, f);
   }
 
-  /// runs a program of many steps, see `run_steps()`: in one kernel with a barrier of the grid
-  /// after each step, or in a graph with a node that repeats two kernels while the second says so.
-  /// The fewer blocks meet at a barrier, the faster it is: there are as many as the expected number
-  /// of items in a step needs.
+  /// runs a program of many steps, see `run_steps()`, in one kernel with a barrier of the grid
+  /// after each step. There are as many threads as the expected number of items in a step needs.
   template <typename Program> void run(const Program& program, std::size_t expected_items) {
-    if(tuning_.repeats_in_graph)
-      return run_graph(program);
-    int blocks = 0;
-    check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, run_kernel<Program>,
-                                                        threads_per_block_, 0),
-          "asking for the occupancy");
-    const std::size_t wanted = expected_items / (std::size_t(number_of_multiprocessors_) *
-                                                 std::size_t(threads_per_block_)) +
-                               1;
-    blocks = static_cast<int>(
-        std::min({wanted, std::size_t(blocks), std::size_t(tuning_.blocks_per_multiprocessor)}));
-    start({blocks * number_of_multiprocessors_, threads_per_block_, true}, run_kernel<Program>,
-          program);
+    const std::size_t wanted = std::max(expected_items / number_of_multiprocessors_ + warp_size,
+                                        std::size_t(fewest_threads_at_barrier));
+    const int threads =
+        whole_warps(static_cast<int>(std::min(wanted, std::size_t(threads_at_barrier_))));
+    start({number_of_multiprocessors_, threads, true}, run_kernel<Program>, program);
   }
 
   /// the kernels run so far, if they are timed.
   const std::map<std::string, Kernel_cost>& kernels() const { return kernels_; }
 
 private:
-  template <typename Program> void run_graph(const Program& program) {
-    const Buffer<typename Program::State> state = make<typename Program::State>(1);
-    const Step_graph<Program> graph(program, state.span().data(), static_cast<int>(largest_grid()),
-                                    threads_per_block_);
-    check(cudaGraphLaunch(graph.get(), stream_), "starting the steps of a field");
-    check(cudaStreamSynchronize(stream_), "running on the device"); // the graph ends here
+  // A block has less than a warp or whole ones.
+  static int whole_warps(int threads) {
+    return threads > int(warp_size) ? threads - threads % int(warp_size) : threads;
   }
 
   static void ask(cudaDeviceAttr attribute, int device, int& value) {
@@ -228,7 +215,7 @@ private:
   Tuning tuning_;
   std::map<std::string, Kernel_cost> kernels_;
   int number_of_multiprocessors_ = 0;
-  int threads_per_block_ = 0;
+  int threads_per_block_ = 0, threads_at_barrier_ = 0;
 };
 
 } // namespace htl_cuda

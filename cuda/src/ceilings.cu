@@ -71,18 +71,6 @@ double seconds_per_step(Cuda_executor& executor, cudaStream_t stream) {
   return seconds_of(stream, [&] { executor.run(Nothing{number_of_tries}, 0); }) / number_of_tries;
 }
 
-// Zero where the driver is older than graphs that repeat a part of themselves.
-double seconds_per_graph_step(int device, cudaStream_t stream) {
-  Tuning tuning;
-  tuning.repeats_in_graph = true;
-  Cuda_executor executor(device, stream, tuning);
-  try {
-    return seconds_per_step(executor, stream);
-  } catch(const CGAL::Handle_tunnel_loops::Device_exception&) {
-    return 0.;
-  }
-}
-
 std::string version_of(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
 }
@@ -124,7 +112,6 @@ Ceilings measure_ceilings(int device) {
                                            }) /
                                 number_of_tries;
   ceilings.seconds_per_step = seconds_per_step(executor, stream.get());
-  ceilings.seconds_per_graph_step = seconds_per_graph_step(device, stream.get());
   return ceilings;
 }
 

@@ -109,15 +109,15 @@ TEST_P(Device_passes, DoNotDependOnTheMemory) {
   const std::vector<Found_walks> all = expected.search(search, k, go_on);
   EXPECT_EQ(expected.costs().largest_batch, contours.size());
   std::size_t number_of_batches = 0;
-  for(const std::size_t mib : {2, 3}) {
-    Host_executor small(GetParam(), mib << 20);
+  for(const std::size_t kib : {1500, 2000}) {
+    Host_executor small(GetParam(), kib << 10);
     Solver solver(small, mesh);
     const std::vector<Found_walks> found = solver.search(search, k, go_on);
     ASSERT_EQ(found.size(), all.size());
     for(std::size_t i = 0; i < all.size(); ++i)
       EXPECT_EQ(found[i].walks, all[i].walks);
     number_of_batches += solver.costs().number_of_batches;
-    EXPECT_LE(solver.costs().largest_bytes, mib << 20);
+    EXPECT_LE(solver.costs().largest_bytes, kib << 10);
   }
   EXPECT_GT(number_of_batches, 4u);
 }

@@ -74,9 +74,6 @@ TEST_F(Gpu, AgreesWithTheHostOnSmoothSurfaces) {
     const auto solver = make_cuda_solver(mesh, {});
     const Index seed = static_cast<Index>(mesh.number_of_vertices() / 2);
     expect_agreement(*solver, mesh, seed, {});
-    device::Tuning in_graph;
-    in_graph.repeats_in_graph = true;
-    expect_agreement(*make_cuda_solver(mesh, {}, in_graph), mesh, seed, {});
   }
 }
 

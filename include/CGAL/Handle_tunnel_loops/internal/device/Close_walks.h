@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Meetings.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Walls.h>
-#include <CGAL/Handle_tunnel_loops/internal/steepest_descent.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -26,24 +25,31 @@ struct Found_walk
 {
   Index pass;
   Index rank; ///< among those of the pass
-  Index begin, size;
+  std::uint64_t begin;
+  Index size;
 };
 
-/// Where walks are written.
+/// How much was found. More than there is room for is counted, too.
+struct Walk_counters
+{
+  std::uint64_t vertices;
+  Index walks;
+  Index lost; ///< that did not come back to their loop
+};
+
+/// Where the walks that are found go.
 struct Walk_list
 {
   Span<Found_walk> walks;
-  Index* number_of_walks;
   Span<Index> vertices;
-  Index* number_of_vertices;
-  Index* number_of_lost_walks; ///< that did not come back to their loop
+  Walk_counters* counters;
 };
 
 /*!
 Closes walks at the meetings of a pass, for one thread per pass, as `Loop_pass` does: the best
 meeting of each step first, none that continues an earlier one, none whose walk crosses the loop
-other than once or another wall. From a meeting the way goes back to either side, down the steepest
-edges, and along the left side of the loop, the short way, to where it began.
+other than once or another wall. From a meeting the way goes back to either side, as noted, and
+along the left side of the loop, the short way, to where it began.
 */
 template <typename Region> class Close_walks
 {
@@ -117,44 +123,21 @@ private:
     return true;
   }
 
-  // The next cell on the way back. Each walk is gone twice, and walks come together: the way is
-  // noted.
-  CGAL_HTL_NO_INLINE CGAL_HTL_HOST_DEVICE Located_cell back(const Located_cell& c) const {
-    std::uint32_t& state = field_.arrays().state[c.cell];
-    const Ring ring = region().mesh().ring(c.vertex);
-    if(state >> first_bit_of_way_back == 0)
-      state |= (ring.position(vertex_down(c)) + 1) << first_bit_of_way_back;
-    const Index position = (state >> first_bit_of_way_back) - 1;
-    if(position == ring.size())
-      return {no_index, no_index, c.pass};
-    return {region().find(c, ring[position]), ring[position], c.pass};
-  }
-
-  CGAL_HTL_HOST_DEVICE Index vertex_down(const Located_cell& c) const {
-    const std::uint32_t side = field_.side(c.cell);
-    return steepest_descent(
-        region().mesh(), c.vertex,
-        [&](Index u) {
-          const Index neighbor = region().find(c, u);
-          return neighbor == no_index ? never : field_.time(neighbor);
-        },
-        [&](Index u) {
-          return field_.side(region().find(c, u)) == side && !region().is_wall(c, u);
-        });
-  }
-
-  // The way back from a vertex: calls `f` for each vertex of it, and returns its last vertex. It
-  // goes down, so it ends: at time zero, or, which would be an error, where there is no way down.
+  // The way back from a vertex: calls `f` for each cell of it, and returns its last vertex.
   template <typename Function>
   CGAL_HTL_HOST_DEVICE Index go_back(Index pass, Index v, const Function& f) const {
-    Located_cell c = {region().find_in_pass(pass, v), v, pass};
-    f(v);
-    while(c.cell != no_index && field_.time(c.cell) != 0) {
-      c = back(c);
-      f(c.vertex);
+    Index cell = region().find_in_pass(pass, v);
+    f(cell);
+    CGAL_HTL_NO_UNROLL
+    for(Index next = back(cell); next != no_index; next = back(cell)) {
+      cell = next;
+      f(cell);
     }
-    return c.vertex;
+    return vertex(cell);
   }
+
+  CGAL_HTL_HOST_DEVICE Index back(Index cell) const { return field_.arrays().back[cell]; }
+  CGAL_HTL_HOST_DEVICE Index vertex(Index cell) const { return region().located(cell).vertex; }
 
   // Whether there is a walk, which is then written.
   CGAL_HTL_HOST_DEVICE bool close(const Meeting& meeting, Index rank) const {
@@ -163,16 +146,16 @@ private:
     const Index right = go_back(meeting.pass, meeting.right, [&](Index) { ++to_right; });
     Way_along_loop way = sides_.way_along(meeting.pass);
     if(!way.find(&Crossing::left, left, &Crossing::right, right)) {
-      fetch_add(*out_.number_of_lost_walks, 1);
+      fetch_add(out_.counters->lost, Index(1));
       return false;
     }
     if(!is_dual(region().loop(meeting.pass), way, right))
       return false;
     way.for_each([&](const Crossing&) { ++along; });
     const Index size = to_right + to_left + along;
-    const Index begin = fetch_add(*out_.number_of_vertices, size);
-    const Index place = next_place(*out_.number_of_walks);
-    if(std::size_t(begin) + size > out_.vertices.size() || place >= out_.walks.size()) {
+    const std::uint64_t begin = fetch_add(out_.counters->vertices, std::uint64_t(size));
+    const Index place = next_place(out_.counters->walks);
+    if(begin + size > out_.vertices.size() || place >= out_.walks.size()) {
       region().starve(meeting.pass);
       return true;
     }
@@ -182,11 +165,11 @@ private:
   }
 
   CGAL_HTL_HOST_DEVICE void
-  write(const Meeting& meeting, const Way_along_loop& way, Index middle) const {
+  write(const Meeting& meeting, const Way_along_loop& way, std::uint64_t middle) const {
     Index* before = out_.vertices.data() + middle;
     Index* after = before;
-    go_back(meeting.pass, meeting.right, [&](Index v) { *--before = v; });
-    go_back(meeting.pass, meeting.left, [&](Index v) { *after++ = v; });
+    go_back(meeting.pass, meeting.right, [&](Index cell) { *--before = vertex(cell); });
+    go_back(meeting.pass, meeting.left, [&](Index cell) { *after++ = vertex(cell); });
     way.for_each([&](const Crossing& c) { *after++ = c.left; });
   }
 

@@ -21,6 +21,21 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
 
+struct Fill_rows
+{
+  Mesh_view mesh;
+  Span<Neighbor_row> rows;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index v) const {
+    const Ring ring = mesh.ring(v);
+    Neighbor_row row;
+    CGAL_HTL_UNROLL
+    for(Index i = 0; i < stencil_width; ++i)
+      row.at[i] = i < ring.size() ? ring[i] : no_index;
+    rows[v] = row;
+  }
+};
+
 /// A mesh in the memory of an executor.
 template <typename Executor> class Device_mesh
 {
@@ -30,15 +45,21 @@ public:
   Device_mesh(Executor& executor, const Mesh_view& host)
       : points_(copy(executor, host.points))
       , row_begin_(copy(executor, host.row_begin))
-      , neighbor_(copy(executor, host.neighbor)) {}
+      , neighbor_(copy(executor, host.neighbor))
+      , rows_(executor.template make<Neighbor_row>(number_of_vertices())) {
+    executor.for_each(number_of_vertices(), Fill_rows{view(), rows_.span()});
+  }
 
   std::size_t number_of_vertices() const { return row_begin_.span().size() - 1; }
 
-  Mesh_view view() const { return {points_.span(), row_begin_.span(), neighbor_.span()}; }
+  Mesh_view view() const {
+    return {points_.span(), row_begin_.span(), neighbor_.span(), rows_.span()};
+  }
 
   static std::size_t bytes(const Mesh_view& host) {
     return host.points.size() * sizeof(double) +
-           (host.row_begin.size() + host.neighbor.size()) * sizeof(Index);
+           (host.row_begin.size() + host.neighbor.size()) * sizeof(Index) +
+           host.number_of_vertices() * sizeof(Neighbor_row);
   }
 
 private:
@@ -48,6 +69,7 @@ private:
 
   Buffer<double> points_;
   Buffer<Index> row_begin_, neighbor_;
+  Buffer<Neighbor_row> rows_;
 };
 
 } // namespace device

@@ -41,6 +41,8 @@ template <typename Executor, typename Loop_set> class Search_batch
 {
   template <typename T> using Buffer = typename Executor::template Buffer<T>;
   using Region = Paged_region<Loop_set>;
+  using Page = typename Region::Page;
+  using Banded_cell = typename Region::Banded_cell;
 
 public:
   static constexpr Index page_size = Region::page_size;
@@ -48,14 +50,19 @@ public:
   /// How much memory is taken.
   struct Room
   {
-    std::size_t number_of_pages; ///< a power of two
-    std::size_t walk_size;       ///< of the walks in multiples of the loops
+    std::size_t number_of_pages;
+    std::size_t walk_size; ///< of the walks in multiples of the loops
   };
 
   /// the bytes of a page and its share of everything that grows with the pages.
   static constexpr std::size_t bytes_per_page =
-      sizeof(std::uint64_t) + Region::page_size * (2 * sizeof(float) + sizeof(Time) +
-                                                   sizeof(std::uint32_t) + 3 * sizeof(Index));
+      sizeof(Page) + page_size * (2 * sizeof(float) + sizeof(Time) + sizeof(std::uint32_t) +
+                                  2 * sizeof(Banded_cell) + 2 * sizeof(Index));
+
+  /// of the directory.
+  static std::size_t bytes_per_pass(std::size_t number_of_vertices) {
+    return rows_per_pass(number_of_vertices) * sizeof(Index);
+  }
 
   Search_batch(Executor& executor,
                const Mesh_view& mesh,
@@ -69,15 +76,19 @@ public:
       , number_of_passes_(sides.loops.size())
       , sides_(executor, sides)
       , loops_(uploaded(executor, sides.loops))
-      , keys_(filled(executor, room.number_of_pages, Region::no_page))
+      , directory_(filled(executor,
+                          number_of_passes_ * rows_per_pass(mesh.number_of_vertices()),
+                          Index(Region::no_page)))
+      , pages_(executor.template make<Page>(room.number_of_pages))
       , number_of_pages_(filled(executor, 1, Index(0)))
       , is_starved_(filled(executor, number_of_passes_, std::uint32_t(0)))
       , values_{filled(executor, cells(room), 0.f), filled(executor, cells(room), 0.f)}
       , time_(filled(executor, cells(room), never))
       , state_(filled(executor, cells(room), std::uint32_t(0)))
-      , bands_{executor.template make<Index>(cells(room)),
-               executor.template make<Index>(cells(room))}
+      , bands_{executor.template make<Banded_cell>(cells(room)),
+               executor.template make<Banded_cell>(cells(room))}
       , reached_(executor.template make<Index>(cells(room)))
+      , back_(filled(executor, cells(room), no_index))
       , progress_{filled(executor, number_of_passes_, Time(0)),
                   filled(executor, number_of_passes_, Time(0))}
       , last_step_(uploaded(executor, sides.last_steps))
@@ -92,17 +103,18 @@ public:
       , walks_(filled(executor, number_of_passes_ * wanted_walks, Found_walk{no_index, 0, 0, 0}))
       , walk_vertices_(executor.template make<Index>(
             room.walk_size * wanted_walks * (sides.crossings.size() + 16 * number_of_passes_)))
-      , walk_counters_(filled(executor, 3, Index(0)))
+      , walk_counters_(filled(executor, 1, Walk_counters()))
       , field_(Region(mesh,
                       walls,
-                      {keys_.span(), number_of_pages_.span().data(),
-                       static_cast<Index>(room.number_of_pages / 2), loops_.span(),
-                       is_starved_.span()}),
+                      {directory_.span(),
+                       static_cast<Index>(rows_per_pass(mesh.number_of_vertices())), pages_.span(),
+                       number_of_pages_.span().data(), loops_.span(), is_starved_.span()}),
                {{values_[0].span(), values_[1].span()},
                 time_.span(),
                 state_.span(),
                 {bands_[0].span(), bands_[1].span()},
                 reached_.span(),
+                back_.span(),
                 {{progress_[0].span(), progress_[1].span()},
                  last_step_.span(),
                  {band_changes_[0].span(), band_changes_[1].span(), band_changes_[2].span()},
@@ -112,15 +124,18 @@ public:
                 control_.span().data()}) {}
 
   /// runs the passes until nothing is left to find. Returns false if the callback says so.
-  bool run(const Step_coefficients& k, Time steps_per_look, const Callback& callback) {
+  bool run(const Step_coefficients& k, const Tuning& tuning, const Callback& callback) {
     start();
     close_walks();
-    for(Time pause = steps_per_look; control().state.band_size != 0; pause += steps_per_look) {
+    while(seen_.state.next_list_size != 0) {
       if(!callback(0.))
         return false;
-      executor_.run(Field_steps<Region>(field_, k, no_index, pause),
-                    number_of_passes_ + seen_.state.band_size);
-      note_meetings();
+      const Time now = seen_.state.step;
+      executor_.run(Field_steps<Region>(field_, k,
+                                        {no_index, now + tuning.steps_per_look,
+                                         now + tuning.steps_per_look_if_met}),
+                    number_of_passes_ + seen_.state.next_list_size);
+      look_at_reached();
       close_walks();
     }
     return true;
@@ -130,11 +145,12 @@ public:
 
   /// what was found by each of the passes that are not starved.
   std::vector<Found_walks> found() {
-    const std::vector<Index> counters = downloaded(executor_, walk_counters_);
-    if(counters[2] != 0)
+    const Walk_counters counters = downloaded(executor_, walk_counters_)[0];
+    if(counters.lost != 0)
       throw Device_exception("the way back from a meeting of two fronts is lost");
-    std::vector<Found_walk> walks((std::min<std::size_t>)(counters[0], walks_.span().size()));
-    std::vector<Index> vertices((std::min<std::size_t>)(counters[1], walk_vertices_.span().size()));
+    std::vector<Found_walk> walks((std::min<std::size_t>)(counters.walks, walks_.span().size()));
+    std::vector<Index> vertices(
+        (std::min<std::size_t>)(counters.vertices, walk_vertices_.span().size()));
     executor_.download(walks.data(), Span<Found_walk>(walks_.span().data(), walks.size()));
     executor_.download(vertices.data(), Span<Index>(walk_vertices_.span().data(), vertices.size()));
     std::sort(walks.begin(), walks.end(), [](const Found_walk& a, const Found_walk& b) {
@@ -157,7 +173,10 @@ public:
   const Field_control& control() const { return seen_; }
 
 private:
-  static std::size_t cells(const Room& room) { return room.number_of_pages * Region::page_size; }
+  static std::size_t cells(const Room& room) { return room.number_of_pages * page_size; }
+  static std::size_t rows_per_pass(std::size_t number_of_vertices) {
+    return (number_of_vertices + page_size - 1) / page_size;
+  }
 
   Meeting_list meeting_list() const {
     return {meetings_.span(), &control_.span().data()->number_of_meetings};
@@ -176,18 +195,18 @@ private:
       make(Round::RIGHT_AGAIN);
       make(Round::MEETINGS);
     });
-    seen_.state.band_size = seen_.counters.band_size[1];
+    seen_.state.next_list_size = seen_.counters.added[0].value;
   }
 
   void look() { executor_.download(&seen_, control_.span()); }
 
-  void note_meetings() {
-    Index& reached_size = control_.span().data()->counters.reached_size;
+  void look_at_reached() {
+    Index& reached = control_.span().data()->counters.reached.value;
     note([&] {
-      executor_.for_each_of(&reached_size, reached_.span().size(),
-                            Note_late_meetings<Region>{field_, meeting_list()});
+      executor_.for_each_of(&reached, reached_.span().size(),
+                            Look_at_reached<Region>{field_, meeting_list()});
     });
-    clear(reached_size);
+    clear(reached);
   }
 
   // Calls `f`, which notes meetings, once more if there was no room for all of them.
@@ -211,8 +230,7 @@ private:
     const Buffer<Index> begins = uploaded(executor_, sort_meetings());
     const typename Close_walks<Region>::Passes passes = {begins.span(), numbers_of_walks_.span(),
                                                          wanted_walks_};
-    const Walk_list out = {walks_.span(), walk_counters_.span().data(), walk_vertices_.span(),
-                           walk_counters_.span().data() + 1, walk_counters_.span().data() + 2};
+    const Walk_list out = {walks_.span(), walk_vertices_.span(), walk_counters_.span().data()};
     executor_.for_each(number_of_passes_,
                        Close_walks<Region>(field_, sides_.view(), meetings_.span(), passes, out));
     clear(control_.span().data()->number_of_meetings);
@@ -236,13 +254,15 @@ private:
   std::size_t number_of_passes_;
   Device_sides<Executor> sides_;
   Buffer<Index> loops_;
-  Buffer<std::uint64_t> keys_;
+  Buffer<Index> directory_;
+  Buffer<Page> pages_;
   Buffer<Index> number_of_pages_;
   Buffer<std::uint32_t> is_starved_;
   Buffer<float> values_[2];
   Buffer<Time> time_;
   Buffer<std::uint32_t> state_;
-  Buffer<Index> bands_[2], reached_;
+  Buffer<Banded_cell> bands_[2];
+  Buffer<Index> reached_, back_;
   Buffer<Time> progress_[2], last_step_;
   Buffer<Index> band_changes_[3], band_sizes_;
   Buffer<std::uint64_t> updates_;
@@ -250,7 +270,8 @@ private:
   Buffer<Meeting> meetings_;
   Buffer<Index> numbers_of_walks_;
   Buffer<Found_walk> walks_;
-  Buffer<Index> walk_vertices_, walk_counters_;
+  Buffer<Index> walk_vertices_;
+  Buffer<Walk_counters> walk_counters_;
   Field<Region> field_;
   Field_control seen_;
 };
@@ -274,7 +295,7 @@ public:
       : executor_(executor)
       , mesh_(mesh)
       , host_mesh_(host_mesh)
-      , steps_per_look_(tuning.steps_per_look)
+      , tuning_(tuning)
       , costs_(costs) {}
 
   std::vector<Found_walks>
@@ -286,8 +307,8 @@ public:
     std::vector<Found_walks> found(number);
     std::vector<Index> pending(number); // positions in the list of numbers
     std::iota(pending.begin(), pending.end(), Index(0));
-    Room room = first_room(number);
-    std::size_t in_flight = number;
+    std::size_t in_flight = first_in_flight(number);
+    Room room = first_room(in_flight);
     while(!pending.empty()) {
       const std::size_t size = (std::min)(in_flight, pending.size());
       const std::vector<Index> now(pending.begin(), pending.begin() + size);
@@ -313,21 +334,13 @@ public:
   /// goes.
   static std::size_t bytes(std::size_t number_of_vertices) {
     return pages_of_one_pass(number_of_vertices) * Batch::bytes_per_page +
-           number_of_vertices * sizeof(Index) + 2 * reserve(number_of_vertices);
+           Batch::bytes_per_pass(number_of_vertices) + number_of_vertices * sizeof(Index) +
+           2 * reserve(number_of_vertices);
   }
 
 private:
-  static constexpr std::size_t smallest_number_of_pages = 256;
-
-  // Cells are numbered by 32 bits.
-  static constexpr std::size_t largest_number_of_pages = std::size_t(1) << 27;
-
-  // The table may become half full.
   static std::size_t pages_of_one_pass(std::size_t number_of_vertices) {
-    std::size_t pages = smallest_number_of_pages;
-    while(pages < 2 * (number_of_vertices / Batch::page_size + 2))
-      pages *= 2;
-    return pages;
+    return number_of_vertices / Batch::page_size + 1;
   }
 
   // What is left to all that is not in proportion to the pages.
@@ -335,34 +348,39 @@ private:
     return (std::size_t(1) << 19) + 16 * number_of_vertices;
   }
 
-  bool fits(std::size_t number_of_pages, std::size_t free_bytes) const {
-    return number_of_pages <= largest_number_of_pages &&
-           number_of_pages * Batch::bytes_per_page + reserve(mesh_.number_of_vertices()) <=
-               free_bytes;
+  // The directories of the passes may take a quarter of the memory.
+  std::size_t first_in_flight(std::size_t number_of_passes) const {
+    const std::size_t most =
+        executor_.free_bytes() / 4 / Batch::bytes_per_pass(mesh_.number_of_vertices());
+    return (std::max)(std::size_t(1), (std::min)(most, number_of_passes));
+  }
+
+  // The pages that there is memory for beside so many passes. Cells are numbered by 32 bits.
+  std::size_t most_pages(std::size_t in_flight) const {
+    const std::size_t n = mesh_.number_of_vertices(), free = executor_.free_bytes();
+    const std::size_t taken = reserve(n) + in_flight * Batch::bytes_per_pass(n);
+    return (std::min)((free - (std::min)(free, taken)) / Batch::bytes_per_page,
+                      std::size_t(no_index / Batch::page_size));
   }
 
   // At first the passes may cover the mesh eight times over, as far as the memory allows; a few
   // passes cannot cover it more often than there are passes.
-  Room first_room(std::size_t number_of_passes) const {
-    const std::size_t covers = (std::min)(number_of_passes, std::size_t(8));
+  Room first_room(std::size_t in_flight) const {
+    const std::size_t covers = (std::min)(in_flight, std::size_t(8));
     const std::size_t pages =
-        2 * (covers * (mesh_.number_of_vertices() / Batch::page_size + 1) + 16 * number_of_passes);
-    const std::size_t free_bytes = executor_.free_bytes();
-    Room room = {smallest_number_of_pages, 2};
-    while(room.number_of_pages < pages && fits(2 * room.number_of_pages, free_bytes))
-      room.number_of_pages *= 2;
-    return room;
+        covers * pages_of_one_pass(mesh_.number_of_vertices()) + 16 * in_flight;
+    return {(std::min)(pages, most_pages(in_flight)), 2};
   }
 
   // After a batch in which some passes found no room: for their pages, or for their walks.
   void make_room(Room& room, std::size_t& in_flight, std::size_t tried, std::size_t starved) const {
-    const bool may_grow = fits(2 * room.number_of_pages, executor_.free_bytes());
-    if(!may_grow && tried == 1 && room.walk_size > mesh_.number_of_vertices())
+    const std::size_t pages = (std::min)(2 * room.number_of_pages, most_pages(tried));
+    if(pages <= room.number_of_pages && tried == 1 && room.walk_size > mesh_.number_of_vertices())
       throw Out_of_device_memory_exception(2 * room.number_of_pages * Batch::bytes_per_page,
                                            executor_.free_bytes());
     room.walk_size *= 2;
-    if(may_grow)
-      room.number_of_pages *= 2;
+    if(pages > room.number_of_pages)
+      room.number_of_pages = pages;
     else
       in_flight = (std::max<std::size_t>)(1, (std::min)(tried - starved, tried / 2));
   }
@@ -383,7 +401,7 @@ private:
     costs_.largest_bytes = (std::max)(costs_.largest_bytes, executor_.bytes_in_use());
     costs_.largest_batch = (std::max)(costs_.largest_batch, loops.size());
     ++costs_.number_of_batches;
-    if(!batch.run(k, steps_per_look_, callback))
+    if(!batch.run(k, tuning_, callback))
       throw Interrupted_exception();
     costs_.number_of_updates += batch.control().state.number_of_updates;
     costs_.number_of_steps += batch.control().state.step;
@@ -401,7 +419,7 @@ private:
   Executor& executor_;
   const Device_mesh<Executor>& mesh_;
   const Flat_mesh& host_mesh_;
-  Time steps_per_look_;
+  Tuning tuning_;
   Costs& costs_;
 };
 

@@ -51,9 +51,9 @@ struct Start_field
     const Source& source = sources[i];
     const Located_cell cell = field.region().located(source.vertex);
     if(round == Round::BAND)
-      field.activate_neighbors(cell, 1);
+      Neighbors<Whole_mesh>(field, cell).activate(Field_state());
     else if(field.add_source(cell, source.time, 0))
-      fetch_add(field.arrays().control->state.number_of_reached, 1);
+      fetch_add(field.arrays().control->state.number_of_reached, Index(1));
   }
 };
 
@@ -142,7 +142,7 @@ private:
     const Buffer<Time> progress[2] = {filled(executor_, 1, Time(0)), filled(executor_, 1, Time(0))};
     const Buffer<Time> last_step = filled(executor_, 1, never);
     const Buffer<Field_control> control = filled(executor_, 1, Field_control());
-    Field_arrays arrays = {};
+    Field<Whole_mesh>::Arrays arrays = {};
     arrays.value[0] = values[0].span();
     arrays.value[1] = values[1].span();
     arrays.time = time_.span();
@@ -174,7 +174,8 @@ private:
     Time pause = 0;
     do {
       pause += steps_per_run_;
-      executor_.run(Field_steps<Whole_mesh>(field, k, n, pause), control.state.band_size);
+      executor_.run(Field_steps<Whole_mesh>(field, k, {n, pause, pause}),
+                    control.state.next_list_size);
       executor_.download(&control, Span<Field_control>(field.arrays().control, 1));
       if(!callback(double(control.state.number_of_reached) / double(n)))
         throw Interrupted_exception();

@@ -23,27 +23,51 @@ namespace internal {
 namespace device {
 
 /// The states of a cell: in the band now or before; reached from the right; marked; and, of an
-/// active one, whether there may be walls beside it. Above them, once a walk has come by, the way
-/// back: one more than the position of the next vertex in the ring.
+/// active one, whether there may be walls beside it.
 constexpr std::uint32_t cell_is_active = 1, cell_is_right = 2, cell_is_marked = 4,
-                        cell_may_have_walls = 8, first_bit_of_way_back = 8;
+                        cell_may_have_walls = 8;
 
-/// Counters of the steps. What one step writes is read after its barrier and cleared two steps
-/// later, so there are three of each.
+/// So many steps a cell keeps its place in the list of the band. Then a new list is made, without
+/// those that have left the band.
+constexpr Time steps_per_list = 16;
+
+CGAL_HTL_HOST_DEVICE inline bool is_end_of_list(Time step) { return step % steps_per_list == 0; }
+
+/// which of the two lists a step works on, from step 1 on.
+CGAL_HTL_HOST_DEVICE inline Index list_of_step(Time step) {
+  return (step + steps_per_list - 1) / steps_per_list % 2;
+}
+
+/// What a step counts. It is read after its barrier and cleared two steps later, so there are three
+/// of each; each in a cache line of its own.
 struct Step_counters
 {
-  Index band_size[3];          ///< of the list that is worked on in a step
-  Index number_of_arrivals[3]; ///< in a step
-  Index reached_size;          ///< of `Field_arrays::reached`
+  struct alignas(128) Counter
+  {
+    Index value;
+  };
+  Counter added[3]; ///< to the list of the next step
+  Counter left[3];  ///< the band
+  Counter arrivals[3];
+  Counter meetings[3]; ///< of fronts from different sides; some are not counted
+  Counter reached;     ///< in `Field_arrays::reached`
 };
 
-/// How far the steps have come.
+/// How far the steps have come; all threads know it.
 struct Field_state
 {
   Time step;
-  Index band_size;
+  Index list_size;      ///< in this step
+  Index number_of_dead; ///< that have left the band, but not the list
+  Index next_list_size; ///< after this step
   Index number_of_reached;
+  std::uint32_t has_met; ///< whether a meeting was counted in this run
   std::uint64_t number_of_updates;
+
+  /// where what is added to the list of the next step has its places.
+  CGAL_HTL_HOST_DEVICE Index first_free_place() const {
+    return is_end_of_list(step) ? 0 : list_size;
+  }
 };
 
 /// All that the host looks at between runs.
@@ -70,13 +94,14 @@ The field of `Narrow_band` for many threads: all its values and times, and the l
 that may change. A step reads the values of the last one and writes beside them, so that one barrier
 is enough. What leaves the band, having come to one, is written once more to have both values agree.
 */
-struct Field_arrays
+template <typename Banded_cell> struct Field_arrays
 {
   Span<float> value[2]; ///< after even and after odd steps
   Span<Time> time;
   Span<std::uint32_t> state;
-  Span<Index> band[2]; ///< worked on in even and in odd steps
+  Span<Banded_cell> band[2];
   Span<Index> reached; ///< cells in the order in which they were reached; or empty
+  Span<Index> back;    ///< the next cell on the way back, `no_index` at sources; or empty
   Pass_arrays passes;
   Field_control* control;
 };
@@ -85,78 +110,61 @@ struct Field_arrays
 template <typename Region> class Field
 {
 public:
-  Field(const Region& region, const Field_arrays& arrays)
+  using Banded_cell = typename Region::Banded_cell;
+  using Arrays = Field_arrays<Banded_cell>;
+
+  Field(const Region& region, const Arrays& arrays)
       : region_(region)
       , arrays_(arrays) {}
 
   CGAL_HTL_HOST_DEVICE const Region& region() const { return region_; }
-  CGAL_HTL_HOST_DEVICE const Field_arrays& arrays() const { return arrays_; }
+  CGAL_HTL_HOST_DEVICE const Arrays& arrays() const { return arrays_; }
 
   CGAL_HTL_HOST_DEVICE Time time(Index cell) const { return racy_load(arrays_.time[cell]); }
   CGAL_HTL_HOST_DEVICE bool is_reached(Index cell) const { return time(cell) != never; }
   CGAL_HTL_HOST_DEVICE std::uint32_t side(Index cell) const {
     return racy_load(arrays_.state[cell]) & cell_is_right;
   }
-
   CGAL_HTL_HOST_DEVICE bool may_have_walls(Index cell) const {
     return region_.has_walls() && (racy_load(arrays_.state[cell]) & cell_may_have_walls) != 0;
   }
 
-  /// calls `f(u, cell of u)` for each neighbour that no wall parts from the cell, which is active;
-  /// the second argument is `no_index` where the field has not been.
-  template <typename Function>
-  CGAL_HTL_HOST_DEVICE void for_each_neighbor(const Located_cell& c, const Function& f) const {
-    const Ring ring = region_.mesh().ring(c.vertex);
-    const bool has_walls = may_have_walls(c.cell);
-    CGAL_HTL_NO_UNROLL
-    for(Index i = 0; i < ring.size(); ++i)
-      if(!has_walls || !region_.is_wall(c, ring[i]))
-        f(ring[i], region_.find(c, ring[i]));
-  }
-
-  /// puts the neighbours of a cell into the band of the given step, and into the field if they are
-  /// new there.
-  CGAL_HTL_HOST_DEVICE void activate_neighbors(const Located_cell& c, Time step) const {
-    const Ring ring = region_.mesh().ring(c.vertex);
-    const bool has_walls = may_have_walls(c.cell);
-    CGAL_HTL_NO_UNROLL
-    for(Index i = 0; i < ring.size(); ++i) {
-      if(has_walls && region_.is_wall(c, ring[i]))
-        continue;
-      const Index u = region_.insert(c, ring[i]);
-      if(u != no_index && activate({u, ring[i], c.pass}, 0)) {
-        append_to_band(u, step);
-        change_band_size(c.pass, step - 1, 1);
-      }
-    }
-  }
-
-  /// puts those of the given cells of a pass that are new into the field and into the band of the
-  /// given step; some may be `no_index`.
+  /// puts those of the given cells of a pass that are new into the field, and into the band from
+  /// the next step on; some may be `no_index`.
   CGAL_HTL_HOST_DEVICE void activate(const Index (&cells)[stencil_width],
                                      const Index (&vertices)[stencil_width],
                                      Index pass,
-                                     Time step) const {
+                                     const Field_state& now) const {
     std::uint32_t states[stencil_width]; // before
+    std::uint32_t walls[stencil_width];
     CGAL_HTL_UNROLL
-    for(Index i = 0; i < stencil_width; ++i)
+    for(Index i = 0; i < stencil_width; ++i) {
       states[i] = cells[i] == no_index ? cell_is_active : racy_load(arrays_.state[cells[i]]);
+      walls[i] = cells[i] != no_index && region_.may_have_walls(vertices[i], false)
+                     ? cell_may_have_walls
+                     : 0u;
+    }
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
-      if((states[i] & cell_is_active) == 0)
-        states[i] = make_active({cells[i], vertices[i], pass}, 0);
+      if((states[i] & cell_is_active) == 0) // another thread may be faster
+        states[i] = fetch_or(arrays_.state[cells[i]], cell_is_active | walls[i]);
     Index number = 0;
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
       number += (states[i] & cell_is_active) == 0 ? 1 : 0;
     if(number == 0)
       return;
-    Index place = fetch_add(arrays_.control->counters.band_size[step % 3], number);
+    Index place = now.first_free_place() + fetch_add(counters().added[now.step % 3].value, number);
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
       if((states[i] & cell_is_active) == 0)
-        arrays_.band[step % 2][place++] = cells[i];
-    change_band_size(pass, step - 1, static_cast<int>(number));
+        next_list(now)[place++] = Region::banded({cells[i], vertices[i], pass});
+    change_band_size(pass, now.step, static_cast<int>(number));
+  }
+
+  /// takes a cell over into a new list.
+  CGAL_HTL_HOST_DEVICE void keep(const Located_cell& c, const Field_state& now) const {
+    next_list(now)[next_place(counters().added[now.step % 3].value)] = Region::banded(c);
   }
 
   /// notes that the band of a pass has become larger or smaller in a step.
@@ -166,14 +174,12 @@ public:
       fetch_add(changes[pass], static_cast<Index>(change));
   }
 
-  CGAL_HTL_HOST_DEVICE void append_to_band(Index cell, Time step) const {
-    arrays_.band[step % 2][next_place(arrays_.control->counters.band_size[step % 3])] = cell;
-  }
-
   /// makes a cell a source: its value is one for ever. Returns false if it is one already; only
   /// sources of one side may be added at a time.
   CGAL_HTL_HOST_DEVICE bool add_source(const Located_cell& c, Time time, std::uint32_t side) const {
-    if(!activate(c, side))
+    const std::uint32_t walls = region_.may_have_walls(c.vertex, true) ? cell_may_have_walls : 0u;
+    if((racy_load(arrays_.state[c.cell]) & cell_is_active) != 0 ||
+       (fetch_or(arrays_.state[c.cell], cell_is_active | side | walls) & cell_is_active) != 0)
       return false;
     arrays_.value[0][c.cell] = arrays_.value[1][c.cell] = 1.f;
     racy_store(arrays_.time[c.cell], time);
@@ -181,20 +187,13 @@ public:
   }
 
 private:
-  // Returns the state before: another thread may have been faster.
-  CGAL_HTL_HOST_DEVICE std::uint32_t make_active(const Located_cell& c, std::uint32_t side) const {
-    const std::uint32_t walls = region_.may_have_walls(c) ? cell_may_have_walls : 0u;
-    return fetch_or(arrays_.state[c.cell], cell_is_active | side | walls);
-  }
-
-  // Returns false if the cell is active already.
-  CGAL_HTL_HOST_DEVICE bool activate(const Located_cell& c, std::uint32_t side) const {
-    return (racy_load(arrays_.state[c.cell]) & cell_is_active) == 0 &&
-           (make_active(c, side) & cell_is_active) == 0;
+  CGAL_HTL_HOST_DEVICE Step_counters& counters() const { return arrays_.control->counters; }
+  CGAL_HTL_HOST_DEVICE const Span<Banded_cell>& next_list(const Field_state& now) const {
+    return arrays_.band[list_of_step(now.step + 1)];
   }
 
   Region region_;
-  Field_arrays arrays_;
+  Arrays arrays_;
 };
 
 } // namespace device

@@ -12,8 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/device/Field.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Loop_sides.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Neighbors.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/way_back.h>
 
 #include <tuple>
 
@@ -52,11 +53,11 @@ struct Meeting_list
 };
 
 template <typename Region>
-CGAL_HTL_HOST_DEVICE void
+CGAL_HTL_NO_INLINE CGAL_HTL_HOST_DEVICE void
 note_meetings(const Field<Region>& field, const Located_cell& c, const Meeting_list& list) {
   const Time time = field.time(c.cell);
   const std::uint32_t side = field.side(c.cell);
-  field.for_each_neighbor(c, [&](Index u, Index neighbor) {
+  Neighbors<Region>(field, c).for_each([&](Index u, Index neighbor) {
     if(neighbor == no_index || field.side(neighbor) == side)
       return;
     // Each edge is noted once, from the end that was reached last.
@@ -70,14 +71,17 @@ note_meetings(const Field<Region>& field, const Located_cell& c, const Meeting_l
   });
 }
 
-/// Looks for meetings at the cells that were reached lately.
-template <typename Region> struct Note_late_meetings
+/// What is noted of a cell that the field has reached since the last look: where it meets others,
+/// and its way back.
+template <typename Region> struct Look_at_reached
 {
   Field<Region> field;
   Meeting_list list;
 
   CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
-    note_meetings(field, field.region().located(field.arrays().reached[i]), list);
+    const Located_cell c = field.region().located(field.arrays().reached[i]);
+    note_meetings(field, c, list);
+    field.arrays().back[c.cell] = way_back(field, c);
   }
 };
 
@@ -102,8 +106,8 @@ template <typename Region> struct Start_passes
     if(left == no_index || right == no_index)
       return; // the pass is starved
     if(round == Round::BAND) {
-      field.activate_neighbors({left, c.left, pass}, 1);
-      field.activate_neighbors({right, c.right, pass}, 1);
+      activate_neighbors({left, c.left, pass});
+      activate_neighbors({right, c.right, pass});
     } else if(round == Round::RIGHT_AGAIN) {
       if(field.side(right) == 0)
         list.append({pass, 0, 0, c.right, c.right});
@@ -114,6 +118,10 @@ template <typename Region> struct Start_passes
   }
 
 private:
+  CGAL_HTL_NO_INLINE CGAL_HTL_HOST_DEVICE void activate_neighbors(const Located_cell& c) const {
+    Neighbors<Region>(field, c).activate(Field_state());
+  }
+
   CGAL_HTL_HOST_DEVICE void add_source(Index pass, Index v) const {
     const Index cell = field.region().insert_in_pass(pass, v);
     if(cell != no_index)

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Span.h>
+#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
 
 #include <cmath>
 
@@ -22,12 +23,20 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
 
+/// The first neighbours of a vertex, for a thread to load in two pieces; `no_index` beyond the
+/// last.
+struct alignas(32) Neighbor_row
+{
+  Index at[stencil_width];
+};
+
 /// The arrays of a `Flat_mesh`, in the memory of the host or of the device.
 struct Mesh_view
 {
   Span<const double> points; ///< x, y, z of one vertex after the other
   Span<const Index> row_begin;
   Span<const Index> neighbor;
+  Span<const Neighbor_row> rows; ///< by vertex; only in the memory of an executor
 
   CGAL_HTL_HOST_DEVICE Index number_of_vertices() const {
     return static_cast<Index>(row_begin.size() - 1);
@@ -51,7 +60,8 @@ inline Mesh_view view_of(const Flat_mesh& mesh) {
   const double* coordinates = mesh.points.empty() ? nullptr : mesh.points.front().data();
   return {{coordinates, 3 * mesh.points.size()},
           {mesh.row_begin.data(), mesh.row_begin.size()},
-          {mesh.neighbor.data(), mesh.neighbor.size()}};
+          {mesh.neighbor.data(), mesh.neighbor.size()},
+          {}};
 }
 
 } // namespace device

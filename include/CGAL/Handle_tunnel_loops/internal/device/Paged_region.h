@@ -24,24 +24,36 @@ namespace device {
 /*!
 Where many loop passes run at once, each in memory proportional to the region it covers: the
 vertices of the mesh, which are numbered along a space-filling curve, are taken in pages of sixteen,
-and a hash table holds the pages that the passes have come to. A cell is a place in the table, so
-that neighbours are mostly near in memory, and no cell knows more of its vertex than its page does.
+and a pass is given a page of cells when it comes to the first of them. So neighbours are mostly
+near in memory, and a directory of the passes leads from a vertex to its cell in one step.
 */
 template <typename Loop_set> class Paged_region
 {
 public:
   static constexpr Index page_size = 16;
-  static constexpr std::uint64_t no_page = ~std::uint64_t(0);
 
-  /// The arrays of the table.
+  /// In the directory: no page yet, and one that is just being given out.
+  static constexpr Index no_page = no_index, coming_page = no_index - 1;
+
+  /// What a page stands for.
+  struct Page
+  {
+    Index pass, first_vertex;
+  };
+
   struct Table
   {
-    Span<std::uint64_t> keys; ///< pass and page; a power of two of them, first `no_page`
-    Index* number_of_pages;
-    Index limit;                    ///< so many pages may be used
+    Span<Index> directory; ///< by pass and sixteen vertices, a page; at first `no_page`
+    Index number_of_rows;  ///< of the directory, for each pass
+    Span<Page> pages;
+    Index* number_of_pages;         ///< given out
     Span<const Index> loops;        ///< by pass, the number of its loop
     Span<std::uint32_t> is_starved; ///< by pass, whether it found no room
   };
+
+  /// of a cell, all that a list of the band keeps.
+  using Banded_cell = Located_cell;
+  static constexpr bool has_sides = true;
 
   Paged_region(const Mesh_view& mesh, const Walls<Loop_set>& walls, const Table& table)
       : mesh_(mesh)
@@ -53,67 +65,62 @@ public:
   CGAL_HTL_HOST_DEVICE static bool has_walls() { return true; }
   CGAL_HTL_HOST_DEVICE Index loop(Index pass) const { return table_.loops[pass]; }
 
-  /// what a cell stands for: of one that is known since before the last barrier. Who has put it in
-  /// knows, and does not ask.
+  CGAL_HTL_HOST_DEVICE static const Banded_cell& banded(const Located_cell& c) { return c; }
+  CGAL_HTL_HOST_DEVICE static const Located_cell& located(const Banded_cell& c) { return c; }
+
+  /// what a cell stands for: of one that is there since before the last barrier.
   CGAL_HTL_HOST_DEVICE Located_cell located(Index cell) const {
-    const std::uint64_t key = racy_load(table_.keys[cell / page_size]);
-    return {cell, static_cast<Index>(key) * page_size + cell % page_size,
-            static_cast<Index>(key >> 32)};
+    const Page page = table_.pages[cell / page_size];
+    return {cell, page.first_vertex + cell % page_size, page.pass};
   }
 
   /// the cell of vertex `u` in the pass of a cell; `no_index` if the pass has not come near it.
   CGAL_HTL_HOST_DEVICE Index find(const Located_cell& c, Index u) const {
-    return is_in_page(c, u) ? cell_in_page(c, u) : find_in_pass(c.pass, u);
+    return find_in_pass(c.pass, u);
   }
   CGAL_HTL_HOST_DEVICE Index find_in_pass(Index pass, Index u) const {
-    const std::uint64_t key = key_of(pass, u);
-    const std::size_t mask = table_.keys.size() - 1;
-    std::size_t place = scrambled(key) & mask;
-    CGAL_HTL_NO_UNROLL
-    for(Index i = 0; i < longest_run; ++i) {
-      const std::uint64_t present = racy_load(table_.keys[place]);
-      if(present == key)
-        return static_cast<Index>(place) * page_size + u % page_size;
-      if(present == no_page)
-        break;
-      place = (place + 1) & mask;
-    }
-    return no_index;
+    const Index page = racy_load(entry(pass, u));
+    return page >= coming_page ? no_index : page * page_size + u % page_size;
   }
 
-  /// the same, but makes room for it; `no_index` if there is none, and then the pass is starved.
-  CGAL_HTL_HOST_DEVICE Index insert(const Located_cell& c, Index u) const {
-    return is_in_page(c, u) ? cell_in_page(c, u) : insert_in_pass(c.pass, u);
+  /// finds the cells of some vertices of a pass, `no_index` beyond the last, that are not found
+  /// yet, and makes room for them; if there is none, the pass is starved. (Threads take their first
+  /// pages together, then their second ones: there is rarely a third.)
+  CGAL_HTL_HOST_DEVICE void
+  insert(Index (&cells)[stencil_width], const Index (&vertices)[stencil_width], Index pass) const {
+    for(Index done = 0;;) {
+      Index u = no_index;
+      CGAL_HTL_UNROLL
+      for(Index i = 0; i < stencil_width; ++i)
+        if(vertices[i] != no_index && cells[i] == no_index && (done >> i & 1) == 0)
+          u = vertices[i];
+      if(u == no_index)
+        return;
+      const Index first = insert_in_pass(pass, u - u % page_size);
+      CGAL_HTL_UNROLL
+      for(Index i = 0; i < stencil_width; ++i)
+        if(vertices[i] != no_index && vertices[i] / page_size == u / page_size) {
+          cells[i] = first == no_index ? no_index : first + vertices[i] % page_size;
+          done |= 1u << i;
+        }
+    }
   }
   CGAL_HTL_HOST_DEVICE Index insert_in_pass(Index pass, Index u) const {
-    const std::uint64_t key = key_of(pass, u);
-    const std::size_t mask = table_.keys.size() - 1;
-    std::size_t place = scrambled(key) & mask;
-    CGAL_HTL_NO_UNROLL
-    for(Index i = 0; i < longest_run; ++i) {
-      std::uint64_t present = racy_load(table_.keys[place]);
-      if(present == no_page) {
-        if(racy_load(*table_.number_of_pages) >= table_.limit)
-          break;
-        present = compare_and_swap(table_.keys[place], no_page, key);
-        if(present == no_page) {
-          fetch_add(*table_.number_of_pages, 1);
-          present = key;
-        }
-      }
-      if(present == key)
-        return static_cast<Index>(place) * page_size + u % page_size;
-      place = (place + 1) & mask;
-    }
-    starve(pass);
-    return no_index;
+    Index page = racy_load(entry(pass, u));
+    if(page >= coming_page)
+      page = take_page(pass, u);
+    return page == no_page ? no_index : page * page_size + u % page_size;
   }
 
-  CGAL_HTL_HOST_DEVICE bool may_have_walls(const Located_cell& c) const {
-    return walls_.may_be_beside(loop(c.pass), c.vertex);
+  CGAL_HTL_HOST_DEVICE bool may_have_walls(Index v, bool is_source) const {
+    return walls_.may_be_beside(v, is_source);
   }
   CGAL_HTL_HOST_DEVICE bool is_wall(const Located_cell& c, Index u) const {
     return walls_.is_wall(loop(c.pass), c.vertex, u);
+  }
+  CGAL_HTL_HOST_DEVICE std::uint32_t walls_among(const Index (&neighbors)[stencil_width],
+                                                 const Located_cell& c) const {
+    return walls_.walls_among(neighbors, loop(c.pass), c.vertex);
   }
 
   CGAL_HTL_HOST_DEVICE void starve(Index pass) const {
@@ -124,27 +131,35 @@ public:
   }
 
 private:
-  // A table that is half full has runs far shorter than this.
-  static constexpr Index longest_run = 256;
-
-  // Keys are never taken out. A reader who misses one that is being put in misses a vertex at rest.
-  CGAL_HTL_HOST_DEVICE static std::uint64_t key_of(Index pass, Index u) {
-    return std::uint64_t(pass) << 32 | u / page_size;
+  CGAL_HTL_HOST_DEVICE Index& entry(Index pass, Index u) const {
+    return table_.directory[std::size_t(pass) * table_.number_of_rows + u / page_size];
   }
 
-  CGAL_HTL_HOST_DEVICE static bool is_in_page(const Located_cell& c, Index u) {
-    return c.vertex / page_size == u / page_size;
-  }
-  CGAL_HTL_HOST_DEVICE static Index cell_in_page(const Located_cell& c, Index u) {
-    return c.cell - c.cell % page_size + u % page_size;
+  CGAL_HTL_HOST_DEVICE Index take_page(Index pass, Index u) const {
+    const Index page = take_page(entry(pass, u), {pass, u - u % page_size}, table_.pages.data(),
+                                 static_cast<Index>(table_.pages.size()), table_.number_of_pages);
+    if(page == no_page)
+      starve(pass);
+    return page;
   }
 
-  CGAL_HTL_HOST_DEVICE static std::uint64_t scrambled(std::uint64_t x) {
-    x ^= x >> 29;
-    x *= 0xbf58476d1ce4e5b9u;
-    x ^= x >> 32;
-    x *= 0x94d049bb133111ebu;
-    return x ^ x >> 31;
+  // The thread that comes first gives out the page, the others wait for it: it waits for nobody. A
+  // reader who misses the page misses vertices at rest. (A function that is called wants its
+  // arguments one by one: to pass on the address of the region would cost registers.)
+  CGAL_HTL_NO_INLINE CGAL_HTL_HOST_DEVICE static Index
+  take_page(Index& entry, Page meaning, Page* pages, Index size, Index* number_of_pages) {
+    Index page = compare_and_swap(entry, no_page, coming_page);
+    if(page == no_page) {
+      page = fetch_add(*number_of_pages, Index(1));
+      if(page < size)
+        pages[page] = meaning;
+      else
+        page = no_page;
+      racy_store(entry, page);
+    }
+    while(page == coming_page)
+      page = racy_load(entry);
+    return page;
   }
 
   Mesh_view mesh_;

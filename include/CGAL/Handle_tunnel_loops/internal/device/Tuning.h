@@ -22,12 +22,11 @@ namespace device {
 /// How a device is used, for benchmarks and tests to vary: no answer depends on it.
 struct Tuning
 {
-  bool repeats_in_graph = false; ///< the steps, instead of one kernel with barriers
-  int threads_per_block = 256;   ///< at most as many
-  int blocks_per_multiprocessor = 4; ///< of those that meet at barriers; at most as many
-  Time steps_per_run = 512; ///< of a sweep, between two looks at the callback and at the band
-  Time steps_per_look = 16; ///< of the loop passes, between two looks at the meetings
-  bool times_kernels = false; ///< see `Costs::kernels`; waits for each of them
+  int threads_at_barrier = 640; ///< of each multiprocessor, at most, in kernels of many steps
+  Time steps_per_run = 512;     ///< of a sweep, between two looks at the callback and at the band
+  Time steps_per_look = 64;     ///< of the loop passes, at most, between two looks at the meetings
+  Time steps_per_look_if_met = 16; ///< at least, where fronts have met
+  bool times_kernels = false;      ///< see `Costs::kernels`; waits for each of them
 };
 
 } // namespace device

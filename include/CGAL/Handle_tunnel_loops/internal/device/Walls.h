@@ -29,24 +29,27 @@ template <typename Loop_set> struct Walls
   Span<const Crossing_entry> entries;
 
   CGAL_HTL_HOST_DEVICE bool is_wall(Index loop, Index u, Index v) const {
-    const Loop_set barred = {loop};
-    // The entries are sorted by loop.
-    CGAL_HTL_NO_UNROLL
-    for(Index i = begins[u + 1]; i > begins[u] && !barred.are_all_after(entries[i - 1].loop); --i)
-      if(entries[i - 1].other == v && barred.contains(entries[i - 1].loop))
-        return true;
-    return false;
+    bool result = false;
+    for_each_wall(loop, u, [&](Index other) { result = result || other == v; });
+    return result;
   }
 
-  /// whether there may be walls beside `v`.
-  CGAL_HTL_HOST_DEVICE bool may_be_beside(Index loop, Index v) const {
-    if(!Loop_set::is_one && begins[v] != begins[v + 1])
-      return true;
-    CGAL_HTL_NO_UNROLL
-    for(Index i = begins[v]; i < begins[v + 1]; ++i)
-      if(entries[i].loop == loop)
-        return true;
-    return false;
+  /// a bit for each of some neighbours of `u`: whether there is a wall between.
+  CGAL_HTL_HOST_DEVICE std::uint32_t
+  walls_among(const Index (&neighbors)[stencil_width], Index loop, Index u) const {
+    std::uint32_t bits = 0;
+    for_each_wall(loop, u, [&](Index other) {
+      CGAL_HTL_UNROLL
+      for(Index i = 0; i < stencil_width; ++i)
+        bits |= neighbors[i] == other ? 1u << i : 0u;
+    });
+    return bits;
+  }
+
+  /// whether there may be walls beside `v`, for a field whose sources are the ends of the crossings
+  /// of a loop. Where it is the only wall, there are walls beside its sources.
+  CGAL_HTL_HOST_DEVICE bool may_be_beside(Index v, bool is_source) const {
+    return Loop_set::is_one ? is_source : begins[v] != begins[v + 1];
   }
 
   /// calls `f` for each other loop that is a wall between `u` and `v`.
@@ -68,6 +71,19 @@ template <typename Loop_set> struct Walls
       if(entries[i].other == v && entries[i].loop == loop)
         sum += entries[i].sign;
     return sum;
+  }
+
+private:
+  // Calls `f` for the other ends of the edges of `u` on which there are walls. The entries are
+  // sorted by loop.
+  template <typename Function>
+  CGAL_HTL_HOST_DEVICE void for_each_wall(Index loop, Index u, const Function& f) const {
+    const Loop_set barred = {loop};
+    const Index begin = begins[u];
+    CGAL_HTL_NO_UNROLL
+    for(Index i = begins[u + 1]; i > begin && !barred.are_all_after(entries[i - 1].loop); --i)
+      if(barred.contains(entries[i - 1].loop))
+        f(entries[i - 1].other);
   }
 };
 

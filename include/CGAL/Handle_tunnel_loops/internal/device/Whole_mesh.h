@@ -36,17 +36,24 @@ public:
   CGAL_HTL_HOST_DEVICE const Mesh_view& mesh() const { return mesh_; }
   CGAL_HTL_HOST_DEVICE bool has_walls() const { return !walls_.begins.empty(); }
 
-  CGAL_HTL_HOST_DEVICE static Located_cell located(Index cell) { return {cell, cell, 0}; }
+  /// of a cell, all that a list of the band keeps.
+  using Banded_cell = Index;
+  static constexpr bool has_sides = false;
+
+  CGAL_HTL_HOST_DEVICE static Banded_cell banded(const Located_cell& c) { return c.cell; }
+  CGAL_HTL_HOST_DEVICE static Located_cell located(Banded_cell cell) { return {cell, cell, 0}; }
   CGAL_HTL_HOST_DEVICE static Index find(const Located_cell&, Index u) { return u; }
-  CGAL_HTL_HOST_DEVICE static Index insert(const Located_cell&, Index u) { return u; }
+  CGAL_HTL_HOST_DEVICE static void
+  insert(Index (&)[stencil_width], const Index (&)[stencil_width], Index) {}
 
   CGAL_HTL_HOST_DEVICE static bool is_starved(Index) { return false; }
 
-  CGAL_HTL_HOST_DEVICE bool may_have_walls(const Located_cell& c) const {
-    return has_walls() && walls_.may_be_beside(0, c.vertex);
+  CGAL_HTL_HOST_DEVICE bool may_have_walls(Index v, bool is_source) const {
+    return has_walls() && walls_.may_be_beside(v, is_source);
   }
-  CGAL_HTL_HOST_DEVICE bool is_wall(const Located_cell& c, Index u) const {
-    return walls_.is_wall(0, c.vertex, u);
+  CGAL_HTL_HOST_DEVICE std::uint32_t walls_among(const Index (&neighbors)[stencil_width],
+                                                 const Located_cell& c) const {
+    return walls_.walls_among(neighbors, 0, c.vertex);
   }
 
 private:

@@ -61,9 +61,9 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_or(std::uint32_t& x, std::uint32
 #endif
 }
 
-CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_add(std::uint32_t& x, std::uint32_t summand) {
+template <typename T> CGAL_HTL_HOST_DEVICE T fetch_add(T& x, T summand) {
 #ifdef __CUDA_ARCH__
-  return Atomic_on_device<std::uint32_t>(x).fetch_add(summand, cuda::memory_order_relaxed);
+  return Atomic_on_device<T>(x).fetch_add(summand, cuda::memory_order_relaxed);
 #else
   return __atomic_fetch_add(&x, summand, __ATOMIC_RELAXED);
 #endif
@@ -96,10 +96,10 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_max(std::uint32_t& x, std::uint3
 #endif
 }
 
-CGAL_HTL_HOST_DEVICE inline std::uint64_t
-compare_and_swap(std::uint64_t& x, std::uint64_t expected, std::uint64_t value) {
+CGAL_HTL_HOST_DEVICE inline std::uint32_t
+compare_and_swap(std::uint32_t& x, std::uint32_t expected, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
-  Atomic_on_device<std::uint64_t>(x).compare_exchange_strong(expected, value,
+  Atomic_on_device<std::uint32_t>(x).compare_exchange_strong(expected, value,
                                                              cuda::memory_order_relaxed);
   return expected;
 #else
@@ -121,7 +121,7 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t next_place(std::uint32_t& size) {
     first = fetch_add(size, static_cast<std::uint32_t>(__popc(here)));
   return __shfl_sync(here, first, leader) + static_cast<std::uint32_t>(__popc(here & before));
 #else
-  return fetch_add(size, 1);
+  return fetch_add(size, std::uint32_t(1));
 #endif
 }
 

@@ -23,13 +23,11 @@ namespace device {
 /// `Handle_tunnel_loops::cuda`.
 struct Ceilings
 {
-  std::string device;            ///< its name
-  std::string versions;          ///< of the driver and of the runtime
-  double bytes_per_second;       ///< of a copy within its memory, read and written
-  double seconds_per_launch;     ///< of kernels that do nothing, one after the other
-  double seconds_per_step;       ///< of a barrier of the grid that the passes use
-  double seconds_per_graph_step; ///< of the node of a graph that repeats two kernels instead; zero
-                                 ///< where the driver has none
+  std::string device;        ///< its name
+  std::string versions;      ///< of the driver and of the runtime
+  double bytes_per_second;   ///< of a copy within its memory, read and written
+  double seconds_per_launch; ///< of kernels that do nothing, one after the other
+  double seconds_per_step;   ///< of a barrier of the grid that the passes use
 };
 
 /// measures the given device, or the current one if the number is negative.
