@@ -1,14 +1,16 @@
 // The solver for CUDA devices, to the last line: a stand-in for the CUDA runtime runs its kernels
 // on the processor, keeps the books, and fails wherever it is asked to.
 
-#include "../../cuda/src/ceilings.cu"
-#include "../../cuda/src/cuda_solver.cu"
-#include "../../cuda/src/devices.cu"
+#include "../../cuda/src/Cuda_executor.cuh"
+#include "../../cuda/src/Stream.cuh"
 
+#include "Cuda_runtime_test.h"
 #include "Device_agreement.h"
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
 
 #include <gtest/gtest.h>
 
@@ -21,64 +23,15 @@
 
 namespace {
 
+using namespace cuda_runtime_test;
 using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Device_exception;
 using CGAL::Handle_tunnel_loops::Device_options;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
 using CGAL::Handle_tunnel_loops::No_device_exception;
 using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
-using cuda_stand_in::Device_kind;
-using cuda_stand_in::Fault;
-using cuda_stand_in::machine;
 using device::make_cuda_solver;
 using device::measure_ceilings;
-
-// Whatever a test does, in the end all is given back and nothing was done that a device would not
-// have survived.
-class Cuda_runtime : public testing::Test
-{
-protected:
-  void SetUp() override { machine.set_up({Device_kind()}); }
-  void TearDown() override { expect_clean(); }
-
-  // These from now on.
-  static void use_devices(const std::vector<Device_kind>& kinds) {
-    expect_clean();
-    machine.set_up(kinds);
-  }
-
-  static void expect_clean() {
-    EXPECT_EQ(machine.held(), "");
-    EXPECT_EQ(cuda_stand_in::complaints.take(), std::vector<std::string>());
-    EXPECT_EQ(machine.current_device, 0);
-    EXPECT_EQ(cudaGetLastError(), cudaSuccess);
-  }
-
-  // Lets the first call of the runtime fail, and as many more as the fault says, then from the
-  // second call on, and so forth as long as `f` makes so many; to be quicker, by so many percent
-  // more. It throws a typed exception, or all is well in spite of the failure.
-  template <typename Function>
-  static void expect_survived(Fault fault, unsigned percent, const Function& f) {
-    while(!HasFailure() && make_calls(fault, f) >= fault.first)
-      fault.first += 1 + fault.first * percent / 100;
-    EXPECT_GT(fault.first, 100u);
-  }
-
-private:
-  // Returns how many there were.
-  template <typename Function> static unsigned make_calls(const Fault& fault, const Function& f) {
-    SCOPED_TRACE(testing::Message() << "call " << fault.first << " fails: " << fault.error);
-    machine.calls.restart(fault);
-    try {
-      f();
-    } catch(const Device_exception&) {
-    }
-    const unsigned number = machine.calls.number();
-    machine.calls.restart();
-    expect_clean();
-    return number;
-  }
-};
 
 // By the way in which the steps of a field are launched.
 class Cuda_launch : public Cuda_runtime, public testing::WithParamInterface<bool>

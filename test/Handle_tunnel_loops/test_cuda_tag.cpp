@@ -75,9 +75,10 @@ using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
 namespace parameters = CGAL::parameters;
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
-constexpr Device_options no_device = {-1, nullptr}, large_device = {1 << 20, nullptr};
+// For meshes of any size.
+Device_options device_with(std::size_t kib) { return {static_cast<int>(kib), nullptr, 0}; }
 
-Device_options device_with(std::size_t kib) { return {static_cast<int>(kib), nullptr}; }
+const Device_options no_device = {-1, nullptr, 0}, large_device = device_with(1 << 20);
 
 class Cuda : public testing::TestWithParam<Recipe>
 {

@@ -46,9 +46,12 @@ struct Cuda_tag : public Parallel_if_available_tag
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-The same where the program is linked with `Handle_tunnel_loops::cuda` and there is a device with
-enough memory; elsewhere the computation runs on the processor, and
-`Handle_tunnel_loops::Statistics::fallback` says why.
+The same where the program is linked with `Handle_tunnel_loops::cuda`, there is a device with enough
+memory, and the mesh is not so small that the processor is done before a device has started, see
+`Handle_tunnel_loops::Device_options::least_vertices`; elsewhere the computation runs on the
+processor. Should the device fail on the way, the processor goes on from what there is; no
+`Handle_tunnel_loops::Device_exception` is thrown. `Handle_tunnel_loops::Statistics::fallback` says
+why it was not the device.
 */
 struct Cuda_if_available_tag : public Parallel_if_available_tag
 {};
