@@ -3,3 +3,4 @@
 #include "../../cuda/src/ceilings.cu"
 #include "../../cuda/src/cuda_solver.cu"
 #include "../../cuda/src/devices.cu"
+#include "../../cuda/src/shared_pools.cu"

@@ -28,8 +28,10 @@ using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Device_exception;
 using CGAL::Handle_tunnel_loops::Device_options;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
+using CGAL::Handle_tunnel_loops::kept_device_bytes;
 using CGAL::Handle_tunnel_loops::No_device_exception;
 using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
+using CGAL::Handle_tunnel_loops::release_device_memory;
 using device::make_cuda_solver;
 using device::measure_ceilings;
 
@@ -347,6 +349,93 @@ TEST_F(Cuda_runtime, MemoryIsUsedAgainInOtherPieces) {
   }
   EXPECT_EQ(executor.make<char>(size * number).span().size(), size * number);
   EXPECT_EQ(executor.free_bytes(), size * number);
+}
+
+// ---- memory that is kept
+
+TEST_P(Cuda_launch, LaterComputationsUseTheMemoryOfEarlierOnes) {
+  const Flat_mesh mesh = flat_mesh_of(Recipe{"random", {300, 4, 1}});
+  std::size_t kept = 0;
+  for(int i = 0; i < 3; ++i) {
+    expect_agreement(*make_solver(mesh), mesh, 0, {});
+    EXPECT_EQ(machine.pools.size(), 1u);
+    EXPECT_EQ(machine.arrays.size(), 0u);
+    if(i == 0)
+      kept = machine.devices[0]->reserved_bytes();
+    EXPECT_EQ(machine.devices[0]->reserved_bytes(), kept);
+  }
+  EXPECT_GT(kept, 0u);
+  release_device_memory();
+  EXPECT_EQ(machine.held(), "");
+  expect_agreement(*make_solver(mesh), mesh, 0, {});
+}
+
+// With the memory that an earlier one has left.
+TEST_P(Cuda_errors, AnyCallMayFailOfALaterComputation) {
+  for(unsigned first = 1; first < 1000; first += 1 + first / 10) {
+    EXPECT_TRUE(is_right());
+    machine.calls.restart({first, 1, cudaErrorMemoryAllocation});
+    try {
+      EXPECT_TRUE(is_right());
+    } catch(const Device_exception&) {
+    }
+    machine.calls.restart();
+    EXPECT_EQ(machine.pools.size(), 2u) << "one for each device";
+    EXPECT_EQ(machine.arrays.size(), 0u);
+    EXPECT_EQ(cudaGetLastError(), cudaSuccess);
+  }
+}
+
+// An executor with arrays, two of which may be kept.
+class Memory_user
+{
+public:
+  explicit Memory_user(std::size_t number_of_arrays)
+      : stream_(nullptr)
+      , executor_(0, stream_.get()) {
+    for(std::size_t i = 0; i < number_of_arrays; ++i)
+      arrays_.push_back(executor_.make<char>(array_size));
+  }
+
+  static constexpr std::size_t array_size = std::size_t(100) << 20;
+  static_assert(kept_device_bytes / array_size == 2, "");
+
+  htl_cuda::Cuda_executor& executor() { return executor_; }
+
+private:
+  htl_cuda::Stream stream_;
+  htl_cuda::Cuda_executor executor_;
+  std::vector<htl_cuda::Device_buffer<char>> arrays_;
+};
+
+TEST_F(Cuda_runtime, KeepsNoMoreMemoryThanItSays) {
+  use_devices({device_with(4 * Memory_user::array_size)});
+  {
+    const Memory_user user(4);
+  }
+  EXPECT_EQ(machine.devices[0]->reserved_bytes(), 2 * Memory_user::array_size);
+}
+
+TEST_F(Cuda_runtime, ComputationsAtATimeShareTheMemory) {
+  constexpr std::size_t size = Memory_user::array_size;
+  use_devices({device_with(4 * size)});
+  {
+    Memory_user a(2), b(1);
+    EXPECT_EQ(a.executor().bytes_in_use(), 2 * size);
+    EXPECT_EQ(b.executor().bytes_in_use(), size);
+    EXPECT_EQ(a.executor().free_bytes(), size);
+    EXPECT_EQ(b.executor().free_bytes(), size);
+    EXPECT_THROW(Memory_user(2), Out_of_device_memory_exception);
+    EXPECT_EQ(b.executor().free_bytes(), size);
+    b.executor().make<char>(size);
+    EXPECT_EQ(b.executor().free_bytes(), size);
+    EXPECT_EQ(machine.devices[0]->reserved_bytes(), 4 * size);
+    release_device_memory();
+    EXPECT_EQ(machine.devices[0]->reserved_bytes(), 3 * size) << "what is in use stays so";
+    EXPECT_EQ(b.executor().make<char>(size).span().size(), size);
+    release_device_memory();
+  }
+  EXPECT_EQ(machine.held(), "");
 }
 
 // ---- ceilings

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Device_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
 #include <CGAL/Handle_tunnel_loops/internal/Passes_if_available.h>
+#include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #include <CGAL/tags.h>
 
@@ -32,6 +33,7 @@ loops are those of the other tags.
 Which device and which stream is said by the named parameter `device_options`. At least about
 100 bytes per face of the device's memory are asked for: some 40 for the mesh and one field, the
 rest for one loop pass. Where there is more, the loop passes take more, and run the more at a time.
+Some of it is kept for the next computation, see `Handle_tunnel_loops::release_device_memory()`.
 
 The program must be linked with the target `Handle_tunnel_loops::cuda`, which defines the macro
 `CGAL_LINKED_WITH_CUDA`; without, the use of this tag does not compile.

@@ -4,6 +4,7 @@
 #include "cuda_runtime.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #include <gtest/gtest.h>
 
@@ -17,8 +18,8 @@ using cuda_stand_in::Device_kind;
 using cuda_stand_in::Fault;
 using cuda_stand_in::machine;
 
-// Whatever a test does, in the end all is given back and nothing was done that a device would not
-// have survived.
+// Whatever a test does, in the end all is given back, when the memory is that is kept, and nothing
+// was done that a device would not have survived.
 class Cuda_runtime : public testing::Test
 {
 protected:
@@ -32,6 +33,7 @@ protected:
   }
 
   static void expect_clean() {
+    CGAL::Handle_tunnel_loops::release_device_memory();
     EXPECT_EQ(machine.held(), "");
     EXPECT_EQ(cuda_stand_in::complaints.take(), std::vector<std::string>());
     EXPECT_EQ(machine.current_device, 0);
