@@ -3,8 +3,13 @@
 
 #include "Device_agreement.h"
 #include "Same_loops.h"
+#include "Solver_agreement_tests.h"
 #include "random_input.h"
 
+#include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Handle_tunnel_loops/Reference_tag.h>
+#endif
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
 
@@ -89,6 +94,26 @@ TEST_F(Gpu, AgreesWithTheHostOnRandomSurfaces) {
     expect_agreement(*solver, mesh, static_cast<Index>(random.below(mesh.number_of_vertices())), c);
   }
 }
+
+using Device_against_host = Comparison<CGAL::Cuda_tag, CGAL::Sequential_tag, Gpu>;
+INSTANTIATE_TYPED_TEST_SUITE_P(On_a_device, Solver, Device_against_host);
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+// The slow solver shares no algorithm with the device: as it agrees with the host, see
+// test_agreement, it agrees with the device.
+TEST_F(Gpu, AgreesWithTheReference) {
+  using CGAL::Handle_tunnel_loops::Reference_tag;
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 2, 7}, 1)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Mesh mesh = mesh_of(recipe);
+    ::expect_agreement<Reference_tag, CGAL::Cuda_tag>(mesh, recipe.request.genus);
+    if(recipe.kind != "random" && recipe.request.genus > 0)
+      expect_similar_lengths<Reference_tag, CGAL::Cuda_tag>(mesh, 0.95, 1.2);
+  }
+}
+
+#endif
 
 TEST_F(Gpu, LabelsFrontsAsConnectedComponents) {
   Random random(3);
