@@ -6,6 +6,7 @@
 
 #include "Cuda_runtime_test.h"
 #include "Device_agreement.h"
+#include "label_front_on_device.h"
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
@@ -69,7 +70,18 @@ TEST_P(Cuda_launch, AgreesWithTheHostOnRandomSurfaces) {
     SCOPED_TRACE(testing::Message() << recipe << ", constants " << c);
     const auto solver = make_solver(mesh);
     expect_agreement(*solver, mesh, static_cast<Index>(random.below(mesh.number_of_vertices())), c);
-    expect_front_labels(*solver, mesh, random);
+  }
+}
+
+TEST_P(Cuda_launch, LabelsFrontsAsConnectedComponents) {
+  Random random(3);
+  for(int i = 0; i < 20; ++i) {
+    const Recipe recipe = random_recipe(random, 10);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    SCOPED_TRACE(testing::Message() << recipe);
+    expect_front_labels(mesh, random, [&](const std::vector<Time>& times, Time level) {
+      return front_labels::label_front_on_device(mesh, times, level, GetParam());
+    });
   }
 }
 
@@ -95,12 +107,12 @@ struct Answers
 {
   std::vector<Sweep_handle> handles;
   std::vector<Time> times, times_from_loops;
-  std::vector<Index> labels;
+  std::vector<Index> layers;
   std::vector<std::vector<Index>> walks;
 
   bool operator==(const Answers& other) const {
-    return std::tie(handles, times, times_from_loops, labels, walks) ==
-           std::tie(other.handles, other.times, other.times_from_loops, other.labels, other.walks);
+    return std::tie(handles, times, times_from_loops, layers, walks) ==
+           std::tie(other.handles, other.times, other.times_from_loops, other.layers, other.walks);
   }
 };
 
@@ -109,7 +121,7 @@ Answers answers_of(device::Solver& solver, const Flat_mesh& mesh) {
   Answers answers;
   answers.handles = solver.sweep({0}, k, go_on);
   answers.times = solver.sweep_times();
-  answers.labels = solver.front_labels(answers.times[answers.times.size() / 2]);
+  answers.layers = solver.front_log().layer;
   const std::vector<Crossing_loop> contours = loops_of(answers.handles);
   const Crossing_index index(mesh, contours);
   answers.times_from_loops = solver.times_from_loops(contours, index, k);

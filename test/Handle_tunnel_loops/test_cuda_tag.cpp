@@ -37,7 +37,6 @@ public:
   }
   std::vector<Time> sweep_times() override { return solver_.sweep_times(); }
   Front_log front_log() override { return solver_.front_log(); }
-  std::vector<Index> front_labels(Time level) override { return solver_.front_labels(level); }
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {

@@ -4,6 +4,7 @@
 #include "Device_agreement.h"
 #include "Same_loops.h"
 #include "Solver_agreement_tests.h"
+#include "label_front_on_device.h"
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
@@ -120,9 +121,10 @@ TEST_F(Gpu, LabelsFrontsAsConnectedComponents) {
   for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 5}, 1)) {
     SCOPED_TRACE(testing::Message() << recipe);
     const Flat_mesh mesh = flat_mesh_of(recipe);
-    const auto solver = make_cuda_solver(mesh, {});
-    solver->sweep({0}, step_coefficients({}), go_on);
-    expect_front_labels(*solver, mesh, random);
+    for(const bool in_graph : {false, true})
+      expect_front_labels(mesh, random, [&](const std::vector<Time>& times, Time level) {
+        return front_labels::label_front_on_device(mesh, times, level, in_graph);
+      });
   }
 }
 

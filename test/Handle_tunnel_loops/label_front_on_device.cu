@@ -1,0 +1,23 @@
+#include "label_front_on_device.h"
+
+#include "label_front.h"
+
+#include "Cuda_executor.cuh"
+#include "Stream.cuh"
+#include "devices.cuh"
+
+namespace front_labels {
+
+std::vector<Index> label_front_on_device(const Flat_mesh& mesh,
+                                         const std::vector<Time>& times,
+                                         Time level,
+                                         bool repeats_in_graph) {
+  using namespace htl_cuda;
+  const int device = usable_device(-1);
+  const Stream stream(nullptr);
+  Cuda_executor executor(device, stream.get(),
+                         repeats_in_graph ? Launch::GRAPH : Launch::COOPERATIVE);
+  return label_front(executor, mesh, times, level);
+}
+
+} // namespace front_labels
