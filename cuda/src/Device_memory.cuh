@@ -10,59 +10,69 @@
 #ifndef HTL_CUDA_DEVICE_MEMORY_CUH
 #define HTL_CUDA_DEVICE_MEMORY_CUH
 
+#include "Memory_pool.cuh"
 #include "checks.cuh"
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Span.h>
+#include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace htl_cuda {
 
 using CGAL::Handle_tunnel_loops::internal::device::Span;
 
-/// A pool of a device's memory. It keeps what is given back, until the pool itself ends.
+/// The memory of a device for one computation: its share in the pool of the device. When it ends,
+/// nothing of it may be in use, and the pool keeps what the next computation may want.
 class Device_memory
 {
 public:
-  explicit Device_memory(int device) {
-    cudaMemPoolProps properties = {};
-    properties.allocType = cudaMemAllocationTypePinned;
-    properties.location.type = cudaMemLocationTypeDevice;
-    properties.location.id = device;
-    check(cudaMemPoolCreate(&pool_, &properties), "making a pool of memory");
-    std::uint64_t all = UINT64_MAX;
-    const cudaError_t error = cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all);
-    if(error != cudaSuccess)
-      ignore(cudaMemPoolDestroy(pool_));
-    check(error, "telling a pool to keep its memory");
-  }
-  ~Device_memory() { ignore(cudaMemPoolDestroy(pool_)); }
+  explicit Device_memory(int device)
+      : pool_(shared_pool(device)) {}
+  ~Device_memory() { ignore(pool_->trim(CGAL::Handle_tunnel_loops::kept_device_bytes)); }
   Device_memory(const Device_memory&) = delete;
   Device_memory& operator=(const Device_memory&) = delete;
 
-  cudaMemPool_t pool() const { return pool_; }
+  /// by this computation.
+  std::size_t bytes_in_use() const { return bytes_in_use_; }
 
-  std::size_t bytes_in_use() const { return attribute(cudaMemPoolAttrUsedMemCurrent); }
-
-  /// what the driver has, and what the pool keeps and does not use.
+  /// what the driver has, and what the pool has and nobody uses.
   std::size_t free_bytes() const {
     std::size_t free = 0, total = 0;
     check(cudaMemGetInfo(&free, &total), "asking for the free memory");
-    return free + (attribute(cudaMemPoolAttrReservedMemCurrent) - bytes_in_use());
+    return free + pool_->unused_bytes();
   }
 
-  void give_back_unused() const { check(cudaMemPoolTrimTo(pool_, 0), "giving back memory"); }
+  /// allocates in the order of a stream. Throws `Out_of_device_memory_exception` if there is too
+  /// little.
+  void* allocate(std::size_t bytes, cudaStream_t stream) {
+    void* data = nullptr;
+    cudaError_t error = cudaMallocFromPoolAsync(&data, bytes, pool_->get(), stream);
+    if(error == cudaErrorMemoryAllocation) { // what the pool keeps may be in pieces
+      cudaGetLastError();
+      check(cudaStreamSynchronize(stream), "waiting for the device");
+      check(pool_->trim(0), "giving back memory");
+      error = cudaMallocFromPoolAsync(&data, bytes, pool_->get(), stream);
+    }
+    if(error == cudaErrorMemoryAllocation) {
+      cudaGetLastError();
+      throw CGAL::Handle_tunnel_loops::Out_of_device_memory_exception(bytes, free_bytes());
+    }
+    check(error, "allocating memory");
+    bytes_in_use_ += bytes;
+    return data;
+  }
+
+  void give_back(void* data, std::size_t bytes, cudaStream_t stream) {
+    ignore(cudaFreeAsync(data, stream));
+    bytes_in_use_ -= bytes;
+  }
 
 private:
-  std::size_t attribute(cudaMemPoolAttr which) const {
-    std::uint64_t bytes = 0;
-    check(cudaMemPoolGetAttribute(pool_, which, &bytes), "asking a pool for its size");
-    return static_cast<std::size_t>(bytes);
-  }
-
-  cudaMemPool_t pool_ = nullptr;
+  std::shared_ptr<const Memory_pool> pool_;
+  std::size_t bytes_in_use_ = 0;
 };
 
 /// An array in the memory of a device, in the order of a stream: allocated, used and freed there.
@@ -73,26 +83,12 @@ public:
   Device_buffer() = default;
 
   /// throws `Out_of_device_memory_exception` if there is too little.
-  Device_buffer(std::size_t size, const Device_memory& memory, cudaStream_t stream)
+  Device_buffer(std::size_t size, Device_memory& memory, cudaStream_t stream)
       : size_(size)
+      , memory_(&memory)
       , stream_(stream) {
-    if(size == 0)
-      return;
-    void* data = nullptr;
-    cudaError_t error = cudaMallocFromPoolAsync(&data, size * sizeof(T), memory.pool(), stream);
-    if(error == cudaErrorMemoryAllocation) { // what the pool keeps may be in pieces
-      cudaGetLastError();
-      check(cudaStreamSynchronize(stream), "waiting for the device");
-      memory.give_back_unused();
-      error = cudaMallocFromPoolAsync(&data, size * sizeof(T), memory.pool(), stream);
-    }
-    if(error == cudaErrorMemoryAllocation) {
-      cudaGetLastError();
-      throw CGAL::Handle_tunnel_loops::Out_of_device_memory_exception(size * sizeof(T),
-                                                                      memory.free_bytes());
-    }
-    check(error, "allocating memory");
-    data_ = static_cast<T*>(data);
+    if(size != 0)
+      data_ = static_cast<T*>(memory.allocate(size * sizeof(T), stream));
   }
 
   Device_buffer(Device_buffer&& other) noexcept { swap(other); }
@@ -102,7 +98,7 @@ public:
   }
   ~Device_buffer() {
     if(data_ != nullptr)
-      ignore(cudaFreeAsync(data_, stream_));
+      memory_->give_back(data_, size_ * sizeof(T), stream_);
   }
 
   Span<T> span() const { return {data_, size_}; }
@@ -111,11 +107,13 @@ private:
   void swap(Device_buffer& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
+    std::swap(memory_, other.memory_);
     std::swap(stream_, other.stream_);
   }
 
   T* data_ = nullptr;
   std::size_t size_ = 0;
+  Device_memory* memory_ = nullptr;
   cudaStream_t stream_ = nullptr;
 };
 

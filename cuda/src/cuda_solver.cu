@@ -47,11 +47,6 @@ public:
     return solver_.front_log();
   }
 
-  std::vector<Index> front_labels(Time level) override {
-    const htl_cuda::Current_device current(device_);
-    return solver_.front_labels(level);
-  }
-
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {

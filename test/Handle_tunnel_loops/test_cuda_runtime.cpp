@@ -1,14 +1,17 @@
 // The solver for CUDA devices, to the last line: a stand-in for the CUDA runtime runs its kernels
 // on the processor, keeps the books, and fails wherever it is asked to.
 
-#include "../../cuda/src/ceilings.cu"
-#include "../../cuda/src/cuda_solver.cu"
-#include "../../cuda/src/devices.cu"
+#include "../../cuda/src/Cuda_executor.cuh"
+#include "../../cuda/src/Stream.cuh"
 
+#include "Cuda_runtime_test.h"
 #include "Device_agreement.h"
+#include "label_front_on_device.h"
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
 
 #include <gtest/gtest.h>
 
@@ -21,80 +24,31 @@
 
 namespace {
 
+using namespace cuda_runtime_test;
 using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Device_exception;
 using CGAL::Handle_tunnel_loops::Device_options;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
+using CGAL::Handle_tunnel_loops::kept_device_bytes;
 using CGAL::Handle_tunnel_loops::No_device_exception;
 using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
-using cuda_stand_in::Device_kind;
-using cuda_stand_in::Fault;
-using cuda_stand_in::machine;
+using CGAL::Handle_tunnel_loops::release_device_memory;
 using device::make_cuda_solver;
 using device::measure_ceilings;
 
-// Whatever a test does, in the end all is given back and nothing was done that a device would not
-// have survived.
-class Cuda_runtime : public testing::Test
-{
-protected:
-  void SetUp() override { machine.set_up({Device_kind()}); }
-  void TearDown() override { expect_clean(); }
-
-  // These from now on.
-  static void use_devices(const std::vector<Device_kind>& kinds) {
-    expect_clean();
-    machine.set_up(kinds);
-  }
-
-  static void expect_clean() {
-    EXPECT_EQ(machine.held(), "");
-    EXPECT_EQ(cuda_stand_in::complaints.take(), std::vector<std::string>());
-    EXPECT_EQ(machine.current_device, 0);
-    EXPECT_EQ(cudaGetLastError(), cudaSuccess);
-  }
-
-  // Lets the first call of the runtime fail, and as many more as the fault says, then from the
-  // second call on, and so forth as long as `f` makes so many; to be quicker, by so many percent
-  // more. It throws a typed exception, or all is well in spite of the failure.
-  template <typename Function>
-  static void expect_survived(Fault fault, unsigned percent, const Function& f) {
-    while(!HasFailure() && make_calls(fault, f) >= fault.first)
-      fault.first += 1 + fault.first * percent / 100;
-    EXPECT_GT(fault.first, 100u);
-  }
-
-private:
-  // Returns how many there were.
-  template <typename Function> static unsigned make_calls(const Fault& fault, const Function& f) {
-    SCOPED_TRACE(testing::Message() << "call " << fault.first << " fails: " << fault.error);
-    machine.calls.restart(fault);
-    try {
-      f();
-    } catch(const Device_exception&) {
-    }
-    const unsigned number = machine.calls.number();
-    machine.calls.restart();
-    expect_clean();
-    return number;
-  }
-};
-
-// By the way in which the steps of a field are launched.
-class Cuda_launch : public Cuda_runtime, public testing::WithParamInterface<bool>
+// By the number of threads that meet at the barriers of a field, on each multiprocessor.
+class Cuda_launch : public Cuda_runtime, public testing::WithParamInterface<int>
 {
 protected:
   static std::unique_ptr<device::Solver> make_solver(const Flat_mesh& mesh,
                                                      const Device_options& options = {}) {
     device::Tuning tuning;
-    tuning.repeats_in_graph = GetParam();
+    tuning.threads_at_barrier = GetParam();
     return make_cuda_solver(mesh, options, tuning);
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, Cuda_launch, testing::Values(false, true), [](const auto& test) {
-  return test.param ? "graph" : "cooperative";
-});
+INSTANTIATE_TEST_SUITE_P(Threads, Cuda_launch, testing::Values(1, 640));
 
 // ---- the same as on the host
 
@@ -116,7 +70,18 @@ TEST_P(Cuda_launch, AgreesWithTheHostOnRandomSurfaces) {
     SCOPED_TRACE(testing::Message() << recipe << ", constants " << c);
     const auto solver = make_solver(mesh);
     expect_agreement(*solver, mesh, static_cast<Index>(random.below(mesh.number_of_vertices())), c);
-    expect_front_labels(*solver, mesh, random);
+  }
+}
+
+TEST_P(Cuda_launch, LabelsFrontsAsConnectedComponents) {
+  Random random(3);
+  for(int i = 0; i < 20; ++i) {
+    const Recipe recipe = random_recipe(random, 10);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    SCOPED_TRACE(testing::Message() << recipe);
+    expect_front_labels(mesh, random, [&](const std::vector<Time>& times, Time level) {
+      return front_labels::label_front_on_device(mesh, times, level);
+    });
   }
 }
 
@@ -142,12 +107,12 @@ struct Answers
 {
   std::vector<Sweep_handle> handles;
   std::vector<Time> times, times_from_loops;
-  std::vector<Index> labels;
+  std::vector<Index> layers;
   std::vector<std::vector<Index>> walks;
 
   bool operator==(const Answers& other) const {
-    return std::tie(handles, times, times_from_loops, labels, walks) ==
-           std::tie(other.handles, other.times, other.times_from_loops, other.labels, other.walks);
+    return std::tie(handles, times, times_from_loops, layers, walks) ==
+           std::tie(other.handles, other.times, other.times_from_loops, other.layers, other.walks);
   }
 };
 
@@ -156,7 +121,7 @@ Answers answers_of(device::Solver& solver, const Flat_mesh& mesh) {
   Answers answers;
   answers.handles = solver.sweep({0}, k, go_on);
   answers.times = solver.sweep_times();
-  answers.labels = solver.front_labels(answers.times[answers.times.size() / 2]);
+  answers.layers = solver.front_log().layer;
   const std::vector<Crossing_loop> contours = loops_of(answers.handles);
   const Crossing_index index(mesh, contours);
   answers.times_from_loops = solver.times_from_loops(contours, index, k);
@@ -191,9 +156,7 @@ private:
   Answers expected_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, Cuda_errors, testing::Values(false, true), [](const auto& test) {
-  return test.param ? "graph" : "cooperative";
-});
+INSTANTIATE_TEST_SUITE_P(Threads, Cuda_errors, testing::Values(1));
 
 TEST_P(Cuda_errors, AnyCallMayFail) { expect_right_answers_or_none(1, cudaErrorLaunchFailure); }
 
@@ -370,11 +333,11 @@ TEST_P(Cuda_launch, RefusesAMeshThatThereIsNoRoomFor) {
 TEST_P(Cuda_launch, DoesNotDependOnTheMemory) {
   const Flat_mesh mesh = flat_mesh_of(Recipe{"sponge", {3000, 16, 1}});
   std::size_t number_of_batches = 0;
-  for(const std::size_t mib : {2, 3, 5}) {
-    use_devices({device_with(mib << 20)});
+  for(const std::size_t kib : {1500, 1800, 2500}) {
+    use_devices({device_with(kib << 10)});
     const auto solver = make_solver(mesh);
     expect_agreement(*solver, mesh, 0, {});
-    EXPECT_LE(solver->costs().largest_bytes, mib << 20);
+    EXPECT_LE(solver->costs().largest_bytes, kib << 10);
     number_of_batches += solver->costs().number_of_batches;
   }
   EXPECT_GT(number_of_batches, 20u); // of the twelve that there are with much memory
@@ -398,14 +361,101 @@ TEST_F(Cuda_runtime, MemoryIsUsedAgainInOtherPieces) {
   EXPECT_EQ(executor.free_bytes(), size * number);
 }
 
+// ---- memory that is kept
+
+TEST_P(Cuda_launch, LaterComputationsUseTheMemoryOfEarlierOnes) {
+  const Flat_mesh mesh = flat_mesh_of(Recipe{"random", {300, 4, 1}});
+  std::size_t kept = 0;
+  for(int i = 0; i < 3; ++i) {
+    expect_agreement(*make_solver(mesh), mesh, 0, {});
+    EXPECT_EQ(machine.pools.size(), 1u);
+    EXPECT_EQ(machine.arrays.size(), 0u);
+    if(i == 0)
+      kept = machine.devices[0]->reserved_bytes();
+    EXPECT_EQ(machine.devices[0]->reserved_bytes(), kept);
+  }
+  EXPECT_GT(kept, 0u);
+  release_device_memory();
+  EXPECT_EQ(machine.held(), "");
+  expect_agreement(*make_solver(mesh), mesh, 0, {});
+}
+
+// With the memory that an earlier one has left.
+TEST_P(Cuda_errors, AnyCallMayFailOfALaterComputation) {
+  for(unsigned first = 1; first < 1000; first += 1 + first / 10) {
+    EXPECT_TRUE(is_right());
+    machine.calls.restart({first, 1, cudaErrorMemoryAllocation});
+    try {
+      EXPECT_TRUE(is_right());
+    } catch(const Device_exception&) {
+    }
+    machine.calls.restart();
+    EXPECT_EQ(machine.pools.size(), 2u) << "one for each device";
+    EXPECT_EQ(machine.arrays.size(), 0u);
+    EXPECT_EQ(cudaGetLastError(), cudaSuccess);
+  }
+}
+
+// An executor with arrays, two of which may be kept.
+class Memory_user
+{
+public:
+  explicit Memory_user(std::size_t number_of_arrays)
+      : stream_(nullptr)
+      , executor_(0, stream_.get()) {
+    for(std::size_t i = 0; i < number_of_arrays; ++i)
+      arrays_.push_back(executor_.make<char>(array_size));
+  }
+
+  static constexpr std::size_t array_size = std::size_t(100) << 20;
+  static_assert(kept_device_bytes / array_size == 2, "");
+
+  htl_cuda::Cuda_executor& executor() { return executor_; }
+
+private:
+  htl_cuda::Stream stream_;
+  htl_cuda::Cuda_executor executor_;
+  std::vector<htl_cuda::Device_buffer<char>> arrays_;
+};
+
+TEST_F(Cuda_runtime, KeepsNoMoreMemoryThanItSays) {
+  use_devices({device_with(4 * Memory_user::array_size)});
+  {
+    const Memory_user user(4);
+  }
+  EXPECT_EQ(machine.devices[0]->reserved_bytes(), 2 * Memory_user::array_size);
+}
+
+TEST_F(Cuda_runtime, ComputationsAtATimeShareTheMemory) {
+  constexpr std::size_t size = Memory_user::array_size;
+  use_devices({device_with(4 * size)});
+  {
+    Memory_user a(2), b(1);
+    EXPECT_EQ(a.executor().bytes_in_use(), 2 * size);
+    EXPECT_EQ(b.executor().bytes_in_use(), size);
+    EXPECT_EQ(a.executor().free_bytes(), size);
+    EXPECT_EQ(b.executor().free_bytes(), size);
+    EXPECT_THROW(Memory_user(2), Out_of_device_memory_exception);
+    EXPECT_EQ(b.executor().free_bytes(), size);
+    b.executor().make<char>(size);
+    EXPECT_EQ(b.executor().free_bytes(), size);
+    EXPECT_EQ(machine.devices[0]->reserved_bytes(), 4 * size);
+    release_device_memory();
+    EXPECT_EQ(machine.devices[0]->reserved_bytes(), 3 * size) << "what is in use stays so";
+    EXPECT_EQ(b.executor().make<char>(size).span().size(), size);
+    release_device_memory();
+  }
+  EXPECT_EQ(machine.held(), "");
+}
+
 // ---- ceilings
 
 TEST_F(Cuda_runtime, MeasuresItsCeilings) {
   const device::Ceilings ceilings = measure_ceilings(-1);
   EXPECT_EQ(ceilings.device, "the processor");
   EXPECT_EQ(ceilings.versions, "driver 13.0, runtime 13.0");
-  for(const double measured : {ceilings.bytes_per_second, ceilings.seconds_per_launch,
-                               ceilings.seconds_per_step, ceilings.seconds_per_graph_step})
+  for(const double measured :
+      {ceilings.bytes_per_second, ceilings.seconds_per_launch, ceilings.seconds_per_step})
   {
     EXPECT_GT(measured, 0.);
     EXPECT_TRUE(std::isfinite(measured));

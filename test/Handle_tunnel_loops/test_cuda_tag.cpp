@@ -37,7 +37,6 @@ public:
   }
   std::vector<Time> sweep_times() override { return solver_.sweep_times(); }
   Front_log front_log() override { return solver_.front_log(); }
-  std::vector<Index> front_labels(Time level) override { return solver_.front_labels(level); }
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {
@@ -75,9 +74,10 @@ using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
 namespace parameters = CGAL::parameters;
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
-constexpr Device_options no_device = {-1, nullptr}, large_device = {1 << 20, nullptr};
+// For meshes of any size.
+Device_options device_with(std::size_t kib) { return {static_cast<int>(kib), nullptr, 0}; }
 
-Device_options device_with(std::size_t kib) { return {static_cast<int>(kib), nullptr}; }
+const Device_options no_device = {-1, nullptr, 0}, large_device = device_with(1 << 20);
 
 class Cuda : public testing::TestWithParam<Recipe>
 {

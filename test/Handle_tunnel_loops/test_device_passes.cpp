@@ -3,6 +3,7 @@
 #include "Device_agreement.h"
 #include "Orders.h"
 #include "Random_growth.h"
+#include "label_front.h"
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
@@ -130,10 +131,10 @@ TEST_P(Device_passes, LabelFrontsAsConnectedComponents) {
   for(const Recipe& recipe : recipes) {
     const Flat_mesh mesh = flat_mesh_of(recipe);
     Host_executor executor(GetParam());
-    Solver solver(executor, mesh);
-    solver.sweep({0}, step_coefficients({}), go_on);
     SCOPED_TRACE(testing::Message() << recipe);
-    expect_front_labels(solver, mesh, random);
+    expect_front_labels(mesh, random, [&](const std::vector<Time>& times, Time level) {
+      return front_labels::label_front(executor, mesh, times, level);
+    });
   }
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Device_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
 #include <CGAL/Handle_tunnel_loops/internal/Passes_if_available.h>
+#include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #include <CGAL/tags.h>
 
@@ -32,6 +33,7 @@ loops are those of the other tags.
 Which device and which stream is said by the named parameter `device_options`. At least about
 100 bytes per face of the device's memory are asked for: some 40 for the mesh and one field, the
 rest for one loop pass. Where there is more, the loop passes take more, and run the more at a time.
+Some of it is kept for the next computation, see `Handle_tunnel_loops::release_device_memory()`.
 
 The program must be linked with the target `Handle_tunnel_loops::cuda`, which defines the macro
 `CGAL_LINKED_WITH_CUDA`; without, the use of this tag does not compile.
@@ -46,9 +48,12 @@ struct Cuda_tag : public Parallel_if_available_tag
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-The same where the program is linked with `Handle_tunnel_loops::cuda` and there is a device with
-enough memory; elsewhere the computation runs on the processor, and
-`Handle_tunnel_loops::Statistics::fallback` says why.
+The same where the program is linked with `Handle_tunnel_loops::cuda`, there is a device with enough
+memory, and the mesh is not so small that the processor is done before a device has started, see
+`Handle_tunnel_loops::Device_options::least_vertices`; elsewhere the computation runs on the
+processor. Should the device fail on the way, the processor goes on from what there is; no
+`Handle_tunnel_loops::Device_exception` is thrown. `Handle_tunnel_loops::Statistics::fallback` says
+why it was not the device.
 */
 struct Cuda_if_available_tag : public Parallel_if_available_tag
 {};

@@ -12,8 +12,15 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Handle_tunnel_loops {
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// From so many vertices on (200,000 faces) a device pays: to start one takes some tenths of a
+/// second, in which the processor is done with a smaller mesh.
+constexpr std::size_t least_vertices_for_device = 100000;
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -27,6 +34,9 @@ struct Device_options
   /// the `cudaStream_t` on which all work of the device is done, and which belongs to that device;
   /// null for a stream of its own.
   void* stream = nullptr;
+  /// a mesh with fewer vertices is left to the processor by `Cuda_if_available_tag`; `Cuda_tag`
+  /// does not look at it.
+  std::size_t least_vertices = least_vertices_for_device;
 };
 
 } // namespace Handle_tunnel_loops

@@ -65,9 +65,11 @@ struct Statistics
   std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was kept
   /// of the initial pass, if `do_log_fronts` asks for them; always by `Reference_tag`.
   std::vector<Front_event> front_events;
-  Field_resolution resolution;  ///< of the initial pass; by `Reference_tag` only
-  std::string backend;          ///< "host", "cuda" or "reference": what computed the fields, if any
-  std::string fallback;         ///< why not on the device, if that was asked for
+  Field_resolution resolution; ///< of the initial pass; by `Reference_tag` only
+  /// what computed the fields, if any: "host", "cuda" or "reference"; "cuda, then host" where a
+  /// device failed on the way.
+  std::string backend;
+  std::string fallback;         ///< why not on the device, or no longer, if that was asked for
   std::size_t device_bytes = 0; ///< of the device's memory, at most at one time
 
   /// the wall time of a stage, in seconds.

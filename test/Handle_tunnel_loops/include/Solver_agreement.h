@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-// What any solver must have in common with the sequential one on the host. A solver is a tag, the
-// first template parameter of handle_tunnel_loops().
+// What any two solvers must have in common. A solver is a tag, the first template parameter of
+// handle_tunnel_loops(); if nothing else is said it is compared with the sequential one on the
+// host.
 
 struct Solver_answer
 {
@@ -74,11 +75,12 @@ inline bool have_same_classes(const Mesh& mesh, const Pairs& a, const Pairs& b) 
 // Both answers have as many pairs as there are handles, and are a basis by the definition; the
 // tests' own determinant decides which solver is right where they differ. Loops are of the same
 // classes wherever the linking numbers do not say of a loop that it bounds on neither side.
-template <typename ConcurrencyTag> void expect_agreement(const Mesh& mesh, std::size_t genus) {
-  const Solver_answer expected = answer_of<CGAL::Sequential_tag>(mesh);
+template <typename ConcurrencyTag, typename ExpectedTag = CGAL::Sequential_tag>
+void expect_agreement(const Mesh& mesh, std::size_t genus) {
+  const Solver_answer expected = answer_of<ExpectedTag>(mesh);
   const Solver_answer answer = answer_of<ConcurrencyTag>(mesh);
   {
-    SCOPED_TRACE("the host solver");
+    SCOPED_TRACE("the solver that it is compared with");
     expect_handle_tunnel_pairs(mesh, expected.pairs, genus);
   }
   SCOPED_TRACE("the solver under test");
@@ -89,16 +91,16 @@ template <typename ConcurrencyTag> void expect_agreement(const Mesh& mesh, std::
 }
 
 // On surfaces on which it is clear what is inside and what is outside.
-template <typename ConcurrencyTag> void expect_same_classes(const Mesh& mesh) {
-  EXPECT_TRUE(have_same_classes(mesh, pairs_of<ConcurrencyTag>(mesh),
-                                pairs_of<CGAL::Sequential_tag>(mesh)));
+template <typename ConcurrencyTag, typename ExpectedTag = CGAL::Sequential_tag>
+void expect_same_classes(const Mesh& mesh) {
+  EXPECT_TRUE(have_same_classes(mesh, pairs_of<ConcurrencyTag>(mesh), pairs_of<ExpectedTag>(mesh)));
 }
 
 // In all, the loops are between `least` and `most` times as long.
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename ExpectedTag = CGAL::Sequential_tag>
 void expect_similar_lengths(const Mesh& mesh, double least, double most) {
-  const double ratio = total_length(pairs_of<ConcurrencyTag>(mesh)) /
-                       total_length(pairs_of<CGAL::Sequential_tag>(mesh));
+  const double ratio =
+      total_length(pairs_of<ConcurrencyTag>(mesh)) / total_length(pairs_of<ExpectedTag>(mesh));
   EXPECT_GE(ratio, least);
   EXPECT_LE(ratio, most);
 }

@@ -79,14 +79,25 @@ public:
 
   template <typename Function>
   void search(const Loop_search& search, Progress& progress, const Function& f) {
-    const auto go_on = [&](double) {
+    hand_out(search, found_walks(search, progress), progress, f);
+  }
+
+  /// the first half of `search()`: all that the device is needed for.
+  std::vector<Found_walks> found_walks(const Loop_search& search, Progress& progress) {
+    return solver_->search(search, coefficients_for_searching_, [&](double) {
       progress.throw_if_interrupted();
       return true;
-    };
-    const std::vector<Found_walks> found =
-        solver_->search(search, coefficients_for_searching_, go_on);
+    });
+  }
+
+  /// the second half of `search()`.
+  template <typename Function>
+  static void hand_out(const Loop_search& search,
+                       const std::vector<Found_walks>& found,
+                       Progress& progress,
+                       const Function& f) {
     for_each_index(
-        execution_, found.size(),
+        Execution(), found.size(),
         [&](std::size_t i) {
           if(!progress.is_interrupted())
             f(search.numbers[i], found[i]);
@@ -105,7 +116,6 @@ private:
 
   std::unique_ptr<device::Solver> solver_;
   Step_coefficients coefficients_, coefficients_for_searching_;
-  Execution execution_;
   std::vector<Time> times_;
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/host_device.h>
+#include <CGAL/Handle_tunnel_loops/internal/rounded_product.h>
 
 #include <array>
 #include <cmath>
@@ -99,7 +100,10 @@ struct Flat_mesh
   Ring ring(Index v) const {
     return Ring(neighbor.data() + row_begin[v], row_begin[v + 1] - row_begin[v]);
   }
-  double edge_length(Index u, Index v) const { return norm(points[v] - points[u]); }
+  double edge_length(Index u, Index v) const {
+    const Vector to = points[v] - points[u];
+    return rounded_length(to[0], to[1], to[2]);
+  }
 };
 
 } // namespace internal

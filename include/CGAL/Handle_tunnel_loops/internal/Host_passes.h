@@ -62,6 +62,9 @@ public:
   /// the arrival times of the last sweep.
   const std::vector<Time>& sweep_times() const { return times_; }
 
+  /// takes those of a sweep elsewhere for its own.
+  void set_sweep_times(std::vector<Time> times) { times_ = std::move(times); }
+
   /// the layers of the last sweep, and what happened to its fronts.
   Front_log front_log() const {
     using Executor = device::Processor_executor<Execution>;

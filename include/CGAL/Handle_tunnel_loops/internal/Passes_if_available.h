@@ -16,78 +16,164 @@
 #include <CGAL/Handle_tunnel_loops/internal/Device_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/Host_passes.h>
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The fields of the passes, on a device if there is one that takes the mesh, else on the
-/// processor.
+/// The fields of the passes, on a device as long as there is one that does them, else on the
+/// processor. A pass that fails on the device begins anew on the processor, and so do all later
+/// ones; what the device has found before is kept, since the processor would find the same.
 template <typename Execution> class Passes_if_available
 {
+  using Host = Host_passes<Execution>;
+  using Device = Device_passes<Execution>;
+
 public:
   Passes_if_available(const Flat_mesh& mesh,
                       const Step_coefficients& k,
-                      const Device_options& options) {
-    try_device(mesh, k, options, Is_linked_with_cuda<Execution>());
+                      const Device_options& options)
+      : mesh_(mesh)
+      , coefficients_(k) {
+    start_device(options, Is_linked_with_cuda<Execution>());
     if(!device_)
-      host_ = std::make_unique<Host_passes<Execution>>(mesh, k, options);
+      host_ = std::make_unique<Host>(mesh, k);
   }
 
   void report(Statistics& statistics) const {
     if(device_)
       return device_->report(statistics);
     host_->report(statistics);
+    if(is_swept_on_device_)
+      statistics.backend = "cuda, then host";
+    statistics.device_bytes = device_bytes_;
     statistics.fallback = fallback_;
   }
 
   std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds, Progress& progress) {
-    return device_ ? device_->sweep(seeds, progress) : host_->sweep(seeds, progress);
+    is_swept_on_device_ = false;
+    seeds_ = seeds;
+    progress_ = &progress;
+    auto handles = run([&](auto& passes) { return passes.sweep(seeds, progress); });
+    is_swept_on_device_ = device_ != nullptr;
+    return handles;
   }
 
   const std::vector<Time>& sweep_times() {
-    return device_ ? device_->sweep_times() : host_->sweep_times();
+    return run([this](auto& passes) -> const std::vector<Time>& {
+      ensure_times(passes);
+      return passes.sweep_times();
+    });
   }
 
-  Front_log front_log() { return device_ ? device_->front_log() : host_->front_log(); }
+  Front_log front_log() {
+    return run([this](auto& passes) {
+      ensure_times(passes);
+      return passes.front_log();
+    });
+  }
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index) {
-    return device_ ? device_->times_from_loops(loops, index)
-                   : host_->times_from_loops(loops, index);
+    return run([&](auto& passes) { return passes.times_from_loops(loops, index); });
   }
 
+  /// A device calls `f` when all is found: it is never called for a search that fails.
   template <typename Function>
   void search(const Loop_search& search, Progress& progress, const Function& f) {
-    if(device_)
-      device_->search(search, progress, f);
+    const auto found = found_on_device(search, progress);
+    if(found)
+      Device::hand_out(search, *found, progress, f);
     else
       host_->search(search, progress, f);
   }
 
 private:
-  void try_device(const Flat_mesh& mesh,
-                  const Step_coefficients& k,
-                  const Device_options& options,
-                  std::true_type) {
+  void start_device(const Device_options& options, std::true_type) {
+    const std::size_t n = mesh_.number_of_vertices();
+    if(n < options.least_vertices) {
+      fallback_ = "a mesh of " + std::to_string(n) + " vertices does not pay for a device, but " +
+                  std::to_string(options.least_vertices) + " do";
+      return;
+    }
     try {
-      device_ = std::make_unique<Device_passes<Execution>>(mesh, k, options);
+      device_ = std::make_unique<Device>(mesh_, coefficients_, options);
     } catch(const Device_exception& e) {
       fallback_ = e.what();
     }
   }
 
-  void
-  try_device(const Flat_mesh&, const Step_coefficients&, const Device_options&, std::false_type) {
+  void start_device(const Device_options&, std::false_type) {
     fallback_ = "the program is not linked with Handle_tunnel_loops::cuda";
   }
 
-  std::unique_ptr<Device_passes<Execution>> device_;
-  std::unique_ptr<Host_passes<Execution>> host_;
+  // The answer of a pass: the device's, or that of the host if the device has failed.
+  template <typename Pass> decltype(auto) run(const Pass& pass) {
+    if(device_)
+      try {
+        return pass(*device_);
+      } catch(const Device_exception& e) {
+        leave_device(e);
+      }
+    return pass(*host_);
+  }
+
+  std::optional<std::vector<Found_walks>> found_on_device(const Loop_search& search,
+                                                          Progress& progress) {
+    if(device_)
+      try {
+        return device_->found_walks(search, progress);
+      } catch(const Device_exception& e) {
+        leave_device(e);
+      }
+    return std::nullopt;
+  }
+
+  void leave_device(const Device_exception& e) {
+    fallback_ = e.what();
+    Statistics statistics;
+    device_->report(statistics);
+    device_bytes_ = statistics.device_bytes;
+    std::vector<Time> times;
+    if(is_swept_on_device_)
+      times = times_if_there();
+    device_.reset();
+    host_ = std::make_unique<Host>(mesh_, coefficients_);
+    host_->set_sweep_times(std::move(times));
+  }
+
+  // A device that has failed in a later pass may still have them.
+  std::vector<Time> times_if_there() {
+    try {
+      return device_->sweep_times();
+    } catch(const Device_exception&) {
+      return {};
+    }
+  }
+
+  static void ensure_times(const Device&) {}
+  // All sweeps from the same vertices are the same.
+  void ensure_times(Host& host) const {
+    if(host.sweep_times().empty())
+      host.sweep(seeds_, *progress_);
+  }
+
+  const Flat_mesh& mesh_;
+  Step_coefficients coefficients_;
+  std::unique_ptr<Device> device_; // one of the two
+  std::unique_ptr<Host> host_;
   std::string fallback_;
+  std::size_t device_bytes_ = 0; // of the device that failed
+  bool is_swept_on_device_ = false;
+  std::vector<Index> seeds_;
+  Progress* progress_ = nullptr; // of the last sweep
 };
 
 } // namespace internal

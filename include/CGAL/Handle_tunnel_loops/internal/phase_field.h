@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/internal/host_device.h>
+#include <CGAL/Handle_tunnel_loops/internal/rounded_product.h>
 
 #include <cmath>
 #include <cstdint>
@@ -61,15 +62,16 @@ constexpr std::uint32_t stencil_width = 8;
 /// value of neighbour i, and zero where there is none.
 template <typename Value>
 CGAL_HTL_HOST_DEVICE float stencil_mean(float weight, const Value& value) {
-  return weight * (((value(0) + value(1)) + (value(2) + value(3))) +
-                   ((value(4) + value(5)) + (value(6) + value(7))));
+  return rounded_product(weight, ((value(0) + value(1)) + (value(2) + value(3))) +
+                                     ((value(4) + value(5)) + (value(6) + value(7))));
 }
 
 /// the value after one step.
 CGAL_HTL_HOST_DEVICE inline float
 stepped_value(float phi, float mean_of_neighbors, const Step_coefficients& k) {
-  const float change = k.diffusion * (mean_of_neighbors - phi) +
-                       k.drive * std::sqrt(phi * (1.f - phi)) - k.penalty * (1.f - 2.f * phi);
+  const float change = rounded_product(k.diffusion, mean_of_neighbors - phi) +
+                       rounded_product(k.drive, std::sqrt(phi * (1.f - phi))) -
+                       rounded_product(k.penalty, 1.f - 2.f * phi);
   const float value = phi + change;
   const float positive = value > 0.f ? value : 0.f; // in this form it compiles to no branch
   return positive < k.settled ? positive : 1.f;

@@ -8,11 +8,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <mutex>
 #include <string>
 #include <typeinfo>
-#include <utility>
 #include <vector>
 
 namespace cuda_stand_in {
@@ -55,35 +52,6 @@ inline void check_addresses(const Kernel& kernel, Device& device) {
       kernel.complain("is given memory that has been given back");
   }
 }
-
-// The kernels that a program has asked about, by their addresses: graphs are told the address and
-// those of the arguments, but not the types.
-class Kernel_types
-{
-public:
-  template <typename... Parameters> void add(void (*kernel)(Parameters...)) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    binders_[reinterpret_cast<const void*>(kernel)] = [kernel](void** arguments) {
-      return bind(kernel, arguments, std::index_sequence_for<Parameters...>());
-    };
-  }
-
-  // Null if it is not known.
-  std::function<Kernel(void**)> binder(const void* kernel) const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = binders_.find(kernel);
-    return found == binders_.end() ? nullptr : found->second;
-  }
-
-private:
-  template <typename... Parameters, std::size_t... I>
-  static Kernel bind(void (*kernel)(Parameters...), void** arguments, std::index_sequence<I...>) {
-    return bound_kernel(kernel, *static_cast<const Parameters*>(arguments[I])...);
-  }
-
-  std::map<const void*, std::function<Kernel(void**)>> binders_;
-  mutable std::mutex mutex_;
-};
 
 } // namespace cuda_stand_in
 

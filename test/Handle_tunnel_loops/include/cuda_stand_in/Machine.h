@@ -4,7 +4,6 @@
 #include "Array.h"
 #include "Calls.h"
 #include "Event.h"
-#include "Graph.h"
 #include "Owned.h"
 
 #include <memory>
@@ -21,8 +20,6 @@ public:
   void set_up(const std::vector<Device_kind>& kinds) {
     streams.clear(); // first, for what is still to be done needs all else
     events.clear();
-    executables.clear();
-    graphs.clear();
     arrays.clear();
     pools.clear();
     devices.clear();
@@ -50,8 +47,6 @@ public:
     say(events.size(), "events");
     say(pools.size(), "pools");
     say(arrays.size(), "arrays");
-    say(graphs.size(), "graphs");
-    say(executables.size(), "executable graphs");
     for(const auto& device : devices)
       say(device->reserved_bytes(), "bytes");
     return all;
@@ -62,9 +57,6 @@ public:
   Owned<Event> events;
   Owned<Pool> pools;
   Owned<Array> arrays; // by their data
-  Owned<Graph> graphs;
-  Owned<Executable_graph> executables;
-  Kernel_types kernel_types;
   Calls calls;
 
   static inline thread_local int current_device = 0;

@@ -4,6 +4,7 @@
 #include "Device.h"
 
 #include <cstddef>
+#include <iterator>
 #include <mutex>
 #include <set>
 
@@ -16,7 +17,7 @@ class Pool
 public:
   explicit Pool(Device& device)
       : device_(device) {}
-  ~Pool() { trim(); }
+  ~Pool() { trim(0); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
@@ -53,12 +54,15 @@ public:
     kept_.insert(piece);
   }
 
-  // Gives back to the device what is kept.
-  void trim() {
+  // Gives back to the device what is kept, until so much is left of all that was taken.
+  void trim(std::size_t bytes) {
     const Lock lock(mutex_);
-    device_.give_back(kept_bytes_);
-    kept_bytes_ = 0;
-    kept_.clear();
+    while(!kept_.empty() && used_ + kept_bytes_ > bytes) {
+      const auto largest = std::prev(kept_.end());
+      device_.give_back(*largest);
+      kept_bytes_ -= *largest;
+      kept_.erase(largest);
+    }
   }
 
 private:

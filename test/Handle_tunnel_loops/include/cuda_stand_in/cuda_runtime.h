@@ -5,7 +5,6 @@
 // the manual says that they do on a device.
 
 #include "runtime_devices.h"
-#include "runtime_graphs.h"
 #include "runtime_launches.h"
 #include "runtime_memory.h"
 #include "runtime_streams.h"

@@ -1,31 +1,19 @@
 #ifndef HTL_TEST_CUDA_STAND_IN_RUNTIME_LAUNCHES_H
 #define HTL_TEST_CUDA_STAND_IN_RUNTIME_LAUNCHES_H
 
+#include "Grid.h"
+#include "Kernel.h"
 #include "runtime_calls.h"
 
 // NOLINTBEGIN(readability-identifier-naming): CUDA's names
 
 template <typename... Parameters>
-cudaError_t cudaFuncGetAttributes(cudaFuncAttributes* attributes, void (*kernel)(Parameters...)) {
+cudaError_t cudaFuncGetAttributes(cudaFuncAttributes* attributes, void (*)(Parameters...)) {
   using namespace cuda_stand_in;
   return call([&] {
     if(!machine.current().kind().has_code)
       return cudaErrorNoKernelImageForDevice;
-    machine.kernel_types.add(kernel);
     attributes->maxThreadsPerBlock = machine.current().kind().threads_per_block;
-    return cudaSuccess;
-  });
-}
-
-template <typename Kernel>
-cudaError_t cudaOccupancyMaxActiveBlocksPerMultiprocessor(int* blocks,
-                                                          Kernel,
-                                                          int threads_per_block,
-                                                          std::size_t) {
-  using namespace cuda_stand_in;
-  return call([&] {
-    const Device_kind& kind = machine.current().kind();
-    *blocks = threads_per_block <= kind.threads_per_block ? kind.blocks_per_multiprocessor : 0;
     return cudaSuccess;
   });
 }

@@ -57,9 +57,7 @@ inline cudaError_t cudaMemPoolGetAttribute(cudaMemPool_t pool, cudaMemPoolAttr w
 inline cudaError_t cudaMemPoolTrimTo(cudaMemPool_t pool, std::size_t bytes_to_keep) {
   using namespace cuda_stand_in;
   return call_for(machine.pools, pool, [&](const std::shared_ptr<Pool>& object) {
-    if(bytes_to_keep != 0)
-      return cudaErrorInvalidValue;
-    object->trim();
+    object->trim(bytes_to_keep);
     return cudaSuccess;
   });
 }

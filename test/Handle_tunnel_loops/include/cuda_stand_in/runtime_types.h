@@ -13,9 +13,6 @@ namespace cuda_stand_in {
 class Stream;
 class Event;
 class Pool;
-class Graph;
-class Executable_graph;
-struct Graph_node;
 } // namespace cuda_stand_in
 
 // NOLINTBEGIN(readability-identifier-naming): CUDA's names
@@ -40,10 +37,6 @@ enum cudaError_t {
 using cudaStream_t = cuda_stand_in::Stream*;
 using cudaEvent_t = cuda_stand_in::Event*;
 using cudaMemPool_t = cuda_stand_in::Pool*;
-using cudaGraph_t = cuda_stand_in::Graph*;
-using cudaGraphExec_t = cuda_stand_in::Executable_graph*;
-using cudaGraphNode_t = cuda_stand_in::Graph_node*;
-using cudaGraphConditionalHandle = unsigned long long;
 
 // ---- devices
 
@@ -108,38 +101,6 @@ struct cudaLaunchConfig_t
   cudaStream_t stream;
   cudaLaunchAttribute* attrs;
   unsigned numAttrs;
-};
-
-// ---- graphs
-
-constexpr unsigned cudaGraphCondAssignDefault = 1;
-
-enum cudaGraphNodeType { cudaGraphNodeTypeKernel = 0, cudaGraphNodeTypeConditional = 13 };
-enum cudaGraphConditionalNodeType { cudaGraphCondTypeIf = 0, cudaGraphCondTypeWhile = 1 };
-
-struct cudaGraphEdgeData
-{};
-
-struct cudaKernelNodeParams
-{
-  void* func;
-  dim3 gridDim, blockDim;
-  unsigned sharedMemBytes;
-  void** kernelParams;
-};
-
-struct cudaConditionalNodeParams
-{
-  cudaGraphConditionalHandle handle;
-  cudaGraphConditionalNodeType type;
-  unsigned size;
-  cudaGraph_t* phGraph_out;
-};
-
-struct cudaGraphNodeParams
-{
-  cudaGraphNodeType type;
-  cudaConditionalNodeParams conditional;
 };
 
 // NOLINTEND(readability-identifier-naming)

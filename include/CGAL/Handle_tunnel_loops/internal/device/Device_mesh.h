@@ -42,13 +42,12 @@ template <typename Executor> class Device_mesh
   template <typename T> using Buffer = typename Executor::template Buffer<T>;
 
 public:
+  /// The rows are filled when the last copy has been waited for.
   Device_mesh(Executor& executor, const Mesh_view& host)
-      : points_(copy(executor, host.points))
-      , row_begin_(copy(executor, host.row_begin))
+      : row_begin_(copy(executor, host.row_begin))
       , neighbor_(copy(executor, host.neighbor))
-      , rows_(executor.template make<Neighbor_row>(number_of_vertices())) {
-    executor.for_each(number_of_vertices(), Fill_rows{view(), rows_.span()});
-  }
+      , rows_(filled_rows(executor))
+      , points_(copy(executor, host.points)) {}
 
   std::size_t number_of_vertices() const { return row_begin_.span().size() - 1; }
 
@@ -67,9 +66,16 @@ private:
     return uploaded(executor, values.data(), values.size());
   }
 
-  Buffer<double> points_;
+  Buffer<Neighbor_row> filled_rows(Executor& executor) const {
+    auto rows = executor.template make<Neighbor_row>(number_of_vertices());
+    const Mesh_view rings = {{}, row_begin_.span(), neighbor_.span(), {}};
+    executor.for_each(number_of_vertices(), Fill_rows{rings, rows.span()});
+    return rows;
+  }
+
   Buffer<Index> row_begin_, neighbor_;
   Buffer<Neighbor_row> rows_;
+  Buffer<double> points_;
 };
 
 } // namespace device

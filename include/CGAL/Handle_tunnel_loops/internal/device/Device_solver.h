@@ -15,7 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_sweep.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Front_layers.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/label_front.h>
 
 #include <algorithm>
 #include <vector>
@@ -47,10 +46,6 @@ public:
 
   Front_log front_log() override {
     return Front_layers<Executor>(executor_, host_mesh_, mesh_.view(), sweep_.time_span()).run();
-  }
-
-  std::vector<Index> front_labels(Time level) override {
-    return label_front(executor_, mesh_.view(), sweep_.time_span(), level);
   }
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,

@@ -13,8 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Contours.h>
-
-#include <cmath>
+#include <CGAL/Handle_tunnel_loops/internal/rounded_product.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -30,13 +29,13 @@ struct Place
 CGAL_HTL_HOST_DEVICE inline Place place_of(const Crossing& c, const Mesh_view& mesh) {
   const double* p = mesh.points.data() + 3 * std::size_t(c.left);
   const double* q = mesh.points.data() + 3 * std::size_t(c.right);
-  return {p[0] + c.ratio * (q[0] - p[0]), p[1] + c.ratio * (q[1] - p[1]),
-          p[2] + c.ratio * (q[2] - p[2])};
+  return {p[0] + rounded_product(c.ratio, q[0] - p[0]),
+          p[1] + rounded_product(c.ratio, q[1] - p[1]),
+          p[2] + rounded_product(c.ratio, q[2] - p[2])};
 }
 
 CGAL_HTL_HOST_DEVICE inline double distance(const Place& p, const Place& q) {
-  const double x = q.x - p.x, y = q.y - p.y, z = q.z - p.z;
-  return std::sqrt(x * x + y * y + z * z);
+  return rounded_length(q.x - p.x, q.y - p.y, q.z - p.z);
 }
 
 /// A curve from the first to the last of its crossings.

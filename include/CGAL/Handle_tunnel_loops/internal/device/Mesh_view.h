@@ -15,8 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
-
-#include <cmath>
+#include <CGAL/Handle_tunnel_loops/internal/rounded_product.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -50,8 +49,7 @@ struct Mesh_view
   CGAL_HTL_HOST_DEVICE double edge_length(Index u, Index v) const {
     const double* p = points.data() + 3 * std::size_t(u);
     const double* q = points.data() + 3 * std::size_t(v);
-    const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
-    return std::sqrt(x * x + y * y + z * z);
+    return rounded_length(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
   }
 };
 

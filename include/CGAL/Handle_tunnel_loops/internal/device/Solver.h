@@ -66,9 +66,6 @@ public:
   /// the layers of the last sweep, and what happened to its fronts.
   virtual Front_log front_log() = 0;
 
-  /// the labels of the front of the last sweep at a level, by position in the rings; see `Front`.
-  virtual std::vector<Index> front_labels(Time level) = 0;
-
   /// the arrival times of one field from both sides of all loops, none of which it crosses.
   virtual std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                              const Crossing_index& index,

@@ -1,31 +1,22 @@
-// Copyright (c) 2026 The Handle_tunnel_loops authors.
-// All rights reserved.
-//
-// $URL$
-// $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Handle_tunnel_loops authors
+#ifndef HTL_TEST_LABEL_FRONT_H
+#define HTL_TEST_LABEL_FRONT_H
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_LABEL_FRONT_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_LABEL_FRONT_H
+#include "Front_labels.h"
 
-#include <CGAL/license/Handle_tunnel_loops.h>
-
-#include <CGAL/Handle_tunnel_loops/internal/device/Front_labels.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/buffers.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+// A device labels the parts of a front, which the passes have no need of: a test of what executors
+// provide for programs of many rounds.
 
-/// the label of each position in the rings: `no_index` for those that are no triangle of the front
-/// at a level, see `Front`. Takes four bytes per position and eight per triangle of the front.
+namespace front_labels {
+
+// The label of each position in the rings: `no_index` for those that are no triangle of the front
+// at a level, see `Front`. Takes four bytes per position and eight per triangle of the front.
 template <typename Executor>
 std::vector<Index>
 label_front(Executor& executor, const Mesh_view& mesh, const Span<const Time>& time, Time level) {
@@ -45,9 +36,15 @@ label_front(Executor& executor, const Mesh_view& mesh, const Span<const Time>& t
   return downloaded(executor, label);
 }
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+// The same for a mesh and times that are not there yet.
+template <typename Executor>
+std::vector<Index>
+label_front(Executor& executor, const Flat_mesh& mesh, const std::vector<Time>& times, Time level) {
+  const Device_mesh<Executor> on_device(executor, view_of(mesh));
+  const auto time = uploaded(executor, times);
+  return label_front(executor, on_device.view(), time.span(), level);
+}
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_LABEL_FRONT_H
+} // namespace front_labels
+
+#endif // HTL_TEST_LABEL_FRONT_H

@@ -1,28 +1,17 @@
-// Copyright (c) 2026 The Handle_tunnel_loops authors.
-// All rights reserved.
-//
-// $URL$
-// $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Handle_tunnel_loops authors
-
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_FRONT_LABELS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_FRONT_LABELS_H
-
-#include <CGAL/license/Handle_tunnel_loops.h>
+#ifndef HTL_TEST_FRONT_LABELS_H
+#define HTL_TEST_FRONT_LABELS_H
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/atomics.h>
 #include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace front_labels {
 
-/*!
+using namespace CGAL::Handle_tunnel_loops::internal;
+using namespace CGAL::Handle_tunnel_loops::internal::device;
+
+/*
 The connected components of a front: of the triangles that the isoline of the arrival times at one
 level passes, adjacent across the edges that it passes. They are simple closed curves.
 
@@ -42,13 +31,13 @@ public:
 
   CGAL_HTL_HOST_DEVICE bool is_behind(Index v) const { return time_[v] <= level_; }
 
-  /// whether position `i` in the ring of `v` is the number of a triangle of the front.
+  // whether position `i` in the ring of `v` is the number of a triangle of the front.
   CGAL_HTL_HOST_DEVICE bool is_front(Index v, Index i) const {
     const Ring ring = mesh_.ring(v);
     return is_behind(ring[i]) != is_behind(v) && is_behind(ring[ring.next(i)]) != is_behind(v);
   }
 
-  /// the number of the front's next triangle, with what is behind on the left.
+  // the number of the front's next triangle, with what is behind on the left.
   CGAL_HTL_HOST_DEVICE Index next(Index v, Index i) const {
     const Ring ring = mesh_.ring(v);
     const bool is_left = is_behind(v);
@@ -67,17 +56,17 @@ private:
   Time level_;
 };
 
-/// A triangle of the front and its next one.
+// A triangle of the front and its next one.
 struct Front_pair
 {
   Index triangle, neighbor;
 };
 
-/// Lists the triangles of the front, each with its next one, and makes each its own label.
+// Lists the triangles of the front, each with its next one, and makes each its own label.
 struct Collect_front
 {
   Front front;
-  Span<Index> label; ///< by position in the rings
+  Span<Index> label; // by position in the rings
   Span<Front_pair> pairs;
   Index* number_of_pairs;
 
@@ -95,8 +84,8 @@ struct Collect_front
   }
 };
 
-/// The hooking and jumping, in turns, as a program for `run_steps()`: it hooks in odd steps, and
-/// jumps in even ones.
+// The hooking and jumping, in turns, as a program for `run_steps()`: it hooks in odd steps, and
+// jumps in even ones.
 class Label_front : public Rounds
 {
 public:
@@ -140,9 +129,6 @@ private:
   Span<Index> label_;
 };
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace front_labels
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_FRONT_LABELS_H
+#endif // HTL_TEST_FRONT_LABELS_H

@@ -1,0 +1,11 @@
+#include "contracted.h"
+
+namespace contracted {
+
+Numbers_of_passes numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::Flat_mesh& mesh) {
+  return ::numbers_of_passes(mesh);
+}
+
+double product_and_sum(double a, double b, double c) { return a * b + c; }
+
+} // namespace contracted

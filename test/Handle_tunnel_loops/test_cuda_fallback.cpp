@@ -1,0 +1,193 @@
+// Cuda_if_available_tag: whatever fails on the device, and whenever, the answer is that of the
+// host.
+
+#include "Cuda_runtime_test.h"
+#include "Device_agreement.h"
+#include "Same_loops.h"
+
+#include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using namespace cuda_runtime_test;
+using namespace device_agreement;
+using CGAL::Handle_tunnel_loops::Device_options;
+using CGAL::Handle_tunnel_loops::Interrupted_exception;
+using CGAL::Handle_tunnel_loops::least_vertices_for_device;
+using CGAL::Handle_tunnel_loops::Statistics;
+using cuda_stand_in::all_later;
+namespace parameters = CGAL::parameters;
+
+constexpr std::size_t any_size = 0;
+
+// What passes find on a mesh of one handle, and how they say that they did.
+struct Answers
+{
+  std::vector<Sweep_handle> handles;
+  std::vector<Time> times, times_from_loops;
+  std::vector<Index> layers;
+  std::vector<std::vector<Index>> walks;
+
+  bool operator==(const Answers& other) const {
+    return std::tie(handles, times, times_from_loops, layers, walks) ==
+           std::tie(other.handles, other.times, other.times_from_loops, other.layers, other.walks);
+  }
+};
+
+template <typename Passes> Answers answers_of(Passes& passes, const Flat_mesh& mesh) {
+  Quiet_progress progress;
+  Answers answers;
+  answers.handles = passes.sweep({0}, progress);
+  answers.layers = passes.front_log().layer;
+  const std::vector<Crossing_loop> contours = loops_of(answers.handles);
+  const Crossing_index index(mesh, contours);
+  answers.times_from_loops = passes.times_from_loops(contours, index);
+  for(const bool bars_only_own : {false, true})
+    passes.search(
+        {contours, index, bars_only_own, {0}}, progress, [&](Index, const Found_walks& found) {
+          answers.walks.insert(answers.walks.end(), found.walks.begin(), found.walks.end());
+        });
+  answers.times = passes.sweep_times();
+  return answers;
+}
+
+class Cuda_fallback : public Cuda_runtime
+{
+protected:
+  using Execution = decltype(execution<CGAL::Cuda_if_available_tag>());
+  using Passes = Passes_if_available<Execution>;
+
+  // The passes are not on the current device, so that it matters which one is.
+  void SetUp() override {
+    Device_kind kind;
+    kind.multiprocessors = kind.threads_per_block = 1;
+    use_devices({kind, kind});
+    Host_passes<Execution> host(flat, step_coefficients({}));
+    expected = answers_of(host, flat);
+    ASSERT_EQ(expected.walks.size(), 2u);
+  }
+
+  Statistics expect_right() const {
+    Passes passes(flat, step_coefficients({}), {1, nullptr, any_size});
+    EXPECT_TRUE(answers_of(passes, flat) == expected);
+    Statistics statistics;
+    passes.report(statistics);
+    EXPECT_EQ(statistics.backend == "cuda", statistics.fallback.empty());
+    return statistics;
+  }
+
+  const Recipe recipe = {"torus", {100, 1, 0}};
+  const Flat_mesh flat = flat_mesh_of(recipe);
+  Answers expected;
+};
+
+// ---- failures
+
+// Each is answered by one of the three.
+TEST_F(Cuda_fallback, AnyCallMayFail) {
+  for(const unsigned number : {1u, 4u, all_later})
+    for(const cudaError_t error : {cudaErrorLaunchFailure, cudaErrorMemoryAllocation}) {
+      std::size_t on_device = 0, on_both = 0, on_host = 0;
+      expect_survived({1, number, error}, 0, [&] {
+        const std::string backend = expect_right().backend;
+        ++(backend == "cuda" ? on_device : backend == "host" ? on_host : on_both);
+      });
+      EXPECT_GT(on_host, 10u);
+      EXPECT_GT(on_both, 10u);
+      EXPECT_GT(on_device, 0u) << "when no call fails";
+    }
+}
+
+TEST_F(Cuda_fallback, TheLoopsAreThoseOfTheHost) {
+  const Mesh mesh = mesh_of(recipe);
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  const auto find = [&](Pairs& pairs) {
+    solver.find_loops<CGAL::Cuda_if_available_tag>(
+        std::back_inserter(pairs), parameters::device_options(Device_options{1, nullptr, any_size},
+                                                              parameters::do_log_fronts(true)));
+  };
+  const Pairs expected_pairs = find_loops(mesh);
+  for(const unsigned number : {1u, all_later})
+    expect_survived({1, number, cudaErrorLaunchFailure}, 5, [&] {
+      Pairs pairs;
+      find(pairs);
+      expect_same(pairs, expected_pairs);
+      EXPECT_EQ(solver.statistics().backend == "cuda", solver.statistics().fallback.empty());
+      EXPECT_EQ(solver.statistics().backend == "host",
+                solver.statistics().backend.find("cuda") == std::string::npos);
+    });
+}
+
+// With passes that run at the same time, and so in batches, where memory ends in the middle.
+TEST_F(Cuda_fallback, MemoryMayEndInAnyPass) {
+  const Recipe sponge = {"sponge", {3000, 16, 1}};
+  const Mesh mesh = mesh_of(sponge);
+  const Pairs expected_pairs = find_loops(mesh);
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  std::size_t number_of_fallbacks = 0;
+  for(unsigned first = 1; first < 3000; first += 1 + first / 4) {
+    SCOPED_TRACE(first);
+    machine.calls.restart({first, all_later, cudaErrorMemoryAllocation});
+    Pairs pairs;
+    solver.find_loops<CGAL::Cuda_if_available_tag>(
+        std::back_inserter(pairs),
+        parameters::device_options(Device_options{1, nullptr, any_size}));
+    machine.calls.restart();
+    expect_same(pairs, expected_pairs);
+    number_of_fallbacks += solver.statistics().backend == "cuda, then host";
+    EXPECT_TRUE(solver.statistics().device_bytes > 0 || solver.statistics().backend == "host");
+  }
+  EXPECT_GT(number_of_fallbacks, 5u);
+}
+
+TEST_F(Cuda_fallback, StopsWhenItIsAskedToAfterAFailure) {
+  const Mesh mesh = mesh_of(recipe);
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  for(const unsigned first : {1u, 40u, 400u})
+    for(unsigned stop = 1; stop < 6; ++stop) {
+      machine.calls.restart({first, all_later, cudaErrorLaunchFailure});
+      unsigned calls = 0;
+      EXPECT_THROW(solver.find_loops<CGAL::Cuda_if_available_tag>(
+                       CGAL::Emptyset_iterator(),
+                       parameters::device_options(
+                           Device_options{1, nullptr, any_size},
+                           parameters::callback([&](double) { return ++calls < stop; }))),
+                   Interrupted_exception);
+      machine.calls.restart();
+    }
+}
+
+// ---- the size of the mesh
+
+TEST_F(Cuda_fallback, SmallMeshesStayOnTheHost) {
+  const Mesh mesh = mesh_of(recipe);
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  const std::size_t n = mesh.number_of_vertices();
+  ASSERT_LT(n, least_vertices_for_device);
+  for(const std::size_t least : {least_vertices_for_device, n + 1}) {
+    solver.find_loops<CGAL::Cuda_if_available_tag>(
+        CGAL::Emptyset_iterator(), parameters::device_options(Device_options{1, nullptr, least}));
+    EXPECT_EQ(solver.statistics().backend, "host");
+    EXPECT_NE(solver.statistics().fallback.find(std::to_string(n)), std::string::npos);
+    EXPECT_EQ(machine.calls.number(), 0u) << "a device is woken";
+  }
+  solver.find_loops<CGAL::Cuda_if_available_tag>(
+      CGAL::Emptyset_iterator(), parameters::device_options(Device_options{1, nullptr, n}));
+  EXPECT_EQ(solver.statistics().backend, "cuda");
+  EXPECT_EQ(solver.statistics().fallback, "");
+  const std::size_t largest = std::numeric_limits<std::size_t>::max();
+  solver.find_loops<CGAL::Cuda_tag>(
+      CGAL::Emptyset_iterator(), parameters::device_options(Device_options{1, nullptr, largest}));
+  EXPECT_EQ(solver.statistics().backend, "cuda") << "who asks for a device gets one";
+}
+
+} // namespace
