@@ -82,6 +82,8 @@ make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tun
   return std::make_unique<Cuda_solver>(mesh, device, options.stream, tuning);
 }
 
+void start_cuda_device(const Device_options& options) { htl_cuda::usable_device(options.device); }
+
 } // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops

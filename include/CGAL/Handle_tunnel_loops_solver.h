@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/Device_start.h>
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
@@ -98,6 +99,10 @@ public:
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const auto began = std::chrono::steady_clock::now();
+    const impl::Device_start<ConcurrencyTag> device(
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::device_options),
+                                     Device_options()),
+        num_vertices(tm));
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
     using Execution = decltype(impl::execution<ConcurrencyTag>());
     impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map,

@@ -57,7 +57,7 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
   const Stopwatch stopwatch;
   const Mesh::Vertex_index seed =
       options.seed.value_or(boost::graph_traits<Mesh>::null_vertex()); // the solver's choice
-  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh, np);
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(ConcurrencyTag(), mesh, np);
   solver.template find_loops<ConcurrencyTag>(std::back_inserter(answer.pairs),
                                              parameters::seed_vertex(seed, np));
   answer.statistics = solver.statistics();

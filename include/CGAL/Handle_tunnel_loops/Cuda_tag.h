@@ -13,11 +13,15 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Device_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/Device_start.h>
 #include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
 #include <CGAL/Handle_tunnel_loops/internal/Passes_if_available.h>
 #include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #include <CGAL/tags.h>
+
+#include <cstddef>
+#include <optional>
 
 namespace CGAL {
 
@@ -72,6 +76,25 @@ template <> struct Loop_finder_of<Cuda_tag>
   using Execution = decltype(execution<Cuda_tag>());
   using type = Loop_finder<Execution, Device_passes<Execution>>;
 };
+
+#ifdef CGAL_LINKED_WITH_CUDA
+template <> struct Device_start<Cuda_tag> : Concurrent_device_start
+{
+  Device_start(const Device_options& options, std::size_t)
+      : Concurrent_device_start(options) {}
+};
+
+template <> struct Device_start<Cuda_if_available_tag>
+{
+  Device_start(const Device_options& options, std::size_t number_of_vertices) {
+    if(number_of_vertices >= options.least_vertices)
+      start_.emplace(options);
+  }
+
+private:
+  std::optional<Concurrent_device_start> start_;
+};
+#endif
 
 } // namespace internal
 } // namespace Handle_tunnel_loops
