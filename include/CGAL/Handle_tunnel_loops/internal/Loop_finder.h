@@ -161,12 +161,12 @@ private:
   // more. Returns the loops that are left when most would need more than their share, as a sample
   // tells before much is spent.
   std::vector<Index> find_near_tunnels(const std::vector<Crossing_loop>& contours) {
+    std::size_t sharing = contours.size();
     std::vector<Index> sample, others;
     for(Index k : all_loops())
-      (k % 16 == 0 ? sample : others).push_back(k);
-    std::size_t sharing = contours.size();
+      (sharing <= 16 || k % 16 == 0 ? sample : others).push_back(k); // all of a few, at a time
     std::vector<Index> open = search_tunnels(contours, sample, share_of_updates(sharing));
-    if(2 * open.size() <= sample.size())
+    if(!others.empty() && 2 * open.size() <= sample.size())
       others = search_tunnels(contours, others, share_of_updates(sharing));
     open.insert(open.end(), others.begin(), others.end());
     for(; !open.empty() && 2 * open.size() <= sharing;) {

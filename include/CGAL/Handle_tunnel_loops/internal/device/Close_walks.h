@@ -25,8 +25,7 @@ struct Found_walk
 {
   Index pass;
   Index rank; ///< among those of the pass
-  std::uint64_t begin;
-  Index size;
+  std::uint64_t begin, size;
 };
 
 /// How much was found. More than there is room for is counted, too.

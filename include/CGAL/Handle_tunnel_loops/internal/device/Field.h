@@ -45,6 +45,7 @@ struct Step_counters
   struct alignas(128) Counter
   {
     Index value;
+    Index unused[31];
   };
   Counter added[3]; ///< to the list of the next step
   Counter left[3];  ///< the band
@@ -73,9 +74,10 @@ struct Field_state
 /// All that the host looks at between runs.
 struct Field_control
 {
-  Step_counters counters;
   Field_state state;
   Index number_of_meetings;
+  Index unused[23];
+  Step_counters counters;
 };
 
 /// What is known of each pass.

@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/rounded_product.h>
 
+#include <cstdint>
+
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
@@ -84,7 +86,7 @@ struct Measure_arcs
 /// first one above, or the first one below parts.
 struct Linked_fronts
 {
-  bool do_meet;
+  std::uint64_t do_meet;     ///< zero or one; no byte is without a value
   double below[2], above[2]; ///< lengths, in the unit of the mesh
 };
 
