@@ -32,6 +32,9 @@ public:
 
   void make_set(Index i) { parent_[i] = i; }
 
+  /// a number of the same set, smaller than `i` if there is one.
+  Index parent(Index i) const { return parent_[i]; }
+
   /// the representative of the set of `i`.
   Index find(Index i) const {
     while(parent_[i] != i)
@@ -81,8 +84,12 @@ Uninitialized_vector<Index> smallest_in_component(Execution execution, const Fla
   for(const auto& [u, v] : collect<Edge>(execution, n, join_range, grain))
     sets.unite(u, v);
   Uninitialized_vector<Index> smallest(n);
-  for_each_index(execution, n,
-                 [&](std::size_t v) { smallest[v] = sets.find(static_cast<Index>(v)); });
+  Execution::for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
+    for(Index v = static_cast<Index>(begin); v < end; ++v) {
+      const Index parent = sets.parent(v);
+      smallest[v] = parent == v ? v : parent < begin ? sets.find(parent) : smallest[parent];
+    }
+  });
   return smallest;
 }
 
