@@ -1,27 +1,37 @@
-// Pulled taut, a loop is never longer than before, and in the same class.
+// Pulled taut, a loop is never longer than before, in the same class, and to the last bit where it
+// is when everything is done anew in each round.
 
+#include "Tightening_anew.h"
 #include "Torus_loops.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace {
 
+using CGAL::Handle_tunnel_loops::internal::Crossing;
 using CGAL::Handle_tunnel_loops::internal::length;
 using CGAL::Handle_tunnel_loops::internal::Loop_tightening;
 using CGAL::Handle_tunnel_loops::internal::pushed_left;
+
+bool is_same(const Crossing& a, const Crossing& b) {
+  return a.left == b.left && a.right == b.right && a.ratio == b.ratio;
+}
 
 // The class is seen through the intersection numbers with a fixed family.
 void expect_tightened(const Flat_mesh& mesh,
                       const Crossing_loop& loop,
                       const Crossing_index& index) {
   for(const int rounds : {1, 3, 100}) {
-    Crossing_loop taut = loop;
+    Crossing_loop taut = loop, expected = loop;
     Loop_tightening(mesh).tighten(taut, rounds);
+    Tightening_anew(mesh).tighten(expected, rounds);
+    EXPECT_TRUE(std::equal(taut.begin(), taut.end(), expected.begin(), expected.end(), is_same));
     expect_crossing_loop(mesh, taut);
     EXPECT_LE(length(mesh, taut), (1. + 1e-12) * length(mesh, loop));
     EXPECT_EQ(index.intersections(taut), index.intersections(loop));

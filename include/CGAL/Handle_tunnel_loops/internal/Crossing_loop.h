@@ -73,7 +73,7 @@ template <typename Function> void for_each_left_edge(const Crossing_loop& loop, 
   }
 }
 
-inline bool is_backtrack(const Crossing& a, const Crossing& b) {
+template <typename Edge> bool is_backtrack(const Edge& a, const Edge& b) {
   return a.left == b.right && a.right == b.left;
 }
 

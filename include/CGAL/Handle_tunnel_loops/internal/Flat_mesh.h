@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/Uninitialized_vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/host_device.h>
 #include <CGAL/Handle_tunnel_loops/internal/rounded_product.h>
 
@@ -85,14 +86,14 @@ private:
 /// into the unit box, so that neither underflow nor overflow has to be thought of again.
 struct Flat_mesh
 {
-  std::vector<Vector> points;
-  std::vector<Index> row_begin; ///< size n + 1
-  std::vector<Index> neighbor;  ///< the rings, one after the other
-  std::vector<Index> original;  ///< the caller's index of each vertex
-  std::vector<Index> seeds;     ///< one vertex of each component
-  std::vector<Index> component; ///< by vertex, a position in `seeds`
-  double scale = 1.;            ///< caller's unit of length / unit of `points`
-  std::size_t genus = 0;        ///< summed over the components
+  Uninitialized_vector<Vector> points;
+  Uninitialized_vector<Index> row_begin; ///< size n + 1
+  Uninitialized_vector<Index> neighbor;  ///< the rings, one after the other
+  Uninitialized_vector<Index> original;  ///< the caller's index of each vertex
+  Uninitialized_vector<Index> component; ///< by vertex, a position in `seeds`
+  std::vector<Index> seeds;              ///< one vertex of each component
+  double scale = 1.;                     ///< caller's unit of length / unit of `points`
+  std::size_t genus = 0;                 ///< summed over the components
 
   std::size_t number_of_vertices() const { return points.size(); }
   std::size_t number_of_faces() const { return neighbor.size() / 3; }

@@ -13,18 +13,22 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/Rings_of_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/Unit_box.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh_checks.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/space_filling_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/surface_components.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,8 +36,9 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// Turns any `FaceListGraph` into a `Flat_mesh`, and refuses, naming the element, whatever is not a
-/// closed oriented 2-manifold triangle mesh. Linear in the size of the mesh, but for the sort of
-/// the vertices. Isolated vertices are left out.
+/// closed oriented 2-manifold triangle mesh. Linear in the size of the mesh. Isolated vertices are
+/// left out. The mesh is walked once and in its own order, which its halfedges are likely to
+/// follow.
 template <typename TriangleMesh,
           typename VertexIndexMap,
           typename VertexPointMap,
@@ -42,17 +47,22 @@ class Flat_mesh_builder
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  // Exact numbers may share what they are computed from, and know nothing of threads.
+  using Point_execution = std::
+      conditional_t<std::is_floating_point<Coordinate>::value, Execution, Sequential_execution>;
 
 public:
   Flat_mesh_builder(const TriangleMesh& tm, VertexIndexMap index, VertexPointMap point)
       : tm_(tm)
       , index_(index)
-      , point_(point) {}
+      , point_(point)
+      , rings_(tm, index) {}
 
   Flat_mesh build() {
     collect_vertices();
-    count_valences();
+    rings_.read(execution_, vertices_);
     read_points();
     number_vertices();
     fill_rings();
@@ -68,117 +78,72 @@ private:
     return static_cast<std::size_t>(get(index_, v));
   }
 
-  // The number of caller's indices, which may leave gaps.
+  // Caller's indices may leave gaps.
   void collect_vertices() {
-    std::size_t bound = 0;
-    for(vertex_descriptor v : vertices(tm_))
-      bound = (std::max)(bound, caller_index(v) + 1);
-    valence_.assign(bound, 0);
-    if(bound >= no_index)
+    vertices_.reserve(num_vertices(tm_));
+    for(vertex_descriptor v : vertices(tm_)) {
+      index_bound_ = (std::max)(index_bound_, caller_index(v) + 1);
+      if(halfedge(v, tm_) != Graph_traits::null_halfedge())
+        vertices_.push_back(v);
+    }
+    if(index_bound_ >= no_index)
       throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many vertices");
   }
 
-  void count_valences() {
-    std::size_t number_of_halfedges = 0;
-    for(halfedge_descriptor h : halfedges(tm_)) {
-      if(is_border(h, tm_))
-        throw_edge_defect(Mesh_defect::BOUNDARY_EDGE, caller_index(source(h, tm_)),
-                          caller_index(target(h, tm_)), "the mesh is not closed, boundary edge");
-      if(next(next(next(h, tm_), tm_), tm_) != h)
-        throw_edge_defect(Mesh_defect::NOT_TRIANGULATED, caller_index(source(h, tm_)),
-                          caller_index(target(h, tm_)), "a face is not a triangle, at its");
-      ++valence_[caller_index(target(h, tm_))];
-      ++number_of_halfedges;
-    }
-    if(number_of_halfedges == 0)
-      throw Invalid_mesh_exception(Mesh_defect::EMPTY, {}, "the mesh has no face");
-    if(number_of_halfedges > std::size_t(1) << 31)
-      throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
-  }
-
   void read_points() {
-    for(vertex_descriptor v : vertices(tm_)) {
-      const std::size_t i = caller_index(v);
-      if(valence_[i] == 0)
-        continue;
-      const auto& p = get(point_, v);
+    points_.resize(vertices_.size());
+    First_index not_finite;
+    for_each_index(Point_execution(), vertices_.size(), [&](std::size_t i) {
+      const auto& p = get(point_, vertices_[i]);
       const Vector x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
       if(!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-        throw_vertex_defect(Mesh_defect::NON_FINITE_COORDINATE, i, "a coordinate is not finite");
-      vertices_.push_back(v);
-      points_.push_back(x);
-    }
-    move_into_unit_box();
-  }
-
-  void move_into_unit_box() {
-    Vector low, high;
-    low.fill((std::numeric_limits<double>::max)());
-    high.fill(std::numeric_limits<double>::lowest());
-    for(const Vector& p : points_)
-      for(int d = 0; d < 3; ++d) {
-        low[d] = (std::min)(low[d], p[d]);
-        high[d] = (std::max)(high[d], p[d]);
-      }
-    // Halved before they are subtracted: the difference of the largest doubles overflows.
-    double half = 0.;
-    for(int d = 0; d < 3; ++d)
-      half = (std::max)(half, 0.5 * high[d] - 0.5 * low[d]);
-    if(half == 0.)
-      half = 0.5;
-    mesh_.scale = 2. * half;
-    for_each_index(execution_, points_.size(), [&](std::size_t i) {
-      for(int d = 0; d < 3; ++d)
-        points_[i][d] = (0.5 * points_[i][d] - 0.5 * low[d]) / half;
+        not_finite.see(i);
+      points_[i] = x;
     });
+    if(not_finite.found())
+      throw_vertex_defect(Mesh_defect::NON_FINITE_COORDINATE,
+                          caller_index(vertices_[not_finite.get()]), "a coordinate is not finite");
   }
 
   void number_vertices() {
-    const std::vector<Index> order = space_filling_order(execution_, points_);
-    const std::size_t n = order.size();
-    flat_index_.assign(valence_.size(), no_index);
+    const Unit_box box(execution_, points_);
+    const std::size_t n = points_.size();
+    order_ = space_filling_order(execution_, n, [&](std::size_t i) { return box(points_[i]); });
+    mesh_.scale = box.scale();
     mesh_.points.resize(n);
     mesh_.original.resize(n);
     mesh_.row_begin.resize(n + 1);
+    flat_index_.assign(index_bound_, no_index);
     std::vector<vertex_descriptor> sorted(n);
     for_each_index(execution_, n, [&](std::size_t i) {
-      const vertex_descriptor v = vertices_[order[i]];
+      const vertex_descriptor v = vertices_[order_[i]];
       const std::size_t c = caller_index(v);
       sorted[i] = v;
-      mesh_.points[i] = points_[order[i]];
+      mesh_.points[i] = box(points_[order_[i]]);
       mesh_.original[i] = static_cast<Index>(c);
+      mesh_.row_begin[i] = rings_[order_[i]].size();
       flat_index_[c] = static_cast<Index>(i);
     });
+    Uninitialized_vector<Vector>().swap(points_);
     vertices_ = std::move(sorted);
-    std::vector<Vector>().swap(points_);
-
-    Index begin = 0;
-    for(std::size_t i = 0; i < n; ++i) {
-      mesh_.row_begin[i] = begin;
-      begin += valence_[mesh_.original[i]];
-    }
-    mesh_.row_begin[n] = begin;
-    mesh_.neighbor.resize(begin);
+    mesh_.row_begin[n] = 0;
+    mesh_.neighbor.resize(sum_before_each(execution_, mesh_.row_begin));
   }
 
   void fill_rings() {
     First_index several_fans, parallel_edges;
-    for_each_index(execution_, vertices_.size(), [&](std::size_t i) {
-      const Index begin = mesh_.row_begin[i], end = mesh_.row_begin[i + 1];
-      Index position = begin;
-      const halfedge_descriptor first = halfedge(vertices_[i], tm_);
-      halfedge_descriptor h = first;
-      do {
-        if(position == end)
-          break;
-        mesh_.neighbor[position++] = flat_index_[caller_index(source(h, tm_))];
-        h = prev(opposite(h, tm_), tm_);
-      } while(h != first);
-      if(position != end || h != first)
+    for_each_index(execution_, order_.size(), [&](std::size_t i) {
+      Index position = mesh_.row_begin[i];
+      for(Index u : rings_[order_[i]])
+        mesh_.neighbor[position++] = flat_index_[u];
+      const Ring ring = mesh_.ring(static_cast<Index>(i));
+      if(rings_.has_several_fans(order_[i]))
         several_fans.see(i);
-      else if(has_repetition(mesh_.ring(static_cast<Index>(i))))
+      else if(has_repetition(ring))
         parallel_edges.see(i);
     });
+    std::vector<Index>().swap(order_);
+    rings_.clear();
     if(several_fans.found())
       throw_vertex_defect(Mesh_defect::NON_MANIFOLD_VERTEX, mesh_.original[several_fans.get()],
                           "the faces around a vertex form more than one fan");
@@ -200,32 +165,34 @@ private:
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
   }
 
-  // The seed of a component is its vertex of smallest caller's index.
+  // The seed of a component is its vertex of smallest caller's index, and it comes in their order.
   void find_components() {
     const std::size_t n = mesh_.number_of_vertices();
-    mesh_.component.assign(n, no_index);
-    std::vector<Index> queue;
-    queue.reserve(n);
-    const auto visit = [&](Index v) {
-      mesh_.component[v] = static_cast<Index>(mesh_.seeds.size() - 1);
-      queue.push_back(v);
+    mesh_.component = smallest_in_component(execution_, mesh_);
+    const std::vector<Index> smallest =
+        collect<Index>(execution_, n, [&](std::size_t begin, std::size_t end) {
+          std::vector<Index> own;
+          for(Index v = static_cast<Index>(begin); v < end; ++v)
+            if(mesh_.component[v] == v)
+              own.push_back(v);
+          return own;
+        });
+    const auto rank = [&](Index v) {
+      return std::lower_bound(smallest.begin(), smallest.end(), mesh_.component[v]) -
+             smallest.begin();
     };
-    const auto visit_component = [&](Index first) {
-      mesh_.seeds.push_back(first);
-      queue.clear();
-      visit(first);
-      for(std::size_t q = 0; q < queue.size(); ++q)
-        for(Index u : mesh_.ring(queue[q]))
-          if(mesh_.component[u] == no_index)
-            visit(u);
-    };
-    for(Index v : flat_index_)
-      if(v != no_index && mesh_.component[v] == no_index)
-        visit_component(v);
+    std::vector<Index> number(smallest.size(), no_index);
+    for(auto it = flat_index_.begin(); mesh_.seeds.size() < smallest.size(); ++it)
+      if(*it != no_index && number[rank(*it)] == no_index) {
+        number[rank(*it)] = static_cast<Index>(mesh_.seeds.size());
+        mesh_.seeds.push_back(*it);
+      }
+    for_each_index(execution_, n, [&](std::size_t v) {
+      mesh_.component[v] = number[rank(static_cast<Index>(v))];
+    });
 
     // V - E + F = 2 c - 2 g, with 2 E = 3 F halfedges.
-    const std::size_t handles_twice =
-        2 * mesh_.seeds.size() + mesh_.number_of_faces() / 2 - mesh_.number_of_vertices();
+    const std::size_t handles_twice = 2 * mesh_.seeds.size() + mesh_.number_of_faces() / 2 - n;
     mesh_.genus = handles_twice / 2;
   }
 
@@ -234,10 +201,12 @@ private:
   VertexPointMap point_;
   Execution execution_;
   Flat_mesh mesh_;
-  std::vector<Index> valence_;    // by caller's index
+  std::size_t index_bound_ = 0;                       // above the caller's indices
+  std::vector<vertex_descriptor> vertices_;           // in the order of the mesh, then sorted
+  Rings_of_mesh<TriangleMesh, VertexIndexMap> rings_; // in the order of the mesh
+  Uninitialized_vector<Vector> points_;               // in the order of the mesh
+  std::vector<Index> order_;      // by flat index, the place in the order of the mesh
   std::vector<Index> flat_index_; // by caller's index
-  std::vector<vertex_descriptor> vertices_;
-  std::vector<Vector> points_;
 };
 
 } // namespace internal

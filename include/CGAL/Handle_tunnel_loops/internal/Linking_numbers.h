@@ -227,12 +227,10 @@ private:
     const auto relative = [](double x, double low, double high) {
       return high > low ? (x - low) / (high - low) : 0.;
     };
-    std::vector<Vector> places(boxes.size());
-    for_each_index(execution, boxes.size(), [&](std::size_t i) {
-      places[i] = {relative(boxes[i].xmin, all.xmin, all.xmax),
-                   relative(boxes[i].ymin, all.ymin, all.ymax), 0.};
+    return space_filling_order(execution, boxes.size(), [&](std::size_t i) {
+      return Vector{relative(boxes[i].xmin, all.xmin, all.xmax),
+                    relative(boxes[i].ymin, all.ymin, all.ymax), 0.};
     });
-    return space_filling_order(execution, places);
   }
 
   // Rectangles with the numbers of what they are around, those that are near each other together.

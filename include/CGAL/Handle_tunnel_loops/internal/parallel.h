@@ -21,7 +21,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -105,6 +107,25 @@ std::vector<T> collect(Execution, std::size_t n, const Function& f, std::size_t 
   for(const std::vector<T>& part : parts)
     all.insert(all.end(), part.begin(), part.end());
   return all;
+}
+
+/// replaces each number by the sum of those before it. Returns the sum of all.
+template <typename Execution, typename Numbers>
+std::size_t sum_before_each(Execution, Numbers& numbers, std::size_t grain = 65536) {
+  std::vector<std::size_t> sums((numbers.size() + grain - 1) / grain, 0);
+  Execution::for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      sums[begin / grain] += numbers[i];
+  });
+  std::size_t sum = 0;
+  for(std::size_t& s : sums)
+    sum += std::exchange(s, sum);
+  Execution::for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t before = static_cast<std::uint32_t>(sums[begin / grain]);
+    for(std::size_t i = begin; i < end; ++i)
+      before += std::exchange(numbers[i], before);
+  });
+  return sum;
 }
 
 } // namespace internal

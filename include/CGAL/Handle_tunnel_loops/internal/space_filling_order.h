@@ -14,8 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/parallel.h>
-
-#include <boost/sort/spreadsort/integer_sort.hpp>
+#include <CGAL/Handle_tunnel_loops/internal/radix_sort.h>
 
 #include <cstdint>
 #include <vector>
@@ -25,31 +24,36 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// spreads the ten low bits of `x` to every third bit.
-inline std::uint64_t every_third_bit(std::uint64_t x) {
+inline std::uint32_t every_third_bit(std::uint32_t x) {
   x = (x | x << 16) & 0x030000ff;
   x = (x | x << 8) & 0x0300f00f;
   x = (x | x << 4) & 0x030c30c3;
   return (x | x << 2) & 0x09249249;
 }
 
-/// the numbers 0 .. n - 1 of points in the unit box, sorted along a Morton curve. Meshes come in
-/// any order; a field that walks them in file order waits for memory.
-template <typename Execution>
-std::vector<Index> space_filling_order(Execution execution, const std::vector<Vector>& points) {
+/// the numbers 0 .. n - 1 of points `point(i)` in the unit box, sorted along a Morton curve, those
+/// in one cell by their numbers. Meshes come in any order; a field that walks them in file order
+/// waits for memory.
+template <typename Execution, typename Point>
+std::vector<Index> space_filling_order(Execution execution, std::size_t n, const Point& point) {
+  struct Place
+  {
+    std::uint32_t cell;
+    Index number;
+  };
   constexpr double cells = 1023.;
-  std::vector<std::uint64_t> keys(points.size());
-  for_each_index(execution, points.size(), [&](std::size_t i) {
-    const Vector& p = points[i];
-    std::uint64_t key = 0;
+  Uninitialized_vector<Place> places(n);
+  for_each_index(execution, n, [&](std::size_t i) {
+    const Vector p = point(i);
+    std::uint32_t cell = 0;
     for(int d = 0; d < 3; ++d)
-      key |= every_third_bit(static_cast<std::uint64_t>(p[d] * cells)) << d;
-    keys[i] = key << 32 | i;
+      cell |= every_third_bit(static_cast<std::uint32_t>(p[d] * cells)) << d;
+    places[i] = {cell, static_cast<Index>(i)};
   });
-  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  radix_sort<30>(execution, places, [](const Place& place) { return place.cell; });
 
-  std::vector<Index> order(points.size());
-  for_each_index(execution, keys.size(),
-                 [&](std::size_t i) { order[i] = static_cast<Index>(keys[i]); });
+  std::vector<Index> order(n);
+  for_each_index(execution, n, [&](std::size_t i) { order[i] = places[i].number; });
   return order;
 }
 
