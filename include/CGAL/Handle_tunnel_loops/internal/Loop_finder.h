@@ -118,8 +118,11 @@ public:
     });
     Refinement_choice choice(tunnels_, *contour_index_, index);
     std::vector<Index> open = all_loops();
-    for(std::size_t i = 0; i < number_of_candidates && !open.empty(); ++i)
+    for(std::size_t i = 0, ready = 0; i < number_of_candidates && !open.empty(); ++i) {
+      if(i == ready)
+        ready = tighten_candidates(open, i, candidates);
       open = replace_handles(open, i, candidates, choice);
+    }
     statistics.kept_sweep_handles = open.size();
     passes_->report(statistics);
     progress_.end(Stage::REFINE);
@@ -266,6 +269,26 @@ private:
     return static_cast<Time>(16 + loop.size() * 3 / 4);
   }
 
+  // Tightens candidate i of the given handles: after the first ones, which mostly do, as many of
+  // the next ones as well as there are threads that have nothing else to do. Returns the first that
+  // it leaves.
+  std::size_t tighten_candidates(const std::vector<Index>& numbers,
+                                 std::size_t i,
+                                 std::vector<std::vector<Crossing_loop>>& candidates) const {
+    const std::size_t spare = i == 0 ? 1 : Execution::number_of_threads() / numbers.size();
+    const std::size_t end =
+        (std::min)(i + (std::max)(spare, std::size_t(1)), std::size_t(number_of_candidates));
+    for_each_index(
+        execution_, numbers.size() * (end - i),
+        [&](std::size_t j) {
+          std::vector<Crossing_loop>& ways = candidates[numbers[j % numbers.size()]];
+          if(i + j / numbers.size() < ways.size())
+            tighten(ways[i + j / numbers.size()]);
+        },
+        1);
+    return end;
+  }
+
   // Tries candidate i of the given handles, the largest gains first. Returns the handles that had
   // to be kept although the candidate is shorter.
   std::vector<Index> replace_handles(const std::vector<Index>& numbers,
@@ -280,7 +303,6 @@ private:
           const Index k = numbers[j];
           if(i >= candidates[k].size())
             return;
-          tighten(candidates[k][i]);
           gain[k] = length(mesh_, handles_[k]) - length(mesh_, candidates[k][i]);
           if(gain[k] > 0.)
             rows[k] = choice.handle_part(candidates[k][i]);

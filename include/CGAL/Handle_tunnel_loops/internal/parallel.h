@@ -17,6 +17,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
@@ -37,10 +38,12 @@ struct Is_parallel : std::is_convertible<ConcurrencyTag, Parallel_tag>
 /// The execution policies: `for_ranges(n, grain, f)` calls `f(begin, end)` on ranges that cover
 /// [0, n). Ranges begin at multiples of `grain` and have that size, whatever the number of
 /// threads, so that sums kept per range are reproducible. `invoke(f, g)` calls both, perhaps at the
-/// same time.
+/// same time. `number_of_threads()` is what there may be.
 struct Sequential_execution
 {
   static constexpr bool is_parallel = false;
+
+  static std::size_t number_of_threads() { return 1; }
 
   template <typename Function>
   static void for_ranges(std::size_t n, std::size_t grain, const Function& f) {
@@ -58,6 +61,10 @@ struct Sequential_execution
 struct Parallel_execution
 {
   static constexpr bool is_parallel = true;
+
+  static std::size_t number_of_threads() {
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  }
 
   template <typename Function>
   static void for_ranges(std::size_t n, std::size_t grain, const Function& f) {
