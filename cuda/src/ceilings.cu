@@ -14,6 +14,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 namespace htl_cuda {
@@ -99,7 +100,12 @@ Ceilings measure_ceilings(int device) {
   const Stream stream(nullptr);
   Cuda_executor executor(device, stream.get());
   const std::size_t size = std::min<std::size_t>(std::size_t(1) << 26, executor.free_bytes() / 64);
+  const auto began = std::chrono::steady_clock::now();
   const Device_buffer<float4> from = executor.make<float4>(size), to = executor.make<float4>(size);
+  check(cudaStreamSynchronize(stream.get()), "measuring");
+  ceilings.seconds_to_map =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  ceilings.mapped_bytes = 2 * sizeof(float4) * size;
   const double copying = seconds_of(stream.get(), [&] {
     executor.for_each(size, Copy{from.span().data(), to.span().data()});
   });

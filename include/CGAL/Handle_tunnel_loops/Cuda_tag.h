@@ -35,7 +35,7 @@ tightening of the loops and the certificate run on the processor, in parallel if
 loops are those of the other tags.
 
 Which device and which stream is said by the named parameter `device_options`. At least about
-100 bytes per face of the device's memory are asked for: some 40 for the mesh and one field, the
+90 bytes per face of the device's memory are asked for: some 50 for the mesh and one field, the
 rest for one loop pass. Where there is more, the loop passes take more, and run the more at a time.
 Some of it is kept for the next computation, see `Handle_tunnel_loops::release_device_memory()`.
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -23,8 +24,10 @@ namespace device {
 /// `Handle_tunnel_loops::cuda`.
 struct Ceilings
 {
-  std::string device;        ///< its name
-  std::string versions;      ///< of the driver and of the runtime
+  std::string device;    ///< its name
+  std::string versions;  ///< of the driver and of the runtime
+  double seconds_to_map; ///< so many bytes of its memory, if the process keeps none of it
+  std::size_t mapped_bytes;
   double bytes_per_second;   ///< of a copy within its memory, read and written
   double seconds_per_launch; ///< of kernels that do nothing, one after the other
   double seconds_per_step;   ///< of a barrier of the grid that the passes use
