@@ -1,12 +1,15 @@
 // Measures the computation on a CUDA device, from arrays on the host to loops on the host, stage by
 // stage, and the initial pass against its floor: the bytes that its updates move at least, at the
-// bandwidth of the device, and its steps, at the cost of a barrier; beside the host solver on two
-// threads.
+// bandwidth of the device, and its steps, at the cost of a barrier; beside the host solver on all
+// threads and on two.
 //
-//   benchmark_device [-n RUNS] [KIND:FACES:GENUS]...
+//   benchmark_device [-n RUNS] [--kernels] [--knobs] [--no-host] [--no-sweep] [KIND:FACES:GENUS]...
 //
-// Without arguments: a suite of generated meshes. Each figure is the median of the runs. Fails if
-// there is no device.
+// --kernels: what each kernel takes; --knobs: the same with other choices of how the device is
+// used;
+// --no-host, --no-sweep: without the host solver, without the initial pass by itself. Without
+// requests: a suite of generated meshes. Each figure is the median of the runs. Fails if there is
+// no device.
 
 #include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
 #include <CGAL/Simple_cartesian.h>
@@ -221,8 +224,22 @@ void print(const char* backend, const Measured& measured) {
   std::printf("  %s:", backend);
   for(std::size_t s = 0; s < measured.stages.size(); ++s)
     std::printf(" %s %.3f,", HTL::stage_name(static_cast<Stage>(s)), median(measured.stages[s]));
-  std::printf(" arrays to loops (all but adaptor and certificate) %.3f s\n",
-              median(measured.totals));
+  std::printf(" all %.3f s; arrays to loops (all but adaptor and certificate) %.3f s\n",
+              measured.statistics.total_seconds(), median(measured.totals));
+}
+
+// Starts the device, and says what it can do.
+impl::device::Ceilings started_device() {
+  const auto began = Clock::now();
+  impl::device::start_cuda_device({});
+  const double start = seconds_since(began);
+  const impl::device::Ceilings c = impl::device::measure_ceilings(-1);
+  std::printf("%s, %s: %.2f s to start it, %.1f ms to map a gigabyte, %.0f GB/s, %.2f us a launch, "
+              "%.2f us a barrier\n",
+              c.device.c_str(), c.versions.c_str(), start,
+              1e12 * c.seconds_to_map / double(c.mapped_bytes), 1e-9 * c.bytes_per_second,
+              1e6 * c.seconds_per_launch, 1e6 * c.seconds_per_step);
+  return c;
 }
 
 // By threads of the host: two, as other benchmarks have, and all.
@@ -274,13 +291,10 @@ int main(int argc, char** argv) {
   try {
     Choices choices;
     const std::vector<std::string> requests = read_arguments(argc, argv, choices);
+    const impl::device::Ceilings ceilings = started_device();
     std::vector<std::future<Mesh>> meshes; // all made at once
     for(const std::string& request : requests)
       meshes.push_back(std::async(std::launch::async, make_mesh, request));
-    const impl::device::Ceilings ceilings = impl::device::measure_ceilings(-1);
-    std::printf("%s, %s: %.0f GB/s, %.2f us a launch, %.2f us a barrier\n", ceilings.device.c_str(),
-                ceilings.versions.c_str(), 1e-9 * ceilings.bytes_per_second,
-                1e6 * ceilings.seconds_per_launch, 1e6 * ceilings.seconds_per_step);
     for(auto& mesh : meshes)
       mesh.wait();
     for(std::size_t i = 0; i < requests.size(); ++i)
