@@ -123,6 +123,25 @@ TEST_P(Device_passes, DoNotDependOnTheMemory) {
   EXPECT_GT(number_of_batches, 4u);
 }
 
+// However often the host looks at what there is.
+TEST_P(Device_passes, DoNotDependOnTheLooks) {
+  Random random(4);
+  for(int i = 0; i < (GetParam() == Order::THREADS ? 5 : 30); ++i) {
+    const Recipe recipe = random_recipe(random, 10);
+    device::Tuning tuning;
+    tuning.steps_per_run = static_cast<Time>(1 + random.below(100));
+    tuning.steps_per_look = static_cast<Time>(1 + random.below(200));
+    tuning.steps_per_look_if_met = static_cast<Time>(random.below(tuning.steps_per_look));
+    SCOPED_TRACE(testing::Message()
+                 << recipe << ", steps " << tuning.steps_per_run << ", " << tuning.steps_per_look
+                 << ", " << tuning.steps_per_look_if_met);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    Host_executor executor(GetParam());
+    Solver solver(executor, mesh, tuning);
+    expect_agreement(solver, mesh, 0, {});
+  }
+}
+
 TEST_P(Device_passes, LabelFrontsAsConnectedComponents) {
   Random random(3);
   std::vector<Recipe> recipes = recipes_of_all_kinds({0, 1, 5}, 1);

@@ -29,6 +29,7 @@ namespace {
 using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Device_options;
 using CGAL::Handle_tunnel_loops::No_device_exception;
+using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
 using device::make_cuda_solver;
 namespace parameters = CGAL::parameters;
 
@@ -190,6 +191,26 @@ TEST_F(Gpu, GivesBackAllMemory) {
   }
   release_device_memory();
   EXPECT_GE(free_bytes() + of_others, before);
+}
+
+// Where others have taken nearly all of it.
+TEST_F(Gpu, RunsInLittleMemory) {
+  const Mesh mesh = mesh_of(Recipe{"gyroid", {50000, 25, 0}});
+  const Pairs expected = find_loops(mesh);
+  CGAL::Handle_tunnel_loops::release_device_memory();
+  for(const std::size_t mib : {32, 64, 256}) {
+    std::size_t free = 0, total = 0;
+    ASSERT_EQ(cudaMemGetInfo(&free, &total), cudaSuccess);
+    void* taken = nullptr;
+    ASSERT_EQ(cudaMalloc(&taken, free - (mib << 20)), cudaSuccess);
+    try {
+      expect_same(find(mesh), expected);
+    } catch(const Out_of_device_memory_exception& e) {
+      EXPECT_EQ(mib, 32u) << e.what(); // some of it the runtime wants
+    }
+    CGAL::Handle_tunnel_loops::release_device_memory();
+    EXPECT_EQ(cudaFree(taken), cudaSuccess);
+  }
 }
 
 } // namespace
