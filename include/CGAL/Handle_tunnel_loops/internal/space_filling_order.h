@@ -36,24 +36,24 @@ inline std::uint32_t every_third_bit(std::uint32_t x) {
 /// waits for memory.
 template <typename Execution, typename Point>
 std::vector<Index> space_filling_order(Execution execution, std::size_t n, const Point& point) {
-  struct Place
+  struct Numbered_cell
   {
     std::uint32_t cell;
     Index number;
   };
   constexpr double cells = 1023.;
-  Uninitialized_vector<Place> places(n);
+  Uninitialized_vector<Numbered_cell> numbered(n);
   for_each_index(execution, n, [&](std::size_t i) {
     const Vector p = point(i);
     std::uint32_t cell = 0;
     for(int d = 0; d < 3; ++d)
       cell |= every_third_bit(static_cast<std::uint32_t>(p[d] * cells)) << d;
-    places[i] = {cell, static_cast<Index>(i)};
+    numbered[i] = {cell, static_cast<Index>(i)};
   });
-  radix_sort<30>(execution, places, [](const Place& place) { return place.cell; });
+  radix_sort<30>(execution, numbered, [](const Numbered_cell& c) { return c.cell; });
 
   std::vector<Index> order(n);
-  for_each_index(execution, n, [&](std::size_t i) { order[i] = places[i].number; });
+  for_each_index(execution, n, [&](std::size_t i) { order[i] = numbered[i].number; });
   return order;
 }
 
