@@ -209,7 +209,7 @@ private:
     if(options.do_refine_handles)
       finder.refinement_pass(statistics_);
     return classified_and_certified<ConcurrencyTag>(
-        [&] { return converted(finder.finished_pairs()); }, np, progress);
+        [&] { return converted<ConcurrencyTag>(finder.finished_pairs()); }, np, progress);
   }
 
   // The seed takes the place of its component's own one.
@@ -225,17 +225,21 @@ private:
     return seeds;
   }
 
+  template <typename ConcurrencyTag>
   std::vector<Pair>
   converted(const std::vector<Handle_tunnel_loops::internal::Flat_pair>& flat_pairs) const {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(
         tm_, point_, traits_, mesh_, vertices_);
-    std::vector<Pair> pairs;
-    pairs.reserve(flat_pairs.size());
-    for(std::size_t i = 0; i < flat_pairs.size(); ++i)
-      pairs.emplace_back(convert(flat_pairs[i].handle, Loop_type::HANDLE, i),
-                         convert(flat_pairs[i].tunnel, Loop_type::TUNNEL, i));
+    std::vector<Pair> pairs(flat_pairs.size());
+    impl::for_each_index(
+        impl::execution<ConcurrencyTag>(), pairs.size(),
+        [&](std::size_t i) {
+          pairs[i] = Pair(convert(flat_pairs[i].handle, Loop_type::HANDLE, i),
+                          convert(flat_pairs[i].tunnel, Loop_type::TUNNEL, i));
+        },
+        1);
     return pairs;
   }
 
@@ -252,13 +256,13 @@ private:
     auto certification =
         impl::certification<Pair>(tm_, point_, CGAL::get_initialized_vertex_index_map(tm_, np),
                                   CGAL::get_initialized_face_index_map(tm_, np));
-    const bool are_closed = certification.are_closed(pairs);
+    const auto execution = impl::execution<ConcurrencyTag>();
+    const bool are_closed = certification.are_closed(execution, pairs);
     if(are_closed)
-      certification.prepare();
+      certification.prepare(execution);
     progress.end(Stage::CLASSIFY);
     progress.start(Stage::CERTIFICATE);
     if(are_closed) {
-      const auto execution = impl::execution<ConcurrencyTag>();
       certification.relate(
           execution, parameters::choose_parameter(
                          parameters::get_parameter(np, internal_np::do_compute_linking), true));

@@ -48,8 +48,9 @@ apart, because the surface crosses or touches itself, the loops concerned are re
 That the surface nowhere crosses itself is not checked; where it does, away from the loops, linking
 numbers remain what they are, but there is no inside for the loops to bound in.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation of the linking numbers;
-  possible values are `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`
+\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
+  same.
 \tparam TriangleMesh a model of `FaceListGraph`, a closed triangle mesh
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -100,11 +101,11 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
       choose_parameter(get_parameter(np, internal_np::vertex_point),
                        get_const_property_map(vertex_point, tm)),
       CGAL::get_initialized_vertex_index_map(tm, np), CGAL::get_initialized_face_index_map(tm, np));
-  if(certification.are_closed(pairs)) {
-    certification.prepare();
+  const auto execution = impl::execution<ConcurrencyTag>();
+  if(certification.are_closed(execution, pairs)) {
+    certification.prepare(execution);
     certification.relate(
-        impl::execution<ConcurrencyTag>(),
-        choose_parameter(get_parameter(np, internal_np::do_compute_linking), true));
+        execution, choose_parameter(get_parameter(np, internal_np::do_compute_linking), true));
   }
   return certification.finish();
 }

@@ -49,21 +49,20 @@ public:
 
   /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
   /// on the surface. What follows is for such loops only.
-  template <typename PairRange> bool are_closed(const PairRange& pairs) {
+  template <typename Execution, typename PairRange>
+  bool are_closed(Execution execution, const PairRange& pairs) {
     for(const Pair& pair : pairs)
-      for(const Loop* loop : {&pair.handle(), &pair.tunnel()}) {
-        certifier_.add(*loop);
-        loops_.push_back(loop);
-      }
+      loops_.insert(loops_.end(), {&pair.handle(), &pair.tunnel()});
+    certifier_.set_loops(execution, loops_);
     certificate_.closed_on_surface = certifier_.are_closed_on_surface();
     return certificate_.closed_on_surface;
   }
 
   /// finds the components and where the solid is.
-  void prepare() {
-    certifier_.cut();
+  template <typename Execution> void prepare(Execution execution) {
+    certifier_.cut(execution);
     linker_.set_loops(
-        loops_, [this](const auto& f) { return certifier_.component(f); },
+        execution, loops_, [this](const auto& f) { return certifier_.component(f); },
         certifier_.number_of_components());
   }
 

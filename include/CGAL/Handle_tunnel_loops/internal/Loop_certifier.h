@@ -13,19 +13,21 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/Integer_lattice.h>
+#include <CGAL/Handle_tunnel_loops/internal/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -57,13 +59,25 @@ public:
   Loop_certifier(const TriangleMesh& tm, VertexIndexMap vertex_index, FaceIndexMap face_index)
       : tm_(tm)
       , vertex_index_(vertex_index)
-      , face_index_(face_index) {}
+      , pieces_(tm, vertex_index, face_index) {}
 
-  /// adds a loop, a range of steps with members `halfedge` and `ratio`.
-  template <typename Loop> void add(const Loop& loop) {
-    check(loop);
-    move_onto_edges(loop);
-    ++number_of_loops_;
+  /// takes pointers to loops, ranges of steps with members `halfedge` and `ratio`.
+  template <typename Execution, typename Loop>
+  void set_loops(Execution execution, const std::vector<const Loop*>& loops) {
+    number_of_loops_ = loops.size();
+    std::vector<Moved_loop> moved(loops.size());
+    for_each_index(
+        execution, loops.size(),
+        [&](std::size_t i) {
+          check(*loops[i], i, moved[i].failures);
+          move_onto_edges(*loops[i], i, moved[i].chain);
+        },
+        1);
+    for(const Moved_loop& m : moved) {
+      failures_.insert(failures_.end(), m.failures.begin(), m.failures.end());
+      chains_.insert(chains_.end(), m.chain.begin(), m.chain.end());
+    }
+    are_closed_ = failures_.empty();
   }
 
   bool are_closed_on_surface() const { return are_closed_; }
@@ -77,9 +91,11 @@ public:
   }
 
   /// cuts the surface along the loops; to be called once, before what follows.
-  void cut() {
-    prepare_chains();
-    find_pieces();
+  template <typename Execution> void cut(Execution execution) {
+    prepare_chains(execution);
+    find_pieces(execution);
+    keep_distinct_edges(execution);
+    number_components(execution);
     find_potentials();
   }
 
@@ -87,7 +103,7 @@ public:
 
   /// the number of the component of a face.
   std::size_t component(face_descriptor f) const {
-    return number_of_components_ == 1 ? 0 : component_of_piece_.at(piece_[face_index(f)]);
+    return number_of_components_ == 1 ? 0 : pieces_.piece(f);
   }
 
   bool are_basis() {
@@ -111,11 +127,20 @@ private:
     }
   };
 
-  // An edge that some loop runs along, with the faces to its left and right.
+  // An edge that some loop runs along, and the pieces to its left and right.
   struct Used_edge
   {
+    std::uint64_t edge;
     std::size_t first, last; // its entries in chains_
-    std::uint32_t left, right;
+    halfedge_descriptor halfedge;
+    Index left, right;
+  };
+
+  // What one loop brings.
+  struct Moved_loop
+  {
+    std::vector<Chain_entry> chain;
+    std::vector<std::string> failures;
   };
 
   std::uint32_t index(vertex_descriptor v) const {
@@ -129,18 +154,20 @@ private:
 
   // ---- closed, and on the surface
 
-  template <typename Loop> void check(const Loop& loop) {
+  template <typename Loop>
+  void check(const Loop& loop, std::size_t number, std::vector<std::string>& failures) const {
     const auto& steps = loop.steps();
-    const std::string name = name_of(number_of_loops_);
+    const auto fails_at = [&](std::size_t i, const char* problem) {
+      failures.push_back(name_of(number) + ", step " + std::to_string(i) + ": " + problem);
+    };
     if(steps.size() < 2)
-      are_closed_ = fail(name + " has fewer than two steps");
+      failures.push_back(name_of(number) + " has fewer than two steps");
     for(std::size_t i = 0; i < steps.size(); ++i) {
       const auto &a = steps[i], &b = steps[i + 1 == steps.size() ? 0 : i + 1];
       if(!(a.ratio >= 0. && a.ratio <= 1.))
-        are_closed_ = fail(name + ", step " + std::to_string(i) + ": the ratio is not in [0, 1]");
+        fails_at(i, "the ratio is not in [0, 1]");
       else if(!have_common_face(a, b))
-        are_closed_ = fail(name + ", step " + std::to_string(i) +
-                           ": there is no face on which this step and the next both lie");
+        fails_at(i, "there is no face on which this step and the next both lie");
     }
   }
 
@@ -169,7 +196,9 @@ private:
   // ---- the loops as chains of edges
 
   // Two places on a face move to two of its corners, which are equal or joined by an edge.
-  template <typename Loop> void move_onto_edges(const Loop& loop) {
+  template <typename Loop>
+  void
+  move_onto_edges(const Loop& loop, std::size_t number, std::vector<Chain_entry>& chain) const {
     const auto& steps = loop.steps();
     if(steps.empty())
       return;
@@ -177,8 +206,7 @@ private:
     for(const auto& step : steps) {
       const std::uint32_t v = index(nearest_end(step));
       if(u != v)
-        chains_.push_back(
-            {edge_key(u, v), static_cast<std::uint32_t>(number_of_loops_), u < v ? 1 : -1});
+        chain.push_back({edge_key(u, v), static_cast<std::uint32_t>(number), u < v ? 1 : -1});
       u = v;
     }
   }
@@ -188,8 +216,8 @@ private:
   }
 
   // Adds up the entries of one loop on one edge, and lists the edges that remain.
-  void prepare_chains() {
-    std::sort(chains_.begin(), chains_.end());
+  template <typename Execution> void prepare_chains(Execution) {
+    Execution::sort(chains_.begin(), chains_.end(), std::less<Chain_entry>());
     std::size_t kept = 0;
     for(std::size_t i = 0; i < chains_.size();) {
       Chain_entry sum = chains_[i];
@@ -202,114 +230,108 @@ private:
     chains_.resize(kept);
     for(std::size_t i = 0; i < kept; ++i)
       if(i == 0 || chains_[i].edge != chains_[i - 1].edge)
-        used_edges_.push_back({i, i + 1, 0, 0});
+        used_edges_.push_back({chains_[i].edge, i, i + 1, halfedge_descriptor(), 0, 0});
       else
         used_edges_.back().last = i + 1;
   }
 
   Used_edge* find_used_edge(std::uint64_t key) {
-    const auto it = std::lower_bound(
-        used_edges_.begin(), used_edges_.end(), key,
-        [this](const Used_edge& e, std::uint64_t k) { return chains_[e.first].edge < k; });
-    return it != used_edges_.end() && chains_[it->first].edge == key ? &*it : nullptr;
+    const auto it =
+        std::lower_bound(used_edges_.begin(), used_edges_.end(), key,
+                         [](const Used_edge& e, std::uint64_t k) { return e.edge < k; });
+    return it != used_edges_.end() && it->edge == key ? &*it : nullptr;
   }
 
   // ---- the pieces into which the used edges cut the surface
 
-  // Unites faces across edges that no loop uses, and notes the faces beside the others.
-  void find_pieces() {
-    std::size_t number_of_faces = 0;
-    for(face_descriptor f : faces(tm_))
-      number_of_faces =
-          (std::max)(number_of_faces, static_cast<std::size_t>(get(face_index_, f)) + 1);
-    piece_.resize(number_of_faces);
-    rank_.assign(number_of_faces, 0);
-    Pieces pieces(rank_.data(), piece_.data());
-    for(face_descriptor f : faces(tm_))
-      pieces.make_set(face_index(f));
-
-    const std::vector<char> is_on_loop = mark_vertices_on_loops();
-    for(halfedge_descriptor h : halfedges(tm_)) {
-      const std::uint32_t u = index(source(h, tm_)), v = index(target(h, tm_));
-      if(v < u)
-        continue;
-      const std::uint32_t left = face_index(face(h, tm_));
-      const std::uint32_t right = face_index(face(opposite(h, tm_), tm_));
-      Used_edge* used = is_on_loop[u] && is_on_loop[v] ? find_used_edge(edge_key(u, v)) : nullptr;
-      if(used != nullptr) {
-        used->left = left;
-        used->right = right;
-      } else
-        pieces.union_set(left, right);
-    }
-    for(Used_edge& e : used_edges_) {
-      e.left = pieces.find_set(e.left);
-      e.right = pieces.find_set(e.right);
-    }
+  template <typename Execution> void find_pieces(Execution execution) {
+    std::vector<Index> ends;
+    for(const Used_edge& e : used_edges_)
+      for(const std::uint64_t v : {e.edge >> 32, e.edge & 0xffffffffu})
+        ends.push_back(static_cast<Index>(v));
+    pieces_.cut(execution, ends, [this](halfedge_descriptor h) {
+      Used_edge* used = find_used_edge(edge_key(index(source(h, tm_)), index(target(h, tm_))));
+      if(used != nullptr)
+        used->halfedge = h;
+      return used != nullptr;
+    });
+    for_each_index(execution, used_edges_.size(), [this](std::size_t i) {
+      Used_edge& e = used_edges_[i];
+      e.left = pieces_.piece(face(e.halfedge, tm_));
+      e.right = pieces_.piece(face(opposite(e.halfedge, tm_), tm_));
+    });
   }
 
-  std::uint32_t face_index(face_descriptor f) const {
-    return static_cast<std::uint32_t>(get(face_index_, f));
+  // Keeps one of the edges along which the same loops run between the same pieces: all that is
+  // asked for is the same. In the order of the number of loops.
+  template <typename Execution> void keep_distinct_edges(Execution) {
+    Execution::sort(used_edges_.begin(), used_edges_.end(),
+                    [this](const Used_edge& a, const Used_edge& b) { return is_before(a, b); });
+    used_edges_.erase(std::unique(used_edges_.begin(), used_edges_.end(),
+                                  [this](const Used_edge& a, const Used_edge& b) {
+                                    return !is_before(a, b) && !is_before(b, a);
+                                  }),
+                      used_edges_.end());
   }
 
-  std::vector<char> mark_vertices_on_loops() {
-    number_of_vertices_ = 0;
-    std::size_t bound = 0;
-    for(vertex_descriptor v : vertices(tm_)) {
-      bound = (std::max)(bound, static_cast<std::size_t>(index(v)) + 1);
-      number_of_vertices_ += is_isolated(v) ? 0 : 1;
-    }
-    std::vector<char> marks(bound, 0);
-    for(const Used_edge& e : used_edges_) {
-      marks[chains_[e.first].edge >> 32] = 1;
-      marks[chains_[e.first].edge & 0xffffffffu] = 1;
-    }
-    return marks;
-  }
-
-  bool is_isolated(vertex_descriptor v) const {
-    return halfedge(v, tm_) == Graph_traits::null_halfedge();
+  bool is_before(const Used_edge& a, const Used_edge& b) const {
+    const auto sizes_and_pieces = [](const Used_edge& e) {
+      return std::make_tuple(e.last - e.first, e.left, e.right);
+    };
+    if(sizes_and_pieces(a) != sizes_and_pieces(b))
+      return sizes_and_pieces(a) < sizes_and_pieces(b);
+    return std::lexicographical_compare(
+        chains_.begin() + a.first, chains_.begin() + a.last, chains_.begin() + b.first,
+        chains_.begin() + b.last, [](const Chain_entry& x, const Chain_entry& y) {
+          return std::tie(x.loop, x.value) < std::tie(y.loop, y.value);
+        });
   }
 
   // ---- a tree over the pieces, and what a curve along it meets on its way to each of them
 
+  // The pieces of a component hang together by used edges. A component without any is one piece.
+  template <typename Execution> void number_components(Execution execution) {
+    const std::vector<Index>& all = pieces_.pieces();
+    const auto position = [&](Index piece) {
+      return static_cast<Index>(std::lower_bound(all.begin(), all.end(), piece) - all.begin());
+    };
+    Concurrent_sets sets(execution, all.size());
+    for(std::size_t i = 0; i < all.size(); ++i)
+      sets.insert(static_cast<Index>(i));
+    for(const Used_edge& e : used_edges_)
+      sets.template unite<Execution>(position(e.left), position(e.right));
+    sets.flatten(execution);
+    std::vector<Index> number(all.size());
+    for(std::size_t i = 0; i < all.size(); ++i) {
+      const Index root = sets.label(static_cast<Index>(i));
+      number[i] = root == i ? static_cast<Index>(number_of_components_++) : number[root];
+    }
+    if(number_of_components_ != 1)
+      pieces_.renumber(execution, [&](Index piece) { return number[position(piece)]; });
+  }
+
   // Breadth first, so that the ways are short.
   void find_potentials() {
-    std::map<std::uint32_t, std::vector<const Used_edge*>> edges_at;
+    std::map<Index, std::vector<const Used_edge*>> edges_at;
     for(const Used_edge& e : used_edges_) {
       edges_at[e.left].push_back(&e);
       edges_at[e.right].push_back(&e);
     }
-    number_components_without_loops(edges_at);
     for(const auto& piece_and_edges : edges_at) {
       if(!potential_.emplace(piece_and_edges.first, Row()).second)
         continue;
-      const std::size_t component = number_of_components_++;
-      component_of_piece_[piece_and_edges.first] = component;
-      std::vector<std::uint32_t> queue(1, piece_and_edges.first);
+      std::vector<Index> queue(1, piece_and_edges.first);
       for(std::size_t q = 0; q < queue.size(); ++q)
         for(const Used_edge* e : edges_at[queue[q]]) {
           const bool from_left = e->left == queue[q];
-          const std::uint32_t to = from_left ? e->right : e->left;
+          const Index to = from_left ? e->right : e->left;
           if(potential_.count(to) != 0)
             continue;
           Row row = potential_[queue[q]];
           add_edge(*e, from_left ? 1 : -1, row);
           potential_.emplace(to, std::move(row));
-          component_of_piece_[to] = component;
           queue.push_back(to);
         }
-    }
-  }
-
-  // Each of them is one piece. Makes the faces point to their pieces, too.
-  template <typename Edges_at> void number_components_without_loops(const Edges_at& edges_at) {
-    Pieces pieces(rank_.data(), piece_.data());
-    for(face_descriptor f : faces(tm_)) {
-      const std::uint32_t i = face_index(f), piece = pieces.find_set(i);
-      if(piece == i && edges_at.count(piece) == 0)
-        component_of_piece_[piece] = number_of_components_++;
-      piece_[i] = piece;
     }
   }
 
@@ -327,40 +349,17 @@ private:
 
   // V - E + F = 2 c - 2 g, with 2 E = 3 F.
   std::size_t genus() const {
-    return (2 * number_of_components_ + num_faces() / 2 - number_of_vertices_) / 2;
-  }
-
-  std::size_t num_faces() const {
-    const auto range = faces(tm_);
-    return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+    return (2 * number_of_components_ + pieces_.number_of_faces() / 2 -
+            pieces_.number_of_vertices()) /
+           2;
   }
 
   // ---- the intersection numbers span all integer vectors
 
-  // Edges along which the same loops run between the same pieces have the same vector.
-  bool is_before(const Used_edge& a, const Used_edge& b) const {
-    const auto sizes_and_pieces = [](const Used_edge& e) {
-      return std::make_tuple(e.last - e.first, e.left, e.right);
-    };
-    if(sizes_and_pieces(a) != sizes_and_pieces(b))
-      return sizes_and_pieces(a) < sizes_and_pieces(b);
-    return std::lexicographical_compare(
-        chains_.begin() + a.first, chains_.begin() + a.last, chains_.begin() + b.first,
-        chains_.begin() + b.last, [](const Chain_entry& x, const Chain_entry& y) {
-          return std::tie(x.loop, x.value) < std::tie(y.loop, y.value);
-        });
-  }
-
   // The intersection numbers of the loops with the generators, short ones first; each vector once.
   std::vector<Row> rows_of_generators() const {
-    std::vector<Used_edge> edges = used_edges_;
-    std::sort(edges.begin(), edges.end(),
-              [this](const Used_edge& a, const Used_edge& b) { return is_before(a, b); });
     std::vector<Row> rows;
-    for(std::size_t i = 0; i < edges.size(); ++i) {
-      if(i != 0 && !is_before(edges[i - 1], edges[i]))
-        continue;
-      const Used_edge& e = edges[i];
+    for(const Used_edge& e : used_edges_) {
       Row row;
       add_edge(e, 1, row);
       for(const auto& [column, value] : potential_.at(e.left))
@@ -422,18 +421,12 @@ private:
     return factor;
   }
 
-  using Pieces = boost::disjoint_sets<std::uint8_t*, std::uint32_t*>;
-
   const TriangleMesh& tm_;
   VertexIndexMap vertex_index_;
-  FaceIndexMap face_index_;
+  Surface_pieces<TriangleMesh, VertexIndexMap, FaceIndexMap> pieces_;
   std::vector<Chain_entry> chains_;
   std::vector<Used_edge> used_edges_;
-  std::vector<std::uint32_t> piece_; // by face: the forest of the united faces
-  std::vector<std::uint8_t> rank_;   // by face
-  std::map<std::uint32_t, Row> potential_;
-  std::unordered_map<std::uint32_t, std::size_t> component_of_piece_;
-  std::size_t number_of_vertices_ = 0;
+  std::map<Index, Row> potential_; // by piece
   std::size_t number_of_components_ = 0;
   std::size_t number_of_loops_ = 0;
   bool are_closed_ = true;

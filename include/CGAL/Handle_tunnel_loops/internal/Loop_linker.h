@@ -45,14 +45,15 @@ public:
 
   /// takes pointers to loops that are closed and lie on the surface; \p component gives the number
   /// of the component of a face. Finds where the solid is.
-  template <typename ComponentOfFace>
-  void set_loops(std::vector<const Loop*> loops,
+  template <typename Execution, typename ComponentOfFace>
+  void set_loops(Execution execution,
+                 std::vector<const Loop*> loops,
                  const ComponentOfFace& component,
                  std::size_t number_of_components) {
     loops_ = std::move(loops);
     for(const Loop* loop : loops_)
       components_.push_back(component(face(loop->steps().front().halfedge, tm_)));
-    find_outward(component, number_of_components);
+    find_outward(execution, component, number_of_components);
   }
 
   /// computes the intersection numbers.
@@ -94,13 +95,15 @@ private:
     problems_.emplace(loop, problem);
   }
 
-  template <typename ComponentOfFace>
-  void find_outward(const ComponentOfFace& component, std::size_t number_of_components) {
+  template <typename Execution, typename ComponentOfFace>
+  void find_outward(Execution execution,
+                    const ComponentOfFace& component,
+                    std::size_t number_of_components) {
     std::vector<char> has_loop(number_of_components, 0);
     for(std::size_t c : components_)
       has_loop[c] = 1;
-    const Solid_sides<TriangleMesh, VertexPointMap, ComponentOfFace> sides(tm_, point_, component,
-                                                                           has_loop);
+    const Solid_sides<TriangleMesh, VertexPointMap, ComponentOfFace> sides(execution, tm_, point_,
+                                                                           component, has_loop);
     for(std::size_t i = 0; i < components_.size(); ++i) {
       outward_.push_back(sides.outward(components_[i]));
       if(outward_[i] == 0)

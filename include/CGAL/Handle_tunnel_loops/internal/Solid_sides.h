@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/Projected_points.h>
+#include <CGAL/Handle_tunnel_loops/internal/Range_parts.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +55,9 @@ class Solid_sides
 public:
   /// \p component maps a face to the number of its component. What is asked for later are
   /// components with `is_wanted`.
-  Solid_sides(const TriangleMesh& tm,
+  template <typename Execution>
+  Solid_sides(Execution execution,
+              const TriangleMesh& tm,
               VertexPointMap point,
               const ComponentOfFace& component,
               std::vector<char> is_wanted)
@@ -62,9 +66,13 @@ public:
       , component_(component)
       , is_wanted_(std::move(is_wanted))
       , parts_(is_wanted_.size()) {
-    measure();
+    if(std::find(is_wanted_.begin(), is_wanted_.end(), 1) == is_wanted_.end())
+      return;
+    const auto all = parts_of(faces(tm));
+    find_extents(execution, all);
+    find_volumes(execution, all);
     find_signs();
-    find_nesting();
+    find_nesting(execution, all);
   }
 
   /// 1 if the faces of a component look out of the solid, -1 if they look into it, 0 if that cannot
@@ -82,19 +90,76 @@ public:
 private:
   using Triangle = std::array<Vector, 3>;
 
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // A box around points, and the first of them: as far as is known, in the given part of the faces.
+  struct Extent
+  {
+    explicit Extent(std::size_t p = 0)
+        : part(p) {}
+
+    std::size_t part;
+    Vector first = {0., 0., 0.};
+    Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+
+    bool is_empty() const { return low[0] > high[0]; }
+
+    void add(const Triangle& t) {
+      if(is_empty())
+        first = t[0];
+      for(const Vector& p : t)
+        extend(p, p);
+    }
+
+    void add(const Extent& e) {
+      if(is_empty() || e.part < part) {
+        first = e.first;
+        part = e.part;
+      }
+      extend(e.low, e.high);
+    }
+
+    void extend(const Vector& l, const Vector& h) {
+      for(int d = 0; d < 3; ++d) {
+        low[d] = (std::min)(low[d], l[d]);
+        high[d] = (std::max)(high[d], h[d]);
+      }
+    }
+  };
+
+  // Six times the volume between faces and their projections to a plane, and the sum of the
+  // absolute values of what was added up.
+  struct Volume
+  {
+    explicit Volume(std::size_t = 0) {}
+
+    std::size_t faces = 0;
+    double value = 0., magnitude = 0.;
+
+    void add(const Triangle& t, double plane) {
+      const Vector a = t[1] - t[0], b = t[2] - t[0];
+      const double left = a[0] * b[1], right = a[1] * b[0];
+      const double z[3] = {t[0][2] - plane, t[1][2] - plane, t[2][2] - plane};
+      value += (left - right) * (z[0] + z[1] + z[2]);
+      magnitude +=
+          (std::abs(left) + std::abs(right)) * (std::abs(z[0]) + std::abs(z[1]) + std::abs(z[2]));
+      ++faces;
+    }
+
+    void add(const Volume& v) {
+      faces += v.faces;
+      value += v.value;
+      magnitude += v.magnitude;
+    }
+  };
+
   struct Part
   {
-    Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
-    Vector first;          // one of its points
-    bool is_empty = true;  // no face of it has been seen
-    double volume = 0.;    // six times
-    double magnitude = 0.; // the sum of the absolute values of what was added up
-    std::size_t faces = 0;
+    Extent extent;
+    Volume volume;
     int sign = 0;
     bool is_touched = false;
   };
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   Triangle triangle(face_descriptor f) const {
     Triangle points;
@@ -106,44 +171,50 @@ private:
     return points;
   }
 
-  // ---- volumes
+  // ---- boxes and volumes
 
-  void measure() {
-    const bool has_several = parts_.size() > 1;
-    for(face_descriptor f : faces(tm_)) {
-      const std::size_t component = component_(f);
-      if(!has_several && !is_wanted_[component])
-        continue;
-      Part& part = parts_[component];
-      const Triangle t = triangle(f);
-      if(part.is_empty) {
-        part.is_empty = false;
-        part.first = t[0];
+  // Adds up results by component, where `f(result, component, face)` adds a face. Threads do so for
+  // runs of faces of one component, and end in any order: what becomes of rounding errors is up to
+  // them, but no more than a bound of these is used.
+  template <typename Result, typename Execution, typename Faces, typename F, typename Add>
+  void add_up(Execution execution, const Faces& all, const F& f, const Add& add) {
+    std::mutex mutex;
+    all.for_each_part(execution, [&](std::size_t i, auto begin, auto end) {
+      std::vector<std::pair<std::size_t, Result>> runs;
+      while(begin != end) {
+        const std::size_t component = component_(*begin);
+        Result result(i);
+        for(; begin != end && component_(*begin) == component; ++begin)
+          f(result, component, *begin);
+        runs.emplace_back(component, result);
       }
-      if(has_several)
-        extend_box(part, t);
-      if(is_wanted_[component])
-        add_volume(part, t);
-    }
+      const std::lock_guard<std::mutex> lock(mutex);
+      for(const auto& [component, result] : runs)
+        add(parts_[component], result);
+    });
   }
 
-  static void extend_box(Part& part, const Triangle& t) {
-    for(const Vector& p : t)
-      for(int d = 0; d < 3; ++d) {
-        part.low[d] = (std::min)(part.low[d], p[d]);
-        part.high[d] = (std::max)(part.high[d], p[d]);
-      }
+  template <typename Execution, typename Faces>
+  void find_extents(Execution execution, const Faces& all) {
+    if(parts_.size() == 1 && all.size() > 0) {
+      parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
+      return;
+    }
+    add_up<Extent>(
+        execution, all,
+        [this](Extent& extent, std::size_t, face_descriptor f) { extent.add(triangle(f)); },
+        [](Part& part, const Extent& extent) { part.extent.add(extent); });
   }
 
-  static void add_volume(Part& part, const Triangle& t) {
-    const Vector a = t[0] - part.first, b = t[1] - part.first, c = t[2] - part.first;
-    for(int d = 0; d < 3; ++d) {
-      const int e = (d + 1) % 3, f = (d + 2) % 3;
-      const double left = a[d] * (b[e] * c[f]), right = a[d] * (b[f] * c[e]);
-      part.volume += left - right;
-      part.magnitude += std::abs(left) + std::abs(right);
-    }
-    ++part.faces;
+  template <typename Execution, typename Faces>
+  void find_volumes(Execution execution, const Faces& all) {
+    add_up<Volume>(
+        execution, all,
+        [this](Volume& volume, std::size_t component, face_descriptor f) {
+          if(is_wanted_[component])
+            volume.add(triangle(f), parts_[component].extent.first[2]);
+        },
+        [](Part& part, const Volume& volume) { part.volume.add(volume); });
   }
 
   void find_signs() {
@@ -153,9 +224,10 @@ private:
         continue;
       // Each term is off by a few roundings, each sum by one; nothing is known of what underflows.
       Part& part = parts_[i];
-      const double error = part.magnitude * (8. * double(part.faces) + 16.) * 0x1p-53;
-      if(std::abs(part.volume) > error && std::abs(part.volume) > 1e-250)
-        part.sign = part.volume > 0. ? 1 : -1;
+      const Volume& volume = part.volume;
+      const double error = volume.magnitude * (8. * double(volume.faces) + 16.) * 0x1p-53;
+      if(std::abs(volume.value) > error && std::abs(volume.value) > 1e-250)
+        part.sign = volume.value > 0. ? 1 : -1;
       else
         is_open[i] = 1;
     }
@@ -178,7 +250,7 @@ private:
   // ---- components within components
 
   bool may_contain(std::size_t outer, std::size_t inner) const {
-    const Part &a = parts_[outer], &b = parts_[inner];
+    const Extent &a = parts_[outer].extent, &b = parts_[inner].extent;
     bool is_within = outer != inner;
     for(int d = 0; d < 3; ++d)
       is_within = is_within && a.low[d] <= b.low[d] && b.high[d] <= a.high[d];
@@ -199,30 +271,34 @@ private:
 
   // Turns the sign of a component with each face above its first point that belongs to a component
   // whose box contains it.
-  void find_nesting() {
+  template <typename Execution, typename Faces>
+  void find_nesting(Execution execution, const Faces& all) {
     const std::vector<std::size_t> open = open_components();
     if(open.empty())
       return;
     std::vector<Box> boxes;
     for(std::size_t i : open) {
-      const Vector& p = parts_[i].first;
+      const Vector& p = parts_[i].extent.first;
       boxes.push_back({p[0], p[1], p[0], p[1]});
     }
     const Box_tree tree(std::move(boxes));
-    for(face_descriptor f : faces(tm_)) {
+    std::mutex mutex;
+    all.for_each(execution, [&](face_descriptor f) {
       const Triangle t = triangle(f);
       const auto [x1, x2] = std::minmax({t[0][0], t[1][0], t[2][0]});
       const auto [y1, y2] = std::minmax({t[0][1], t[1][1], t[2][1]});
       tree.for_each_meeting({x1, y1, x2, y2}, [&](Index i, const Box&) {
-        if(may_contain(component_(f), open[i]))
-          count_face_above(t, parts_[open[i]]);
+        if(!may_contain(component_(f), open[i]))
+          return;
+        const std::lock_guard<std::mutex> lock(mutex);
+        count_face_above(t, parts_[open[i]]);
       });
-    }
+    });
   }
 
   // The point is moved aside by an infinitesimal amount, so that it lies above no edge.
   static void count_face_above(const Triangle& t, Part& part) {
-    const std::vector<Vector> vertices = {t[0], t[1], t[2], part.first};
+    const std::vector<Vector> vertices = {t[0], t[1], t[2], part.extent.first};
     const Projected_points points(vertices, {0., 0.});
     const int sense = points.turn(0, 1, 2);
     for(Index i = 0; i < 3; ++i)

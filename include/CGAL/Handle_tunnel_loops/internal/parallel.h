@@ -17,6 +17,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -38,7 +39,7 @@ struct Is_parallel : std::is_convertible<ConcurrencyTag, Parallel_tag>
 /// The execution policies: `for_ranges(n, grain, f)` calls `f(begin, end)` on ranges that cover
 /// [0, n). Ranges begin at multiples of `grain` and have that size, whatever the number of
 /// threads, so that sums kept per range are reproducible. `invoke(f, g)` calls both, perhaps at the
-/// same time. `number_of_threads()` is what there may be.
+/// same time. `sort(first, last, less)` is not stable. `number_of_threads()` is what there may be.
 struct Sequential_execution
 {
   static constexpr bool is_parallel = false;
@@ -54,6 +55,11 @@ struct Sequential_execution
   template <typename F, typename G> static void invoke(const F& f, const G& g) {
     f();
     g();
+  }
+
+  template <typename Iterator, typename Less>
+  static void sort(Iterator first, Iterator last, const Less& less) {
+    std::sort(first, last, less);
   }
 };
 
@@ -80,6 +86,11 @@ struct Parallel_execution
       else
         g();
     });
+  }
+
+  template <typename Iterator, typename Less>
+  static void sort(Iterator first, Iterator last, const Less& less) {
+    tbb::parallel_sort(first, last, less);
   }
 };
 #endif
