@@ -74,7 +74,7 @@ public:
                         if(do_link)
                           linker_.link(execution);
                         else
-                          linker_.intersect();
+                          linker_.intersect(execution);
                       });
     if(do_link)
       note_linking();

@@ -58,15 +58,19 @@ class Linking_numbers
 {
 public:
   explicit Linking_numbers(const Surface_curves& curves)
+      : Linking_numbers(Sequential_execution(), curves) {}
+
+  template <typename Execution>
+  Linking_numbers(Execution execution, const Surface_curves& curves)
       : curves_(curves)
-      , points_(curves.vertices, next_direction()) {
+      , points_(execution, curves.vertices, next_direction(), 2 * curves.corners.size()) {
     add_intersections();
   }
 
   /// computes V.
   template <typename Execution> void link(Execution execution) {
     while(!are_touches_decided() && ++number_of_attempts_ < maximum_number_of_attempts)
-      points_.see_along(next_direction());
+      points_.see_along(execution, next_direction());
     add_touches();
     add_crossings(execution);
     add_up(linking_);
@@ -203,11 +207,11 @@ private:
     return static_cast<Index>(curves_.vertices.size() + 2 * corner);
   }
 
-  void add_ends() {
-    for(const Corner& c : curves_.corners) {
-      points_.add_midpoint(c.apex, c.from);
-      points_.add_midpoint(c.apex, c.to);
-    }
+  template <typename Execution> void add_ends(Execution execution) {
+    points_.add_midpoints(execution, 2 * curves_.corners.size(), [this](std::size_t i) {
+      const Corner& c = curves_.corners[i / 2];
+      return std::make_pair(c.apex, i % 2 == 0 ? c.from : c.to);
+    });
   }
 
   Box box(Index p, Index q) const {
@@ -254,7 +258,7 @@ private:
   }
 
   template <typename Execution> void add_crossings(Execution execution) {
-    add_ends();
+    add_ends(execution);
     using Ends = std::pair<Index, Index>;
     Sorted_boxes edges = sorted_boxes(execution, curves_.edges.size(), [this](std::size_t e) {
       return Ends(curves_.edges[e].source, curves_.edges[e].target);

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/Solid_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/Surface_curves_builder.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -57,18 +58,20 @@ public:
   }
 
   /// computes the intersection numbers.
-  void intersect() {
-    for(const Loop* loop : loops_)
-      walks_.push_back(walker_.straight(*loop));
+  template <typename Execution> void intersect(Execution execution) {
+    walks_.resize(loops_.size());
+    for_each_index(
+        execution, loops_.size(),
+        [this](std::size_t i) { walks_[i] = walker_.straight(*loops_[i]); }, 1);
     Builder builder(tm_, point_, vertex_index_);
-    const Surface_curves curves = builder.build(walks_, outward_);
-    intersections_ = Linking_numbers(curves).intersections();
+    const Surface_curves curves = builder.build(execution, walks_, outward_);
+    intersections_ = Linking_numbers(execution, curves).intersections();
   }
 
   /// computes the intersection and the linking numbers.
   template <typename Execution> void link(Execution execution) {
-    for(int round = 0; round < maximum_number_of_rounds && find_walks(); ++round)
-      if(!link_walks(execution))
+    for(int round = 0; round < maximum_number_of_rounds; ++round)
+      if(!find_walks(execution, round == 0) || !link_walks(execution))
         break;
   }
 
@@ -113,11 +116,10 @@ private:
 
   // Whether there are walks that have not been tried. In the first round these are all; later,
   // those of loops for which there is a way around what has been found.
-  bool find_walks() {
-    const bool is_first = walks_.empty();
-    bool is_any_new = false;
+  template <typename Execution> bool find_walks(Execution execution, bool is_first) {
+    bool is_any_new = is_first && !loops_.empty();
     walks_.resize(loops_.size());
-    for(std::size_t i = 0; i < loops_.size(); ++i) {
+    for(std::size_t i = is_first ? find_straight_walks(execution) : 0; i < loops_.size(); ++i) {
       Walk walk = walker_(*loops_[i]);
       if(walker_.has_failed() && is_first) {
         walk = walker_.straight(*loops_[i]);
@@ -132,11 +134,26 @@ private:
     return is_any_new;
   }
 
+  // Finds the walks of the first loops, up to the first one that does not run straight. That walker
+  // and those after it learn from each other what to keep away from.
+  template <typename Execution> std::size_t find_straight_walks(Execution) {
+    constexpr std::size_t loops_at_once = 8;
+    std::vector<char> is_straight(loops_.size(), 0);
+    Execution::for_ranges(loops_.size(), loops_at_once, [&](std::size_t begin, std::size_t end) {
+      Walker walker(tm_, point_, vertex_index_);
+      for(std::size_t i = begin; i < end; ++i) {
+        walks_[i] = walker.straight(*loops_[i]);
+        is_straight[i] = walker(*loops_[i]) == walks_[i] && !walker.has_failed();
+      }
+    });
+    return std::find(is_straight.begin(), is_straight.end(), 0) - is_straight.begin();
+  }
+
   // Whether another round may do better.
   template <typename Execution> bool link_walks(Execution execution) {
     Builder builder(tm_, point_, vertex_index_);
-    const Surface_curves curves = builder.build(walks_, outward_);
-    Linking_numbers numbers(curves);
+    const Surface_curves curves = builder.build(execution, walks_, outward_);
+    Linking_numbers numbers(execution, curves);
     intersections_ = numbers.intersections();
     problems_ = lasting_problems_;
     if(problems_.size() == loops_.size())

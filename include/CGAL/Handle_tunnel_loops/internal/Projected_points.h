@@ -13,10 +13,14 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/exact_vectors.h>
+#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,6 +46,14 @@ public:
   };
 
   Projected_points(const std::vector<Vector>& vertices, const Direction& direction)
+      : Projected_points(Sequential_execution(), vertices, direction, 0) {}
+
+  /// as above; there will be \p number_of_midpoints.
+  template <typename Execution>
+  Projected_points(Execution execution,
+                   const std::vector<Vector>& vertices,
+                   const Direction& direction,
+                   std::size_t number_of_midpoints)
       : vertices_(vertices) {
     double largest = 0.;
     for(const Vector& p : vertices)
@@ -50,27 +62,35 @@ public:
     int exponent;
     std::frexp(largest, &exponent);
     scale_ = std::ldexp(1., (std::min)(-exponent - 1, 1000));
-    see_along(direction);
+    reserve(execution, vertices.size() + number_of_midpoints);
+    see_along(execution, direction);
   }
 
   /// changes the direction, and forgets the midpoints.
-  void see_along(const Direction& direction) {
+  template <typename Execution> void see_along(Execution execution, const Direction& direction) {
     direction_ = direction;
-    points_.clear();
-    for(Index v = 0; v < vertices_.size(); ++v)
-      add_midpoint(v, v);
+    number_of_points_ = 0;
+    add_midpoints(execution, vertices_.size(), [](std::size_t v) {
+      return std::make_pair(static_cast<Index>(v), static_cast<Index>(v));
+    });
   }
+  void see_along(const Direction& direction) { see_along(Sequential_execution(), direction); }
 
   /// adds the midpoint of two vertices as the next point.
   void add_midpoint(Index u, Index v) {
-    Point p;
-    p.u = u;
-    p.v = v;
-    for(int d = 0; d < 3; ++d)
-      p.space[d] = scale_ * vertices_[u][d] + scale_ * vertices_[v][d];
-    p.x = p.space[0] - direction_.a * p.space[2];
-    p.y = p.space[1] - direction_.b * p.space[2];
-    points_.push_back(p);
+    add_midpoints(Sequential_execution(), 1, [&](std::size_t) { return std::make_pair(u, v); });
+  }
+
+  /// adds n points, the midpoints of the pairs `ends(i)` of vertices.
+  template <typename Execution, typename Ends>
+  void add_midpoints(Execution execution, std::size_t n, const Ends& ends) {
+    if(number_of_points_ + n > capacity_)
+      reserve(execution, (std::max)(number_of_points_ + n, 2 * capacity_));
+    for_each_index(execution, n, [&](std::size_t i) {
+      const auto [u, v] = ends(i);
+      points_[number_of_points_ + i] = midpoint(u, v);
+    });
+    number_of_points_ += n;
   }
 
   /// the projection of a point, scaled by a power of two; each coordinate is off by less than
@@ -130,6 +150,25 @@ private:
     Index u, v;
   };
 
+  Point midpoint(Index u, Index v) const {
+    Point p;
+    p.u = u;
+    p.v = v;
+    for(int d = 0; d < 3; ++d)
+      p.space[d] = scale_ * vertices_[u][d] + scale_ * vertices_[v][d];
+    p.x = p.space[0] - direction_.a * p.space[2];
+    p.y = p.space[1] - direction_.b * p.space[2];
+    return p;
+  }
+
+  // The memory is left as it is, so that the threads that fill it are the first to touch it.
+  template <typename Execution> void reserve(Execution execution, std::size_t capacity) {
+    std::unique_ptr<Point[]> points(new Point[capacity]);
+    for_each_index(execution, number_of_points_, [&](std::size_t i) { points[i] = points_[i]; });
+    points_ = std::move(points);
+    capacity_ = capacity;
+  }
+
   Exact_vector exact_difference(Index p, Index q) const {
     const Point &a = points_[p], &b = points_[q];
     return (exact(vertices_[b.u]) + exact(vertices_[b.v])) -
@@ -170,7 +209,8 @@ private:
   const std::vector<Vector>& vertices_;
   Direction direction_;
   double scale_; // a power of two that makes the coordinates smaller than 1/2
-  std::vector<Point> points_;
+  std::unique_ptr<Point[]> points_;
+  std::size_t number_of_points_ = 0, capacity_ = 0;
 };
 
 } // namespace internal
