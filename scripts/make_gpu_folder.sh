@@ -17,7 +17,7 @@ shift || true
 programs=(bin/htloops test/Handle_tunnel_loops/test_gpu
   test/Handle_tunnel_loops/test_device_passes benchmark/Handle_tunnel_loops/benchmark_device)
 cmake -S . -B build-gpu -DCMAKE_BUILD_TYPE=Release -DCMAKE_CUDA_FLAGS=-lineinfo \
-  -DCMAKE_EXE_LINKER_FLAGS='-Wl,--disable-new-dtags,-rpath,$ORIGIN/../lib' "$@"
+  -DCMAKE_EXE_LINKER_FLAGS=-Wl,--disable-new-dtags -DCMAKE_BUILD_RPATH='$ORIGIN/../lib' "$@"
 cmake --build build-gpu --parallel "$(nproc)" --target "${programs[@]##*/}"
 
 # Where a library of the C library or of the driver would be, that of the other machine belongs.
