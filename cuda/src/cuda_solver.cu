@@ -82,6 +82,12 @@ make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tun
   return std::make_unique<Cuda_solver>(mesh, device, options.stream, tuning);
 }
 
+int current_cuda_device() {
+  int device = 0;
+  htl_cuda::check<No_device_exception>(cudaGetDevice(&device), "asking for the current device");
+  return device;
+}
+
 void start_cuda_device(const Device_options& options) { htl_cuda::usable_device(options.device); }
 
 } // namespace device

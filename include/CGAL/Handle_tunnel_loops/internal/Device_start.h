@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <future>
+#include <system_error>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -34,13 +35,20 @@ template <typename ConcurrencyTag> struct Device_start
 class Concurrent_device_start
 {
 public:
-  explicit Concurrent_device_start(const Device_options& options)
-      : done_(std::async(std::launch::async, [options] {
+  explicit Concurrent_device_start(Device_options options) {
+    try {
+      if(options.device < 0) // that of this thread, not of the other
+        options.device = device::current_cuda_device();
+      done_ = std::async(std::launch::async, [options] {
         try {
           device::start_cuda_device(options);
         } catch(const Device_exception&) {
         }
-      })) {}
+      });
+    } catch(const Device_exception&) {
+    } catch(const std::system_error&) { // there is no thread to be had
+    }
+  }
 
 private:
   std::future<void> done_;

@@ -179,9 +179,13 @@ private:
     if(once != 1 && once != -1)
       return false;
     bool result = true;
+    Index tested = no_index; // loops run side by side: mostly it is the same one again
     for_each_edge(way, right, [&](Index u, Index v) {
-      region().walls().for_each_other_wall(
-          loop, u, v, [&](Index other) { result = result && crossings(other, way, right) == 0; });
+      region().walls().for_each_other_wall(loop, u, v, [&](Index other) {
+        if(result && other != tested)
+          result = crossings(other, way, right) == 0;
+        tested = other;
+      });
     });
     return result;
   }

@@ -131,10 +131,11 @@ public:
       if(!callback(0.))
         return false;
       const Time now = seen_.state.step;
-      executor_.run(Field_steps<Region>(field_, k,
-                                        {no_index, now + tuning.steps_per_look,
-                                         now + tuning.steps_per_look_if_met}),
-                    number_of_passes_ + seen_.state.next_list_size);
+      executor_.run(
+          Field_steps<Region>(field_, k,
+                              {no_index, now + (std::min)(tuning.steps_per_look, patience),
+                               now + tuning.steps_per_look_if_met}),
+          number_of_passes_ + seen_.state.next_list_size);
       look_at_reached();
       close_walks();
     }
@@ -316,12 +317,14 @@ public:
       try {
         const std::vector<Index> starved = run_batch(search, walls, now, room, k, callback, found);
         if(!starved.empty())
-          make_room(room, in_flight, size, starved.size());
+          make_room(room, in_flight, size);
         pending.insert(pending.begin(), starved.begin(), starved.end());
       } catch(const Out_of_device_memory_exception&) {
-        if(size == 1)
+        const std::size_t one = pages_of_one_pass(mesh_.number_of_vertices());
+        if(size == 1 && room.number_of_pages <= one)
           throw;
-        in_flight = size / 2;
+        in_flight = (std::max)(std::size_t(1), size / 2);
+        room.number_of_pages = (std::min)(room.number_of_pages, in_flight * one);
         pending.insert(pending.begin(), now.begin(), now.end());
       }
       if(!callback(1. - double(pending.size()) / double(number)))
@@ -373,7 +376,7 @@ private:
   }
 
   // After a batch in which some passes found no room: for their pages, or for their walks.
-  void make_room(Room& room, std::size_t& in_flight, std::size_t tried, std::size_t starved) const {
+  void make_room(Room& room, std::size_t& in_flight, std::size_t tried) const {
     const std::size_t pages = (std::min)(2 * room.number_of_pages, most_pages(tried));
     if(pages <= room.number_of_pages && tried == 1 && room.walk_size > mesh_.number_of_vertices())
       throw Out_of_device_memory_exception(2 * room.number_of_pages * Batch::bytes_per_page,
@@ -382,7 +385,7 @@ private:
     if(pages > room.number_of_pages)
       room.number_of_pages = pages;
     else
-      in_flight = (std::max<std::size_t>)(1, (std::min)(tried - starved, tried / 2));
+      in_flight = (std::max)(std::size_t(1), tried / 2);
   }
 
   // Fills in what is found for some of the numbers, and returns those that found no room.

@@ -171,6 +171,8 @@ private:
     const Index n = static_cast<Index>(mesh_.number_of_vertices());
     const auto began = std::chrono::steady_clock::now();
     Field_control control = {};
+    executor_.download(&control, Span<Field_control>(field.arrays().control, 1));
+    control.state.next_list_size = control.counters.added[0].value;
     Time pause = 0;
     do {
       pause += steps_per_run_;

@@ -71,6 +71,8 @@ struct Field_state
   }
 };
 
+static_assert(sizeof(Field_state) == 32, "see `Field_control::unused`");
+
 /// All that the host looks at between runs.
 struct Field_control
 {

@@ -31,6 +31,9 @@ namespace device {
 std::unique_ptr<Solver>
 make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning& tuning = {});
 
+/// the number of the current device of the calling thread. Throws as the above.
+int current_cuda_device();
+
 /// does what a process has to do before it uses a device for the first time. Throws as the above.
 void start_cuda_device(const Device_options& options);
 
