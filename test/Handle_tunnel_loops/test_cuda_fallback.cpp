@@ -3,6 +3,7 @@
 
 #include "Cuda_runtime_test.h"
 #include "Device_agreement.h"
+#include "Pass_answers.h"
 #include "Same_loops.h"
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
@@ -13,7 +14,6 @@
 #include <iterator>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace {
@@ -28,20 +28,6 @@ using cuda_stand_in::all_later;
 namespace parameters = CGAL::parameters;
 
 constexpr std::size_t any_size = 0;
-
-// What passes find on a mesh of one handle, and how they say that they did.
-struct Answers
-{
-  std::vector<Sweep_handle> handles;
-  std::vector<Time> times, times_from_loops;
-  std::vector<Index> layers;
-  std::vector<std::vector<Index>> walks;
-
-  bool operator==(const Answers& other) const {
-    return std::tie(handles, times, times_from_loops, layers, walks) ==
-           std::tie(other.handles, other.times, other.times_from_loops, other.layers, other.walks);
-  }
-};
 
 template <typename Passes> Answers answers_of(Passes& passes, const Flat_mesh& mesh) {
   Quiet_progress progress;

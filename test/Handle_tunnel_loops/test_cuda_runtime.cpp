@@ -6,6 +6,7 @@
 
 #include "Cuda_runtime_test.h"
 #include "Device_agreement.h"
+#include "Pass_answers.h"
 #include "label_front_on_device.h"
 #include "random_input.h"
 
@@ -19,7 +20,6 @@
 #include <memory>
 #include <string>
 #include <thread>
-#include <tuple>
 #include <vector>
 
 namespace {
@@ -101,20 +101,6 @@ TEST_P(Cuda_launch, RunsOnDevicesOfAllSizes) {
 }
 
 // ---- errors
-
-// What all passes find on a mesh of one handle.
-struct Answers
-{
-  std::vector<Sweep_handle> handles;
-  std::vector<Time> times, times_from_loops;
-  std::vector<Index> layers;
-  std::vector<std::vector<Index>> walks;
-
-  bool operator==(const Answers& other) const {
-    return std::tie(handles, times, times_from_loops, layers, walks) ==
-           std::tie(other.handles, other.times, other.times_from_loops, other.layers, other.walks);
-  }
-};
 
 Answers answers_of(device::Solver& solver, const Flat_mesh& mesh) {
   const Step_coefficients k = step_coefficients({});

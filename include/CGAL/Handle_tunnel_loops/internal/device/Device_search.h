@@ -22,7 +22,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 

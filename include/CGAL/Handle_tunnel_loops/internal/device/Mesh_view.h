@@ -63,7 +63,6 @@ inline Mesh_view view_of(const Flat_mesh& mesh) {
 }
 
 } // namespace device
-
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

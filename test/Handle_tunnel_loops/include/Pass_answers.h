@@ -1,0 +1,27 @@
+#ifndef HTL_TEST_PASS_ANSWERS_H
+#define HTL_TEST_PASS_ANSWERS_H
+
+#include "Device_agreement.h"
+
+#include <tuple>
+#include <vector>
+
+namespace device_agreement {
+
+// What all passes find on a mesh of one handle.
+struct Answers
+{
+  std::vector<Sweep_handle> handles;
+  std::vector<Time> times, times_from_loops;
+  std::vector<Index> layers;
+  std::vector<std::vector<Index>> walks;
+
+  bool operator==(const Answers& other) const {
+    return std::tie(handles, times, times_from_loops, layers, walks) ==
+           std::tie(other.handles, other.times, other.times_from_loops, other.layers, other.walks);
+  }
+};
+
+} // namespace device_agreement
+
+#endif // HTL_TEST_PASS_ANSWERS_H
