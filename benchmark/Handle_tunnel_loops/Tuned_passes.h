@@ -10,8 +10,8 @@
 #ifndef HTL_BENCHMARK_TUNED_PASSES_H
 #define HTL_BENCHMARK_TUNED_PASSES_H
 
-#include <CGAL/Handle_tunnel_loops/internal/Device_passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Device_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
 
 #include <functional>
 #include <vector>
@@ -21,9 +21,9 @@ namespace benchmark_device {
 namespace impl = CGAL::Handle_tunnel_loops::internal;
 using Execution = decltype(impl::execution<CGAL::Parallel_if_available_tag>());
 
-/// The passes on a device that is used as `tuning` says, for a `Loop_finder`; what they cost is
+/// The passes on a device that is used as `tuning` says, for a `Loop_pipeline`; what they cost is
 /// added to `costs` in the end.
-struct Tuned_passes : impl::Device_passes<Execution>
+struct Tuned_passes : impl::Device_backend<Execution>
 {
   static inline impl::device::Tuning tuning;
   static inline impl::device::Costs costs_of_last;
@@ -31,7 +31,7 @@ struct Tuned_passes : impl::Device_passes<Execution>
   Tuned_passes(const impl::Flat_mesh& mesh,
                const impl::Step_coefficients& k,
                const CGAL::Handle_tunnel_loops::Device_options& options)
-      : impl::Device_passes<Execution>(mesh, k, options, tuning) {}
+      : impl::Device_backend<Execution>(mesh, k, options, tuning) {}
   ~Tuned_passes() { costs_of_last = costs(); }
 };
 
@@ -43,7 +43,7 @@ struct Tuned_run
 };
 
 inline Tuned_run run_tuned(const impl::Flat_mesh& mesh, const impl::device::Tuning& tuning) {
-  using Finder = impl::Loop_finder<Execution, Tuned_passes>;
+  using Finder = impl::Loop_pipeline<Execution, Tuned_passes>;
   using CGAL::Handle_tunnel_loops::Stage;
   Tuned_passes::tuning = tuning;
   Tuned_run run;

@@ -30,16 +30,16 @@ public:
       , executor_(device, stream_.get(), tuning)
       , solver_(executor_, mesh, tuning) {}
 
-  std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
-                                  const Step_coefficients& k,
-                                  const Callback& callback) override {
+  std::vector<Handle_candidate> sweep(const std::vector<Index>& seeds,
+                                      const Step_coefficients& k,
+                                      const Callback& callback) override {
     const htl_cuda::Current_device current(device_);
     return solver_.sweep(seeds, k, callback);
   }
 
-  std::vector<Time> sweep_times() override {
+  std::vector<Time> arrival_times() override {
     const htl_cuda::Current_device current(device_);
-    return solver_.sweep_times();
+    return solver_.arrival_times();
   }
 
   Front_log front_log() override {
@@ -54,8 +54,9 @@ public:
     return solver_.times_from_loops(loops, index, k);
   }
 
-  std::vector<Found_walks>
-  search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) override {
+  std::vector<Dual_walks> search(const Dual_loop_query& search,
+                                 const Step_coefficients& k,
+                                 const Callback& callback) override {
     const htl_cuda::Current_device current(device_);
     return solver_.search(search, k, callback);
   }

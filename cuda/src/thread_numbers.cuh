@@ -10,7 +10,7 @@
 #ifndef HTL_CUDA_THREAD_NUMBERS_CUH
 #define HTL_CUDA_THREAD_NUMBERS_CUH
 
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <cstddef>
 

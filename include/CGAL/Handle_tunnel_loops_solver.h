@@ -16,12 +16,12 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/Device_start.h>
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/Loop_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
-#include <CGAL/Handle_tunnel_loops/internal/Offset_classifier.h>
-#include <CGAL/Handle_tunnel_loops/internal/field_checks.h>
+#include <CGAL/Handle_tunnel_loops/internal/classification/Offset_classifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Device_start.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -186,7 +186,7 @@ private:
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    using Finder = typename impl::Loop_finder_of<ConcurrencyTag>::type;
+    using Finder = typename impl::Loop_pipeline_of<ConcurrencyTag>::type;
     typename Finder::Options options;
     options.constants =
         choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());

@@ -15,11 +15,11 @@
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/Function_on_vertices.h>
-#include <CGAL/Handle_tunnel_loops/internal/Reeb_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/Reeb_graph_finder.h>
-#include <CGAL/Handle_tunnel_loops/internal/field_checks.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Function_on_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_graph_finder.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

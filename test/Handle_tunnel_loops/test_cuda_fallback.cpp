@@ -39,10 +39,10 @@ template <typename Passes> Answers answers_of(Passes& passes, const Flat_mesh& m
   answers.times_from_loops = passes.times_from_loops(contours, index);
   for(const bool bars_only_own : {false, true})
     passes.search(
-        {contours, index, bars_only_own, {0}}, progress, [&](Index, const Found_walks& found) {
+        {contours, index, bars_only_own, {0}}, progress, [&](Index, const Dual_walks& found) {
           answers.walks.insert(answers.walks.end(), found.walks.begin(), found.walks.end());
         });
-  answers.times = passes.sweep_times();
+  answers.times = passes.arrival_times();
   return answers;
 }
 
@@ -50,14 +50,14 @@ class Cuda_fallback : public Cuda_runtime
 {
 protected:
   using Execution = decltype(execution<CGAL::Cuda_if_available_tag>());
-  using Passes = Passes_if_available<Execution>;
+  using Passes = Fallback_backend<Execution>;
 
   // The passes are not on the current device, so that it matters which one is.
   void SetUp() override {
     Device_kind kind;
     kind.multiprocessors = kind.threads_per_block = 1;
     use_devices({kind, kind});
-    Host_passes<Execution> host(flat, step_coefficients({}));
+    Host_backend<Execution> host(flat, step_coefficients({}));
     expected = answers_of(host, flat);
     ASSERT_EQ(expected.walks.size(), 2u);
   }

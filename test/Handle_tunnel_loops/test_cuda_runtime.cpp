@@ -106,7 +106,7 @@ Answers answers_of(device::Solver& solver, const Flat_mesh& mesh) {
   const Step_coefficients k = step_coefficients({});
   Answers answers;
   answers.handles = solver.sweep({0}, k, go_on);
-  answers.times = solver.sweep_times();
+  answers.times = solver.arrival_times();
   answers.layers = solver.front_log().layer;
   const std::vector<Crossing_loop> contours = loops_of(answers.handles);
   const Crossing_index index(mesh, contours);

@@ -6,8 +6,8 @@
 #include "Same_events.h"
 #include "Same_loops.h"
 
+#include "Host_executor.h"
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
 
 #include <gtest/gtest.h>
@@ -30,20 +30,21 @@ public:
       : executor_(Host_executor::Order::SHUFFLED, memory)
       , solver_(executor_, mesh) {}
 
-  std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
-                                  const Step_coefficients& k,
-                                  const Callback& callback) override {
+  std::vector<Handle_candidate> sweep(const std::vector<Index>& seeds,
+                                      const Step_coefficients& k,
+                                      const Callback& callback) override {
     return solver_.sweep(seeds, k, callback);
   }
-  std::vector<Time> sweep_times() override { return solver_.sweep_times(); }
+  std::vector<Time> arrival_times() override { return solver_.arrival_times(); }
   Front_log front_log() override { return solver_.front_log(); }
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {
     return solver_.times_from_loops(loops, index, k);
   }
-  std::vector<Found_walks>
-  search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) override {
+  std::vector<Dual_walks> search(const Dual_loop_query& search,
+                                 const Step_coefficients& k,
+                                 const Callback& callback) override {
     return solver_.search(search, k, callback);
   }
   Costs costs() const override { return solver_.costs(); }

@@ -6,9 +6,9 @@
 #include "label_front.h"
 #include "random_input.h"
 
+#include "Host_executor.h"
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
 
 #include <gtest/gtest.h>
 
@@ -24,12 +24,12 @@ using CGAL::Handle_tunnel_loops::Interrupted_exception;
 using device::Host_executor;
 using Solver = device::Device_solver<Host_executor>;
 
-class Device_passes : public testing::TestWithParam<Order>
+class Device_backend : public testing::TestWithParam<Order>
 {};
 
-INSTANTIATE_TEST_SUITE_P(Orders, Device_passes, all_orders(), name_of_order);
+INSTANTIATE_TEST_SUITE_P(Orders, Device_backend, all_orders(), name_of_order);
 
-TEST_P(Device_passes, AgreeWithTheHostOnSmoothSurfaces) {
+TEST_P(Device_backend, AgreeWithTheHostOnSmoothSurfaces) {
   for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3}, 1)) {
     SCOPED_TRACE(testing::Message() << recipe);
     const Flat_mesh mesh = flat_mesh_of(recipe);
@@ -42,7 +42,7 @@ TEST_P(Device_passes, AgreeWithTheHostOnSmoothSurfaces) {
   }
 }
 
-TEST_P(Device_passes, AgreeWithTheHostOnRandomSurfaces) {
+TEST_P(Device_backend, AgreeWithTheHostOnRandomSurfaces) {
   Random random(1);
   const int number = GetParam() == Order::THREADS ? 20 : 100;
   for(int i = 0; i < number; ++i) {
@@ -64,16 +64,16 @@ void expect_handles_of_host(Order run_order,
   Host_executor executor(run_order);
   device::Costs costs;
   const device::Device_mesh<Host_executor> device_mesh(executor, device::view_of(mesh));
-  device::Device_sweep<Host_executor> sweep(executor, mesh, device_mesh, {}, costs);
+  device::Device_initial_pass<Host_executor> sweep(executor, mesh, device_mesh, {}, costs);
   sweep.set_times(times);
   EXPECT_EQ(sweep.handles(),
-            find_sweep_handles(Sequential_execution(), mesh, Arrival_order(times)));
+            find_handle_candidates(Sequential_execution(), mesh, Arrival_order(times)));
 }
 
-// With times in any order that has one minimum, saddles have many wedges.
-TEST_P(Device_passes, FindTheHandlesOfTheHostInAnyOrder) {
+// With times in any order that has one minimum, saddles have many lower components.
+TEST_P(Device_backend, FindTheHandlesOfTheHostInAnyOrder) {
   Random random(2);
-  Index wedges = 0;
+  Index lower_components = 0;
   for(int i = 0; i < 300; ++i) {
     const Recipe recipe = random_recipe(random, 12);
     const Flat_mesh mesh = flat_mesh_of(recipe);
@@ -82,12 +82,13 @@ TEST_P(Device_passes, FindTheHandlesOfTheHostInAnyOrder) {
     const std::vector<Time> times = Random_growth(mesh, random, width).times();
     expect_handles_of_host(GetParam(), mesh, times);
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      wedges = (std::max)(wedges, number_of_lower_wedges(mesh, Arrival_order(times), v));
+      lower_components =
+          (std::max)(lower_components, count_lower_components(mesh, Arrival_order(times), v));
   }
-  EXPECT_GE(wedges, 5u) << "the meshes are too harmless";
+  EXPECT_GE(lower_components, 5u) << "the meshes are too harmless";
 }
 
-TEST_P(Device_passes, FindTheHandleOfTheSmallestTorusInEveryOrder) {
+TEST_P(Device_backend, FindTheHandleOfTheSmallestTorusInEveryOrder) {
   const Flat_mesh mesh = flat_mesh_of(smallest_torus());
   std::vector<Time> times(7);
   std::iota(times.begin(), times.end(), 0u);
@@ -99,21 +100,22 @@ TEST_P(Device_passes, FindTheHandleOfTheSmallestTorusInEveryOrder) {
 }
 
 // In so little memory that the passes of a search must run one after the other, they find the same.
-TEST_P(Device_passes, DoNotDependOnTheMemory) {
+TEST_P(Device_backend, DoNotDependOnTheMemory) {
   const Flat_mesh mesh = flat_mesh_of(Recipe{"sponge", {3000, 16, 1}});
   const Step_coefficients k = step_coefficients({});
   Host_executor large(GetParam());
   Solver expected(large, mesh);
   const std::vector<Crossing_loop> contours = loops_of(expected.sweep({0}, k, go_on));
   const Crossing_index index(mesh, contours);
-  const Loop_search search = {contours, index, false, first_numbers(contours.size()), 1, {}, 30000};
-  const std::vector<Found_walks> all = expected.search(search, k, go_on);
+  const Dual_loop_query search = {contours, index, false, first_numbers(contours.size()),
+                                  1,        {},    30000};
+  const std::vector<Dual_walks> all = expected.search(search, k, go_on);
   EXPECT_EQ(expected.costs().largest_batch, contours.size());
   std::size_t number_of_batches = 0;
   for(const std::size_t kib : {1500, 2000}) {
     Host_executor small(GetParam(), kib << 10);
     Solver solver(small, mesh);
-    const std::vector<Found_walks> found = solver.search(search, k, go_on);
+    const std::vector<Dual_walks> found = solver.search(search, k, go_on);
     ASSERT_EQ(found.size(), all.size());
     for(std::size_t i = 0; i < all.size(); ++i)
       EXPECT_EQ(found[i].walks, all[i].walks);
@@ -124,7 +126,7 @@ TEST_P(Device_passes, DoNotDependOnTheMemory) {
 }
 
 // However often the host looks at what there is.
-TEST_P(Device_passes, DoNotDependOnTheLooks) {
+TEST_P(Device_backend, DoNotDependOnTheLooks) {
   Random random(4);
   for(int i = 0; i < (GetParam() == Order::THREADS ? 5 : 30); ++i) {
     const Recipe recipe = random_recipe(random, 10);
@@ -142,7 +144,7 @@ TEST_P(Device_passes, DoNotDependOnTheLooks) {
   }
 }
 
-TEST_P(Device_passes, LabelFrontsAsConnectedComponents) {
+TEST_P(Device_backend, LabelFrontsAsConnectedComponents) {
   Random random(3);
   std::vector<Recipe> recipes = recipes_of_all_kinds({0, 1, 5}, 1);
   for(int i = 0; i < 20; ++i)
@@ -157,7 +159,7 @@ TEST_P(Device_passes, LabelFrontsAsConnectedComponents) {
   }
 }
 
-TEST_P(Device_passes, StopWhenTheyAreAskedTo) {
+TEST_P(Device_backend, StopWhenTheyAreAskedTo) {
   const Flat_mesh mesh = flat_mesh_of(Recipe{"torus", {2000, 1, 0}});
   const Step_coefficients k = step_coefficients({});
   const auto stop = [](double) { return false; };
@@ -166,13 +168,13 @@ TEST_P(Device_passes, StopWhenTheyAreAskedTo) {
   EXPECT_THROW(solver.sweep({0}, k, stop), Interrupted_exception);
   const std::vector<Crossing_loop> contours = loops_of(solver.sweep({0}, k, go_on));
   const Crossing_index index(mesh, contours);
-  const Loop_search search = {contours, index, false, {0}};
+  const Dual_loop_query search = {contours, index, false, {0}};
   EXPECT_THROW(solver.search(search, k, stop), Interrupted_exception);
   EXPECT_EQ(solver.search(search, k, go_on)[0].walks.size(), 1u);
   EXPECT_GT(executor.bytes_in_use(), 0u);
 }
 
-TEST_P(Device_passes, GiveBackAllMemory) {
+TEST_P(Device_backend, GiveBackAllMemory) {
   Host_executor executor(GetParam());
   {
     const Flat_mesh mesh = flat_mesh_of(Recipe{"random", {500, 5, 3}});

@@ -4,8 +4,8 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/radix_sort.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/radix_sort.h>
 #include <CGAL/tags.h>
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 #include "Random_growth.h"
 #include "random_input.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Saddle.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Front_layers.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
+#include "Host_executor.h"
+#include <CGAL/Handle_tunnel_loops/internal/fronts/Front_layers.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddles/Saddle.h>
 
 #include <gtest/gtest.h>
 
@@ -122,7 +122,7 @@ TEST_P(Front_layers, AreRightInEveryOrderOfTheSmallestTorus) {
 
 TEST_P(Front_layers, AreTheArcsOfTheHost) {
   Random random(3);
-  Index wedges = 0;
+  Index lower_components = 0;
   for(int i = 0; i < share(300); ++i) {
     const Recipe recipe = random_recipe(random, 12);
     const Flat_mesh mesh = flat_mesh_of(recipe);
@@ -131,9 +131,11 @@ TEST_P(Front_layers, AreTheArcsOfTheHost) {
     const std::vector<Time> times = Random_growth(mesh, random, width).times();
     expect_layers(found(mesh, times), mesh, times);
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      wedges = (std::max)(wedges, number_of_lower_wedges(mesh, Arrival_order(times), v));
+      lower_components =
+          (std::max)(lower_components, count_lower_components(mesh, Arrival_order(times), v));
   }
-  EXPECT_GE(wedges, GetParam() == Order::THREADS ? 4u : 5u) << "the meshes are too harmless";
+  EXPECT_GE(lower_components, GetParam() == Order::THREADS ? 4u : 5u)
+      << "the meshes are too harmless";
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Integer_lattice.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Integer_lattice.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "Tightening_anew.h"
 #include "Torus_loops.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <gtest/gtest.h>
 

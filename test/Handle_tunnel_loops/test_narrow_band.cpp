@@ -6,8 +6,8 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Narrow_band.h>
-#include <CGAL/Handle_tunnel_loops/internal/sweep_handles.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Narrow_band.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddles/handle_candidates.h>
 
 #include <gtest/gtest.h>
 
@@ -118,7 +118,7 @@ void expect_one_minimum(const Flat_mesh& mesh, const std::vector<Time>& times, I
     ASSERT_NE(times[v], never) << "vertex " << v << " is not reached";
     EXPECT_EQ(order.is_earlier(order.earliest_neighbor(mesh, v), v), v != seed) << "vertex " << v;
   }
-  EXPECT_EQ(find_sweep_handles(execution, mesh, order).size(), mesh.genus);
+  EXPECT_EQ(find_handle_candidates(execution, mesh, order).size(), mesh.genus);
 }
 
 TEST(Narrow_band, HasOneMinimumOnSmoothSurfaces) {

@@ -5,7 +5,7 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Offset_classifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/classification/Offset_classifier.h>
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Box_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/Linking_numbers.h>
-#include <CGAL/Handle_tunnel_loops/internal/Projected_points.h>
-#include <CGAL/Handle_tunnel_loops/internal/Sparse_matrix.h>
-#include <CGAL/Handle_tunnel_loops/internal/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 
 #include <gtest/gtest.h>
 

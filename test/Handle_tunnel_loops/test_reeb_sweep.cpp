@@ -6,7 +6,7 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Reeb_sweep.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
 
 #include <gtest/gtest.h>
 

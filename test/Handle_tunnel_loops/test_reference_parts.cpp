@@ -4,12 +4,12 @@
 #include "Random_growth.h"
 #include "random_input.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Narrow_band.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Narrow_band.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
-#include <CGAL/Handle_tunnel_loops/internal/sweep_handles.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddles/handle_candidates.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ using namespace CGAL::Handle_tunnel_loops::internal;
 namespace reference = CGAL::Handle_tunnel_loops::internal::reference;
 using reference::Arrivals;
 using reference::Initial_pass;
-using reference::Place;
+using reference::Surface_point;
 
 const Field_constants constants;
 
@@ -223,7 +223,7 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
   for(Index v = 0; v < order.size(); ++v)
     order[times[v]] = v;
   reference::Front_tracker tracker(mesh);
-  reference::Region region(mesh);
+  reference::Covered_region region(mesh);
   for(std::size_t i = 0; i < order.size(); ++i) {
     const Index v = order[i];
     if(i == 0)
@@ -245,8 +245,8 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
   }
 
   const Arrival_order arrival_order(times);
-  const std::vector<Sweep_handle> handles =
-      find_sweep_handles(Sequential_execution(), mesh, arrival_order);
+  const std::vector<Handle_candidate> handles =
+      find_handle_candidates(Sequential_execution(), mesh, arrival_order);
   const auto& meetings = tracker.meetings();
   ASSERT_EQ(meetings.size(), mesh.genus);
   ASSERT_EQ(handles.size(), mesh.genus);
@@ -375,7 +375,7 @@ TEST(Handles_within_steps, AreThoseThatLeaveNoTrace) {
 
 // ---- streamlines
 
-bool are_in_one_triangle(const Flat_mesh& mesh, const Place& p, const Place& q) {
+bool are_in_one_triangle(const Flat_mesh& mesh, const Surface_point& p, const Surface_point& q) {
   std::vector<Index> corners = {p.a, p.b, q.a, q.b};
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
@@ -396,11 +396,11 @@ TEST(Streamline, LeadsDownToASource) {
     field.add_source(0);
     field.run_until(std::vector<char>(mesh.number_of_vertices(), 0));
     const Arrivals& arrivals = field.arrivals();
-    const auto time = [&](const Place& p) {
+    const auto time = [&](const Surface_point& p) {
       return (1. - p.ratio) * arrivals.time(p.a) + p.ratio * arrivals.time(p.b);
     };
     for(Index v = 1; v < mesh.number_of_vertices(); v += 7) {
-      const std::vector<Place> line = reference::Streamline(mesh, arrivals).trace(v);
+      const std::vector<Surface_point> line = reference::Streamline(mesh, arrivals).trace(v);
       EXPECT_EQ(line.front().a, v);
       EXPECT_EQ(line.back().a, 0u);
       for(std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -423,7 +423,7 @@ TEST(Streamline, IsStraight) {
     const Vector &p = mesh.points[0], &q = mesh.points[v];
     shortest += norm(p) * std::acos((std::max)(-1., dot(p, q) / (norm(p) * norm(q))));
     Vector last = q;
-    for(const Place& place : reference::Streamline(mesh, field.arrivals()).trace(v)) {
+    for(const Surface_point& place : reference::Streamline(mesh, field.arrivals()).trace(v)) {
       const Vector& a = mesh.points[place.a];
       const Vector next = a + place.ratio * (mesh.points[place.b] - a);
       length += norm(next - last);
@@ -439,9 +439,9 @@ TEST(Loop_of_line, PassesWalksOnTheirLeft) {
   const Flat_mesh mesh = flat_mesh_of({"random", {300, 4, 1}});
   for(int i = 0; i < 200; ++i) {
     const Vertex_walk walk = random_walk_without_spurs(mesh, random);
-    std::vector<Place> line;
+    std::vector<Surface_point> line;
     for(const Index v : walk)
-      line.push_back(reference::vertex_place(v));
+      line.push_back(reference::vertex_point(v));
     const Crossing_loop loop = reference::Loop_of_line(mesh)(line);
     const Crossing_loop expected = pushed_left(mesh, walk);
     ASSERT_EQ(loop.size(), expected.size());

@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/Device_passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/Device_start.h>
-#include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
-#include <CGAL/Handle_tunnel_loops/internal/Passes_if_available.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Device_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Device_start.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Fallback_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
 #include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #include <CGAL/tags.h>
@@ -65,16 +65,16 @@ struct Cuda_if_available_tag : public Parallel_if_available_tag
 namespace Handle_tunnel_loops {
 namespace internal {
 
-template <> struct Loop_finder_of<Cuda_if_available_tag>
+template <> struct Loop_pipeline_of<Cuda_if_available_tag>
 {
   using Execution = decltype(execution<Cuda_if_available_tag>());
-  using type = Loop_finder<Execution, Passes_if_available<Execution>>;
+  using type = Loop_pipeline<Execution, Fallback_backend<Execution>>;
 };
 
-template <> struct Loop_finder_of<Cuda_tag>
+template <> struct Loop_pipeline_of<Cuda_tag>
 {
   using Execution = decltype(execution<Cuda_tag>());
-  using type = Loop_finder<Execution, Device_passes<Execution>>;
+  using type = Loop_pipeline<Execution, Device_backend<Execution>>;
 };
 
 #ifdef CGAL_LINKED_WITH_CUDA

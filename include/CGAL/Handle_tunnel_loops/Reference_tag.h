@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/Loop_finder.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Reference_finder.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Reference_pipeline.h>
 
 #include <CGAL/tags.h>
 
@@ -47,10 +47,10 @@ struct Reference_tag : public Sequential_tag
 
 namespace internal {
 
-template <> struct Loop_finder_of<Reference_tag>
+template <> struct Loop_pipeline_of<Reference_tag>
 {
 #ifdef CGAL_EIGEN3_ENABLED
-  using type = reference::Reference_finder;
+  using type = reference::Reference_pipeline;
 #else
   using type = struct Link_with_CGAL_Eigen3_support; // without it there is no reference solver
 #endif

@@ -14,8 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/Certification.h>
-#include <CGAL/Handle_tunnel_loops/internal/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -8,8 +8,8 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Host_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Host_backend.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
@@ -36,10 +36,10 @@ inline bool operator==(const Crossing& a, const Crossing& b) {
 inline std::ostream& operator<<(std::ostream& os, const Crossing& c) {
   return os << c.left << '|' << c.right << '@' << c.ratio;
 }
-inline bool operator==(const Sweep_handle& a, const Sweep_handle& b) {
+inline bool operator==(const Handle_candidate& a, const Handle_candidate& b) {
   return a.loop == b.loop && a.saddle == b.saddle && a.foot_a == b.foot_a && a.foot_b == b.foot_b;
 }
-inline std::ostream& operator<<(std::ostream& os, const Sweep_handle& handle) {
+inline std::ostream& operator<<(std::ostream& os, const Handle_candidate& handle) {
   return os << "saddle " << handle.saddle << " feet " << handle.foot_a << ' ' << handle.foot_b
             << ", " << handle.loop.size() << " crossings";
 }
@@ -56,9 +56,9 @@ using generators::Random;
 
 const auto go_on = [](double) { return true; };
 
-inline std::vector<Crossing_loop> loops_of(const std::vector<Sweep_handle>& handles) {
+inline std::vector<Crossing_loop> loops_of(const std::vector<Handle_candidate>& handles) {
   std::vector<Crossing_loop> loops;
-  for(const Sweep_handle& handle : handles)
+  for(const Handle_candidate& handle : handles)
     loops.push_back(handle.loop);
   return loops;
 }
@@ -74,23 +74,23 @@ struct Tally
 {
   std::size_t walks = 0, given_up = 0;
 
-  void add(const std::vector<Found_walks>& all) {
-    for(const Found_walks& found : all) {
+  void add(const std::vector<Dual_walks>& all) {
+    for(const Dual_walks& found : all) {
       walks += found.walks.size();
       given_up += found.walks.empty() && found.has_given_up;
     }
   }
 };
 
-inline std::vector<Found_walks> expect_same(device::Solver& solver,
-                                            const Host_passes<Sequential_execution>& host,
-                                            const Step_coefficients& k,
-                                            const Loop_search& search) {
-  const std::vector<Found_walks> found = solver.search(search, k, go_on);
+inline std::vector<Dual_walks> expect_same(device::Solver& solver,
+                                           const Host_backend<Sequential_execution>& host,
+                                           const Step_coefficients& k,
+                                           const Dual_loop_query& search) {
+  const std::vector<Dual_walks> found = solver.search(search, k, go_on);
   EXPECT_EQ(found.size(), search.numbers.size());
   Quiet_progress progress;
   std::size_t i = 0;
-  host.search(search, progress, [&](Index number, const Found_walks& expected) {
+  host.search(search, progress, [&](Index number, const Dual_walks& expected) {
     EXPECT_EQ(number, search.numbers[i]);
     EXPECT_EQ(found[i].walks, expected.walks);
     if(expected.walks.empty()) {
@@ -107,14 +107,14 @@ inline Tally expect_agreement(device::Solver& solver,
                               Index seed,
                               const Field_constants& c) {
   const Step_coefficients k = step_coefficients(c), searching = coefficients_for_searching(k);
-  Host_passes<Sequential_execution> host(mesh, k);
+  Host_backend<Sequential_execution> host(mesh, k);
   Quiet_progress progress;
-  const std::vector<Sweep_handle> handles = solver.sweep({seed}, k, go_on);
+  const std::vector<Handle_candidate> handles = solver.sweep({seed}, k, go_on);
   EXPECT_EQ(handles, host.sweep({seed}, progress));
-  EXPECT_EQ(solver.sweep_times(), host.sweep_times());
+  EXPECT_EQ(solver.arrival_times(), host.arrival_times());
   EXPECT_EQ(handles.size(), mesh.genus);
   const Front_log log = solver.front_log();
-  layer_definitions::expect_layers(log, mesh, host.sweep_times());
+  layer_definitions::expect_layers(log, mesh, host.arrival_times());
   EXPECT_EQ(log.layer, host.front_log().layer);
   EXPECT_EQ(log.events, host.front_log().events);
 
@@ -126,12 +126,12 @@ inline Tally expect_agreement(device::Solver& solver,
   Tally tally;
   for(const std::uint64_t updates : {100u, 3000u})
     tally.add(expect_same(solver, host, searching, {contours, index, false, all, 1, {}, updates}));
-  const std::vector<Found_walks> tunnels =
+  const std::vector<Dual_walks> tunnels =
       expect_same(solver, host, searching, {contours, index, false, all});
   tally.add(tunnels);
   std::vector<Crossing_loop> loops;
   std::vector<Time> steps;
-  for(const Found_walks& found : tunnels)
+  for(const Dual_walks& found : tunnels)
     if(!found.walks.empty()) {
       loops.push_back(pushed_left(mesh, found.walks.front()));
       steps.push_back(static_cast<Time>(20 + loops.back().size()));
@@ -209,10 +209,10 @@ private:
 // The labels of a few fronts of a sweep: `label(times, level)` is what finds them.
 template <typename Label>
 void expect_front_labels(const Flat_mesh& mesh, Random& random, const Label& label) {
-  Host_passes<Sequential_execution> host(mesh, step_coefficients({}));
+  Host_backend<Sequential_execution> host(mesh, step_coefficients({}));
   Quiet_progress progress;
   host.sweep({0}, progress);
-  const std::vector<Time>& times = host.sweep_times();
+  const std::vector<Time>& times = host.arrival_times();
   for(int i = 0; i < 5; ++i) {
     const Time level = times[random.below(times.size())];
     SCOPED_TRACE(testing::Message() << "level " << level);

@@ -3,7 +3,7 @@
 
 #include "Generated_soups.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <map>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "Quiet_progress.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/Host_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Host_backend.h>
 
 #include <vector>
 
@@ -19,16 +19,16 @@ struct Numbers_of_passes
 inline Numbers_of_passes
 numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::Flat_mesh& mesh) {
   using namespace CGAL::Handle_tunnel_loops::internal;
-  Host_passes<Sequential_execution> passes(mesh, step_coefficients({}));
+  Host_backend<Sequential_execution> passes(mesh, step_coefficients({}));
   Quiet_progress progress;
   Numbers_of_passes numbers;
   std::vector<Crossing_loop> contours;
-  for(const Sweep_handle& handle : passes.sweep({0}, progress)) {
+  for(const Handle_candidate& handle : passes.sweep({0}, progress)) {
     contours.push_back(handle.loop);
     for(const Crossing& crossing : handle.loop)
       numbers.ratios.push_back(crossing.ratio);
   }
-  numbers.times.assign(passes.sweep_times().begin(), passes.sweep_times().end());
+  numbers.times.assign(passes.arrival_times().begin(), passes.arrival_times().end());
   for(const auto& event : passes.front_log().events)
     for(const auto* fronts : {&event.before, &event.after})
       for(const auto& front : *fronts)
@@ -39,7 +39,7 @@ numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::Flat_mesh& mesh) {
   std::vector<Index> all(contours.size());
   for(Index k = 0; k < all.size(); ++k)
     all[k] = k;
-  passes.search({contours, index, false, all}, progress, [&](Index, const Found_walks& found) {
+  passes.search({contours, index, false, all}, progress, [&](Index, const Dual_walks& found) {
     for(const auto& walk : found.walks)
       numbers.walks.insert(numbers.walks.end(), walk.begin(), walk.end());
   });

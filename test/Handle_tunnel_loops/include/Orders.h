@@ -1,7 +1,7 @@
 #ifndef HTL_TEST_ORDERS_H
 #define HTL_TEST_ORDERS_H
 
-#include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
+#include "Host_executor.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ namespace device_agreement {
 // What all passes find on a mesh of one handle.
 struct Answers
 {
-  std::vector<Sweep_handle> handles;
+  std::vector<Handle_candidate> handles;
   std::vector<Time> times, times_from_loops;
   std::vector<Index> layers;
   std::vector<std::vector<Index>> walks;

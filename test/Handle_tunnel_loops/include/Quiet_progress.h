@@ -1,7 +1,7 @@
 #ifndef HTL_TEST_QUIET_PROGRESS_H
 #define HTL_TEST_QUIET_PROGRESS_H
 
-#include <CGAL/Handle_tunnel_loops/internal/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
 // Of passes that run without anybody looking on.
 class Quiet_progress : public CGAL::Handle_tunnel_loops::internal::Progress

@@ -5,7 +5,7 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 
 #include <algorithm>
 #include <cstddef>

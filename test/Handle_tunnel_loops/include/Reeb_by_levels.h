@@ -1,8 +1,8 @@
 #ifndef HTL_TEST_REEB_BY_LEVELS_H
 #define HTL_TEST_REEB_BY_LEVELS_H
 
-#include <CGAL/Handle_tunnel_loops/internal/Flat_reeb_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/Sweep_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
 
 #include <algorithm>
 #include <map>

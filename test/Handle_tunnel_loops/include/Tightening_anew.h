@@ -1,7 +1,7 @@
 #ifndef HTL_TEST_TIGHTENING_ANEW_H
 #define HTL_TEST_TIGHTENING_ANEW_H
 
-#include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #ifndef HTL_TEST_LABEL_FRONT_ON_DEVICE_H
 #define HTL_TEST_LABEL_FRONT_ON_DEVICE_H
 
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <vector>
 

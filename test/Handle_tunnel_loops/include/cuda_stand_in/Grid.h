@@ -4,7 +4,7 @@
 #include "Kernel.h"
 #include "kernel_language.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/device/Host_executor.h>
+#include "Host_executor.h"
 
 #include <thread>
 #include <vector>

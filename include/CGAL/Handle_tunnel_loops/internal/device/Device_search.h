@@ -13,13 +13,13 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Close_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Field_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Host_sides.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Paged_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
+#include <CGAL/Handle_tunnel_loops/internal/kernels/Close_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/kernels/Field_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/kernels/Paged_domain.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -42,12 +42,12 @@ them. What the fields did meanwhile lies later than the meetings, and changes no
 template <typename Executor, typename Loop_set> class Search_batch
 {
   template <typename T> using Buffer = typename Executor::template Buffer<T>;
-  using Region = Paged_region<Loop_set>;
-  using Page = typename Region::Page;
-  using Banded_cell = typename Region::Banded_cell;
+  using Domain = Paged_domain<Loop_set>;
+  using Page = typename Domain::Page;
+  using Banded_cell = typename Domain::Banded_cell;
 
 public:
-  static constexpr Index page_size = Region::page_size;
+  static constexpr Index page_size = Domain::page_size;
 
   /// How much memory is taken.
   struct Room
@@ -68,7 +68,7 @@ public:
 
   Search_batch(Executor& executor,
                const Mesh_view& mesh,
-               const Walls<Loop_set>& walls,
+               const Wall_arrays<Loop_set>& walls,
                const Host_sides& sides,
                Index wanted_walks,
                std::uint64_t number_of_updates,
@@ -80,7 +80,7 @@ public:
       , loops_(uploaded(executor, sides.loops))
       , directory_(filled(executor,
                           number_of_passes_ * rows_per_pass(mesh.number_of_vertices()),
-                          Index(Region::no_page)))
+                          Index(Domain::no_page)))
       , pages_(executor.template make<Page>(room.number_of_pages))
       , number_of_pages_(filled(executor, 1, Index(0)))
       , is_starved_(filled(executor, number_of_passes_, std::uint32_t(0)))
@@ -106,7 +106,7 @@ public:
       , walk_vertices_(executor.template make<Index>(
             room.walk_size * wanted_walks * (sides.crossings.size() + 16 * number_of_passes_)))
       , walk_counters_(filled(executor, 1, Walk_counters()))
-      , field_(Region(mesh,
+      , field_(Domain(mesh,
                       walls,
                       {directory_.span(),
                        static_cast<Index>(rows_per_pass(mesh.number_of_vertices())), pages_.span(),
@@ -134,7 +134,7 @@ public:
         return false;
       const Time now = seen_.state.step;
       executor_.run(
-          Field_steps<Region>(field_, k,
+          Field_steps<Domain>(field_, k,
                               {no_index, now + (std::min)(tuning.steps_per_look, patience),
                                now + tuning.steps_per_look_if_met}),
           number_of_passes_ + seen_.state.next_list_size);
@@ -147,7 +147,7 @@ public:
   std::vector<std::uint32_t> are_starved() { return downloaded(executor_, is_starved_); }
 
   /// what was found by each of the passes that are not starved.
-  std::vector<Found_walks> found() {
+  std::vector<Dual_walks> found() {
     const Walk_counters counters = downloaded(executor_, walk_counters_)[0];
     if(counters.lost != 0)
       throw Device_exception("the way back from a meeting of two fronts is lost");
@@ -159,7 +159,7 @@ public:
     std::sort(walks.begin(), walks.end(), [](const Found_walk& a, const Found_walk& b) {
       return std::tie(a.pass, a.rank) < std::tie(b.pass, b.rank);
     });
-    std::vector<Found_walks> found(number_of_passes_);
+    std::vector<Dual_walks> found(number_of_passes_);
     for(const Found_walk& walk : walks) {
       if(walk.pass == no_index)
         break; // for the vertices of which there was no room
@@ -186,10 +186,10 @@ private:
   }
 
   void start() {
-    using Round = typename Start_passes<Region>::Round;
+    using Round = typename Start_passes<Domain>::Round;
     const auto make = [&](Round round) {
       executor_.for_each(sides_.number_of_crossings(),
-                         Start_passes<Region>{field_, sides_.view(), meeting_list(), round});
+                         Start_passes<Domain>{field_, sides_.view(), meeting_list(), round});
     };
     make(Round::LEFT);
     make(Round::RIGHT);
@@ -207,7 +207,7 @@ private:
     Index& reached = control_.span().data()->counters.reached.value;
     note([&] {
       executor_.for_each_of(&reached, reached_.span().size(),
-                            Look_at_reached<Region>{field_, meeting_list()});
+                            Look_at_reached<Domain>{field_, meeting_list()});
     });
     clear(reached);
   }
@@ -231,11 +231,11 @@ private:
     if(seen_.number_of_meetings == 0)
       return;
     const Buffer<Index> begins = uploaded(executor_, sort_meetings());
-    const typename Close_walks<Region>::Passes passes = {begins.span(), numbers_of_walks_.span(),
+    const typename Close_walks<Domain>::Passes passes = {begins.span(), numbers_of_walks_.span(),
                                                          wanted_walks_};
     const Walk_list out = {walks_.span(), walk_vertices_.span(), walk_counters_.span().data()};
     executor_.for_each(number_of_passes_,
-                       Close_walks<Region>(field_, sides_.view(), meetings_.span(), passes, out));
+                       Close_walks<Domain>(field_, sides_.view(), meetings_.span(), passes, out));
     clear(control_.span().data()->number_of_meetings);
   }
 
@@ -275,7 +275,7 @@ private:
   Buffer<Found_walk> walks_;
   Buffer<Index> walk_vertices_;
   Buffer<Walk_counters> walk_counters_;
-  Field<Region> field_;
+  Field<Domain> field_;
   Field_control seen_;
 };
 
@@ -301,13 +301,13 @@ public:
       , tuning_(tuning)
       , costs_(costs) {}
 
-  std::vector<Found_walks>
-  run(const Loop_search& search, const Step_coefficients& k, const Callback& callback) {
+  std::vector<Dual_walks>
+  run(const Dual_loop_query& search, const Step_coefficients& k, const Callback& callback) {
     const auto begins = uploaded(executor_, search.index.begins());
     const auto entries = uploaded(executor_, search.index.entries());
-    const Walls<Loop_set> walls = {begins.span(), entries.span()};
+    const Wall_arrays<Loop_set> walls = {begins.span(), entries.span()};
     const std::size_t number = search.numbers.size();
-    std::vector<Found_walks> found(number);
+    std::vector<Dual_walks> found(number);
     std::vector<Index> pending(number); // positions in the list of numbers
     std::iota(pending.begin(), pending.end(), Index(0));
     std::size_t in_flight = first_in_flight(number);
@@ -391,13 +391,13 @@ private:
   }
 
   // Fills in what is found for some of the numbers, and returns those that found no room.
-  std::vector<Index> run_batch(const Loop_search& search,
-                               const Walls<Loop_set>& walls,
+  std::vector<Index> run_batch(const Dual_loop_query& search,
+                               const Wall_arrays<Loop_set>& walls,
                                const std::vector<Index>& positions,
                                const Room& room,
                                const Step_coefficients& k,
                                const Callback& callback,
-                               std::vector<Found_walks>& found) {
+                               std::vector<Dual_walks>& found) {
     std::vector<Index> loops;
     for(Index position : positions)
       loops.push_back(search.numbers[position]);
@@ -411,7 +411,7 @@ private:
     costs_.number_of_updates += batch.control().state.number_of_updates;
     costs_.number_of_steps += batch.control().state.step;
     const std::vector<std::uint32_t> are_starved = batch.are_starved();
-    std::vector<Found_walks> now = batch.found();
+    std::vector<Dual_walks> now = batch.found();
     std::vector<Index> starved;
     for(std::size_t i = 0; i < positions.size(); ++i)
       if(are_starved[i] != 0)

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Device_sweep.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Front_layers.h>
+#include <CGAL/Handle_tunnel_loops/internal/fronts/Front_layers.h>
 
 #include <algorithm>
 #include <vector>
@@ -35,14 +35,14 @@ public:
       , mesh_(uploaded_mesh(executor, mesh))
       , sweep_(executor, mesh, mesh_, tuning, costs_) {}
 
-  std::vector<Sweep_handle> sweep(const std::vector<Index>& seeds,
-                                  const Step_coefficients& k,
-                                  const Callback& callback) override {
+  std::vector<Handle_candidate> sweep(const std::vector<Index>& seeds,
+                                      const Step_coefficients& k,
+                                      const Callback& callback) override {
     sweep_.run(seeds, k, callback);
     return sweep_.handles();
   }
 
-  std::vector<Time> sweep_times() override { return sweep_.times(); }
+  std::vector<Time> arrival_times() override { return sweep_.times(); }
 
   Front_log front_log() override {
     return Front_layers<Executor>(executor_, host_mesh_, mesh_.view(), sweep_.time_span()).run();
@@ -51,13 +51,14 @@ public:
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {
-    Device_sweep<Executor> sweep(executor_, host_mesh_, mesh_, tuning_, costs_);
+    Device_initial_pass<Executor> sweep(executor_, host_mesh_, mesh_, tuning_, costs_);
     sweep.run_from_loops(loops, index, k);
     return sweep.times();
   }
 
-  std::vector<Found_walks>
-  search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) override {
+  std::vector<Dual_walks> search(const Dual_loop_query& search,
+                                 const Step_coefficients& k,
+                                 const Callback& callback) override {
     if(search.bars_only_own)
       return Device_search<Executor, Only_loop>(executor_, mesh_, host_mesh_, tuning_, costs_)
           .run(search, k, callback);
@@ -72,9 +73,9 @@ private:
   static Device_mesh<Executor> uploaded_mesh(Executor& executor, const Flat_mesh& mesh) {
     const Mesh_view view = view_of(mesh);
     const std::size_t n = mesh.number_of_vertices();
-    const std::size_t needed =
-        Device_mesh<Executor>::bytes(view) + n * sizeof(Time) +
-        (std::max)(Device_sweep<Executor>::bytes(n), Device_search<Executor, Loops_from>::bytes(n));
+    const std::size_t needed = Device_mesh<Executor>::bytes(view) + n * sizeof(Time) +
+                               (std::max)(Device_initial_pass<Executor>::bytes(n),
+                                          Device_search<Executor, Loops_from>::bytes(n));
     if(needed > executor.free_bytes())
       throw Out_of_device_memory_exception(needed, executor.free_bytes());
     return Device_mesh<Executor>(executor, view);
@@ -85,7 +86,7 @@ private:
   Tuning tuning_;
   Costs costs_;
   Device_mesh<Executor> mesh_;
-  Device_sweep<Executor> sweep_;
+  Device_initial_pass<Executor> sweep_;
 };
 
 } // namespace device

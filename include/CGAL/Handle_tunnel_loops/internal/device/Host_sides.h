@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/Loop_rail.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Loop_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/buffers.h>
+#include <CGAL/Handle_tunnel_loops/internal/executors/buffers.h>
+#include <CGAL/Handle_tunnel_loops/internal/kernels/Loop_sides.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
 
 #include <cstddef>
 #include <vector>
@@ -36,11 +36,11 @@ struct Host_sides
 };
 
 inline Host_sides
-sides_of(const Flat_mesh& mesh, const Loop_search& search, const std::vector<Index>& loops) {
+sides_of(const Flat_mesh& mesh, const Dual_loop_query& search, const std::vector<Index>& loops) {
   Host_sides sides;
   sides.loops = loops;
   sides.begin.push_back(0);
-  Loop_rail rail;
+  Parallel_paths rail;
   for(Index i = 0; i < loops.size(); ++i) {
     const Crossing_loop& loop = search.loops[loops[i]];
     rail.measure(mesh, loop);

@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/Front_log.h>
-#include <CGAL/Handle_tunnel_loops/internal/Loop_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/Sweep_handle.h>
-#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/fronts/Front_log.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_loop_query.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddles/Handle_candidate.h>
 
 #include <cstdint>
 #include <functional>
@@ -57,11 +57,11 @@ public:
   virtual ~Solver() = default;
 
   /// the initial pass: the handles of the sweep from the given sources, in their order.
-  virtual std::vector<Sweep_handle>
+  virtual std::vector<Handle_candidate>
   sweep(const std::vector<Index>& seeds, const Step_coefficients& k, const Callback& callback) = 0;
 
   /// the arrival times of the last sweep.
-  virtual std::vector<Time> sweep_times() = 0;
+  virtual std::vector<Time> arrival_times() = 0;
 
   /// the layers of the last sweep, and what happened to its fronts.
   virtual Front_log front_log() = 0;
@@ -72,8 +72,8 @@ public:
                                              const Step_coefficients& k) = 0;
 
   /// the loop passes: what is found for each of the numbers.
-  virtual std::vector<Found_walks>
-  search(const Loop_search& search, const Step_coefficients& k, const Callback& callback) = 0;
+  virtual std::vector<Dual_walks>
+  search(const Dual_loop_query& search, const Step_coefficients& k, const Callback& callback) = 0;
 
   virtual Costs costs() const = 0;
 };

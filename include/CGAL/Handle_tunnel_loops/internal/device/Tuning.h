@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {

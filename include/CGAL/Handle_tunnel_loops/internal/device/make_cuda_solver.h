@@ -13,9 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Device_options.h>
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <memory>
 

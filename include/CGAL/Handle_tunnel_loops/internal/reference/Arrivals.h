@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>
 #include <functional>
@@ -30,7 +30,7 @@ namespace reference {
 constexpr double threshold = 0.5;
 
 /// Edges that may not be crossed, by position in `Flat_mesh::neighbor`.
-using Walls = std::vector<char>;
+using Barred_edges = std::vector<char>;
 
 inline std::size_t slot(const Flat_mesh& mesh, Index u, Index w) {
   return mesh.row_begin[u] + mesh.ring(u).position(w);
@@ -48,7 +48,7 @@ minima of the order.
 class Arrivals
 {
 public:
-  explicit Arrivals(const Flat_mesh& mesh, const Walls& walls = Walls())
+  explicit Arrivals(const Flat_mesh& mesh, const Barred_edges& walls = Barred_edges())
       : mesh_(mesh)
       , walls_(walls)
       , time_(mesh.number_of_vertices(), (std::numeric_limits<double>::max)())
@@ -138,7 +138,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Walls walls_;
+  Barred_edges walls_;
   std::vector<double> time_;
   std::vector<Index> rank_;
   std::priority_queue<Moment, std::vector<Moment>, std::greater<>> queue_;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 
 #include <utility>
@@ -51,8 +51,8 @@ public:
   }
 
   /// the edges that loops from number `first` up to `last`, which is excluded, cross.
-  Walls walls(std::size_t first, std::size_t last) const {
-    Walls walls(counts_.size(), 0);
+  Barred_edges walls(std::size_t first, std::size_t last) const {
+    Barred_edges walls(counts_.size(), 0);
     for(std::size_t i = 0; i < counts_.size(); ++i)
       for(const auto& [j, count] : counts_[i])
         if(j >= first && j < last)

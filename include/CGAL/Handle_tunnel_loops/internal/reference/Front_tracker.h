@@ -210,7 +210,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Region region_;
+  Covered_region region_;
   std::vector<Index> layer_;                   // of the front that crosses an edge, by slot
   std::vector<std::vector<Index>> successors_; // by layer
   std::vector<Front_event> events_;

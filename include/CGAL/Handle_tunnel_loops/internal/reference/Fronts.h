@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Region.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Covered_region.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
@@ -37,7 +37,7 @@ boundary comes into a triangle.)
 class Fronts
 {
 public:
-  explicit Fronts(const Region& region)
+  explicit Fronts(const Covered_region& region)
       : region_(region)
       , node_(region.mesh().neighbor.size(), no_index) {
     find_nodes();
@@ -82,7 +82,7 @@ private:
 
   Index node(const Crossing& c) const { return node_[slot(region_.mesh(), c.left, c.right)]; }
 
-  const Region& region_;
+  const Covered_region& region_;
   std::vector<Index> node_; // by slot
   std::vector<Crossing> crossings_;
   std::vector<Index> front_; // by node

@@ -14,10 +14,10 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-#include <CGAL/Handle_tunnel_loops/internal/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Front_tracker.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handles_within_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Layered_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
 #include <map>
 #include <vector>

@@ -39,7 +39,7 @@ Sources keep the value one.
 class Single_field
 {
 public:
-  Single_field(const Flat_mesh& mesh, const Field_constants& constants, const Walls& walls)
+  Single_field(const Flat_mesh& mesh, const Field_constants& constants, const Barred_edges& walls)
       : constants_(constants)
       , factor_(time_step(constants) * constants.mobility / 2.)
       , laplacian_(laplacian(mesh, walls))

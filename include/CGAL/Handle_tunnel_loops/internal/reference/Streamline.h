@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Place.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Surface_point.h>
 
 #include <algorithm>
 #include <limits>
@@ -41,8 +41,8 @@ public:
       , arrivals_(arrivals) {}
 
   /// the line from `start`, reached but no source, to a source: a vertex of time 0.
-  std::vector<Place> trace(Index start) {
-    line_.assign(1, vertex_place(start));
+  std::vector<Surface_point> trace(Index start) {
+    line_.assign(1, vertex_point(start));
     while(!is_at_source())
       if(line_.back().is_vertex())
         leave_vertex(line_.back().a);
@@ -57,11 +57,13 @@ private:
   struct Way
   {
     double slope;
-    Place p;
+    Surface_point p;
   };
 
   double time(Index v) const { return arrivals_.time(v); }
-  double time(const Place& p) const { return (1. - p.ratio) * time(p.a) + p.ratio * time(p.b); }
+  double time(const Surface_point& p) const {
+    return (1. - p.ratio) * time(p.a) + p.ratio * time(p.b);
+  }
 
   bool is_earlier(Index u, Index v) const { return arrivals_.rank(u) < arrivals_.rank(v); }
 
@@ -71,10 +73,10 @@ private:
   void append_vertex(Index v) {
     while(line_.back().has_end(v) && !line_.back().is_vertex())
       line_.pop_back();
-    line_.push_back(vertex_place(v));
+    line_.push_back(vertex_point(v));
   }
 
-  void append(const Place& p) {
+  void append(const Surface_point& p) {
     if(p.is_vertex())
       append_vertex(p.a);
     else if(time(p.a) == 0. || time(p.b) == 0.)
@@ -108,14 +110,14 @@ private:
 
   void leave_vertex(Index v) {
     const Ring ring = mesh_.ring(v);
-    Way best = {-1., vertex_place(v)};
+    Way best = {-1., vertex_point(v)};
     const auto consider = [&best](const Way& way) {
       if(way.slope > best.slope)
         best = way;
     };
     for(Index i = 0; i < ring.size(); ++i) {
       if(!arrivals_.is_wall(v, i) && is_earlier(ring[i], v))
-        consider({slope_along(v, ring[i]), vertex_place(ring[i])});
+        consider({slope_along(v, ring[i]), vertex_point(ring[i])});
       if(is_open(v, i))
         consider(way_through(v, ring[i], ring[ring.next(i)]));
     }
@@ -130,10 +132,10 @@ private:
   Way way_through(Index v, Index a, Index b) const {
     double s = 0., t = 0.;
     if(!find_descent(v, a, b, s, t) || !(s > 0. && t > 0.))
-      return {-1., vertex_place(v)};
+      return {-1., vertex_point(v)};
     const Vector direction =
         s * (mesh_.points[a] - mesh_.points[v]) + t * (mesh_.points[b] - mesh_.points[v]);
-    const Place p = {a, b, inner(t / (s + t))};
+    const Surface_point p = {a, b, inner(t / (s + t))};
     return {time(p) < time(v) ? norm(direction) : -1., p};
   }
 
@@ -142,13 +144,13 @@ private:
 
   // From a place on an edge through the triangle ahead, which the line has not come from.
   void cross_triangle() {
-    const Place p = line_.back();
+    const Surface_point p = line_.back();
     const Index apex = apex_ahead_of_line();
-    Place next = vertex_place(is_earlier(p.a, p.b) ? p.a : p.b);
+    Surface_point next = vertex_point(is_earlier(p.a, p.b) ? p.a : p.b);
     const Ring ring = mesh_.ring(apex);
     const Index i = ring.position(p.a);
     if(is_open(apex, ring[ring.next(i)] == p.b ? i : ring.previous(i))) {
-      const Place through = way_out(p, apex);
+      const Surface_point through = way_out(p, apex);
       if(!through.is_vertex() && time(through) < time(p))
         next = through;
     }
@@ -157,7 +159,7 @@ private:
 
   // The corner of the triangle on the other side of the last place.
   Index apex_ahead_of_line() const {
-    const Place &p = line_.back(), &previous = line_[line_.size() - 2];
+    const Surface_point &p = line_.back(), &previous = line_[line_.size() - 2];
     const Index behind = p.has_end(previous.a) ? previous.b : previous.a;
     const Index apex = mesh_.ring(p.a).after(p.b);
     return apex == behind ? mesh_.ring(p.a).before(p.b) : apex;
@@ -165,10 +167,10 @@ private:
 
   // In the coordinates of the corners (a, b, apex) the descent is (-s - t, s, t). A vertex if it
   // does not lead into the triangle.
-  Place way_out(const Place& p, Index apex) const {
+  Surface_point way_out(const Surface_point& p, Index apex) const {
     double s = 0., t = 0.;
     if(!find_descent(p.a, p.b, apex, s, t) || !(t > 0.))
-      return vertex_place(apex);
+      return vertex_point(apex);
     const double far = (std::numeric_limits<double>::max)();
     const double to_a = s < 0. ? p.ratio / -s : far; // until the coordinate of b is zero
     const double to_b = s + t > 0. ? (1. - p.ratio) / (s + t) : far;
@@ -178,7 +180,7 @@ private:
 
   const Flat_mesh& mesh_;
   const Arrivals& arrivals_;
-  std::vector<Place> line_;
+  std::vector<Surface_point> line_;
 };
 
 } // namespace reference

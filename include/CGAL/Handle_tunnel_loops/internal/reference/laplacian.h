@@ -32,8 +32,8 @@ namespace reference {
 /// positive and sum up to the same in each row, so that the front moves at the same number of edges
 /// per step everywhere; neither holds of the weights of linear elements. Neighbors behind walls do
 /// not count.
-inline Eigen::SparseMatrix<double, Eigen::RowMajor> laplacian(const Flat_mesh& mesh,
-                                                              const Walls& walls = Walls()) {
+inline Eigen::SparseMatrix<double, Eigen::RowMajor>
+laplacian(const Flat_mesh& mesh, const Barred_edges& walls = Barred_edges()) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(mesh.neighbor.size() + mesh.number_of_vertices());
   for(Index v = 0; v < mesh.number_of_vertices(); ++v) {

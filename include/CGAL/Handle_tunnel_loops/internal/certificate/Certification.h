@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_CERTIFICATION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_CERTIFICATION_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Computes a `Certificate` step by step.
+template <typename TriangleMesh,
+          typename Pair,
+          typename VertexPointMap,
+          typename VertexIndexMap,
+          typename FaceIndexMap>
+class Certification
+{
+  using Certifier = Loop_certifier<TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using Loop = typename Pair::Loop;
+
+public:
+  Certification(const TriangleMesh& tm,
+                VertexPointMap point,
+                VertexIndexMap vertex_index,
+                FaceIndexMap face_index)
+      : certifier_(tm, vertex_index, face_index)
+      , linker_(tm, point, vertex_index) {}
+
+  /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
+  /// on the surface. What follows is for such loops only.
+  template <typename Execution, typename PairRange>
+  bool are_closed(Execution execution, const PairRange& pairs) {
+    for(const Pair& pair : pairs)
+      loops_.insert(loops_.end(), {&pair.handle(), &pair.tunnel()});
+    certifier_.set_loops(execution, loops_);
+    certificate_.closed_on_surface = certifier_.are_closed_on_surface();
+    return certificate_.closed_on_surface;
+  }
+
+  /// finds the components and where the solid is.
+  template <typename Execution> void prepare(Execution execution) {
+    certifier_.cut(execution);
+    linker_.set_loops(
+        execution, loops_, [this](const auto& f) { return certifier_.component(f); },
+        certifier_.number_of_components());
+  }
+
+  /// finds out whether the loops are a basis, and their intersection numbers; with \p do_link the
+  /// linking numbers as well.
+  template <typename Execution> void relate(Execution execution, bool do_link) {
+    Execution::invoke([this] { certificate_.basis = certifier_.are_basis(); },
+                      [this, execution, do_link] {
+                        if(do_link)
+                          linker_.link(execution);
+                        else
+                          linker_.intersect(execution);
+                      });
+    if(do_link)
+      note_linking();
+  }
+  /// 1 if the linking numbers show that the first loop of a pair is the handle, -1 if the second,
+  /// 0 if they do not tell.
+  int handle_of_pair(std::size_t k) const {
+    if(!is_linked_)
+      return 0;
+    const auto insideness = [](const Loop_linking& l) {
+      return int(l.bounds_inside_component) - int(l.bounds_outside_component);
+    };
+    const int difference =
+        insideness(certificate_.linking[2 * k]) - insideness(certificate_.linking[2 * k + 1]);
+    return difference > 0 ? 1 : difference < 0 ? -1 : 0;
+  }
+
+  /// 1 if the faces along the loops of a pair look out of the solid, -1 if they look into it.
+  int outward_of_pair(std::size_t k) const { return linker_.outward(2 * k) < 0 ? -1 : 1; }
+
+  /// changes which loop is the handle and which the tunnel, in the pairs where `is_exchanged`.
+  void exchange(const std::vector<char>& is_exchanged) {
+    if(!is_linked_)
+      return;
+    std::vector<Loop_linking>& linking = certificate_.linking;
+    for(std::size_t k = 0; k < is_exchanged.size(); ++k)
+      if(is_exchanged[k])
+        std::swap(linking[2 * k], linking[2 * k + 1]);
+    for(Loop_linking& l : linking)
+      for(auto* numbers : {&l.row, &l.column}) {
+        for(auto& number : *numbers)
+          number.first ^= is_exchanged[number.first / 2] ? 1 : 0;
+        std::sort(numbers->begin(), numbers->end());
+      }
+  }
+
+  /// the certificate of all that has been computed, and of the basis.
+  Certificate finish() {
+    certificate_.failure = words(certifier_.failures());
+    if(!certificate_.closed_on_surface)
+      return std::move(certificate_);
+    std::vector<std::string> failures = certifier_.failures();
+    check_pairing(failures);
+    check_types(failures);
+    certificate_.failure = words(failures);
+    if(is_linked_ && certificate_.basis)
+      count();
+    return std::move(certificate_);
+  }
+
+private:
+  void note_linking() {
+    std::vector<Loop_linking>& linking = certificate_.linking;
+    linking.resize(loops_.size());
+    for(Loop_linking& l : linking)
+      l.bounds_inside_component = l.bounds_outside_component = true;
+    for(const Matrix_entry& e : linker_.linking()) {
+      linking[e.row].row.emplace_back(e.column, e.value);
+      linking[e.column].column.emplace_back(e.row, e.value);
+      if(linker_.component(e.row) == linker_.component(e.column))
+        linking[e.row].bounds_inside_component = linking[e.column].bounds_outside_component = false;
+    }
+    for(const auto& [loop, problem] : linker_.problems()) {
+      linking[loop].problem = problem;
+      linking[loop].bounds_inside_component = linking[loop].bounds_outside_component = false;
+    }
+    is_linked_ = true;
+  }
+
+  static std::string words(const std::vector<std::string>& lines) {
+    std::string text;
+    for(const std::string& line : lines)
+      text += (text.empty() ? "" : "\n") + line;
+    return text;
+  }
+
+  void check_pairing(std::vector<std::string>& failures) {
+    std::vector<std::int64_t> crossings(loops_.size() / 2, 0);
+    for(const Matrix_entry& e : linker_.intersections())
+      if(e.row % 2 == 0 && e.column == e.row + 1)
+        crossings[e.row / 2] = e.value;
+    certificate_.pairing = true;
+    for(std::size_t k = 0; k < crossings.size(); ++k)
+      if(std::abs(crossings[k]) != 1) {
+        certificate_.pairing = false;
+        failures.push_back("pair " + std::to_string(k) + ": the loops cross " +
+                           std::to_string(std::abs(crossings[k])) +
+                           " times, counted with sign, instead of once");
+      }
+  }
+
+  void check_types(std::vector<std::string>& failures) {
+    certificate_.types = true;
+    for(std::size_t k = 0; certificate_.basis && k < loops_.size() / 2; ++k)
+      if(handle_of_pair(k) < 0) {
+        certificate_.types = false;
+        failures.push_back("pair " + std::to_string(k) +
+                           ": the handle and the tunnel loop have each other's names");
+      }
+  }
+
+  void count() {
+    certificate_.handles_bound_inside = certificate_.tunnels_bound_outside = 0;
+    for(std::size_t i = 0; i < loops_.size(); i += 2) {
+      *certificate_.handles_bound_inside += certificate_.linking[i].bounds_inside();
+      *certificate_.tunnels_bound_outside += certificate_.linking[i + 1].bounds_outside();
+    }
+  }
+
+  Certificate certificate_;
+  Certifier certifier_;
+  Loop_linker<TriangleMesh, Loop, VertexPointMap, VertexIndexMap> linker_;
+  std::vector<const Loop*> loops_;
+  bool is_linked_ = false;
+};
+
+template <typename Pair,
+          typename TriangleMesh,
+          typename VertexPointMap,
+          typename VertexIndexMap,
+          typename FaceIndexMap>
+Certification<TriangleMesh, Pair, VertexPointMap, VertexIndexMap, FaceIndexMap>
+certification(const TriangleMesh& tm,
+              VertexPointMap point,
+              VertexIndexMap vertex_index,
+              FaceIndexMap face_index) {
+  return {tm, point, vertex_index, face_index};
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_CERTIFICATION_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_PHASE_FIELD_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_PHASE_FIELD_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/host_device.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
+
+#include <cmath>
+#include <cstdint>
+
+/// \file phase_field.h
+/// The formulas of the field at one vertex, for host and device alike.
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A vertex is reached when its value passes this threshold.
+constexpr float front_threshold = 0.5f;
+
+/// The coefficients of one explicit Euler step of the single-layer equation
+/// dphi/dt = (mu/2) [ a^2 L phi + e sqrt(phi (1 - phi)) - w (1 - 2 phi) ],
+/// with L phi = 4 (mean of the neighbours - phi), which is the Laplacian in local edge lengths.
+struct Step_coefficients
+{
+  float diffusion;
+  float drive;
+  float penalty;
+  float settled = 1.f; ///< a value that comes so far is set to one
+};
+
+/// The largest stable step makes the new value a mean of the neighbours, diffusion = 1.
+inline Step_coefficients step_coefficients(const Field_constants& c) {
+  const double largest_step = 1. / (0.5 * c.mobility * 4. * c.gradient_coefficient);
+  const double factor = c.step * largest_step * 0.5 * c.mobility;
+  return {static_cast<float>(factor * 4. * c.gradient_coefficient),
+          static_cast<float>(factor * c.driving_force), static_cast<float>(factor * c.penalty)};
+}
+
+/// The coefficients for the loop passes, which need the way that a front takes, not its profile: a
+/// value that has come so far behind the front is updated no more.
+inline Step_coefficients coefficients_for_searching(Step_coefficients k) {
+  k.settled = 0.8f;
+  return k;
+}
+
+/// Rows of the Laplacian have room for so many neighbours; longer ones are treated apart.
+constexpr std::uint32_t stencil_width = 8;
+
+/// the mean of at most eight neighbours, from the reciprocal of their number: `value(i)` is the
+/// value of neighbour i, and zero where there is none.
+template <typename Value>
+CGAL_HTL_HOST_DEVICE float stencil_mean(float weight, const Value& value) {
+  return rounded_product(weight, ((value(0) + value(1)) + (value(2) + value(3))) +
+                                     ((value(4) + value(5)) + (value(6) + value(7))));
+}
+
+/// the value after one step.
+CGAL_HTL_HOST_DEVICE inline float
+stepped_value(float phi, float mean_of_neighbors, const Step_coefficients& k) {
+  const float change = rounded_product(k.diffusion, mean_of_neighbors - phi) +
+                       rounded_product(k.drive, std::sqrt(phi * (1.f - phi))) -
+                       rounded_product(k.penalty, 1.f - 2.f * phi);
+  const float value = phi + change;
+  const float positive = value > 0.f ? value : 0.f; // in this form it compiles to no branch
+  return positive < k.settled ? positive : 1.f;
+}
+
+/// Arrival times are integers, so that their order is exact however long a run is.
+using Time = std::uint32_t;
+constexpr Time never = 0xffffffffu;
+constexpr Time ticks_per_step = 128;
+
+/// When no vertex was reached for more than so many steps, the field is pushed on: a front that
+/// moves at all passes a vertex in far fewer steps.
+constexpr Time patience = 64;
+
+/// A vertex may not pass the threshold before a neighbour has; it stays at this value.
+constexpr float just_below_threshold = 0.499f;
+
+/// the moment, after `step - 1` and at the latest at `step`, at which the value passed the
+/// threshold.
+CGAL_HTL_HOST_DEVICE inline Time crossing_time(float before, float after, Time step) {
+  const float late = before < front_threshold ? (after - front_threshold) / (after - before) : 1.f;
+  return step * ticks_per_step - static_cast<Time>(late * (ticks_per_step - 2));
+}
+
+/// the step of a moment that `crossing_time()` gives; 0 for the sources, which are there before.
+CGAL_HTL_HOST_DEVICE inline Time step_of(Time time) {
+  return (time + (ticks_per_step - 2)) / ticks_per_step;
+}
+
+/// the order in which vertices are reached: by time, ties by number.
+CGAL_HTL_HOST_DEVICE inline std::uint64_t arrival_key(Time time, std::uint32_t v) {
+  return std::uint64_t(time) << 32 | v;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_PHASE_FIELD_H

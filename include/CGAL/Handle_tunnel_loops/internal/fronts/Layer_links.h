@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FRONTS_LAYER_LINKS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FRONTS_LAYER_LINKS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/executors/Rounds.h>
+#include <CGAL/Handle_tunnel_loops/internal/executors/atomics.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddles/Contours.h>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace device {
+
+/*!
+The way from each vertex to the end of its layer.
+
+A layer is an arc of the Reeb graph of the arrival times: the contours that one front is while
+nothing happens to it. It ends at a maximum, or as one of the contours just below a saddle. The
+front that passes a vertex goes up an edge to a later neighbour, and as long as no contour just
+below a saddle crosses that edge, it comes to the neighbour and passes that one too; if there are
+such contours, the front is the earliest of them. So each vertex has a link to a neighbour or to an
+end, and following the links leads to the end of its layer. Only arrival keys are compared.
+
+The edge that a front goes up is the first one after the earlier neighbours, counterclockwise. A
+saddle has several, one for each gap between its lower components; it lies itself in the layer that
+ends at its first lower component. Ends are numbered after the vertices: the lower components of all
+saddles, of which the first one stands for its contour, then the maxima.
+*/
+struct Layer_links
+{
+  Saddle_arrays saddles;
+  Span<Index> link;  ///< by vertex, a neighbour or an end
+  Span<Index> first; ///< by vertex, then by gap: the earliest contour that crosses the edge up
+
+  CGAL_HTL_HOST_DEVICE Index number_of_vertices() const { return static_cast<Index>(link.size()); }
+  CGAL_HTL_HOST_DEVICE bool is_end(Index target) const { return target >= number_of_vertices(); }
+  CGAL_HTL_HOST_DEVICE Index number_of_end(Index target) const {
+    return target - number_of_vertices();
+  }
+  CGAL_HTL_HOST_DEVICE Index end_of_contour(Index lower_component) const {
+    return number_of_vertices() + lower_component;
+  }
+  CGAL_HTL_HOST_DEVICE Index gap_after(Index lower_component) const {
+    return number_of_vertices() + lower_component;
+  }
+
+  CGAL_HTL_HOST_DEVICE bool is_earlier(Index u, Index v) const {
+    return arrival_key(saddles.time[u], u) < arrival_key(saddles.time[v], v);
+  }
+
+  /// the position of the neighbour that the front goes up to from `v`; at a minimum, the first.
+  CGAL_HTL_HOST_DEVICE Index way_up(Index v) const {
+    const Ring ring = saddles.mesh.ring(v);
+    for(Index p = 0; p < ring.size(); ++p)
+      if(is_earlier(ring[ring.previous(p)], v) && is_earlier(v, ring[p]))
+        return p;
+    return 0;
+  }
+};
+
+/// Links each vertex to the neighbour that its front goes up to.
+struct Link_up
+{
+  Layer_links links;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index v) const {
+    links.link[v] = links.saddles.mesh.ring(v)[links.way_up(v)];
+  }
+};
+
+/// Links the saddles and the maxima to their ends.
+struct Link_to_ends
+{
+  Layer_links links;
+  Span<const Index> vertices, ends;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const { links.link[vertices[i]] = ends[i]; }
+};
+
+/// Walks the contours just below the saddles, one thread for each lower component, and notes the
+/// earliest one on each edge that a front goes up: lower components are numbered in the order of
+/// the sweep.
+struct Note_contours
+{
+  Layer_links links;
+  Span<const Index> saddle_of_lower_component;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index lower_component) const {
+    const Index saddle = saddle_of_lower_component[lower_component],
+                begin = links.saddles.begin[saddle];
+    const Saddle_view view = links.saddles.saddle(saddle);
+    const Index contour = begin + view.cycles().first_of_contour(lower_component - begin);
+    const auto note_at = [&](const Crossing& c) { note(c.left, c.right, contour); };
+    view.trace_lower_component(lower_component - begin, note_at);
+    view.trace_arc(lower_component - begin, note_at);
+  }
+
+private:
+  // The edge is one that a front goes up if an earlier neighbour is behind it, or, at a minimum,
+  // where there are none, if it is the first.
+  CGAL_HTL_HOST_DEVICE void note(Index from, Index to, Index contour) const {
+    const Ring ring = links.saddles.mesh.ring(from);
+    const Index p = ring.position(to), before = ring.previous(p);
+    if(links.is_earlier(ring[before], from) || (p == 0 && links.way_up(from) == 0))
+      fetch_min(links.first[edge_up(from, before)], contour);
+  }
+
+  // The place of the edge that follows upon an earlier neighbour.
+  CGAL_HTL_HOST_DEVICE Index edge_up(Index from, Index before) const {
+    if(!links.is_end(links.link[from]))
+      return from;
+    Index lower_component = links.number_of_end(links.link[from]);
+    while(links.saddles.lower_components[lower_component].last != before)
+      ++lower_component;
+    return links.gap_after(lower_component);
+  }
+};
+
+/// Links a vertex to the contour that its front is, where there is one.
+struct Link_to_contours
+{
+  Layer_links links;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index v) const {
+    if(!links.is_end(links.link[v]) && links.first[v] != no_index)
+      links.link[v] = links.end_of_contour(links.first[v]);
+  }
+};
+
+/// Follows the links to the ends by pointer jumping, as a program for `run_steps()`.
+class Follow_links : public Rounds
+{
+public:
+  Follow_links(const Layer_links& links, const Span<std::uint32_t>& changed)
+      : Rounds(changed)
+      , links_(links) {}
+
+  CGAL_HTL_HOST_DEVICE Index size(const State&) const { return links_.number_of_vertices(); }
+
+  // A link that another thread has changed meanwhile is as good, and shorter.
+  CGAL_HTL_HOST_DEVICE void operator()(Index v, const State& state) const {
+    const Index next = racy_load(links_.link[v]);
+    if(links_.is_end(next))
+      return;
+    racy_store(links_.link[v], racy_load(links_.link[next]));
+    note_change(state);
+  }
+
+private:
+  Layer_links links_;
+};
+
+/// The numbers of the ends of the layers in which vertices lie.
+struct Ends_at_vertices
+{
+  Layer_links links;
+  Span<const Index> vertices;
+  Span<Index> end;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
+    end[i] = links.number_of_end(links.link[vertices[i]]);
+  }
+};
+
+/// The numbers of the ends of the layers that begin just above the saddles, by gap.
+struct Ends_above_gaps
+{
+  Layer_links links;
+  Span<const Index> saddle_of_lower_component;
+  Span<Index> end;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index lower_component) const {
+    const Index contour = links.first[links.gap_after(lower_component)];
+    end[lower_component] = contour != no_index
+                               ? contour
+                               : links.number_of_end(links.link[neighbor_up(lower_component)]);
+  }
+
+private:
+  CGAL_HTL_HOST_DEVICE Index neighbor_up(Index lower_component) const {
+    const Ring ring =
+        links.saddles.mesh.ring(links.saddles.saddles[saddle_of_lower_component[lower_component]]);
+    return ring[ring.next(links.saddles.lower_components[lower_component].last)];
+  }
+};
+
+/// Replaces the end of each vertex by the number of its layer.
+struct Number_layers
+{
+  Layer_links links;
+  Span<const Index> layer_of_end;
+
+  CGAL_HTL_HOST_DEVICE void operator()(Index v) const {
+    links.link[v] = layer_of_end[links.number_of_end(links.link[v])];
+  }
+};
+
+} // namespace device
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FRONTS_LAYER_LINKS_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_BOX_TREE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_BOX_TREE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// An axis-parallel rectangle, its boundary included.
+struct Box
+{
+  double xmin, ymin, xmax, ymax;
+
+  bool meets(const Box& b) const {
+    return xmin <= b.xmax && b.xmin <= xmax && ymin <= b.ymax && b.ymin <= ymax;
+  }
+  void extend(const Box& b) {
+    xmin = (std::min)(xmin, b.xmin);
+    ymin = (std::min)(ymin, b.ymin);
+    xmax = (std::max)(xmax, b.xmax);
+    ymax = (std::max)(ymax, b.ymax);
+  }
+};
+
+/// Finds those of many boxes that meet a given one. The boxes are grouped in the order in which
+/// they come, so that neighbours in that order should be neighbours in the plane.
+class Box_tree
+{
+public:
+  explicit Box_tree(std::vector<Box> boxes)
+      : levels_(1, std::move(boxes)) {
+    while(levels_.back().size() > 1)
+      levels_.push_back(unions_of_groups(levels_.back()));
+  }
+
+  /// calls `f(i, b)` for each box b, with number i, that meets `box`.
+  template <typename Function> void for_each_meeting(const Box& box, const Function& f) const {
+    if(!levels_.front().empty())
+      visit(levels_.size() - 1, 0, box, f);
+  }
+
+private:
+  static constexpr std::size_t group_size = 4;
+
+  static std::vector<Box> unions_of_groups(const std::vector<Box>& boxes) {
+    std::vector<Box> groups;
+    groups.reserve(boxes.size() / group_size + 1);
+    for(std::size_t i = 0; i < boxes.size(); ++i)
+      if(i % group_size == 0)
+        groups.push_back(boxes[i]);
+      else
+        groups.back().extend(boxes[i]);
+    return groups;
+  }
+
+  template <typename Function>
+  void visit(std::size_t level, std::size_t i, const Box& box, const Function& f) const {
+    if(!levels_[level][i].meets(box))
+      return;
+    if(level == 0) {
+      f(static_cast<Index>(i), levels_[0][i]);
+      return;
+    }
+    const std::size_t end = (std::min)((i + 1) * group_size, levels_[level - 1].size());
+    for(std::size_t child = i * group_size; child < end; ++child)
+      visit(level - 1, child, box, f);
+  }
+
+  std::vector<std::vector<Box>> levels_; // the boxes, their groups, the groups of these, ...
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_BOX_TREE_H

@@ -1,0 +1,325 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_COMPONENT_ORIENTATION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_COMPONENT_ORIENTATION_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Tells on which side of the components of a closed surface the solid is: the points that are enclosed
+by an odd number of components. So the faces of a component look out of the solid if the volume that
+they enclose is positive and the component lies within an even number of others, or if it is
+negative and the number is odd. How the input is oriented plays no part, as long as each component
+is consistent in itself.
+
+The sign of the volume is exact. A component is said to lie within another if its bounding box
+does and the first of its vertices does, which is decided exactly by counting the faces above it. So
+components that cross each other count as lying beside each other unless the boxes say otherwise.
+*/
+template <typename TriangleMesh, typename VertexPointMap, typename ComponentOfFace>
+class Component_orientation
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+public:
+  /// \p component maps a face to the number of its component. What is asked for later are
+  /// components with `is_wanted`.
+  template <typename Execution>
+  Component_orientation(Execution execution,
+                        const TriangleMesh& tm,
+                        VertexPointMap point,
+                        const ComponentOfFace& component,
+                        std::vector<char> is_wanted)
+      : tm_(tm)
+      , point_(point)
+      , component_(component)
+      , is_wanted_(std::move(is_wanted))
+      , parts_(is_wanted_.size()) {
+    if(std::find(is_wanted_.begin(), is_wanted_.end(), 1) == is_wanted_.end())
+      return;
+    const auto all = parts_of(faces(tm));
+    find_extents(execution, all);
+    find_volumes(execution, all);
+    find_signs();
+    find_nesting(execution, all);
+  }
+
+  /// 1 if the faces of a component look out of the solid, -1 if they look into it, 0 if that cannot
+  /// be told.
+  int outward(std::size_t component) const {
+    return parts_[component].is_touched ? 0 : parts_[component].sign;
+  }
+
+  /// in words, why `outward()` is 0.
+  std::string reason(std::size_t component) const {
+    return parts_[component].is_touched ? "a vertex of one component lies on another"
+                                        : "a component encloses no volume";
+  }
+
+private:
+  using Triangle = std::array<Vector, 3>;
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // A box around points, and the first of them: as far as is known, in the given part of the faces.
+  struct Extent
+  {
+    explicit Extent(std::size_t p = 0)
+        : part(p) {}
+
+    std::size_t part;
+    Vector first = {0., 0., 0.};
+    Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+
+    bool is_empty() const { return low[0] > high[0]; }
+
+    void add(const Triangle& t) {
+      if(is_empty())
+        first = t[0];
+      for(const Vector& p : t)
+        extend(p, p);
+    }
+
+    void add(const Extent& e) {
+      if(is_empty() || e.part < part) {
+        first = e.first;
+        part = e.part;
+      }
+      extend(e.low, e.high);
+    }
+
+    void extend(const Vector& l, const Vector& h) {
+      for(int d = 0; d < 3; ++d) {
+        low[d] = (std::min)(low[d], l[d]);
+        high[d] = (std::max)(high[d], h[d]);
+      }
+    }
+  };
+
+  // Six times the volume between faces and their projections to a plane, and the sum of the
+  // absolute values of what was added up.
+  struct Volume
+  {
+    explicit Volume(std::size_t = 0) {}
+
+    std::size_t faces = 0;
+    double value = 0., magnitude = 0.;
+
+    void add(const Triangle& t, double plane) {
+      const Vector a = t[1] - t[0], b = t[2] - t[0];
+      const double left = a[0] * b[1], right = a[1] * b[0];
+      const double z[3] = {t[0][2] - plane, t[1][2] - plane, t[2][2] - plane};
+      value += (left - right) * (z[0] + z[1] + z[2]);
+      magnitude +=
+          (std::abs(left) + std::abs(right)) * (std::abs(z[0]) + std::abs(z[1]) + std::abs(z[2]));
+      ++faces;
+    }
+
+    void add(const Volume& v) {
+      faces += v.faces;
+      value += v.value;
+      magnitude += v.magnitude;
+    }
+  };
+
+  struct Part
+  {
+    Extent extent;
+    Volume volume;
+    int sign = 0;
+    bool is_touched = false;
+  };
+
+  Triangle triangle(face_descriptor f) const {
+    Triangle points;
+    auto h = halfedge(f, tm_);
+    for(Vector& p : points) {
+      p = coordinates(point_, target(h, tm_));
+      h = next(h, tm_);
+    }
+    return points;
+  }
+
+  // ---- boxes and volumes
+
+  // Adds up results by component, where `f(result, component, face)` adds a face. Threads do so for
+  // runs of faces of one component, and end in any order: what becomes of rounding errors is up to
+  // them, but no more than a bound of these is used.
+  template <typename Result, typename Execution, typename Faces, typename F, typename Add>
+  void add_up(Execution execution, const Faces& all, const F& f, const Add& add) {
+    std::mutex mutex;
+    all.for_each_part(execution, [&](std::size_t i, auto begin, auto end) {
+      std::vector<std::pair<std::size_t, Result>> runs;
+      while(begin != end) {
+        const std::size_t component = component_(*begin);
+        Result result(i);
+        for(; begin != end && component_(*begin) == component; ++begin)
+          f(result, component, *begin);
+        runs.emplace_back(component, result);
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      for(const auto& [component, result] : runs)
+        add(parts_[component], result);
+    });
+  }
+
+  template <typename Execution, typename Faces>
+  void find_extents(Execution execution, const Faces& all) {
+    if(parts_.size() == 1 && all.size() > 0) {
+      parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
+      return;
+    }
+    add_up<Extent>(
+        execution, all,
+        [this](Extent& extent, std::size_t, face_descriptor f) { extent.add(triangle(f)); },
+        [](Part& part, const Extent& extent) { part.extent.add(extent); });
+  }
+
+  template <typename Execution, typename Faces>
+  void find_volumes(Execution execution, const Faces& all) {
+    add_up<Volume>(
+        execution, all,
+        [this](Volume& volume, std::size_t component, face_descriptor f) {
+          if(is_wanted_[component])
+            volume.add(triangle(f), parts_[component].extent.first[2]);
+        },
+        [](Part& part, const Volume& volume) { part.volume.add(volume); });
+  }
+
+  void find_signs() {
+    std::vector<char> is_open(parts_.size(), 0);
+    for(std::size_t i = 0; i < parts_.size(); ++i) {
+      if(!is_wanted_[i])
+        continue;
+      // Each term is off by a few roundings, each sum by one; nothing is known of what underflows.
+      Part& part = parts_[i];
+      const Volume& volume = part.volume;
+      const double error = volume.magnitude * (8. * double(volume.faces) + 16.) * 0x1p-53;
+      if(std::abs(volume.value) > error && std::abs(volume.value) > 1e-250)
+        part.sign = volume.value > 0. ? 1 : -1;
+      else
+        is_open[i] = 1;
+    }
+    if(std::find(is_open.begin(), is_open.end(), 1) != is_open.end())
+      find_exact_signs(is_open);
+  }
+
+  void find_exact_signs(const std::vector<char>& is_open) {
+    std::vector<Exact_rational> volumes(parts_.size());
+    for(face_descriptor f : faces(tm_))
+      if(is_open[component_(f)]) {
+        const Triangle t = triangle(f);
+        volumes[component_(f)] += dot(exact(t[0]), cross(exact(t[1]), exact(t[2])));
+      }
+    for(std::size_t i = 0; i < parts_.size(); ++i)
+      if(is_open[i])
+        parts_[i].sign = sign_of(volumes[i]);
+  }
+
+  // ---- components within components
+
+  bool may_contain(std::size_t outer, std::size_t inner) const {
+    const Extent &a = parts_[outer].extent, &b = parts_[inner].extent;
+    bool is_within = outer != inner;
+    for(int d = 0; d < 3; ++d)
+      is_within = is_within && a.low[d] <= b.low[d] && b.high[d] <= a.high[d];
+    return is_within;
+  }
+
+  // The first points of the components that lie in the box of another.
+  std::vector<std::size_t> open_components() const {
+    std::vector<std::size_t> open;
+    for(std::size_t i = 0; i < parts_.size(); ++i)
+      for(std::size_t j = 0; is_wanted_[i] && j < parts_.size(); ++j)
+        if(may_contain(j, i)) {
+          open.push_back(i);
+          break;
+        }
+    return open;
+  }
+
+  // Turns the sign of a component with each face above its first point that belongs to a component
+  // whose box contains it.
+  template <typename Execution, typename Faces>
+  void find_nesting(Execution execution, const Faces& all) {
+    const std::vector<std::size_t> open = open_components();
+    if(open.empty())
+      return;
+    std::vector<Box> boxes;
+    for(std::size_t i : open) {
+      const Vector& p = parts_[i].extent.first;
+      boxes.push_back({p[0], p[1], p[0], p[1]});
+    }
+    const Box_tree tree(std::move(boxes));
+    std::mutex mutex;
+    all.for_each(execution, [&](face_descriptor f) {
+      const Triangle t = triangle(f);
+      const auto [x1, x2] = std::minmax({t[0][0], t[1][0], t[2][0]});
+      const auto [y1, y2] = std::minmax({t[0][1], t[1][1], t[2][1]});
+      tree.for_each_meeting({x1, y1, x2, y2}, [&](Index i, const Box&) {
+        if(!may_contain(component_(f), open[i]))
+          return;
+        const std::lock_guard<std::mutex> lock(mutex);
+        count_face_above(t, parts_[open[i]]);
+      });
+    });
+  }
+
+  // The point is moved aside by an infinitesimal amount, so that it lies above no edge.
+  static void count_face_above(const Triangle& t, Part& part) {
+    const std::vector<Vector> vertices = {t[0], t[1], t[2], part.extent.first};
+    const Projected_points points(vertices, {0., 0.});
+    const int sense = points.turn(0, 1, 2);
+    for(Index i = 0; i < 3; ++i)
+      if(sense == 0 || points.turn_to_moved(i, (i + 1) % 3, 3) != sense)
+        return;
+    const int height = points.side(0, 1, 2, 3) * sense;
+    if(height == 0)
+      part.is_touched = true;
+    if(height < 0)
+      part.sign = -part.sign;
+  }
+
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
+  const ComponentOfFace& component_;
+  std::vector<char> is_wanted_; // by component
+  std::vector<Part> parts_;     // by component
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_COMPONENT_ORIENTATION_H

@@ -1,0 +1,257 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_EDGE_WALKER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_EDGE_WALKER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// The coordinates of a vertex, rounded to doubles if they are none.
+template <typename VertexPointMap, typename Vertex>
+Vector coordinates(VertexPointMap point, const Vertex& v) {
+  const auto& p = get(point, v);
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+/*!
+Moves loops onto the edges of the mesh, as closed walks from vertex to vertex in the same classes
+that keep away from faces without area: no vertex of such a face is on a walk, nor one that is to be
+avoided for another reason. Where the loop passes such vertices, the walk goes around all that are
+connected.
+*/
+template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap> class Edge_walker
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using Members = std::unordered_set<Index>;
+
+public:
+  using Walk = std::vector<halfedge_descriptor>;
+
+  Edge_walker(const TriangleMesh& tm, VertexPointMap point, VertexIndexMap vertex_index)
+      : tm_(tm)
+      , point_(point)
+      , vertex_index_(vertex_index) {}
+
+  /// the walk of a loop that is closed and lies on the surface.
+  template <typename Loop> Walk operator()(const Loop& loop) {
+    failure_ = no_index;
+    return without_spurs(around_clusters(straight(loop)));
+  }
+
+  /// the walk as it would be if there were no faces without area.
+  template <typename Loop> Walk straight(const Loop& loop) const {
+    return without_spurs(along_edges(loop));
+  }
+
+  /// lets the walks to come go around a vertex, given by its index.
+  void avoid(Index v) {
+    is_avoided_[v] = 1;
+    discs_.clear();
+  }
+
+  /// whether the last walk should have gone around vertices, but these enclose a handle; then it is
+  /// empty, which means nothing.
+  bool has_failed() const { return failure_ != no_index; }
+
+  /// the index of such a vertex.
+  Index failure() const { return failure_; }
+
+private:
+  Index index(vertex_descriptor v) const { return static_cast<Index>(get(vertex_index_, v)); }
+
+  // Two places on a face move to two of its corners, which are equal or joined by an edge.
+  template <typename Loop> Walk along_edges(const Loop& loop) const {
+    Walk walk;
+    if(loop.steps().empty())
+      return walk;
+    vertex_descriptor u = end_of(loop.steps().back());
+    for(const auto& step : loop.steps()) {
+      const vertex_descriptor v = end_of(step);
+      if(u != v)
+        walk.push_back(halfedge(u, v, tm_).first);
+      u = v;
+    }
+    return walk;
+  }
+
+  template <typename Step> vertex_descriptor end_of(const Step& step) const {
+    return step.ratio == 1. ? target(step.halfedge, tm_) : source(step.halfedge, tm_);
+  }
+
+  // Takes out edges that are passed there and back.
+  Walk without_spurs(const Walk& walk) const {
+    Walk reduced;
+    for(halfedge_descriptor h : walk)
+      if(!reduced.empty() && reduced.back() == opposite(h, tm_))
+        reduced.pop_back();
+      else
+        reduced.push_back(h);
+    std::size_t first = 0, last = reduced.size();
+    while(last - first >= 2 && reduced[last - 1] == opposite(reduced[first], tm_)) {
+      ++first;
+      --last;
+    }
+    return Walk(reduced.begin() + first, reduced.begin() + last);
+  }
+
+  // ---- around vertices to be avoided
+
+  bool is_avoided(vertex_descriptor v) {
+    const auto [it, is_new] = is_avoided_.emplace(index(v), 0);
+    if(is_new)
+      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
+        if(are_collinear(coordinates(point_, v), coordinates(point_, target(h, tm_)),
+                         coordinates(point_, target(next(h, tm_), tm_))))
+        {
+          it->second = 1;
+          break;
+        }
+    return it->second != 0;
+  }
+
+  Walk around_clusters(const Walk& walk) {
+    for(halfedge_descriptor h : walk)
+      if(is_avoided(source(h, tm_)) && !check_cluster(source(h, tm_)))
+        return Walk();
+    std::size_t start = 0;
+    while(start < walk.size() && is_avoided(source(walk[start], tm_)))
+      ++start;
+    // If all of it lies in one cluster it is contractible.
+    if(start == walk.size())
+      return Walk();
+    Walk result;
+    for(std::size_t i = 0; i < walk.size(); ++i) {
+      const halfedge_descriptor h = walk[(start + i) % walk.size()];
+      if(!is_avoided(target(h, tm_))) {
+        result.push_back(h);
+        continue;
+      }
+      halfedge_descriptor out = h;
+      while(is_avoided(target(out, tm_)))
+        out = walk[(start + ++i) % walk.size()];
+      append_way_around(h, out, result);
+    }
+    return result;
+  }
+
+  // From the source of `in`, which leads into a cluster, to the target of `out`, which leads out of
+  // it, along the vertices around the cluster.
+  void append_way_around(halfedge_descriptor in, halfedge_descriptor out, Walk& walk) {
+    for(halfedge_descriptor h = opposite(in, tm_); h != out;) {
+      const halfedge_descriptor rim = next(h, tm_);
+      if(is_avoided(target(rim, tm_)))
+        h = opposite(rim, tm_);
+      else {
+        walk.push_back(rim);
+        h = opposite(next(rim, tm_), tm_);
+      }
+    }
+  }
+
+  // Whether the vertices to be avoided that are connected to `first`, and the smaller ones of the
+  // regions around them, are those of a disc.
+  bool check_cluster(vertex_descriptor first) {
+    if(discs_.count(index(first)) != 0)
+      return true;
+    std::vector<vertex_descriptor> cluster = connected(first);
+    if(euler_characteristic(cluster) != 1) {
+      fill_holes(cluster);
+      cluster = connected(first);
+    }
+    if(euler_characteristic(cluster) == 1) {
+      for(vertex_descriptor v : cluster)
+        discs_.insert(index(v));
+      return true;
+    }
+    failure_ = index(first);
+    return false;
+  }
+
+  std::vector<vertex_descriptor> connected(vertex_descriptor first) {
+    std::vector<vertex_descriptor> cluster(1, first);
+    Members members = {index(first)};
+    for(std::size_t i = 0; i < cluster.size(); ++i)
+      for(halfedge_descriptor h : halfedges_around_source(cluster[i], tm_))
+        if(is_avoided(target(h, tm_)) && members.insert(index(target(h, tm_))).second)
+          cluster.push_back(target(h, tm_));
+    return cluster;
+  }
+
+  // Of the vertices and all edges and faces between them.
+  std::ptrdiff_t euler_characteristic(const std::vector<vertex_descriptor>& cluster) {
+    std::ptrdiff_t edges_twice = 0, faces_thrice = 0;
+    for(vertex_descriptor v : cluster)
+      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
+        if(is_avoided(target(h, tm_))) {
+          ++edges_twice;
+          faces_thrice += is_avoided(target(next(h, tm_), tm_));
+        }
+    return static_cast<std::ptrdiff_t>(cluster.size()) - edges_twice / 2 + faces_thrice / 3;
+  }
+
+  // Regions that the cluster encloses, with fewer vertices than it has, are to be avoided as well.
+  void fill_holes(const std::vector<vertex_descriptor>& cluster) {
+    Members seen;
+    for(vertex_descriptor v : cluster)
+      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
+        if(!is_avoided(target(h, tm_)) && seen.count(index(target(h, tm_))) == 0)
+          fill_hole(target(h, tm_), cluster.size(), seen);
+  }
+
+  void fill_hole(vertex_descriptor first, std::size_t limit, Members& seen) {
+    std::vector<vertex_descriptor> region(1, first);
+    Members members = {index(first)};
+    for(std::size_t i = 0; i < region.size(); ++i)
+      for(halfedge_descriptor h : halfedges_around_source(region[i], tm_)) {
+        const vertex_descriptor v = target(h, tm_);
+        if(is_avoided(v) || !members.insert(index(v)).second)
+          continue;
+        if(members.size() >= limit || seen.count(index(v)) != 0) {
+          seen.insert(members.begin(), members.end());
+          return;
+        }
+        region.push_back(v);
+      }
+    for(Index v : members)
+      avoid(v);
+  }
+
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
+  VertexIndexMap vertex_index_;
+  std::unordered_map<Index, char> is_avoided_; // by vertex, as far as known
+  Members discs_;                              // vertices of clusters that are known to be discs
+  Index failure_ = no_index;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_EDGE_WALKER_H

@@ -1,0 +1,352 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LINKING_NUMBERS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LINKING_NUMBERS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+The linking numbers of loops on a surface with copies of each other that are pushed outwards:
+V(i, j) is that of loop i with loop j pushed out of the solid. It depends only on the classes of the
+loops, so that loop i is taken as its copy across the corners of the faces and loop j as its walk
+along the edges (`Surface_curves`). What is counted are the places where, seen along a direction,
+the copy passes over the pushed walk, by the sense in which they cross.
+
+- Apart from the midpoints where they touch, a copy and a walk are disjoint wherever the surface
+  does not touch itself. Whether two lines cross in the projection is decided by exact predicates,
+  which of them is above by another; and if a point happens to be seen on a line, all copies are
+  moved aside by an infinitesimal amount, the same for all.
+- Where a copy crosses an edge of a walk, that edge is pushed outwards by less than any distance but
+  by more than the above amount. If both faces at the edge are seen from outside, the pushed edge
+  passes over the copy; if both are seen from inside, under it. At an edge of the silhouette, with
+  one face seen from either side, the pushed edge lies beyond the silhouette if the edge is convex,
+  and is not crossed; if it is reflex the pushed edge lies between the two faces, and the copy
+  passes over it once and under it once.
+
+No number is compared with a tolerance. The lines that may cross are found by a tree of boxes: near
+linear in the number of lines and of places where one passes over another.
+*/
+class Linking_numbers
+{
+public:
+  explicit Linking_numbers(const Surface_curves& curves)
+      : Linking_numbers(Sequential_execution(), curves) {}
+
+  template <typename Execution>
+  Linking_numbers(Execution execution, const Surface_curves& curves)
+      : curves_(curves)
+      , points_(execution, curves.vertices, next_direction(), 2 * curves.corners.size()) {
+    add_intersections();
+  }
+
+  /// computes V.
+  template <typename Execution> void link(Execution execution) {
+    while(!are_touches_decided() && ++number_of_attempts_ < maximum_number_of_attempts)
+      points_.see_along(execution, next_direction());
+    add_touches();
+    add_crossings(execution);
+    add_up(linking_);
+    std::sort(contacts_.begin(), contacts_.end());
+    find_defect();
+  }
+
+  /// how often loop i crosses loop j from right to left, less the other way.
+  const Sparse_matrix& intersections() const { return intersections_; }
+
+  /// V.
+  const Sparse_matrix& linking() const { return linking_; }
+
+  /// A line of a copy and an edge of a walk that meet although they should be apart; or, where the
+  /// edge is one that the copy crosses, two faces that lie on each other.
+  struct Contact
+  {
+    static constexpr std::size_t no_corner = static_cast<std::size_t>(-1);
+    std::size_t corner, edge;
+
+    bool operator<(const Contact& c) const {
+      return edge != c.edge ? edge < c.edge : corner < c.corner;
+    }
+  };
+
+  /// where the surface touches itself. The numbers of the loops that pass there mean nothing.
+  const std::vector<Contact>& contacts() const { return contacts_; }
+
+  /// whether there are so many contacts that the search for them was given up, as on a surface that
+  /// is a point. Then no number means anything.
+  bool has_too_many_contacts() const { return has_too_many_contacts_; }
+
+  /// V less its transpose less the intersection matrix (with the sign of the side to which the
+  /// faces look). It is empty unless the surface touches itself, or crosses itself near loops; then
+  /// the numbers of these loops mean nothing.
+  const Sparse_matrix& defect() const { return defect_; }
+
+private:
+  using Edge = Surface_curves::Edge;
+  using Corner = Surface_curves::Corner;
+
+  static constexpr int maximum_number_of_attempts = 16;
+  static constexpr std::size_t corners_at_once = 8;
+
+  // ---- intersection numbers
+
+  void add_intersections() {
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      for(const Chains::Term& copy : curves_.crossings.of(e))
+        for(const Chains::Term& walk : curves_.walks.of(e))
+          intersections_.push_back({copy.loop, walk.loop, product(copy, walk)});
+    add_up(intersections_);
+  }
+
+  static std::int64_t product(const Chains::Term& a, const Chains::Term& b) {
+    return std::int64_t(a.value) * b.value;
+  }
+
+  void find_defect() {
+    defect_ = linking_;
+    for(const Matrix_entry& e : linking_)
+      defect_.push_back({e.column, e.row, -e.value});
+    for(const Matrix_entry& e : intersections_)
+      defect_.push_back({e.row, e.column, -curves_.outward[e.row] * e.value});
+    add_up(defect_);
+  }
+
+  void add_contact(const Contact& contact) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if(contacts_.size() < 1000 + curves_.corners.size() / 16)
+      contacts_.push_back(contact);
+    else
+      has_too_many_contacts_ = true;
+  }
+
+  // ---- midpoints where a copy crosses a walk
+
+  // The same directions in each run.
+  Projected_points::Direction next_direction() {
+    const auto next = [this] { return (static_cast<int>(random_() % 1024) * 2 - 1023) / 1024.; };
+    const double a = next();
+    return {a, next()};
+  }
+
+  bool is_touched(std::size_t e) const {
+    return !curves_.walks.of(e).empty() && !curves_.crossings.of(e).empty();
+  }
+
+  // Which side of the face to the left, and to the right, is seen: 1 is the outer one.
+  std::array<int, 2> visible_sides(std::size_t e) const {
+    const Edge& edge = curves_.edges[e];
+    const int outward = curves_.outward[curves_.walks.of(e).begin()->loop];
+    return {outward * points_.turn(edge.source, edge.target, edge.left),
+            outward * points_.turn(edge.target, edge.source, edge.right)};
+  }
+
+  // Whether no face at a touched edge is seen as a line.
+  bool are_touches_decided() const {
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      if(is_touched(e)) {
+        const auto [left, right] = visible_sides(e);
+        if(left == 0 || right == 0)
+          return false;
+      }
+    return true;
+  }
+
+  // Whether the copy passes over the pushed edge.
+  bool is_above(std::size_t e) {
+    const auto [left, right] = visible_sides(e);
+    if(left == right)
+      return left < 0;
+    const Edge& edge = curves_.edges[e];
+    const int outward = curves_.outward[curves_.walks.of(e).begin()->loop];
+    const int reflex = outward * points_.side(edge.source, edge.target, edge.left, edge.right);
+    if(reflex == 0 || left == 0 || right == 0)
+      add_contact({Contact::no_corner, e});
+    return reflex > 0;
+  }
+
+  void add_touches() {
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      if(is_touched(e) && is_above(e))
+        for(const Chains::Term& copy : curves_.crossings.of(e))
+          for(const Chains::Term& walk : curves_.walks.of(e))
+            linking_.push_back(
+                {copy.loop, walk.loop, curves_.outward[walk.loop] * product(copy, walk)});
+  }
+
+  // ---- places where a copy is seen to cross a walk
+
+  // The ends of the corners become points after the vertices.
+  Index first_end(std::size_t corner) const {
+    return static_cast<Index>(curves_.vertices.size() + 2 * corner);
+  }
+
+  template <typename Execution> void add_ends(Execution execution) {
+    points_.add_midpoints(execution, 2 * curves_.corners.size(), [this](std::size_t i) {
+      const Corner& c = curves_.corners[i / 2];
+      return std::make_pair(c.apex, i % 2 == 0 ? c.from : c.to);
+    });
+  }
+
+  Box box(Index p, Index q) const {
+    const auto [x1, y1] = points_.position(p);
+    const auto [x2, y2] = points_.position(q);
+    constexpr double e = Projected_points::position_error;
+    return {(std::min)(x1, x2) - e, (std::min)(y1, y2) - e, (std::max)(x1, x2) + e,
+            (std::max)(y1, y2) + e};
+  }
+
+  // The order of rectangles along a space-filling curve.
+  template <typename Execution>
+  static std::vector<Index> order(Execution execution, const std::vector<Box>& boxes) {
+    Box all = boxes.empty() ? Box{0., 0., 0., 0.} : boxes.front();
+    for(const Box& b : boxes)
+      all.extend(b);
+    const auto relative = [](double x, double low, double high) {
+      return high > low ? (x - low) / (high - low) : 0.;
+    };
+    return space_filling_order(execution, boxes.size(), [&](std::size_t i) {
+      return Vector{relative(boxes[i].xmin, all.xmin, all.xmax),
+                    relative(boxes[i].ymin, all.ymin, all.ymax), 0.};
+    });
+  }
+
+  // Rectangles with the numbers of what they are around, those that are near each other together.
+  struct Sorted_boxes
+  {
+    std::vector<Index> numbers;
+    std::vector<Box> boxes;
+  };
+
+  template <typename Execution, typename Ends>
+  Sorted_boxes sorted_boxes(Execution execution, std::size_t n, const Ends& ends) const {
+    std::vector<Box> boxes(n);
+    for_each_index(execution, n, [&](std::size_t i) {
+      const auto [p, q] = ends(i);
+      boxes[i] = box(p, q);
+    });
+    Sorted_boxes sorted{order(execution, boxes), std::vector<Box>(n)};
+    for_each_index(execution, n,
+                   [&](std::size_t i) { sorted.boxes[i] = boxes[sorted.numbers[i]]; });
+    return sorted;
+  }
+
+  template <typename Execution> void add_crossings(Execution execution) {
+    add_ends(execution);
+    using Ends = std::pair<Index, Index>;
+    Sorted_boxes edges = sorted_boxes(execution, curves_.edges.size(), [this](std::size_t e) {
+      return Ends(curves_.edges[e].source, curves_.edges[e].target);
+    });
+    const Sorted_boxes corners =
+        sorted_boxes(execution, curves_.corners.size(),
+                     [this](std::size_t c) { return Ends(first_end(c), first_end(c) + 1); });
+    const Box_tree tree(std::move(edges.boxes));
+    const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
+        execution, corners.boxes.size(),
+        [&](std::size_t begin, std::size_t end) {
+          std::vector<Matrix_entry> part;
+          for(std::size_t i = begin; i < end; i += corners_at_once)
+            add_crossings(tree, edges.numbers, corners, i, (std::min)(end, i + corners_at_once),
+                          part);
+          add_up(part);
+          return part;
+        },
+        512 * corners_at_once);
+    linking_.insert(linking_.end(), entries.begin(), entries.end());
+  }
+
+  // Of corners that follow each other in their order, hence lie near each other.
+  void add_crossings(const Box_tree& tree,
+                     const std::vector<Index>& edges,
+                     const Sorted_boxes& corners,
+                     std::size_t begin,
+                     std::size_t end,
+                     std::vector<Matrix_entry>& entries) {
+    Box all = corners.boxes[begin];
+    for(std::size_t i = begin; i < end; ++i)
+      all.extend(corners.boxes[i]);
+    tree.for_each_meeting(all, [&](Index i, const Box& box_of_edge) {
+      for(std::size_t j = begin; j < end; ++j)
+        if(corners.boxes[j].meets(box_of_edge))
+          add_terms(corners.numbers[j], edges[i], entries);
+    });
+  }
+
+  void add_terms(Index c, Index e, std::vector<Matrix_entry>& entries) {
+    const Corner& corner = curves_.corners[c];
+    if(has_too_many_contacts_ || touches(corner, curves_.edges[e]))
+      return;
+    const int sign = crossing(c, e);
+    if(sign != 0)
+      for(const Chains::Term& walk : curves_.walks.of(e))
+        entries.push_back({corner.loop, walk.loop, sign * std::int64_t(walk.value)});
+  }
+
+  static bool touches(const Corner& c, const Edge& edge) {
+    const Index other = edge.source == c.apex ? edge.target : edge.source;
+    return (edge.source == c.apex || edge.target == c.apex) && (other == c.from || other == c.to);
+  }
+
+  // 0 unless the corner is seen to pass over the edge; 1 if the edge then leads to the left.
+  int crossing(Index c, Index e) {
+    const Index a = first_end(c), b = a + 1;
+    const Index p = curves_.edges[e].source, q = curves_.edges[e].target;
+    if(points_.turn(a, b, p) * points_.turn(a, b, q) > 0 ||
+       points_.turn(p, q, a) * points_.turn(p, q, b) > 0)
+      return 0;
+    // They are seen to meet. If they lie in a plane they do meet.
+    const int side = points_.side(a, b, p, q);
+    if(side == 0) {
+      add_contact({c, e});
+      return 0;
+    }
+    // If a line is seen as a point all turns are zero, and it crosses nothing.
+    const int sense = points_.turn_of_moved(a, b, q);
+    if(sense == points_.turn_of_moved(a, b, p) ||
+       points_.turn_to_moved(p, q, a) == points_.turn_to_moved(p, q, b))
+      return 0;
+    return side == sense ? sense : 0;
+  }
+
+  const Surface_curves& curves_;
+  std::minstd_rand random_;
+  Projected_points points_;
+  Sparse_matrix linking_, intersections_;
+  Sparse_matrix defect_; // V less its transpose less the intersection matrix
+  int number_of_attempts_ = 0;
+  std::mutex mutex_; // for contacts_
+  std::vector<Contact> contacts_;
+  std::atomic<bool> has_too_many_contacts_{false};
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LINKING_NUMBERS_H

@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LOOP_LINKER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LOOP_LINKER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// The intersection and linking numbers of loops on a mesh, and the reasons where the latter mean
+/// nothing. Loops that run through places where the surface touches itself are led around them.
+template <typename TriangleMesh, typename Loop, typename VertexPointMap, typename VertexIndexMap>
+class Loop_linker
+{
+  using Walker = Edge_walker<TriangleMesh, VertexPointMap, VertexIndexMap>;
+  using Builder = Surface_curves_builder<TriangleMesh, VertexPointMap, VertexIndexMap>;
+  using Walk = typename Walker::Walk;
+
+public:
+  Loop_linker(const TriangleMesh& tm, VertexPointMap point, VertexIndexMap vertex_index)
+      : tm_(tm)
+      , point_(point)
+      , vertex_index_(vertex_index)
+      , walker_(tm, point, vertex_index) {}
+
+  /// takes pointers to loops that are closed and lie on the surface; \p component gives the number
+  /// of the component of a face. Finds where the solid is.
+  template <typename Execution, typename ComponentOfFace>
+  void set_loops(Execution execution,
+                 std::vector<const Loop*> loops,
+                 const ComponentOfFace& component,
+                 std::size_t number_of_components) {
+    loops_ = std::move(loops);
+    for(const Loop* loop : loops_)
+      components_.push_back(component(face(loop->steps().front().halfedge, tm_)));
+    find_outward(execution, component, number_of_components);
+  }
+
+  /// computes the intersection numbers.
+  template <typename Execution> void intersect(Execution execution) {
+    walks_.resize(loops_.size());
+    for_each_index(
+        execution, loops_.size(),
+        [this](std::size_t i) { walks_[i] = walker_.straight(*loops_[i]); }, 1);
+    Builder builder(tm_, point_, vertex_index_);
+    const Surface_curves curves = builder.build(execution, walks_, outward_);
+    intersections_ = Linking_numbers(execution, curves).intersections();
+  }
+
+  /// computes the intersection and the linking numbers.
+  template <typename Execution> void link(Execution execution) {
+    for(int round = 0; round < maximum_number_of_rounds; ++round)
+      if(!find_walks(execution, round == 0) || !link_walks(execution))
+        break;
+  }
+
+  /// how often loop i crosses loop j from right to left, less the other way.
+  const Sparse_matrix& intersections() const { return intersections_; }
+
+  /// the linking number of loop i with loop j pushed out of the solid.
+  const Sparse_matrix& linking() const { return linking_; }
+
+  /// in words, by loop, why its linking numbers mean nothing.
+  const std::map<std::size_t, std::string>& problems() const { return problems_; }
+
+  /// 1 if the faces along a loop look out of the solid, -1 if they look into it, 0 if there is
+  /// none.
+  int outward(std::size_t loop) const { return outward_[loop]; }
+
+  /// the component on which a loop lies.
+  std::size_t component(std::size_t loop) const { return components_[loop]; }
+
+private:
+  static constexpr int maximum_number_of_rounds = 8;
+
+  void add_problem(std::size_t loop, const std::string& problem) {
+    problems_.emplace(loop, problem);
+  }
+
+  template <typename Execution, typename ComponentOfFace>
+  void find_outward(Execution execution,
+                    const ComponentOfFace& component,
+                    std::size_t number_of_components) {
+    std::vector<char> has_loop(number_of_components, 0);
+    for(std::size_t c : components_)
+      has_loop[c] = 1;
+    const Component_orientation<TriangleMesh, VertexPointMap, ComponentOfFace> sides(
+        execution, tm_, point_, component, has_loop);
+    for(std::size_t i = 0; i < components_.size(); ++i) {
+      outward_.push_back(sides.outward(components_[i]));
+      if(outward_[i] == 0)
+        lasting_problems_.emplace(i, sides.reason(components_[i]));
+    }
+  }
+
+  // Whether there are walks that have not been tried. In the first round these are all; later,
+  // those of loops for which there is a way around what has been found.
+  template <typename Execution> bool find_walks(Execution execution, bool is_first) {
+    bool is_any_new = is_first && !loops_.empty();
+    walks_.resize(loops_.size());
+    for(std::size_t i = is_first ? find_straight_walks(execution) : 0; i < loops_.size(); ++i) {
+      Walk walk = walker_(*loops_[i]);
+      if(walker_.has_failed() && is_first) {
+        walk = walker_.straight(*loops_[i]);
+        lasting_problems_.emplace(i, "the faces without area at vertex " +
+                                         std::to_string(walker_.failure()) + " enclose a handle");
+      }
+      if(is_first || (!walker_.has_failed() && walk != walks_[i])) {
+        walks_[i] = std::move(walk);
+        is_any_new = true;
+      }
+    }
+    return is_any_new;
+  }
+
+  // Finds the walks of the first loops, up to the first one that does not run straight. That walker
+  // and those after it learn from each other what to keep away from.
+  template <typename Execution> std::size_t find_straight_walks(Execution) {
+    constexpr std::size_t loops_at_once = 8;
+    std::vector<char> is_straight(loops_.size(), 0);
+    Execution::for_ranges(loops_.size(), loops_at_once, [&](std::size_t begin, std::size_t end) {
+      Walker walker(tm_, point_, vertex_index_);
+      for(std::size_t i = begin; i < end; ++i) {
+        walks_[i] = walker.straight(*loops_[i]);
+        is_straight[i] = walker(*loops_[i]) == walks_[i] && !walker.has_failed();
+      }
+    });
+    return std::find(is_straight.begin(), is_straight.end(), 0) - is_straight.begin();
+  }
+
+  // Whether another round may do better.
+  template <typename Execution> bool link_walks(Execution execution) {
+    Builder builder(tm_, point_, vertex_index_);
+    const Surface_curves curves = builder.build(execution, walks_, outward_);
+    Linking_numbers numbers(execution, curves);
+    intersections_ = numbers.intersections();
+    problems_ = lasting_problems_;
+    if(problems_.size() == loops_.size())
+      return false;
+    numbers.link(execution);
+    linking_ = numbers.linking();
+    if(numbers.has_too_many_contacts()) {
+      for(std::size_t i = 0; i < loops_.size(); ++i)
+        add_problem(i, "the surface touches itself in very many places");
+      return false;
+    }
+    for(const Linking_numbers::Contact& contact : numbers.contacts()) {
+      note_contact(contact, curves, builder);
+      avoid(contact, curves, builder);
+    }
+    for(const Matrix_entry& e : numbers.defect())
+      for(const Index loop : {e.row, e.column})
+        add_problem(loop, "the surface crosses itself near it");
+    return !numbers.contacts().empty();
+  }
+
+  // The vertices that the edge and the corner share are to be avoided, or all if they share none.
+  void avoid(const Linking_numbers::Contact& contact,
+             const Surface_curves& curves,
+             const Builder& builder) {
+    const Surface_curves::Edge& edge = curves.edges[contact.edge];
+    std::vector<Index> vertices = {edge.source, edge.target};
+    if(contact.corner != Linking_numbers::Contact::no_corner) {
+      const Surface_curves::Corner& corner = curves.corners[contact.corner];
+      std::vector<Index> shared;
+      for(Index v : {corner.apex, corner.from, corner.to})
+        if(v == edge.source || v == edge.target)
+          shared.push_back(v);
+      vertices.push_back(corner.apex);
+      if(!shared.empty())
+        vertices = shared;
+    }
+    for(Index v : vertices)
+      walker_.avoid(builder.original(v));
+  }
+
+  void note_contact(const Linking_numbers::Contact& contact,
+                    const Surface_curves& curves,
+                    const Builder& builder) {
+    const Surface_curves::Edge& edge = curves.edges[contact.edge];
+    const std::string problem = "the surface touches itself at the edge " +
+                                std::to_string(builder.original(edge.source)) + " - " +
+                                std::to_string(builder.original(edge.target));
+    for(const Chains::Term& walk : curves.walks.of(contact.edge))
+      add_problem(walk.loop, problem);
+    if(contact.corner != Linking_numbers::Contact::no_corner)
+      add_problem(curves.corners[contact.corner].loop, problem);
+    else
+      for(const Chains::Term& copy : curves.crossings.of(contact.edge))
+        add_problem(copy.loop, problem);
+  }
+
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
+  VertexIndexMap vertex_index_;
+  Walker walker_;
+  std::vector<const Loop*> loops_;
+  std::vector<std::size_t> components_; // by loop
+  std::vector<int> outward_;            // by loop
+  std::vector<Walk> walks_;
+  Sparse_matrix intersections_, linking_;
+  std::map<std::size_t, std::string> lasting_problems_, problems_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LOOP_LINKER_H

@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_BUILDER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_BUILDER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Turns closed walks on the edges of a mesh into `Surface_curves`. Linear in their length, but for
+/// a sort of their edges and an array of numbers of the vertices of the mesh.
+template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
+class Surface_curves_builder
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+public:
+  using Walk = std::vector<halfedge_descriptor>;
+
+  Surface_curves_builder(const TriangleMesh& tm, VertexPointMap point, VertexIndexMap vertex_index)
+      : tm_(tm)
+      , point_(point)
+      , vertex_index_(vertex_index) {}
+
+  /// \p outward is 1 or -1 for each walk, as in `Surface_curves`.
+  template <typename Execution>
+  Surface_curves
+  build(Execution execution, const std::vector<Walk>& walks, std::vector<int> outward) {
+    std::vector<Piece> pieces(walks.size());
+    for_each_loop(execution, walks, [&](std::size_t i) {
+      pieces[i].entered = entered_halfedges(walks[i]);
+      pieces[i].index_bound = index_bound(walks[i], pieces[i].entered);
+    });
+    number_vertices(execution, walks, pieces);
+    number_edges(execution, walks);
+    for_each_loop(execution, walks, [&](std::size_t i) {
+      add_copy(pieces[i].entered, static_cast<Index>(i), pieces[i]);
+    });
+    join(walks, pieces);
+    curves_.outward = std::move(outward);
+    return std::move(curves_);
+  }
+
+  /// the index, in the mesh, of vertex v of the curves.
+  Index original(Index v) const { return originals_[v]; }
+
+private:
+  // What is found of each loop by itself.
+  struct Piece
+  {
+    Walk entered; // the halfedges by which the copy passes into faces
+    std::size_t index_bound = 0;
+    std::vector<vertex_descriptor> vertices; // seen here first
+    std::vector<Surface_curves::Corner> corners;
+    std::vector<std::pair<Index, int>> crossings; // edges, and the sense
+  };
+
+  // An edge of a walk, and the place of that edge in the sequence of all walks.
+  struct Edge_position
+  {
+    std::uint64_t key;
+    std::size_t position;
+
+    bool operator<(const Edge_position& p) const {
+      return key != p.key ? key < p.key : position < p.position;
+    }
+  };
+
+  template <typename Execution, typename Function>
+  static void
+  for_each_loop(Execution execution, const std::vector<Walk>& walks, const Function& f) {
+    for_each_index(execution, walks.size(), f, 1);
+  }
+
+  Index index(vertex_descriptor v) const { return static_cast<Index>(get(vertex_index_, v)); }
+
+  vertex_descriptor apex(halfedge_descriptor h) const { return target(next(h, tm_), tm_); }
+
+  // The copy to the left of a walk, by the halfedges into whose faces it passes.
+  Walk entered_halfedges(const Walk& walk) const {
+    Walk entered;
+    for(std::size_t i = 0; i < walk.size(); ++i) {
+      const halfedge_descriptor end = walk[i + 1 == walk.size() ? 0 : i + 1];
+      for(halfedge_descriptor h = next(walk[i], tm_); h != end; h = next(opposite(h, tm_), tm_))
+        entered.push_back(opposite(h, tm_));
+    }
+    return entered;
+  }
+
+  // ---- vertices
+
+  // calls `f(v)` for all vertices that a walk and its copy need.
+  template <typename Function>
+  void for_each_vertex(const Walk& walk, const Walk& entered, const Function& f) const {
+    for(halfedge_descriptor h : walk) {
+      f(source(h, tm_));
+      f(apex(h));
+      f(apex(opposite(h, tm_)));
+    }
+    for(halfedge_descriptor h : entered) {
+      f(source(h, tm_));
+      f(target(h, tm_));
+      f(apex(h));
+    }
+  }
+
+  std::size_t index_bound(const Walk& walk, const Walk& entered) const {
+    std::size_t bound = 0;
+    for_each_vertex(walk, entered, [&](vertex_descriptor v) {
+      bound = (std::max)(bound, std::size_t(index(v)) + 1);
+    });
+    return bound;
+  }
+
+  // In the order of their indices.
+  template <typename Execution>
+  void
+  number_vertices(Execution execution, const std::vector<Walk>& walks, std::vector<Piece>& pieces) {
+    std::size_t bound = 0;
+    for(const Piece& piece : pieces)
+      bound = (std::max)(bound, piece.index_bound);
+    numbers_.reset(new std::atomic<Index>[bound]);
+    for_each_index(execution, bound, [this](std::size_t i) { set_number(i, no_index); });
+    for_each_loop(execution, walks, [&](std::size_t i) {
+      for_each_vertex(walks[i], pieces[i].entered, [&](vertex_descriptor v) {
+        std::atomic<Index>& number = numbers_[index(v)];
+        if(number.load(std::memory_order_relaxed) == no_index &&
+           number.exchange(0, std::memory_order_relaxed) == no_index)
+          pieces[i].vertices.push_back(v);
+      });
+    });
+    originals_ = collect<Index>(execution, bound, [this](std::size_t begin, std::size_t end) {
+      std::vector<Index> seen;
+      for(std::size_t i = begin; i < end; ++i)
+        if(numbers_[i].load(std::memory_order_relaxed) != no_index)
+          seen.push_back(static_cast<Index>(i));
+      return seen;
+    });
+    for_each_index(execution, originals_.size(),
+                   [this](std::size_t n) { set_number(originals_[n], static_cast<Index>(n)); });
+    curves_.vertices.resize(originals_.size());
+    for_each_loop(execution, walks, [&](std::size_t i) {
+      for(vertex_descriptor v : pieces[i].vertices)
+        curves_.vertices[number_of(v)] = coordinates(point_, v);
+    });
+  }
+
+  Index number_of(vertex_descriptor v) const {
+    return numbers_[index(v)].load(std::memory_order_relaxed);
+  }
+
+  void set_number(std::size_t i, Index number) {
+    numbers_[i].store(number, std::memory_order_relaxed);
+  }
+
+  // ---- edges
+
+  // Each edge is known by one of its halfedges, which leads to the larger number; a walk along the
+  // other counts as negative.
+  bool is_reversed(halfedge_descriptor h) const {
+    return number_of(target(h, tm_)) < number_of(source(h, tm_));
+  }
+
+  std::uint64_t key(halfedge_descriptor h) const {
+    const std::uint64_t u = number_of(source(h, tm_)), v = number_of(target(h, tm_));
+    return u < v ? u << 32 | v : v << 32 | u;
+  }
+
+  // In the order in which the walks pass them first.
+  template <typename Execution>
+  void number_edges(Execution execution, const std::vector<Walk>& walks) {
+    Walk all;
+    for(const Walk& walk : walks)
+      all.insert(all.end(), walk.begin(), walk.end());
+    std::vector<Edge_position> places(all.size());
+    for_each_index(execution, all.size(), [&](std::size_t i) { places[i] = {key(all[i]), i}; });
+    Execution::sort(places.begin(), places.end(), std::less<Edge_position>());
+    std::vector<Index> number(all.size(), no_index); // of edges, by the first place of each
+    for(std::size_t i = 0; i < places.size(); ++i)
+      if(i == 0 || places[i].key != places[i - 1].key)
+        number[places[i].position] = 0;
+    for(std::size_t i = 0; i < all.size(); ++i)
+      if(number[i] != no_index) {
+        number[i] = static_cast<Index>(firsts_.size());
+        firsts_.push_back(all[i]);
+      }
+    note_edges(places, number);
+    curves_.edges.resize(firsts_.size());
+    for_each_index(execution, firsts_.size(), [this](std::size_t e) {
+      const halfedge_descriptor h =
+          is_reversed(firsts_[e]) ? opposite(firsts_[e], tm_) : firsts_[e];
+      curves_.edges[e] = {number_of(source(h, tm_)), number_of(target(h, tm_)), number_of(apex(h)),
+                          number_of(apex(opposite(h, tm_)))};
+    });
+  }
+
+  // Lists the edges by the vertices at which they begin.
+  void note_edges(const std::vector<Edge_position>& places, const std::vector<Index>& number) {
+    first_at_.assign(originals_.size() + 1, 0);
+    for(std::size_t i = 0; i < places.size(); ++i)
+      if(i == 0 || places[i].key != places[i - 1].key) {
+        ++first_at_[(places[i].key >> 32) + 1];
+        edges_.emplace_back(static_cast<Index>(places[i].key), number[places[i].position]);
+      }
+    for(std::size_t v = 1; v < first_at_.size(); ++v)
+      first_at_[v] += first_at_[v - 1];
+  }
+
+  // The number of an edge, or none.
+  Index find_edge(halfedge_descriptor h) const {
+    const std::uint64_t k = key(h);
+    for(Index i = first_at_[k >> 32]; i < first_at_[(k >> 32) + 1]; ++i)
+      if(edges_[i].first == static_cast<Index>(k))
+        return edges_[i].second;
+    return no_index;
+  }
+
+  // ---- copies
+
+  void add_copy(const Walk& entered, Index loop, Piece& piece) const {
+    for(std::size_t i = 0; i < entered.size(); ++i) {
+      const Index edge = find_edge(entered[i]);
+      if(edge != no_index)
+        piece.crossings.emplace_back(edge, is_reversed(entered[i]) ? -1 : 1);
+      const halfedge_descriptor left = opposite(entered[i + 1 == entered.size() ? 0 : i + 1], tm_);
+      // If the copy leaves a face where it has entered it, it has not been in it.
+      if(left == next(entered[i], tm_))
+        piece.corners.push_back(
+            corner(source(left, tm_), source(entered[i], tm_), target(left, tm_), loop));
+      else if(left != entered[i])
+        piece.corners.push_back(
+            corner(source(entered[i], tm_), target(entered[i], tm_), source(left, tm_), loop));
+    }
+  }
+
+  Surface_curves::Corner
+  corner(vertex_descriptor apex, vertex_descriptor from, vertex_descriptor to, Index loop) const {
+    return {number_of(apex), number_of(from), number_of(to), loop};
+  }
+
+  // Puts the loops together in their order.
+  void join(const std::vector<Walk>& walks, const std::vector<Piece>& pieces) {
+    for(std::size_t i = 0; i < walks.size(); ++i) {
+      const auto loop = static_cast<Index>(i);
+      for(halfedge_descriptor h : walks[i])
+        curves_.walks.add(find_edge(h), loop, is_reversed(h) ? -1 : 1);
+      for(const auto& [edge, sense] : pieces[i].crossings)
+        curves_.crossings.add(edge, loop, sense);
+      curves_.corners.insert(curves_.corners.end(), pieces[i].corners.begin(),
+                             pieces[i].corners.end());
+    }
+    curves_.walks.finish(curves_.edges.size());
+    curves_.crossings.finish(curves_.edges.size());
+  }
+
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
+  VertexIndexMap vertex_index_;
+  Surface_curves curves_;
+  std::vector<Index> originals_;                  // by vertex of the curves
+  std::unique_ptr<std::atomic<Index>[]> numbers_; // of vertices, by index in the mesh
+  Walk firsts_;                                   // by edge: how it was passed first
+  std::vector<std::pair<Index, Index>> edges_;    // the end, and the number
+  std::vector<Index> first_at_;                   // by vertex: where its edges are in edges_
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_BUILDER_H

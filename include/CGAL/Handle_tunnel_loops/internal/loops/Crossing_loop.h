@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOPS_CROSSING_LOOP_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOPS_CROSSING_LOOP_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A loop passes an edge, with one end of it to the left and the other to the right. The place is
+/// `left + ratio * (right - left)`; a loop that goes through a vertex passes the edges on one side
+/// of it at ratio 0 or 1. The place is geometry; the class of the loop rests on the ends alone.
+struct Crossing
+{
+  Index left;
+  Index right;
+  double ratio;
+};
+
+/// A closed curve as the cyclic sequence of the edges it passes. Consecutive edges belong to one
+/// triangle, hence share an end: the left ends are a closed walk on the edges that is homotopic to
+/// the loop, and so are the right ends.
+using Crossing_loop = std::vector<Crossing>;
+
+/// the vertex ahead of a crossing, opposite to the edge.
+inline Index apex_ahead(const Flat_mesh& mesh, const Crossing& c) {
+  return mesh.ring(c.left).after(c.right);
+}
+
+inline Vector position(const Flat_mesh& mesh, const Crossing& c) {
+  const Vector& p = mesh.points[c.left];
+  return p + c.ratio * (mesh.points[c.right] - p);
+}
+
+/// the length in the unit of `mesh.points`.
+inline double length(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  double sum = 0.;
+  if(loop.empty())
+    return sum;
+  Vector previous = position(mesh, loop.back());
+  for(const Crossing& c : loop) {
+    const Vector p = position(mesh, c);
+    sum += norm(p - previous);
+    previous = p;
+  }
+  return sum;
+}
+
+/// calls `f(u, v)` for each edge of the closed walk along the left ends.
+template <typename Function> void for_each_left_edge(const Crossing_loop& loop, const Function& f) {
+  if(loop.empty())
+    return;
+  Index previous = loop.back().left;
+  for(const Crossing& c : loop) {
+    if(c.left != previous)
+      f(previous, c.left);
+    previous = c.left;
+  }
+}
+
+template <typename Edge> bool is_backtrack(const Edge& a, const Edge& b) {
+  return a.left == b.right && a.right == b.left;
+}
+
+/// takes out pairs of consecutive crossings of one edge in opposite directions.
+inline void remove_backtracks(Crossing_loop& loop) {
+  Crossing_loop reduced;
+  reduced.reserve(loop.size());
+  for(const Crossing& c : loop)
+    if(!reduced.empty() && is_backtrack(reduced.back(), c))
+      reduced.pop_back();
+    else
+      reduced.push_back(c);
+  std::size_t first = 0, last = reduced.size();
+  while(last - first >= 2 && is_backtrack(reduced[last - 1], reduced[first])) {
+    ++first;
+    --last;
+  }
+  loop.assign(reduced.begin() + first, reduced.begin() + last);
+}
+
+/// takes out, from a closed walk on the vertices, each step there and back.
+inline void remove_spurs(std::vector<Index>& walk) {
+  std::vector<Index> reduced;
+  reduced.reserve(walk.size());
+  for(Index v : walk) {
+    if(!reduced.empty() && reduced.back() == v)
+      continue;
+    if(reduced.size() >= 2 && reduced[reduced.size() - 2] == v)
+      reduced.pop_back();
+    else
+      reduced.push_back(v);
+  }
+  std::size_t first = 0, last = reduced.size();
+  for(bool changed = true; changed && last - first >= 2;) {
+    changed = true;
+    if(reduced[first] == reduced[last - 1])
+      --last;
+    else if(last - first >= 3 && reduced[first + 1] == reduced[last - 1])
+      ++first;
+    else if(last - first >= 3 && reduced[first] == reduced[last - 2])
+      --last;
+    else
+      changed = false;
+  }
+  walk.assign(reduced.begin() + first, reduced.begin() + last);
+}
+
+/// pushes a closed walk on the edges a little to its left. The walk must have no spurs.
+inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>& walk) {
+  Crossing_loop loop;
+  for(std::size_t i = 0; i < walk.size(); ++i) {
+    const Index v = walk[i];
+    const Index from = walk[i == 0 ? walk.size() - 1 : i - 1];
+    const Index to = walk[i + 1 == walk.size() ? 0 : i + 1];
+    const Ring ring = mesh.ring(v);
+    const Index end = ring.position(to);
+    for(Index p = ring.previous(ring.position(from)); p != end; p = ring.previous(p))
+      loop.push_back({ring[p], v, 1.});
+  }
+  remove_backtracks(loop);
+  return loop;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOPS_CROSSING_LOOP_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOPS_LOOP_CONVERTER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOPS_LOOP_CONVERTER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Turns loops on the flat mesh into loops on the caller's mesh.
+template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits> class Loop_converter
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+public:
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Loop = Loop_on_surface<TriangleMesh, Point>;
+
+  Loop_converter(const TriangleMesh& tm,
+                 VertexPointMap point,
+                 const GeomTraits& traits,
+                 const Flat_mesh& mesh,
+                 const std::vector<vertex_descriptor>& vertices)
+      : tm_(tm)
+      , point_(point)
+      , traits_(traits)
+      , mesh_(mesh)
+      , vertices_(vertices) {}
+
+  Loop operator()(const Crossing_loop& loop, Loop_type type, std::size_t pair_index) const {
+    std::vector<typename Loop::Step> steps;
+    std::vector<Point> points;
+    const Crossing* previous = loop.empty() ? nullptr : &loop.back();
+    for(const Crossing& c : loop) {
+      // Many edges are passed at one vertex.
+      if(vertex_of(c) == no_index || vertex_of(c) != vertex_of(*previous)) {
+        steps.push_back({halfedge(vertices_[c.left], vertices_[c.right], tm_).first, c.ratio});
+        points.push_back(point_at(c));
+      }
+      previous = &c;
+    }
+    const double length = mesh_.scale * internal::length(mesh_, loop);
+    return Loop(std::move(steps), std::move(points), length, type, pair_index);
+  }
+
+private:
+  static Index vertex_of(const Crossing& c) {
+    return c.ratio == 0. ? c.left : (c.ratio == 1. ? c.right : no_index);
+  }
+
+  Point point_at(const Crossing& c) const {
+    if(vertex_of(c) != no_index)
+      return get(point_, vertices_[vertex_of(c)]);
+    return traits_.construct_barycenter_3_object()(get(point_, vertices_[c.left]), 1. - c.ratio,
+                                                   get(point_, vertices_[c.right]), c.ratio);
+  }
+
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
+  const GeomTraits& traits_;
+  const Flat_mesh& mesh_;
+  const std::vector<vertex_descriptor>& vertices_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LOOPS_LOOP_CONVERTER_H

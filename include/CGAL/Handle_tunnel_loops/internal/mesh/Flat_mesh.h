@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Uninitialized_vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/host_device.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+using Index = std::uint32_t;
+constexpr Index no_index = (std::numeric_limits<Index>::max)();
+
+using Vector = std::array<double, 3>;
+
+inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vector operator+(const Vector& a, const Vector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+
+/// The neighbours of a vertex in counterclockwise order; consecutive ones (and the last and the
+/// first) form a face with the vertex.
+class Ring
+{
+public:
+  CGAL_HTL_HOST_DEVICE Ring(const Index* first, Index size)
+      : first_(first)
+      , size_(size) {}
+
+  CGAL_HTL_HOST_DEVICE Index size() const { return size_; }
+  CGAL_HTL_HOST_DEVICE Index operator[](Index i) const { return first_[i]; }
+  CGAL_HTL_HOST_DEVICE const Index* begin() const { return first_; }
+  CGAL_HTL_HOST_DEVICE const Index* end() const { return first_ + size_; }
+
+  CGAL_HTL_HOST_DEVICE Index position(Index v) const {
+    Index i = 0;
+    CGAL_HTL_NO_UNROLL
+    while(i < size_ && first_[i] != v)
+      ++i;
+    return i;
+  }
+  CGAL_HTL_HOST_DEVICE Index next(Index i) const { return i + 1 == size_ ? 0 : i + 1; }
+  CGAL_HTL_HOST_DEVICE Index previous(Index i) const { return i == 0 ? size_ - 1 : i - 1; }
+
+  /// the vertices before and after `v`, counterclockwise.
+  CGAL_HTL_HOST_DEVICE Index after(Index v) const { return first_[next(position(v))]; }
+  CGAL_HTL_HOST_DEVICE Index before(Index v) const { return first_[previous(position(v))]; }
+
+private:
+  const Index* first_;
+  Index size_;
+};
+
+/// A closed oriented triangle mesh as plain arrays. The ordered rings hold all of its
+/// connectivity: (u, ring[i], ring[i+1]) are the faces at u. Vertices are numbered along a
+/// space-filling curve, so that neighbours are near in memory; coordinates are moved and scaled
+/// into the unit box, so that neither underflow nor overflow has to be thought of again.
+struct Flat_mesh
+{
+  Uninitialized_vector<Vector> points;
+  Uninitialized_vector<Index> row_begin; ///< size n + 1
+  Uninitialized_vector<Index> neighbor;  ///< the rings, one after the other
+  Uninitialized_vector<Index> original;  ///< the caller's index of each vertex
+  Uninitialized_vector<Index> component; ///< by vertex, a position in `seeds`
+  std::vector<Index> seeds;              ///< one vertex of each component
+  double scale = 1.;                     ///< caller's unit of length / unit of `points`
+  std::size_t genus = 0;                 ///< summed over the components
+
+  std::size_t number_of_vertices() const { return points.size(); }
+  std::size_t number_of_faces() const { return neighbor.size() / 3; }
+
+  Ring ring(Index v) const {
+    return Ring(neighbor.data() + row_begin[v], row_begin[v + 1] - row_begin[v]);
+  }
+  double edge_length(Index u, Index v) const {
+    const Vector to = points[v] - points[u];
+    return rounded_length(to[0], to[1], to[2]);
+  }
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_H

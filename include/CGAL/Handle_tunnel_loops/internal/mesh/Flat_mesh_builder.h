@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_BUILDER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_BUILDER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Rings_of_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Unit_box.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Turns any `FaceListGraph` into a `Flat_mesh`, and refuses, naming the element, whatever is not a
+/// closed oriented 2-manifold triangle mesh. Linear in the size of the mesh. Isolated vertices are
+/// left out. The mesh is walked once and in its own order, which its halfedges are likely to
+/// follow.
+template <typename TriangleMesh,
+          typename VertexIndexMap,
+          typename VertexPointMap,
+          typename Execution>
+class Flat_mesh_builder
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  // Exact numbers may share what they are computed from, and know nothing of threads.
+  using Point_execution = std::
+      conditional_t<std::is_floating_point<Coordinate>::value, Execution, Sequential_execution>;
+
+public:
+  Flat_mesh_builder(const TriangleMesh& tm, VertexIndexMap index, VertexPointMap point)
+      : tm_(tm)
+      , index_(index)
+      , point_(point)
+      , rings_(tm, index) {}
+
+  Flat_mesh build() {
+    collect_vertices();
+    rings_.read(execution_, vertices_);
+    read_points();
+    number_vertices();
+    fill_rings();
+    find_components();
+    return std::move(mesh_);
+  }
+
+  /// the vertex of each index of the flat mesh; to be called after `build()`.
+  std::vector<vertex_descriptor> take_vertices() { return std::move(vertices_); }
+
+private:
+  std::size_t caller_index(vertex_descriptor v) const {
+    return static_cast<std::size_t>(get(index_, v));
+  }
+
+  // Caller's indices may leave gaps.
+  void collect_vertices() {
+    vertices_.reserve(num_vertices(tm_));
+    for(vertex_descriptor v : vertices(tm_)) {
+      index_bound_ = (std::max)(index_bound_, caller_index(v) + 1);
+      if(halfedge(v, tm_) != Graph_traits::null_halfedge())
+        vertices_.push_back(v);
+    }
+    if(index_bound_ >= no_index)
+      throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many vertices");
+  }
+
+  void read_points() {
+    points_.resize(vertices_.size());
+    First_index not_finite;
+    for_each_index(Point_execution(), vertices_.size(), [&](std::size_t i) {
+      const auto& p = get(point_, vertices_[i]);
+      const Vector x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+      if(!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+        not_finite.see(i);
+      points_[i] = x;
+    });
+    if(not_finite.found())
+      throw_vertex_defect(Mesh_defect::NON_FINITE_COORDINATE,
+                          caller_index(vertices_[not_finite.get()]), "a coordinate is not finite");
+  }
+
+  void number_vertices() {
+    const Unit_box box(execution_, points_);
+    const std::size_t n = points_.size();
+    order_ = space_filling_order(execution_, n, [&](std::size_t i) { return box(points_[i]); });
+    mesh_.scale = box.scale();
+    mesh_.points.resize(n);
+    mesh_.original.resize(n);
+    mesh_.row_begin.resize(n + 1);
+    flat_index_.assign(index_bound_, no_index);
+    std::vector<vertex_descriptor> sorted(n);
+    for_each_index(execution_, n, [&](std::size_t i) {
+      const vertex_descriptor v = vertices_[order_[i]];
+      const std::size_t c = caller_index(v);
+      sorted[i] = v;
+      mesh_.points[i] = box(points_[order_[i]]);
+      mesh_.original[i] = static_cast<Index>(c);
+      mesh_.row_begin[i] = rings_[order_[i]].size();
+      flat_index_[c] = static_cast<Index>(i);
+    });
+    Uninitialized_vector<Vector>().swap(points_);
+    vertices_ = std::move(sorted);
+    mesh_.row_begin[n] = 0;
+    mesh_.neighbor.resize(sum_before_each(execution_, mesh_.row_begin));
+  }
+
+  void fill_rings() {
+    First_index several_fans, parallel_edges;
+    for_each_index(execution_, order_.size(), [&](std::size_t i) {
+      Index position = mesh_.row_begin[i];
+      for(Index u : rings_[order_[i]])
+        mesh_.neighbor[position++] = flat_index_[u];
+      const Ring ring = mesh_.ring(static_cast<Index>(i));
+      if(rings_.has_several_fans(order_[i]))
+        several_fans.see(i);
+      else if(has_repetition(ring))
+        parallel_edges.see(i);
+    });
+    std::vector<Index>().swap(order_);
+    rings_.clear();
+    if(several_fans.found())
+      throw_vertex_defect(Mesh_defect::NON_MANIFOLD_VERTEX, mesh_.original[several_fans.get()],
+                          "the faces around a vertex form more than one fan");
+    if(parallel_edges.found())
+      throw_vertex_defect(Mesh_defect::PARALLEL_EDGES, mesh_.original[parallel_edges.get()],
+                          "two edges join a vertex to the same neighbour");
+  }
+
+  static bool has_repetition(Ring ring) {
+    if(ring.size() <= 16) {
+      for(Index i = 1; i < ring.size(); ++i)
+        for(Index j = 0; j < i; ++j)
+          if(ring[i] == ring[j])
+            return true;
+      return false;
+    }
+    std::vector<Index> sorted(ring.begin(), ring.end());
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  }
+
+  // The seed of a component is its vertex of smallest caller's index, and it comes in their order.
+  void find_components() {
+    const std::size_t n = mesh_.number_of_vertices();
+    mesh_.component = smallest_in_component(execution_, mesh_);
+    const std::vector<Index> smallest =
+        collect<Index>(execution_, n, [&](std::size_t begin, std::size_t end) {
+          std::vector<Index> own;
+          for(Index v = static_cast<Index>(begin); v < end; ++v)
+            if(mesh_.component[v] == v)
+              own.push_back(v);
+          return own;
+        });
+    const auto rank = [&](Index v) {
+      return std::lower_bound(smallest.begin(), smallest.end(), mesh_.component[v]) -
+             smallest.begin();
+    };
+    std::vector<Index> number(smallest.size(), no_index);
+    for(auto it = flat_index_.begin(); mesh_.seeds.size() < smallest.size(); ++it)
+      if(*it != no_index && number[rank(*it)] == no_index) {
+        number[rank(*it)] = static_cast<Index>(mesh_.seeds.size());
+        mesh_.seeds.push_back(*it);
+      }
+    for_each_index(execution_, n, [&](std::size_t v) {
+      mesh_.component[v] = number[rank(static_cast<Index>(v))];
+    });
+
+    // V - E + F = 2 c - 2 g, with 2 E = 3 F halfedges.
+    const std::size_t handles_twice = 2 * mesh_.seeds.size() + mesh_.number_of_faces() / 2 - n;
+    mesh_.genus = handles_twice / 2;
+  }
+
+  const TriangleMesh& tm_;
+  VertexIndexMap index_;
+  VertexPointMap point_;
+  Execution execution_;
+  Flat_mesh mesh_;
+  std::size_t index_bound_ = 0;                       // above the caller's indices
+  std::vector<vertex_descriptor> vertices_;           // in the order of the mesh, then sorted
+  Rings_of_mesh<TriangleMesh, VertexIndexMap> rings_; // in the order of the mesh
+  Uninitialized_vector<Vector> points_;               // in the order of the mesh
+  std::vector<Index> order_;      // by flat index, the place in the order of the mesh
+  std::vector<Index> flat_index_; // by caller's index
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_BUILDER_H

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_BIDIRECTIONAL_FRONT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_BIDIRECTIONAL_FRONT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/field/Narrow_band.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/steepest_descent.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+The operation behind the tunnel pass and the refinement pass (paper, 4.2 and 4.3): find the way from
+the left side of a loop around to its right side that crosses no wall, and close it across the loop.
+
+The paper lets a field grow from one side until it reaches the other. Here it grows from both sides
+until the two fronts meet: the way is as short, and the fronts cover a fraction of the region where
+surfaces branch. From where they meet the way goes back to either side, each vertex followed by the
+neighbour that was reached first, then across the loop, and along its left side, the short way, to
+where it began.
+
+The result crosses the loop once and no other wall, counted with sign. This is checked in integers
+for every candidate; on meshes so coarse that an edge is crossed by several walls, the first meeting
+may fail, and the next one is waited for.
+*/
+template <typename Loop_set> class Bidirectional_front
+{
+public:
+  /// `index` tells where the loops are that can be barred: in each search a set of type `Loop_set`.
+  Bidirectional_front(const Flat_mesh& mesh,
+                      const Stencils& stencils,
+                      const Step_coefficients& k,
+                      const Crossing_index& index)
+      : mesh_(mesh)
+      , index_(index)
+      , band_(mesh, stencils, k) {
+    if(!Loop_set::is_one)
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+        if(index.has_crossing(v))
+          band_.expect_walls(v);
+  }
+
+  /// How long to search.
+  struct Limits
+  {
+    std::size_t number_of_walks = 1;                                           ///< to find
+    Time number_of_steps = never;                                              ///< of the field
+    std::size_t number_of_updates = (std::numeric_limits<std::size_t>::max)(); ///< of the field
+  };
+
+  /// returns closed walks on the edges, the shortest first as far as the fronts can tell; `number`
+  /// is that of `loop` in the index, and is among the `barred` ones, which are walls. Where the
+  /// fronts meet in several places, as behind each of several branches of the surface, there is a
+  /// walk for each; the search ends a third later than the first was found.
+  std::vector<std::vector<Index>> dual_walks(const Crossing_loop& loop,
+                                             Index number,
+                                             const Loop_set& barred,
+                                             const Limits& limits) {
+    const Walls walls(index_, barred);
+    parallel_paths_.measure(mesh_, loop);
+    start(loop, walls);
+    std::vector<std::vector<Index>> walks;
+    Time last_step = limits.number_of_steps;
+    const std::size_t updates_before = band_.number_of_updates();
+    const auto may_go_on = [&] {
+      return walks.size() < limits.number_of_walks && band_.number_of_steps() < last_step &&
+             band_.number_of_updates() - updates_before < limits.number_of_updates;
+    };
+    do {
+      std::sort(meetings_.begin(), meetings_.end());
+      for(const Meeting& meeting : meetings_) {
+        if(walks.size() == limits.number_of_walks || continues_a_meeting(meeting))
+          continue;
+        std::vector<Index> walk = parallel_paths_.closed_walk(path_back(meeting.right, walls),
+                                                              path_back(meeting.left, walls));
+        if(!is_dual(index_.intersections(walk), number, barred))
+          continue;
+        mark(meeting);
+        if(walks.empty())
+          last_step = (std::min)(last_step, band_.number_of_steps() * 4 / 3 + 1);
+        walks.push_back(std::move(walk));
+      }
+      meetings_.clear();
+    } while(may_go_on() && band_.step(walls, [&](Index v) { note_meetings(v, walls); }));
+    has_given_up_ = band_.number_of_updates() - updates_before >= limits.number_of_updates;
+    band_.reset();
+    return walks;
+  }
+
+  /// whether the last search ended because it needed more updates than it was given.
+  bool has_given_up() const { return has_given_up_; }
+
+  std::size_t number_of_updates() const { return band_.number_of_updates(); }
+
+private:
+  using Walls = Loop_walls<Loop_set>;
+
+  // An edge, or one vertex, at which what was reached from the left meets what was reached from the
+  // right.
+  struct Meeting
+  {
+    std::uint64_t time; // on both ways together
+    Index left, right;
+
+    bool operator<(const Meeting& other) const {
+      return std::tie(time, left, right) < std::tie(other.time, other.left, other.right);
+    }
+  };
+
+  void start(const Crossing_loop& loop, const Walls& walls) {
+    meetings_.clear();
+    for(const Crossing& c : loop)
+      if(Loop_set::is_one) {
+        band_.expect_walls_now(c.left);
+        band_.expect_walls_now(c.right);
+      }
+    for(const Crossing& c : loop)
+      band_.add_source(c.left, 0, Side::LEFT);
+    for(const Crossing& c : loop)
+      if(band_.is_reached(c.right) && band_.side(c.right) == Side::LEFT)
+        meetings_.push_back({0, c.right, c.right});
+      else
+        band_.add_source(c.right, 0, Side::RIGHT);
+    for(const Crossing& c : loop)
+      if(band_.side(c.right) == Side::RIGHT)
+        note_meetings(c.right, walls);
+    band_.start(walls);
+  }
+
+  void note_meetings(Index v, const Walls& walls) {
+    const Side side = band_.side(v);
+    band_.for_each_reached_neighbor(v, [&](Index u) {
+      if(band_.side(u) == side || band_.is_wall(v, u, walls))
+        return;
+      const std::uint64_t time = std::uint64_t(band_.time(u)) + band_.time(v);
+      meetings_.push_back(side == Side::RIGHT ? Meeting{time, u, v} : Meeting{time, v, u});
+    });
+  }
+
+  // Once the fronts have met in one place, they go on meeting beside it.
+  bool continues_a_meeting(const Meeting& meeting) {
+    for(Index v : {meeting.left, meeting.right}) {
+      bool is_marked = band_.is_marked(v);
+      for(Index u : mesh_.ring(v))
+        is_marked = is_marked || band_.is_marked(u);
+      if(is_marked) {
+        mark(meeting);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void mark(const Meeting& meeting) {
+    band_.mark(meeting.left);
+    band_.mark(meeting.right);
+  }
+
+  // From `v` to a source.
+  std::vector<Index> path_back(Index v, const Walls& walls) const {
+    std::vector<Index> walk(1, v);
+    while(band_.time(v) != 0) {
+      v = steepest_descent(
+          mesh_, v, [&](Index u) { return band_.time(u); },
+          [&](Index u) { return band_.side(u) == band_.side(v) && !band_.is_wall(v, u, walls); });
+      walk.push_back(v);
+    }
+    return walk;
+  }
+
+  const Flat_mesh& mesh_;
+  const Crossing_index& index_;
+  Narrow_band band_;
+  std::vector<Meeting> meetings_;
+  Parallel_paths parallel_paths_;
+  bool has_given_up_ = false;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_BIDIRECTIONAL_FRONT_H

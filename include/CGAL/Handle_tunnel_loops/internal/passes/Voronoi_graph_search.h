@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_VORONOI_GRAPH_SEARCH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_VORONOI_GRAPH_SEARCH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_regions.h>
+
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Finds the way from one side of a loop around to the other as the shortest path in the graph of the
+regions, in which gates are edges, and so are the loops that may be crossed. The path becomes a walk
+on the edges of the mesh: up to a gate, down from it to the next loop, along that loop, and so on.
+Its length is that of the ways through the gates; what is gone along the loops is left out.
+
+A workspace that can be used again and again; a search costs as much as the part of the graph
+that is nearer than its goal.
+*/
+class Voronoi_graph_search
+{
+public:
+  Voronoi_graph_search(const Flat_mesh& mesh,
+                       const std::vector<Crossing_loop>& loops,
+                       const Crossing_index& index,
+                       const Voronoi_regions& regions)
+      : mesh_(mesh)
+      , loops_(loops)
+      , index_(index)
+      , regions_(regions)
+      , best_(regions.number_of_regions(), infinite)
+      , last_step_(regions.number_of_regions(), across) {}
+
+  /// returns a closed walk that crosses loop `k` once, and no loop after it. Empty if there is
+  /// none: where loops run close beside each other, the way along one may cross another.
+  std::vector<Index> dual_walk(Index k) {
+    std::vector<Index> walk;
+    if(find_path(k)) {
+      walk = walk_of_path(k);
+      const Loops_from barred = {k};
+      if(!is_dual(index_.intersections(walk), k, barred))
+        walk.clear();
+    }
+    for(Region r : touched_)
+      best_[r] = infinite;
+    touched_.clear();
+    return walk;
+  }
+
+private:
+  using Region = Voronoi_regions::Region;
+  using Gate = Voronoi_regions::Gate;
+  using Step = Index; // the number of a gate, or:
+  static constexpr Step across = no_index;
+  static constexpr float infinite = std::numeric_limits<float>::infinity();
+
+  using Entry = std::pair<float, Region>;
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+
+  static Region left_of(Index loop) { return 2 * loop; }
+  static Region right_of(Index loop) { return 2 * loop + 1; }
+  static Region other_side(Region r) { return r ^ 1; }
+
+  bool find_path(Index k) {
+    Queue queue;
+    relax(right_of(k), 0.f, across, queue);
+    while(!queue.empty()) {
+      const auto [length, r] = queue.top();
+      queue.pop();
+      if(r == left_of(k))
+        return true;
+      if(length > best_[r])
+        continue;
+      for(Index i = regions_.gates_begin(r); i < regions_.gates_begin(r + 1); ++i)
+        relax(regions_.gate(i).to, length + regions_.gate(i).length, i, queue);
+      if(r < left_of(k))
+        relax(other_side(r), length, across, queue);
+    }
+    return false;
+  }
+
+  void relax(Region r, float length, Step step, Queue& queue) {
+    if(length >= best_[r])
+      return;
+    if(best_[r] == infinite)
+      touched_.push_back(r);
+    best_[r] = length;
+    last_step_[r] = step;
+    queue.push({length, r});
+  }
+
+  std::vector<Step> path(Index k) const {
+    std::vector<Step> steps;
+    for(Region r = left_of(k); r != right_of(k);) {
+      const Step step = last_step_[r];
+      steps.push_back(step);
+      r = step == across ? other_side(r) : regions_.gate(step).from;
+    }
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+  }
+
+  std::vector<Index> walk_of_path(Index k) {
+    std::vector<Index> walk;
+    Region region = right_of(k);
+    Foot start, foot;
+    for(Step step : path(k))
+      if(step == across)
+        region = other_side(region);
+      else {
+        const Gate& gate = regions_.gate(step);
+        const std::vector<Index> up = way_to_loop(region, gate.exit);
+        const Foot next = {Voronoi_regions::side_of(region), up.back()};
+        if(walk.empty())
+          start = next;
+        else
+          append_along(region, foot, next, walk);
+        walk.insert(walk.end(), up.rbegin(), up.rend());
+        region = gate.to;
+        const std::vector<Index> down = way_to_loop(region, gate.entry);
+        walk.insert(walk.end(), down.begin(), down.end());
+        foot = {Voronoi_regions::side_of(region), down.back()};
+      }
+    append_along(region, foot, start, walk);
+    remove_spurs(walk);
+    return walk;
+  }
+
+  // A gate of one vertex leads to a region to which the vertex, beside its loop, does not belong.
+  std::vector<Index> way_to_loop(Region r, Index v) const {
+    return regions_.region(v) == r ? regions_.descent(v) : std::vector<Index>(1, v);
+  }
+
+  // Where a way comes down to a loop: a vertex, on one side of it.
+  struct Foot
+  {
+    Parallel_paths::End side = Parallel_paths::left;
+    Index vertex = no_index;
+  };
+
+  void append_along(Region r, const Foot& from, const Foot& to, std::vector<Index>& walk) {
+    parallel_paths_.measure(mesh_, loops_[r / 2]);
+    parallel_paths_.append(Voronoi_regions::side_of(r), from.side, from.vertex, to.side, to.vertex,
+                           walk);
+  }
+
+  const Flat_mesh& mesh_;
+  const std::vector<Crossing_loop>& loops_;
+  const Crossing_index& index_;
+  const Voronoi_regions& regions_;
+  std::vector<float> best_;     // by region: length of the path to it
+  std::vector<Step> last_step_; // by region: on that path
+  std::vector<Region> touched_;
+  Parallel_paths parallel_paths_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_VORONOI_GRAPH_SEARCH_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_VORONOI_REGIONS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_VORONOI_REGIONS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/steepest_descent.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+One field grows from both sides of all loops, none of which it may cross: each vertex belongs to the
+side from which it was reached first. Where the regions of two sides meet there is a gate, at the
+edge over which the way from loop to loop is shortest.
+
+The regions cover the mesh once, however many loops there are and however long the ways between
+them.
+*/
+class Voronoi_regions
+{
+public:
+  /// `2 j` is what was reached from the left of loop `j`, `2 j + 1` from its right.
+  using Region = Index;
+
+  /// An edge from one region to another; or one vertex that lies beside the loops of both.
+  struct Gate
+  {
+    Region from, to;
+    float length; ///< of the way from loop to loop
+    Index exit, entry;
+
+    bool operator<(const Gate& other) const {
+      return std::tie(from, to, length, exit, entry) <
+             std::tie(other.from, other.to, other.length, other.exit, other.entry);
+    }
+  };
+
+  /// \p times are the arrival times of the field.
+  template <typename Execution>
+  Voronoi_regions(Execution execution,
+                  const Flat_mesh& mesh,
+                  const std::vector<Time>& times,
+                  const std::vector<Crossing_loop>& loops,
+                  const Crossing_index& index)
+      : mesh_(mesh)
+      , index_(index)
+      , parent_(mesh.number_of_vertices(), no_index)
+      , region_(mesh.number_of_vertices(), no_index)
+      , distance_(mesh.number_of_vertices(), 0.f)
+      , gates_begin_(2 * loops.size() + 1, 0) {
+    for(Region r = 0; r < number_of_regions(); ++r)
+      for(const Crossing& c : loops[r / 2])
+        add_source(r, c.*side_of(r));
+    find_parents(execution, times);
+    assign_vertices();
+    find_gates(execution);
+  }
+
+  static Parallel_paths::End side_of(Region r) {
+    return r % 2 == 0 ? Parallel_paths::left : Parallel_paths::right;
+  }
+
+  std::size_t number_of_regions() const { return gates_begin_.size() - 1; }
+  Region region(Index v) const { return region_[v]; }
+
+  /// the gates of region `r` have the numbers from `gates_begin(r)` up to `gates_begin(r + 1)`.
+  Index gates_begin(Region r) const { return gates_begin_[r]; }
+  const Gate& gate(Index i) const { return gates_[i]; }
+
+  /// the walk from `v` within its region to a vertex beside the loop.
+  std::vector<Index> descent(Index v) const {
+    std::vector<Index> walk(1, v);
+    for(; parent_[v] != no_index; walk.push_back(v))
+      v = parent_[v];
+    return walk;
+  }
+
+private:
+  static constexpr Loops_from all_loops = {0};
+
+  // A vertex beside several loops belongs to one of them; the others meet that one there.
+  void add_source(Region r, Index v) {
+    if(region_[v] == no_index)
+      region_[v] = r;
+    else if(region_[v] != r) {
+      gates_.push_back({region_[v], r, 0.f, v, v});
+      gates_.push_back({r, region_[v], 0.f, v, v});
+    }
+  }
+
+  bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, all_loops); }
+
+  template <typename Execution>
+  void find_parents(Execution execution, const std::vector<Time>& times) {
+    for_each_index(execution, mesh_.number_of_vertices(), [&](std::size_t i) {
+      const Index v = static_cast<Index>(i);
+      if(times[v] != never && region_[v] == no_index)
+        parent_[v] = steepest_descent(
+            mesh_, v, [&](Index u) { return times[u]; }, [&](Index u) { return !is_wall(v, u); });
+    });
+  }
+
+  // Each vertex belongs to where its parent belongs.
+  void assign_vertices() {
+    std::vector<Index> path;
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
+      for(Index u = v; region_[u] == no_index && parent_[u] != no_index; u = parent_[u])
+        path.push_back(u);
+      for(; !path.empty(); path.pop_back()) {
+        const Index u = path.back(), p = parent_[u];
+        region_[u] = region_[p];
+        distance_[u] = distance_[p] + static_cast<float>(mesh_.edge_length(u, p));
+      }
+    }
+  }
+
+  template <typename Execution> void find_gates(Execution execution) {
+    const std::vector<Gate> found = collect<Gate>(
+        execution, mesh_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+          std::vector<Gate> gates;
+          for(Index v = static_cast<Index>(begin); v < end; ++v)
+            append_gates(v, gates);
+          keep_shortest(gates);
+          return gates;
+        });
+    gates_.insert(gates_.end(), found.begin(), found.end());
+    keep_shortest(gates_);
+    for(const Gate& gate : gates_)
+      ++gates_begin_[gate.from + 1];
+    for(std::size_t r = 0; r < number_of_regions(); ++r)
+      gates_begin_[r + 1] += gates_begin_[r];
+  }
+
+  void append_gates(Index v, std::vector<Gate>& gates) const {
+    if(region_[v] == no_index)
+      return;
+    for(Index u : mesh_.ring(v))
+      if(region_[u] != region_[v] && !is_wall(v, u)) {
+        const float across = static_cast<float>(mesh_.edge_length(u, v));
+        gates.push_back({region_[v], region_[u], distance_[v] + across + distance_[u], v, u});
+      }
+  }
+
+  // One gate between any two regions.
+  static void keep_shortest(std::vector<Gate>& gates) {
+    std::sort(gates.begin(), gates.end());
+    const auto joins_the_same = [](const Gate& a, const Gate& b) {
+      return a.from == b.from && a.to == b.to;
+    };
+    gates.erase(std::unique(gates.begin(), gates.end(), joins_the_same), gates.end());
+  }
+
+  const Flat_mesh& mesh_;
+  const Crossing_index& index_;
+  std::vector<Index> parent_;      // by vertex; none beside a loop
+  std::vector<Region> region_;     // by vertex
+  std::vector<float> distance_;    // by vertex: to the loop, along the parents
+  std::vector<Gate> gates_;        // sorted
+  std::vector<Index> gates_begin_; // by region
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_VORONOI_REGIONS_H

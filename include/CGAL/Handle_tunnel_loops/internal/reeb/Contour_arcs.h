@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_CONTOUR_ARCS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_CONTOUR_ARCS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Front_mean.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_stars.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddles/Lower_link_components.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// The parts of the contours through a vertex that lie outside of its star: contour arc i leaves at
+/// the clockwise end of lower component i, keeps the lower side on its left, and comes back at the
+/// counterclockwise end of lower component `arrival`. Below the vertex the contour arcs are joined
+/// around the lower components, above it around the gaps between them.
+struct Contour_arc
+{
+  Index arrival;
+  Index arc; ///< before the vertex is passed, that of the contour below; then that of the one above
+  Front_mean front; ///< of the contour arc alone
+};
+
+using Contour_arcs = std::vector<Contour_arc>;
+
+/// A vertex and its lower components, when the sweep has come to it.
+class Swept_vertex
+{
+public:
+  Swept_vertex(const Flat_mesh& mesh, const Sweep_order& order, Index center)
+      : mesh_(mesh)
+      , center_(center)
+      , ring_(mesh.ring(center))
+      , lower_components_(find_lower_components(
+            ring_, [&](Index p) { return order.rank(ring_[p]) < order.rank(center); })) {
+    for(Index i = 0; i < number_of_lower_components(); ++i)
+      ends_.emplace_back(ring_[lower_components_[i].last], i);
+    std::sort(ends_.begin(), ends_.end());
+  }
+
+  Index center() const { return center_; }
+  Index number_of_lower_components() const { return static_cast<Index>(lower_components_.size()); }
+  Index next_lower_component(Index i) const {
+    return i + 1 == number_of_lower_components() ? 0 : i + 1;
+  }
+
+  /// the vertices of lower component i at its clockwise end, and after it clockwise.
+  Index first_of(Index i) const { return ring_[lower_components_[i].first]; }
+  Index before_first_of(Index i) const { return ring_[ring_.previous(lower_components_[i].first)]; }
+
+  /// the lower component whose counterclockwise end is \p v.
+  Index lower_component_that_ends_at(Index v) const {
+    return std::lower_bound(ends_.begin(), ends_.end(), std::make_pair(v, Index(0)))->second;
+  }
+
+  /// calls `f(p)` for the positions of lower component i, counterclockwise.
+  template <typename Function> void for_each_below(Index i, const Function& f) const {
+    for(Index p = lower_components_[i].first; p != ring_.next(lower_components_[i].last);
+        p = ring_.next(p))
+      f(p);
+  }
+
+  /// calls `f(p)` for the positions in the gap after lower component i, counterclockwise.
+  template <typename Function> void for_each_above(Index i, const Function& f) const {
+    for(Index p = ring_.next(lower_components_[i].last);
+        p != lower_components_[next_lower_component(i)].first; p = ring_.next(p))
+      f(p);
+  }
+
+  Front_mean front_below(Index i) const {
+    Front_mean front;
+    for_each_below(i, [&](Index p) { front += crossing_of_front(mesh_, center_, ring_, p); });
+    return front;
+  }
+
+  Front_mean front_above(Index i) const {
+    Front_mean front;
+    for_each_above(i, [&](Index p) { front += crossing_of_front(mesh_, center_, ring_, p); });
+    return front;
+  }
+
+  /// the slot of the edge from the neighbour at a position, which is lower, to the center.
+  Index slot_below(Index position) const { return slot_of(mesh_, ring_[position], center_); }
+
+  /// the slot of the edge from the center to the neighbour at a position, which is higher.
+  Index slot_above(Index position) const { return mesh_.row_begin[center_] + position; }
+
+  /// the slot of any edge of lower component i.
+  Index slot_of_lower_component(Index i) const { return slot_below(lower_components_[i].first); }
+
+private:
+  const Flat_mesh& mesh_;
+  Index center_;
+  Ring ring_;
+  Lower_link_components lower_components_;
+  boost::container::small_vector<std::pair<Index, Index>, 4>
+      ends_; // sorted (vertex, lower component)
+};
+
+/// A walk along a contour, from edge to edge, with the lower ends on the left.
+class Contour_walk
+{
+public:
+  /// begins at an edge with its lower end first; lower are the vertices of ranks below \p level.
+  Contour_walk(
+      const Flat_mesh& mesh, const Sweep_order& order, Index level, Index left, Index right)
+      : mesh_(&mesh)
+      , order_(&order)
+      , level_(level)
+      , left_(left)
+      , position_(mesh.ring(left).position(right)) {}
+
+  Index left() const { return left_; }
+  Index position() const { return position_; }
+  Index slot() const { return mesh_->row_begin[left_] + position_; }
+
+  /// goes on to the next edge; returns false, and stays, if that leads to the star of \p center.
+  bool advance(Index center) {
+    const Ring ring = mesh_->ring(left_);
+    const Index next = ring.next(position_), apex = ring[next];
+    if(apex == center)
+      return false;
+    if(order_->rank(apex) >= level_)
+      position_ = next;
+    else {
+      const Index right = ring[position_];
+      left_ = apex;
+      position_ = mesh_->ring(apex).position(right);
+    }
+    return true;
+  }
+
+private:
+  const Flat_mesh* mesh_;
+  const Sweep_order* order_;
+  Index level_;
+  Index left_, position_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_CONTOUR_ARCS_H

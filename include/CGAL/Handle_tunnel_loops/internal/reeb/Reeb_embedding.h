@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_EMBEDDING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_EMBEDDING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_simplification.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+using Polyline = std::vector<Vector>;
+
+inline double length(const Polyline& line) {
+  double sum = 0.;
+  for(std::size_t i = 1; i < line.size(); ++i)
+    sum += norm(line[i] - line[i - 1]);
+  return sum;
+}
+
+/// the mean length of some of the edges, spread over the mesh.
+inline double mean_edge_length(const Flat_mesh& mesh) {
+  const std::size_t n = mesh.number_of_vertices(), stride = n / 10000 + 1;
+  double sum = 0.;
+  std::size_t count = 0;
+  for(std::size_t v = 0; v < n; v += stride, ++count)
+    sum += mesh.edge_length(static_cast<Index>(v), mesh.ring(static_cast<Index>(v))[0]);
+  return sum / double(count);
+}
+
+/// rounds off the steps of a polyline; the ends stay.
+inline void smooth(Polyline& line, int number_of_rounds) {
+  for(int round = 0; round < number_of_rounds; ++round) {
+    Vector before = line.front();
+    for(std::size_t i = 1; i + 1 < line.size(); ++i) {
+      const Vector old = line[i];
+      line[i] = 0.25 * (before + line[i + 1]) + 0.5 * old;
+      before = old;
+    }
+  }
+}
+
+/// Numbers sorted by groups: those of group g are `items[begin[g]]` to `items[begin[g + 1] - 1]`.
+template <typename T> struct Grouped
+{
+  std::vector<std::size_t> begin;
+  std::vector<T> items;
+
+  /// \p for_each calls its argument with (group, item), always in the same order.
+  template <typename ForEach>
+  Grouped(std::size_t number_of_groups, const ForEach& for_each)
+      : begin(number_of_groups + 1, 0) {
+    for_each([&](Index group, const T&) { ++begin[group + 1]; });
+    for(std::size_t g = 0; g < number_of_groups; ++g)
+      begin[g + 1] += begin[g];
+    items.resize(begin.back());
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for_each([&](Index group, const T& item) { items[next[group]++] = item; });
+  }
+};
+
+/// The places of a swept Reeb graph as polylines.
+class Reeb_embedding
+{
+public:
+  /// the samples of the graph are taken from it.
+  explicit Reeb_embedding(Flat_reeb_graph& graph)
+      : graph_(graph)
+      , samples_(graph.arcs.size(), [samples = std::move(graph.samples)](const auto& f) {
+        for(const Flat_reeb_graph::Sample& sample : samples)
+          f(sample.arc, sample.position);
+      }) {}
+
+  Polyline polyline(const Reeb_simplification::Path& path) const {
+    Polyline line(1, graph_.nodes[path.lower].position);
+    for(const Reeb_simplification::Piece& piece : path.pieces) {
+      const std::size_t size = line.size();
+      append_samples(piece.arc, line);
+      if(piece.is_reversed)
+        std::reverse(line.begin() + size, line.end());
+    }
+    line.push_back(graph_.nodes[path.upper].position);
+    return line;
+  }
+
+  /// fills in what the means say of an arc.
+  void measure(Index a, Arc_extent& extent) const {
+    const Flat_reeb_graph::Arc& arc = graph_.arcs[a];
+    Polyline line;
+    if(graph_.nodes[arc.lower].kind == Node_kind::MINIMUM)
+      line.push_back(graph_.nodes[arc.lower].position);
+    append_samples(a, line);
+    if(graph_.nodes[arc.upper].kind == Node_kind::MAXIMUM)
+      line.push_back(graph_.nodes[arc.upper].position);
+    extent.lower.girth = arc.lower_girth;
+    extent.upper.girth = arc.upper_girth;
+    extent.has_points = !line.empty();
+    if(extent.has_points) {
+      extent.length = static_cast<float>(length(line));
+      extent.lower.point = to_float_point(line.front());
+      extent.upper.point = to_float_point(line.back());
+    }
+  }
+
+private:
+  void append_samples(Index arc, Polyline& line) const {
+    for(std::size_t i = samples_.begin[arc]; i < samples_.begin[arc + 1]; ++i)
+      line.push_back(to_vector(samples_.items[i]));
+  }
+
+  const Flat_reeb_graph& graph_;
+  Grouped<Float_point> samples_; // by arc
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_EMBEDDING_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PIPELINE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PIPELINE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include <CGAL/Handle_tunnel_loops/Device_options.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Crossing_numbers.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Dual_loop_pass.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace reference {
+
+/// The passes of the paper, one after the other.
+class Reference_pipeline
+{
+public:
+  struct Options
+  {
+    Field_constants constants;
+    Device_options device; ///< has no effect
+    bool do_refine_handles = true;
+    bool do_tighten = true;    ///< has no effect: the loops are streamlines
+    bool do_log_fronts = true; ///< has no effect: they are always logged
+  };
+
+  /// \p seeds are the vertices to start from, one in each component.
+  Reference_pipeline(const Flat_mesh& mesh,
+                     const std::vector<Index>& seeds,
+                     const Options& options,
+                     Progress& progress)
+      : mesh_(mesh)
+      , progress_(progress)
+      , initial_pass_(mesh, options.constants, seeds)
+      , dual_loop_pass_(mesh, options.constants) {}
+
+  /// paper, 4.1
+  void initial_pass(Statistics& statistics) {
+    progress_.start(Stage::INITIAL);
+    initial_pass_.run(progress_);
+    for(const Front_meeting& meeting : initial_pass_.tracker().meetings())
+      handles_.push_back(meeting.loop);
+    statistics.backend = "reference";
+    statistics.front_events = initial_pass_.tracker().events();
+    statistics.resolution = initial_pass_.resolution();
+    progress_.end(Stage::INITIAL);
+  }
+
+  /// paper, 4.2. The region that was covered when a handle was found lies to the left of all
+  /// handles that were found later; these are walls, and a larger region is not barred.
+  void tunnel_pass(Statistics& statistics) {
+    progress_.start(Stage::TUNNEL);
+    const Crossing_numbers with_handles(mesh_, handles_);
+    for(std::size_t k = 0; k < handles_.size(); ++k) {
+      report(k);
+      const std::vector<Crossing_loop> loops =
+          dual_loop_pass_.dual_loops(handles_[k], with_handles.walls(k, handles_.size()));
+      const auto shortest =
+          std::find_if(loops.begin(), loops.end(),
+                       [&](const Crossing_loop& loop) { return is_tunnel(with_handles(loop), k); });
+      statistics.kept_sweep_tunnels += shortest == loops.end();
+      tunnels_.push_back(shortest != loops.end()
+                             ? *shortest
+                             : tunnel_in_covered_region(initial_pass_.tracker().meetings()[k]));
+    }
+    progress_.end(Stage::TUNNEL);
+  }
+
+  /// paper, 4.3. A refined loop takes the place of its handle if it crosses the tunnel once, is
+  /// shorter, and the loops remain a basis.
+  void refinement_pass(Statistics& statistics) {
+    progress_.start(Stage::REFINE);
+    const Crossing_numbers with_handles(mesh_, handles_), with_tunnels(mesh_, tunnels_);
+    Handle_exchange exchange(numbers_of_tunnels(with_handles), numbers_of_tunnels(with_tunnels));
+    for(std::size_t k = 0; k < handles_.size(); ++k) {
+      report(k);
+      const std::vector<Crossing_loop> loops =
+          dual_loop_pass_.dual_loops(tunnels_[k], with_tunnels.walls(k, k + 1));
+      const auto better = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
+        const Numbers numbers = with_tunnels(loop);
+        return std::abs(numbers[k]) == 1 && length(mesh_, loop) < length(mesh_, handles_[k]) &&
+               exchange.replace(k, with_handles(loop), numbers);
+      });
+      if(better != loops.end())
+        handles_[k] = *better;
+      else
+        ++statistics.kept_sweep_handles;
+    }
+    progress_.end(Stage::REFINE);
+  }
+
+  /// the pairs; which loop of a pair is the handle remains to be seen.
+  std::vector<Flat_pair> finished_pairs() const {
+    std::vector<Flat_pair> pairs;
+    for(std::size_t k = 0; k < handles_.size(); ++k)
+      pairs.push_back({handles_[k], tunnels_[k]});
+    return pairs;
+  }
+
+private:
+  using Numbers = Handle_exchange::Numbers;
+
+  void report(std::size_t k) {
+    progress_.advance(static_cast<double>(k) / static_cast<double>(handles_.size()));
+  }
+
+  // Whether a loop crosses handle k once and none that was found later.
+  static bool is_tunnel(const Numbers& numbers, std::size_t k) {
+    return std::abs(numbers[k]) == 1 && std::all_of(numbers.begin() + k + 1, numbers.end(),
+                                                    [](int number) { return number == 0; });
+  }
+
+  std::vector<Numbers> numbers_of_tunnels(const Crossing_numbers& with_loops) const {
+    std::vector<Numbers> numbers;
+    for(const Crossing_loop& tunnel : tunnels_)
+      numbers.push_back(with_loops(tunnel));
+    return numbers;
+  }
+
+  // Through what was covered before the fronts met, from behind one of them to behind the other,
+  // and back over the place where they met. All of it is on the left of the later handles, and only
+  // the last part crosses the handle, once: it is a tunnel on every mesh.
+  Crossing_loop tunnel_in_covered_region(const Front_meeting& meeting) const {
+    std::vector<Index> walk = covered_path(meeting);
+    walk.push_back(meeting.saddle);
+    remove_spurs(walk);
+    return pushed_left(mesh_, walk);
+  }
+
+  // With the fewest edges, from one foot to the other.
+  std::vector<Index> covered_path(const Front_meeting& meeting) const {
+    const Arrivals& arrivals = initial_pass_.arrivals();
+    std::vector<Index> next(mesh_.number_of_vertices(), no_index), queue(1, meeting.foot_b);
+    next[meeting.foot_b] = meeting.foot_b;
+    for(std::size_t i = 0; next[meeting.foot_a] == no_index; ++i)
+      for(Index u : mesh_.ring(queue[i]))
+        if(next[u] == no_index && arrivals.rank(u) < arrivals.rank(meeting.saddle)) {
+          next[u] = queue[i];
+          queue.push_back(u);
+        }
+    std::vector<Index> path(1, meeting.foot_a);
+    while(path.back() != meeting.foot_b)
+      path.push_back(next[path.back()]);
+    return path;
+  }
+
+  const Flat_mesh& mesh_;
+  Progress& progress_;
+  Initial_pass initial_pass_;
+  Dual_loop_pass dual_loop_pass_;
+  std::vector<Crossing_loop> handles_, tunnels_;
+};
+
+} // namespace reference
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PIPELINE_H

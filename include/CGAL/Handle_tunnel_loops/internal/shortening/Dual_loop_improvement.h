@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_DUAL_LOOP_IMPROVEMENT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_DUAL_LOOP_IMPROVEMENT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Bidirectional_dijkstra.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Looks once more for each loop of the pairs, this time by lengths. A field counts edges; where
+triangles are of very different sizes or long and thin, the way that it finds may be far from short,
+and a loop pulled taut comes to the nearest geodesic only, such as one around a knob.
+
+A loop is replaced by a shorter one x if x = e (loop) + m (partner) in homology, with e = 1 or -1:
+adding to an element of a basis a multiple of another one gives a basis again, whatever is replaced
+besides. By Poincare duality this is so if and only if both sides have the same intersection numbers
+with all loops, in integers.
+
+The loops for which the search is expected to cover the fewest vertices come first, and it goes on
+as long as it pays: when a part of the loops, for `first_share()` of vertices, gave nothing, the
+rest is left as it is; otherwise the next part may cover twice as many.
+*/
+template <typename Execution> class Dual_loop_improvement
+{
+public:
+  Dual_loop_improvement(const Flat_mesh& mesh, Progress& progress)
+      : mesh_(mesh)
+      , progress_(progress)
+      , searches_([&] { return std::make_unique<Bidirectional_dijkstra>(mesh); }) {}
+
+  /// improves the handles and the tunnels, which are pulled taut and a basis.
+  void improve(std::vector<Crossing_loop>& handles, std::vector<Crossing_loop>& tunnels) {
+    std::vector<Index> numbers(handles.size());
+    std::iota(numbers.begin(), numbers.end(), Index(0));
+    look_for(tunnels, handles, numbers);
+    for(int round = 0; round < maximum_number_of_rounds && !numbers.empty(); ++round) {
+      numbers = look_for(handles, tunnels, numbers);
+      numbers = look_for(tunnels, handles, numbers);
+    }
+  }
+
+private:
+  static constexpr int maximum_number_of_rounds = 3;
+
+  // A walk on the edges is longer than the loop that it is pulled to. One that is by more than this
+  // factor longer than the loop there is, is not pulled.
+  static constexpr double slack = 1.15;
+
+  // A search that has covered so many times what was expected is given up.
+  static constexpr std::size_t patience_factor = 4;
+
+  static constexpr double gain_worth_having = 0.99;
+
+  std::size_t first_share() const { return mesh_.number_of_vertices() / 16 + (1 << 16); }
+
+  // About the area within half the length of a loop on both sides of its partner, in vertices: a
+  // taut loop crosses two edges on an edge length.
+  std::size_t expected_visits(const Crossing_loop& loop, const Crossing_loop& partner) const {
+    return (std::min)(loop.size() * partner.size() / 4 + 16, mesh_.number_of_vertices());
+  }
+
+  /// looks for the given loops. Returns those that have become shorter.
+  std::vector<Index> look_for(std::vector<Crossing_loop>& loops,
+                              const std::vector<Crossing_loop>& partners,
+                              std::vector<Index> numbers) {
+    if(numbers.empty())
+      return {};
+    const Crossing_index index(mesh_, loops), partner_index(mesh_, partners);
+    const auto visits = [&](Index k) { return expected_visits(loops[k], partners[k]); };
+    std::stable_sort(numbers.begin(), numbers.end(),
+                     [&](Index a, Index b) { return visits(a) < visits(b); });
+    std::vector<Crossing_loop> shorter(loops.size());
+    bool does_pay = true;
+    std::size_t end = 0;
+    for(std::size_t share = first_share(); does_pay && end < numbers.size(); share *= 2) {
+      const std::size_t begin = end;
+      for(std::size_t sum = 0; end < numbers.size() && (sum += visits(numbers[end])) <= share;)
+        ++end;
+      for_each_index(
+          Execution(), end - begin,
+          [&](std::size_t i) {
+            const Index k = numbers[begin + i];
+            if(!progress_.is_interrupted())
+              shorter[k] = shorter_loop(k, loops[k], partners[k], index, partner_index);
+          },
+          1);
+      progress_.throw_if_interrupted();
+      does_pay = std::any_of(numbers.begin() + begin, numbers.begin() + end,
+                             [&](Index k) { return !shorter[k].empty(); });
+    }
+    return replaced(loops, shorter);
+  }
+
+  // Replaces loops by those that are not empty.
+  static std::vector<Index> replaced(std::vector<Crossing_loop>& loops,
+                                     std::vector<Crossing_loop>& shorter) {
+    std::vector<Index> numbers;
+    for(Index k = 0; k < loops.size(); ++k)
+      if(!shorter[k].empty()) {
+        loops[k] = std::move(shorter[k]);
+        numbers.push_back(k);
+      }
+    return numbers;
+  }
+
+  // Empty if there is none.
+  Crossing_loop shorter_loop(Index k,
+                             const Crossing_loop& loop,
+                             const Crossing_loop& partner,
+                             const Crossing_index& index,
+                             const Crossing_index& partner_index) {
+    const double length_before = length(mesh_, loop);
+    const std::vector<Index> walk =
+        searches_.borrow()->dual_walk(partner, k, partner_index, slack * length_before,
+                                      patience_factor * expected_visits(loop, partner));
+    if(walk.empty())
+      return {};
+    Crossing_loop found = pushed_left(mesh_, walk);
+    Loop_tightening(mesh_).tighten(found);
+    if(length(mesh_, found) >= gain_worth_having * length_before ||
+       !can_replace(found, k, loop, partner, index, partner_index))
+      return {};
+    return found;
+  }
+
+  static bool can_replace(const Crossing_loop& found,
+                          Index k,
+                          const Crossing_loop& loop,
+                          const Crossing_loop& partner,
+                          const Crossing_index& index,
+                          const Crossing_index& partner_index) {
+    // The factors are those for which the numbers with the pair itself agree.
+    const std::int64_t crossing = number(partner_index.intersections(loop), k);
+    const std::int64_t e = crossing * number(partner_index.intersections(found), k);
+    const std::int64_t m = -crossing * number(index.intersections(found), k);
+    if(std::abs(crossing) != 1 || std::abs(e) != 1)
+      return false;
+    for(const Crossing_index* i : {&index, &partner_index}) {
+      Sparse_numbers difference = i->intersections(found);
+      subtract_multiple(difference, e, i->intersections(loop));
+      subtract_multiple(difference, m, i->intersections(partner));
+      if(!difference.empty())
+        return false;
+    }
+    return true;
+  }
+
+  static std::int64_t number(const Sparse_numbers& numbers, Index k) {
+    const auto it = numbers.find(k);
+    return it == numbers.end() ? 0 : it->second;
+  }
+
+  static void
+  subtract_multiple(Sparse_numbers& numbers, std::int64_t factor, const Sparse_numbers& others) {
+    for(const auto& [i, value] : others) {
+      const auto it = numbers.emplace(i, 0).first;
+      it->second -= factor * value;
+      if(it->second == 0)
+        numbers.erase(it);
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  Progress& progress_;
+  Workspace_pool<Bidirectional_dijkstra> searches_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_DUAL_LOOP_IMPROVEMENT_H

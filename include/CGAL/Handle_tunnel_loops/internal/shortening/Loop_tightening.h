@@ -1,0 +1,325 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_LOOP_TIGHTENING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_LOOP_TIGHTENING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Funnel.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Pulls a loop taut without changing its homotopy class, towards a closed geodesic.
+
+Two moves alternate. The loop is replaced by the shortest path through the strip of triangles that
+it passes, from one of its places back to the same (the strip is laid out in the plane, the path
+found with a funnel; the place moves from round to round). And where that path bends at a vertex and
+the faces on the other side of the vertex span less than a straight angle, the strip is led around
+that other side. Both are homotopies whatever the numbers say: rounding can cost length, not the
+class.
+*/
+class Loop_tightening
+{
+public:
+  explicit Loop_tightening(const Flat_mesh& mesh)
+      : mesh_(mesh)
+      , strip_(mesh) {}
+
+  /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
+  /// as long as the loop, however fine the mesh is, within a share of work.
+  void tighten(Crossing_loop& loop) {
+    const std::size_t rounds = (std::min)(loop.size(), share_of_work() / (loop.size() + 1));
+    tighten(loop, (std::max)(std::size_t(200), rounds));
+  }
+
+  /// Crossings times rounds. On a mesh of n faces a loop crosses about as many edges as the square
+  /// root of n; only on ugly ones there are loops that need more than the share.
+  std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
+
+  /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
+  /// latest after the given number of rounds.
+  void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
+    remove_backtracks(loop);
+    Crossing_loop best = loop;
+    double best_length = length(mesh_, best), previous_length = best_length;
+    set_next(loop);
+    // On the mesh, not in the plane: on slivers rounding can make the two differ.
+    const auto keep_if_best = [&] {
+      set_crossings(loop);
+      const double current = length(mesh_, loop);
+      if(current <= best_length) {
+        best = loop;
+        best_length = current;
+      }
+    };
+    int idle_rounds = 0;
+    // Where many points coincide, going around them may seem to gain without end.
+    const std::size_t largest_size = 8 * loop.size() + 64;
+    for(std::size_t round = 1; round <= maximum_number_of_rounds && next_.size() >= 3 &&
+                               next_.size() <= largest_size && idle_rounds < 2;
+        ++round)
+    {
+      // The place where the path is held moves by an irrational part of the loop each time.
+      const std::size_t start = static_cast<std::size_t>(next_.size() * 0.381966);
+      ratio_at_start_ = round == 1 ? loop[start].ratio : ratio_of(next_[start]);
+      strip_.assign(next_, start);
+      find_bends();
+      const double current = funnel_.length();
+      const bool is_measured = round % 8 == 0 || round == maximum_number_of_rounds;
+      if(is_measured)
+        keep_if_best();
+      const bool changed = change_sides();
+      idle_rounds = changed || current < 0.999 * previous_length ? 0 : idle_rounds + 1;
+      if(idle_rounds == 2 && !is_measured)
+        keep_if_best();
+      previous_length = current;
+    }
+    loop = std::move(best);
+  }
+
+private:
+  using Bend = Funnel::Bend;
+  using Portal = Strip::Portal;
+
+  // At the ends exactly: the funnel has to tell whether the path is held at a corner.
+  static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
+    return {(1. - ratio) * l[0] + ratio * r[0], (1. - ratio) * l[1] + ratio * r[1]};
+  }
+
+  void find_bends() {
+    const std::vector<Point_2>&left = strip_.left(), &right = strip_.right();
+    const std::uint32_t n = static_cast<std::uint32_t>(strip_.size());
+    funnel_.start({0, between(left[0], right[0], ratio_at_start_)});
+    funnel_.narrow(Funnel::RIGHT, {1, right[1]});
+    funnel_.narrow(Funnel::LEFT, {1, left[1]});
+    for(std::uint32_t i = 2; i < n; ++i)
+      if(strip_[i].left == strip_[i - 1].left)
+        funnel_.narrow(Funnel::RIGHT, {i, right[i]});
+      else
+        funnel_.narrow(Funnel::LEFT, {i, left[i]});
+    funnel_.finish({n, between(left[n], right[n], ratio_at_start_)});
+  }
+
+  // The loop of the strip, crossing the portals where the path does.
+  void set_crossings(Crossing_loop& loop) const {
+    loop.clear();
+    for(const Portal& portal : strip_)
+      loop.push_back({portal.left, portal.right, ratio_at_start_});
+    const std::vector<Bend>& bends = funnel_.bends();
+    for(std::size_t b = 0; b + 1 < bends.size(); ++b)
+      for(std::size_t i = (std::max)(bends[b].portal, 1u);
+          i < (std::min)(bends[b + 1].portal + std::size_t(1), loop.size()); ++i)
+        loop[i].ratio = crossing_ratio(i, b);
+    // All the portals that end at a corner are passed exactly there.
+    for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
+      const Fan fan = fan_of(bends[b]);
+      for(std::size_t i = (std::max)(fan.first, std::size_t(1)); i <= fan.last; ++i)
+        loop[i].ratio = fan.at_left ? 0. : 1.;
+    }
+  }
+
+  // What `set_crossings()` would say of one portal.
+  double ratio_of(const Portal& portal) const {
+    if(portal.place == 0 || portal.place >= Strip::new_at_left)
+      return portal.place == 0 ? ratio_at_start_ : portal.place == Strip::new_at_left ? 0. : 1.;
+    const std::vector<Bend>& bends = funnel_.bends();
+    double ratio = 0.;
+    for(std::size_t b = 0; b + 1 < bends.size(); ++b)
+      if(bends[b].portal <= portal.place && portal.place <= bends[b + 1].portal)
+        ratio = crossing_ratio(portal.place, b);
+    for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
+      const Fan fan = fan_of(bends[b]);
+      if(fan.first <= portal.place && portal.place <= fan.last)
+        ratio = fan.at_left ? 0. : 1.;
+    }
+    return ratio;
+  }
+
+  // Where the path goes through a vertex but for rounding, it goes through the vertex.
+  double crossing_ratio(std::size_t i, std::size_t b) const {
+    const Point_2 &from = funnel_.bends()[b].point, &left = strip_.left()[i];
+    const Point_2 direction = minus(funnel_.bends()[b + 1].point, from);
+    const double across = cross(minus(strip_.right()[i], left), direction);
+    const double ratio = across == 0. ? 0.5 : cross(minus(from, left), direction) / across;
+    constexpr double rounding = 1e-12;
+    return ratio < rounding ? 0. : ratio > 1. - rounding ? 1. : ratio;
+  }
+
+  // A maximal run of portals that end at one corner, at which the path bends.
+  struct Fan
+  {
+    std::size_t first, last;
+    bool at_left;
+  };
+
+  // Says what the strip of the next round is.
+  bool change_sides() {
+    const std::vector<Bend>& bends = funnel_.bends();
+    next_.clear();
+    std::size_t done = 0; // portals of the strip
+    for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
+      const Fan fan = fan_of(bends[b]);
+      // The strip cannot be led around a corner that lies where it is held.
+      if(fan.first > (std::max)(done, std::size_t(1)) && fan.last + 2 < strip_.size() &&
+         is_shorter_on_other_side(fan, bends[b - 1].point, bends[b + 1].point))
+      {
+        append_portals(done, fan.first);
+        append_other_side(fan);
+        done = fan.last + 1;
+      }
+    }
+    append_portals(done, strip_.size());
+    remove_backtrack_at_ends();
+    return done > 0;
+  }
+
+  void append_portals(std::size_t first, std::size_t end) {
+    while(first < end && !next_.empty() && is_backtrack(next_.back(), strip_[first])) {
+      next_.pop_back();
+      ++first;
+    }
+    next_.insert(next_.end(), strip_.begin() + first, strip_.begin() + end);
+  }
+
+  void append(const Portal& portal) {
+    if(!next_.empty() && is_backtrack(next_.back(), portal))
+      next_.pop_back();
+    else
+      next_.push_back(portal);
+  }
+
+  void remove_backtrack_at_ends() {
+    std::size_t first = 0, last = next_.size();
+    while(last - first >= 2 && is_backtrack(next_[last - 1], next_[first])) {
+      ++first;
+      --last;
+    }
+    next_.erase(next_.begin() + last, next_.end());
+    next_.erase(next_.begin(), next_.begin() + first);
+  }
+
+  Fan fan_of(const Bend& bend) const {
+    const bool at_left = strip_.left()[bend.portal] == bend.point;
+    const Index corner = at_left ? strip_[bend.portal].left : strip_[bend.portal].right;
+    const auto ends_there = [&](std::size_t i) {
+      return (at_left ? strip_[i].left : strip_[i].right) == corner;
+    };
+    Fan fan = {bend.portal, bend.portal, at_left};
+    while(fan.first > 0 && ends_there(fan.first - 1))
+      --fan.first;
+    while(fan.last + 1 < strip_.size() && ends_there(fan.last + 1))
+      ++fan.last;
+    return fan;
+  }
+
+  /// Adds up angles between 0 and a straight one, without trigonometric functions.
+  class Angle_sum
+  {
+  public:
+    /// adds the angle whose cosine and sine are in the ratio of the arguments. Returns whether the
+    /// sum is still less than straight.
+    bool add(double cosine, double sine) {
+      const double c = cosine_ * cosine - sine_ * sine, s = cosine_ * sine + sine_ * cosine;
+      const double size = (std::max)(std::abs(c), std::abs(s));
+      cosine_ = size > 0. ? c / size : 1.;
+      sine_ = size > 0. ? s / size : 0.;
+      constexpr double tolerance = 1e-7;
+      return sine_ > tolerance || (sine_ >= 0. && cosine_ > 0.);
+    }
+
+  private:
+    double cosine_ = 1., sine_ = 0.;
+  };
+
+  static bool add_angle(const Point_2& a, const Point_2& b, Angle_sum& sum) {
+    return sum.add(dot(a, b), std::abs(cross(a, b)));
+  }
+
+  bool add_corner(Index v, Index a, Index b, Angle_sum& sum) const {
+    const Vector p = mesh_.points[a] - mesh_.points[v], q = mesh_.points[b] - mesh_.points[v];
+    return sum.add(dot(p, q), norm(cross(p, q)));
+  }
+
+  // Whether the faces on the other side of the corner, from the way in to the way out, span less
+  // than a straight angle.
+  bool is_shorter_on_other_side(const Fan& fan, const Point_2& before, const Point_2& after) const {
+    const std::vector<Point_2>& near = fan.at_left ? strip_.left() : strip_.right();
+    const Point_2 corner = near[fan.first];
+    Angle_sum sum;
+    if(!add_angle(minus(before, corner), minus(near[fan.first - 1], corner), sum))
+      return false;
+    const Index v = fan.at_left ? strip_[fan.first].left : strip_[fan.first].right;
+    const Index from = fan.at_left ? strip_[fan.first - 1].left : strip_[fan.first - 1].right;
+    const Index to = fan.at_left ? strip_[fan.last + 1].left : strip_[fan.last + 1].right;
+    const Ring ring = mesh_.ring(v);
+    const Index end = ring.position(to);
+    for(Index p = ring.position(from); p != end;) {
+      const Index q = fan.at_left ? ring.previous(p) : ring.next(p);
+      if(!add_corner(v, ring[p], ring[q], sum))
+        return false;
+      p = q;
+    }
+    return add_angle(minus(near[fan.last + 1], corner), minus(after, corner), sum);
+  }
+
+  // The strip comes from the triangle before the fan and goes to the one after it; between them it
+  // now passes the spokes that it did not pass.
+  void append_other_side(const Fan& fan) {
+    const Portal &before = strip_[fan.first - 1], &after = strip_[fan.last + 1];
+    if(fan.at_left) {
+      const Index corner = strip_[fan.first].left;
+      const Ring ring = mesh_.ring(corner);
+      const Index end = ring.position(after.left);
+      for(Index p = ring.position(before.left);; p = ring.previous(p)) {
+        append({ring[p], corner, Strip::new_at_right});
+        if(p == end)
+          break;
+      }
+    } else {
+      const Index corner = strip_[fan.first].right;
+      const Ring ring = mesh_.ring(corner);
+      const Index end = ring.position(after.right);
+      for(Index p = ring.position(before.right);; p = ring.next(p)) {
+        append({corner, ring[p], Strip::new_at_left});
+        if(p == end)
+          break;
+      }
+    }
+  }
+
+  void set_next(const Crossing_loop& loop) {
+    next_.clear();
+    for(const Crossing& c : loop)
+      next_.push_back({c.left, c.right, 0});
+  }
+
+  const Flat_mesh& mesh_;
+  Strip strip_;
+  Funnel funnel_;
+  double ratio_at_start_ = 0.; // where the path is held
+  std::vector<Portal> next_;   // the strip of the next round
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_LOOP_TIGHTENING_H

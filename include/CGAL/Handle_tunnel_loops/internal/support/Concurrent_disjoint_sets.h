@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_CONCURRENT_DISJOINT_SETS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_CONCURRENT_DISJOINT_SETS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Disjoint sets of numbers that many threads may unite at the same time. Parents are smaller than
+/// their children, so that the root of a set is its least number, whatever the threads do.
+class Concurrent_disjoint_sets
+{
+public:
+  Concurrent_disjoint_sets() = default;
+
+  /// no number below \p n is in a set yet.
+  template <typename Execution>
+  Concurrent_disjoint_sets(Execution execution, std::size_t n)
+      : size_(n)
+      , parent_(new std::atomic<Index>[n]) {
+    for_each_index(execution, n,
+                   [this](std::size_t i) { set_parent(static_cast<Index>(i), none); });
+  }
+
+  std::size_t size() const { return size_; }
+
+  /// makes a set of one number. While this goes on, nothing is united.
+  void insert(Index i) { set_parent(i, i); }
+
+  bool contains(Index i) const { return parent(i) != none; }
+
+  template <typename Execution> void unite(Index i, Index j) {
+    for(;;) {
+      i = root(i);
+      j = root(j);
+      if(i == j)
+        return;
+      if(i < j)
+        std::swap(i, j);
+      if(put_below<Execution>(i, j))
+        return;
+    }
+  }
+
+  /// the least number that is known to be in the same set: that of the set, once nothing is united
+  /// any more.
+  Index root(Index i) {
+    for(;;) {
+      const Index up = parent(i);
+      if(up == i)
+        return i;
+      const Index above = parent(up);
+      if(above == up)
+        return up;
+      set_parent(i, above);
+      i = above;
+    }
+  }
+
+  /// lets all numbers point to their roots, and returns these in ascending order.
+  template <typename Execution> std::vector<Index> flatten(Execution execution) {
+    return collect<Index>(execution, size_, [this](std::size_t begin, std::size_t end) {
+      std::vector<Index> roots;
+      for(Index i = static_cast<Index>(begin); i < end; ++i) {
+        if(!contains(i))
+          continue;
+        const Index r = root(i);
+        if(r == i)
+          roots.push_back(i);
+        set_parent(i, r);
+      }
+      return roots;
+    });
+  }
+
+  /// what a number points to: its root, after `flatten()`, or what `relabel()` has put there.
+  Index label(Index i) const { return parent(i); }
+
+  /// replaces each root, after `flatten()`, by `f(root)`. Nothing can be united any more.
+  template <typename Execution, typename Function>
+  void relabel(Execution execution, const Function& f) {
+    for_each_index(execution, size_, [&](std::size_t i) {
+      if(contains(static_cast<Index>(i)))
+        set_parent(static_cast<Index>(i), f(label(static_cast<Index>(i))));
+    });
+  }
+
+private:
+  static constexpr Index none = no_index;
+
+  // Puts a root below another. Fails if another thread has put it elsewhere.
+  template <typename Execution> bool put_below(Index root, Index other) {
+    if constexpr(Execution::is_parallel)
+      return parent_[root].compare_exchange_strong(root, other, std::memory_order_relaxed);
+    set_parent(root, other);
+    return true;
+  }
+
+  // What threads tell each other are the parents alone; nothing else is published with them.
+  Index parent(Index i) const { return parent_[i].load(std::memory_order_relaxed); }
+  void set_parent(Index i, Index parent) { parent_[i].store(parent, std::memory_order_relaxed); }
+
+  std::size_t size_ = 0;
+  std::unique_ptr<std::atomic<Index>[]> parent_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_CONCURRENT_DISJOINT_SETS_H

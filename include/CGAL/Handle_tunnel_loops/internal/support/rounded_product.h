@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ROUNDED_PRODUCT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ROUNDED_PRODUCT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/host_device.h>
+
+#include <cmath>
+
+/// \file rounded_product.h
+/// Products that are rounded before anything is added to them. Otherwise compilers may make
+/// multiply-adds of both, which round once, and others, or the same for other processors, may not:
+/// then arrival times would differ in the last bit, and with them loops.
+
+// The kind of register that floating-point numbers are in, for g++ and clang. Other compilers
+// have to be told.
+#if defined(__GNUC__) && defined(__SSE2_MATH__)
+#define CGAL_HTL_FLOAT_REGISTER "+x"
+#elif defined(__GNUC__) && defined(__aarch64__)
+#define CGAL_HTL_FLOAT_REGISTER "+w"
+#endif
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// the same number, of which the compiler does not know where it is from. It costs nothing.
+template <typename Float> Float opaque(Float number) {
+#ifdef CGAL_HTL_FLOAT_REGISTER
+  asm("" : CGAL_HTL_FLOAT_REGISTER(number));
+#endif
+  return number;
+}
+
+CGAL_HTL_HOST_DEVICE inline float rounded_product(float a, float b) {
+#ifdef __CUDA_ARCH__
+  return __fmul_rn(a, b);
+#else
+  return opaque(a * b);
+#endif
+}
+
+CGAL_HTL_HOST_DEVICE inline double rounded_product(double a, double b) {
+#ifdef __CUDA_ARCH__
+  return __dmul_rn(a, b);
+#else
+  return opaque(a * b);
+#endif
+}
+
+/// the length of a vector, of products that are rounded.
+CGAL_HTL_HOST_DEVICE inline double rounded_length(double x, double y, double z) {
+  return std::sqrt(rounded_product(x, x) + rounded_product(y, y) + rounded_product(z, z));
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#undef CGAL_HTL_FLOAT_REGISTER
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ROUNDED_PRODUCT_H

@@ -1,0 +1,212 @@
+// The pieces of a mesh that is cut along edges, and what they are found with, against a search from
+// face to face.
+
+#include "Meshes_of_soups.h"
+#include "generators/Random.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Cut_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Concurrent_disjoint_sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <list>
+#include <numeric>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Handle_tunnel_loops::internal;
+using CGAL::Handle_tunnel_loops::generators::Random;
+
+template <typename Execution> class Pieces : public testing::Test
+{};
+
+using Executions = testing::Types<
+    Sequential_execution,
+    decltype(CGAL::Handle_tunnel_loops::internal::execution<CGAL::Parallel_if_available_tag>())>;
+TYPED_TEST_SUITE(Pieces, Executions);
+
+// ---- parts of ranges
+
+template <typename Execution, typename Range> void expect_parts(const Range& range) {
+  using Iterator = typename Range::const_iterator;
+  const std::vector<int> all(range.begin(), range.end());
+  for(const std::size_t part_size : {1, 3, 1000}) {
+    const Range_parts<Iterator> parts(range, part_size);
+    EXPECT_EQ(parts.size(), all.size());
+    std::vector<std::vector<int>> found(parts.number_of_parts());
+    parts.for_each_part(Execution(), [&](std::size_t i, Iterator begin, Iterator end) {
+      found[i].assign(begin, end);
+    });
+    std::vector<int> joined;
+    for(const auto& part : found) {
+      EXPECT_LE(part.size(), part_size);
+      joined.insert(joined.end(), part.begin(), part.end());
+    }
+    EXPECT_EQ(joined, all);
+  }
+}
+
+TYPED_TEST(Pieces, PartsCoverARangeInItsOrder) {
+  for(const std::size_t n : {0, 1, 2, 3, 4, 100}) {
+    std::vector<int> numbers(n);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    expect_parts<TypeParam>(numbers);
+    expect_parts<TypeParam>(std::list<int>(numbers.begin(), numbers.end()));
+  }
+}
+
+// ---- sets
+
+TYPED_TEST(Pieces, SetsAreThoseOfAGraphWithTheLeastNumberAsRoot) {
+  constexpr Index size = 20000;
+  for(const std::size_t number_of_edges : {0, 5000, 10000, 40000}) {
+    Random random(number_of_edges);
+    std::vector<std::pair<Index, Index>> edges(number_of_edges);
+    for(auto& [i, j] : edges) {
+      i = static_cast<Index>(random.below(size / 2)) * 2;
+      j = static_cast<Index>(random.below(size / 2)) * 2;
+    }
+    Concurrent_disjoint_sets sets(TypeParam(), size);
+    for(Index i = 0; i < size; i += 2)
+      sets.insert(i);
+    for_each_index(
+        TypeParam(), edges.size(),
+        [&](std::size_t e) { sets.template unite<TypeParam>(edges[e].first, edges[e].second); },
+        16);
+    const std::vector<Index> roots = sets.flatten(TypeParam());
+
+    std::vector<Index> least(size);
+    std::iota(least.begin(), least.end(), Index(0));
+    for(bool changes = true; changes;) {
+      changes = false;
+      for(const auto& [i, j] : edges)
+        if(least[i] != least[j]) {
+          least[i] = least[j] = (std::min)(least[i], least[j]);
+          changes = true;
+        }
+    }
+    std::set<Index> expected_roots;
+    for(Index i = 0; i < size; ++i) {
+      EXPECT_EQ(sets.contains(i), i % 2 == 0);
+      if(i % 2 == 0) {
+        EXPECT_EQ(sets.label(i), least[i]);
+        expected_roots.insert(least[i]);
+      }
+    }
+    EXPECT_EQ(roots, std::vector<Index>(expected_roots.begin(), expected_roots.end()));
+  }
+}
+
+// ---- pieces
+
+struct Cuts
+{
+  std::vector<char> is_cut; // by edge
+  std::vector<Index> ends;
+};
+
+Cuts random_cuts(const Mesh& mesh, std::size_t one_of, Random& random) {
+  Cuts cuts;
+  cuts.is_cut.assign(mesh.num_edges(), 0);
+  for(const Mesh::Edge_index e : mesh.edges())
+    if(random.below(one_of) == 0) {
+      cuts.is_cut[e] = 1;
+      for(int i = 0; i < 2; ++i)
+        cuts.ends.push_back(mesh.vertex(e, i));
+    }
+  return cuts;
+}
+
+// By face, the least face of its piece.
+std::vector<Index> pieces_by_search(const Mesh& mesh, const Cuts& cuts) {
+  std::vector<Index> piece(mesh.num_faces(), no_index);
+  for(const Mesh::Face_index first : mesh.faces()) {
+    if(piece[first] != no_index)
+      continue;
+    std::vector<Mesh::Face_index> queue(1, first);
+    piece[first] = first;
+    for(std::size_t q = 0; q < queue.size(); ++q)
+      for(const Mesh::Halfedge_index h : halfedges_around_face(mesh.halfedge(queue[q]), mesh)) {
+        const Mesh::Face_index f = mesh.face(mesh.opposite(h));
+        if(cuts.is_cut[mesh.edge(h)] == 0 && piece[f] == no_index) {
+          piece[f] = first;
+          queue.push_back(f);
+        }
+      }
+  }
+  return piece;
+}
+
+template <typename Execution> void expect_pieces(const Mesh& mesh, const Cuts& cuts) {
+  const auto vertex_index = get(boost::vertex_index, mesh);
+  const auto face_index = get(boost::face_index, mesh);
+  Cut_components<Mesh, std::decay_t<decltype(vertex_index)>, std::decay_t<decltype(face_index)>>
+      pieces(mesh, vertex_index, face_index);
+  std::vector<std::atomic<int>> calls(mesh.num_edges());
+  pieces.cut(Execution(), cuts.ends, [&](Mesh::Halfedge_index h) {
+    EXPECT_LT(mesh.source(h), mesh.target(h));
+    ++calls[mesh.edge(h)];
+    return cuts.is_cut[mesh.edge(h)] != 0;
+  });
+  const std::vector<Index> expected = pieces_by_search(mesh, cuts);
+  std::set<Index> expected_pieces;
+  for(const Mesh::Face_index f : mesh.faces()) {
+    EXPECT_EQ(pieces.piece(f), expected[f]);
+    expected_pieces.insert(expected[f]);
+  }
+  EXPECT_EQ(pieces.pieces(), std::vector<Index>(expected_pieces.begin(), expected_pieces.end()));
+  for(const Mesh::Edge_index e : mesh.edges()) {
+    EXPECT_LE(calls[e], 1);
+    EXPECT_GE(calls[e], cuts.is_cut[e]);
+  }
+  EXPECT_EQ(pieces.number_of_faces(), mesh.number_of_faces());
+  pieces.renumber(Execution(), [](Index piece) { return piece + 7; });
+  for(const Mesh::Face_index f : mesh.faces())
+    EXPECT_EQ(pieces.piece(f), expected[f] + 7);
+}
+
+TYPED_TEST(Pieces, AreThoseOfASearch) {
+  Random random(1);
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3}, 1)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Mesh mesh = mesh_of(recipe);
+    for(const std::size_t one_of : {2, 3, 10, 1000000})
+      expect_pieces<TypeParam>(mesh, random_cuts(mesh, one_of, random));
+  }
+}
+
+TYPED_TEST(Pieces, ArePiecesOfAllComponents) {
+  Random random(2);
+  const Mesh mesh = mesh_of(generators::permute_vertices(
+      generators::disjoint_union({soup_of({"torus", {20000, 1, 0}}),
+                                  soup_of({"sphere", {500, 0, 0}}),
+                                  soup_of({"multi-torus", {3000, 2, 0}})}),
+      3));
+  for(const std::size_t one_of : {2, 10, 1000000})
+    expect_pieces<TypeParam>(mesh, random_cuts(mesh, one_of, random));
+}
+
+// Removed and isolated vertices leave gaps and are not counted.
+TYPED_TEST(Pieces, TakeNoNoticeOfVerticesWithoutFaces) {
+  Mesh mesh = mesh_of(Recipe{"torus", {2000, 1, 0}});
+  const std::size_t number = mesh.number_of_vertices();
+  const Mesh::Vertex_index removed = mesh.add_vertex();
+  mesh.add_vertex();
+  mesh.remove_vertex(removed);
+  const auto vertex_index = get(boost::vertex_index, mesh);
+  const auto face_index = get(boost::face_index, mesh);
+  Cut_components<Mesh, std::decay_t<decltype(vertex_index)>, std::decay_t<decltype(face_index)>>
+      pieces(mesh, vertex_index, face_index);
+  pieces.cut(TypeParam(), {}, [](Mesh::Halfedge_index) { return true; });
+  EXPECT_EQ(pieces.number_of_vertices(), number);
+  EXPECT_EQ(pieces.pieces(), std::vector<Index>(1, 0));
+}
+
+} // namespace
