@@ -76,7 +76,7 @@ struct Grid_threads
 template <typename Program>
 __global__ void __launch_bounds__(most_threads_at_barrier, 1) run_kernel(Program program) {
   Grid_threads threads = {cooperative_groups::this_grid()};
-  CGAL::Handle_tunnel_loops::internal::device::run_steps(program, threads);
+  CGAL::Handle_tunnel_loops::internal::run_steps(program, threads);
 }
 
 /// Runs on the current device, in the order of a stream. What it provides is what `Host_executor`
@@ -87,7 +87,8 @@ public:
   template <typename T> using Buffer = Device_buffer<T>;
 
   Cuda_executor(int device, cudaStream_t stream, const Tuning& tuning = {})
-      : memory_(device)
+      : device_(device)
+      , memory_(device)
       , stream_(stream)
       , tuning_(tuning) {
     ask(cudaDevAttrMultiProcessorCount, device, number_of_multiprocessors_);
@@ -158,6 +159,9 @@ public:
   /// the kernels run so far, if they are timed.
   const std::map<std::string, Kernel_cost>& kernels() const { return kernels_; }
 
+  /// makes its device the current one of the calling thread, as long as what is returned lives.
+  Current_device scope() const { return Current_device(device_); }
+
 private:
   // A block has less than a warp or whole ones.
   static int whole_warps(int threads) {
@@ -210,6 +214,7 @@ private:
     }
   }
 
+  int device_;
   Device_memory memory_;
   cudaStream_t stream_;
   Tuning tuning_;

@@ -22,7 +22,7 @@
 
 namespace htl_cuda {
 
-using CGAL::Handle_tunnel_loops::internal::device::Span;
+using CGAL::Handle_tunnel_loops::internal::Span;
 
 /// The memory of a device for one computation: its share in the pool of the device. When it ends,
 /// nothing of it may be in use, and the pool keeps what the next computation may want.

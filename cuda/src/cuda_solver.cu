@@ -20,58 +20,23 @@ namespace internal {
 namespace device {
 namespace {
 
-/// A `Device_solver` that chooses its device in each call.
-class Cuda_solver : public Solver
+struct Executor_on_stream
+{
+  Executor_on_stream(int device, cudaStream_t given, const Tuning& tuning)
+      : stream(given)
+      , executor(device, stream.get(), tuning) {}
+
+  htl_cuda::Stream stream;
+  htl_cuda::Cuda_executor executor;
+};
+
+/// A `Device_solver` with a stream and an executor of its own.
+class Cuda_solver : private Executor_on_stream, public Device_solver<htl_cuda::Cuda_executor>
 {
 public:
-  Cuda_solver(const Flat_mesh& mesh, int device, void* stream, const Tuning& tuning)
-      : device_(device)
-      , stream_(static_cast<cudaStream_t>(stream))
-      , executor_(device, stream_.get(), tuning)
-      , solver_(executor_, mesh, tuning) {}
-
-  std::vector<Handle_candidate> sweep(const std::vector<Index>& seeds,
-                                      const Step_coefficients& k,
-                                      const Callback& callback) override {
-    const htl_cuda::Current_device current(device_);
-    return solver_.sweep(seeds, k, callback);
-  }
-
-  std::vector<Time> arrival_times() override {
-    const htl_cuda::Current_device current(device_);
-    return solver_.arrival_times();
-  }
-
-  Front_log front_log() override {
-    const htl_cuda::Current_device current(device_);
-    return solver_.front_log();
-  }
-
-  std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
-                                     const Crossing_index& index,
-                                     const Step_coefficients& k) override {
-    const htl_cuda::Current_device current(device_);
-    return solver_.times_from_loops(loops, index, k);
-  }
-
-  std::vector<Dual_walks> search(const Dual_loop_query& search,
-                                 const Step_coefficients& k,
-                                 const Callback& callback) override {
-    const htl_cuda::Current_device current(device_);
-    return solver_.search(search, k, callback);
-  }
-
-  Costs costs() const override {
-    Costs costs = solver_.costs();
-    costs.kernels = executor_.kernels();
-    return costs;
-  }
-
-private:
-  int device_;
-  htl_cuda::Stream stream_;
-  htl_cuda::Cuda_executor executor_;
-  Device_solver<htl_cuda::Cuda_executor> solver_;
+  Cuda_solver(const Flat_mesh& mesh, int device, cudaStream_t stream, const Tuning& tuning)
+      : Executor_on_stream(device, stream, tuning)
+      , Device_solver(this->executor, mesh, tuning) {}
 };
 
 } // namespace
@@ -80,7 +45,8 @@ std::unique_ptr<Solver>
 make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning& tuning) {
   const int device = htl_cuda::usable_device(options.device);
   const htl_cuda::Current_device current(device);
-  return std::make_unique<Cuda_solver>(mesh, device, options.stream, tuning);
+  return std::make_unique<Cuda_solver>(mesh, device, static_cast<cudaStream_t>(options.stream),
+                                       tuning);
 }
 
 int current_cuda_device() {

@@ -20,8 +20,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Device_start.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -99,15 +99,13 @@ public:
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const auto began = std::chrono::steady_clock::now();
-    const impl::Device_start<ConcurrencyTag> device(
+    const typename impl::Passes_of_tag<ConcurrencyTag>::Head_start head_start(
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::device_options),
                                      Device_options()),
         num_vertices(tm));
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
-    using Execution = decltype(impl::execution<ConcurrencyTag>());
-    impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map,
-                            Execution>
-        builder(tm, vertex_index, point_);
+    impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
+        builder(impl::execution_of<ConcurrencyTag>(), tm, vertex_index, point_);
     mesh_ = builder.build();
     vertices_ = builder.take_vertices();
     statistics_.number_of_vertices = mesh_.number_of_vertices();
@@ -155,7 +153,8 @@ public:
     impl::Progress progress(
         choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
         [&](Stage stage) { unwrapped(visitor).start_stage(stage); },
-        [&](Stage stage) { unwrapped(visitor).end_stage(stage); }, statistics_);
+        [&](Stage stage) { unwrapped(visitor).end_stage(stage); }, statistics_,
+        impl::Progress::stages_of_loops());
 
     const std::vector<Pair> pairs = compute<ConcurrencyTag>(np, progress);
     return std::copy(pairs.begin(), pairs.end(), out);
@@ -186,30 +185,29 @@ private:
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    using Finder = typename impl::Loop_pipeline_of<ConcurrencyTag>::type;
-    typename Finder::Options options;
+    impl::Pass_options options;
     options.constants =
         choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
     options.do_refine_handles =
         choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
     options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
     options.do_log_fronts = choose_parameter(get_parameter(np, internal_np::do_log_fronts), false);
-    options.device =
-        choose_parameter(get_parameter(np, internal_np::device_options), Device_options());
     impl::check_constants(options.constants);
     const auto start = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
-    if(mesh_.genus == 0)
-      return classified_and_certified<ConcurrencyTag>([] { return std::vector<Pair>(); }, np,
-                                                      progress);
-
-    Finder finder(mesh_, start, options, progress);
-    finder.initial_pass(statistics_);
-    finder.tunnel_pass(statistics_);
-    if(options.do_refine_handles)
-      finder.refinement_pass(statistics_);
-    return classified_and_certified<ConcurrencyTag>(
-        [&] { return converted<ConcurrencyTag>(finder.finished_pairs()); }, np, progress);
+    std::vector<impl::Flat_pair> flat_pairs;
+    if(mesh_.genus > 0) {
+      const auto passes = impl::Passes_of_tag<ConcurrencyTag>::make(
+          mesh_, start, options,
+          choose_parameter(get_parameter(np, internal_np::device_options), Device_options()));
+      flat_pairs = impl::Loop_pipeline(*passes, options, progress).run(statistics_);
+    }
+    const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+    progress.start(Stage::CONVERT);
+    std::vector<Pair> pairs = converted(execution, flat_pairs);
+    progress.end(Stage::CONVERT);
+    certify_and_classify(execution, pairs, np, progress);
+    return pairs;
   }
 
   // The seed takes the place of its component's own one.
@@ -225,16 +223,16 @@ private:
     return seeds;
   }
 
-  template <typename ConcurrencyTag>
   std::vector<Pair>
-  converted(const std::vector<Handle_tunnel_loops::internal::Flat_pair>& flat_pairs) const {
+  converted(Handle_tunnel_loops::internal::Execution execution,
+            const std::vector<Handle_tunnel_loops::internal::Flat_pair>& flat_pairs) const {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(
         tm_, point_, traits_, mesh_, vertices_);
     std::vector<Pair> pairs(flat_pairs.size());
     impl::for_each_index(
-        impl::execution<ConcurrencyTag>(), pairs.size(),
+        execution, pairs.size(),
         [&](std::size_t i) {
           pairs[i] = Pair(convert(flat_pairs[i].handle, Loop_type::HANDLE, i),
                           convert(flat_pairs[i].tunnel, Loop_type::TUNNEL, i));
@@ -243,25 +241,23 @@ private:
     return pairs;
   }
 
-  // The last two stages, on what `find_pairs()` returns. The linking numbers that tell handles from
-  // tunnels are part of the certificate.
-  template <typename ConcurrencyTag, typename Find_pairs, typename NamedParameters>
-  std::vector<Pair> classified_and_certified(const Find_pairs& find_pairs,
-                                             const NamedParameters& np,
-                                             Handle_tunnel_loops::internal::Progress& progress) {
+  // The linking numbers that tell handles from tunnels are part of the certificate.
+  template <typename NamedParameters>
+  void certify_and_classify(Handle_tunnel_loops::internal::Execution execution,
+                            std::vector<Pair>& pairs,
+                            const NamedParameters& np,
+                            Handle_tunnel_loops::internal::Progress& progress) {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
-    progress.start(Stage::CLASSIFY);
-    std::vector<Pair> pairs = find_pairs();
     auto certification =
         impl::certification<Pair>(tm_, point_, CGAL::get_initialized_vertex_index_map(tm_, np),
                                   CGAL::get_initialized_face_index_map(tm_, np));
-    const auto execution = impl::execution<ConcurrencyTag>();
+    progress.start(Stage::CERTIFICATE);
     const bool are_closed = certification.are_closed(execution, pairs);
     if(are_closed)
-      certification.prepare(execution);
-    progress.end(Stage::CLASSIFY);
-    progress.start(Stage::CERTIFICATE);
+      certification.check_basis(execution);
+    progress.end(Stage::CERTIFICATE);
+    progress.start(Stage::CLASSIFY);
     if(are_closed) {
       certification.relate(
           execution, parameters::choose_parameter(
@@ -272,14 +268,15 @@ private:
     if(!certificate_)
       throw Uncertified_loops_exception("the loops found fail their certificate: " +
                                         certificate_.failure);
-    progress.end(Stage::CERTIFICATE);
-    return pairs;
+    progress.end(Stage::CLASSIFY);
   }
 
   // Handles and tunnels by their linking numbers, or by their growth along the normals where these
   // do not tell (paper, 4.5).
-  template <typename Execution, typename Certification>
-  void classify(Execution execution, Certification& certification, std::vector<Pair>& pairs) const {
+  template <typename Certification>
+  void classify(Handle_tunnel_loops::internal::Execution execution,
+                Certification& certification,
+                std::vector<Pair>& pairs) const {
     namespace impl = Handle_tunnel_loops::internal;
     const impl::Offset_classifier<TriangleMesh, Vertex_point_map> classifier(tm_, point_);
     std::vector<char> is_exchanged(pairs.size(), 0);

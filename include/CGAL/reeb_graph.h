@@ -16,167 +16,20 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Function_on_vertices.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_graph_finder.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/diffusion_times.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_computation.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/reeb_graph_of_function.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <chrono>
 #include <functional>
-#include <stdexcept>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 /// \file reeb_graph.h
 /// The Reeb graph of a diffusion, or of any function on the vertices.
 
 namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-
-/// One computation of a Reeb graph, for one set of named parameters.
-template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
-class Reeb_computation
-{
-  using Execution = decltype(execution<ConcurrencyTag>());
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
-  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-  using Clock = std::chrono::steady_clock;
-
-  template <typename Tag>
-  static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
-
-public:
-  Reeb_computation(const TriangleMesh& tm, const NamedParameters& np)
-      : np_(np)
-      , vertex_index_(CGAL::get_initialized_vertex_index_map(tm, np))
-      , point_(
-            parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                         get_const_property_map(vertex_point, tm)))
-      , traits_(parameters::choose_parameter<Geom_traits>(
-            parameters::get_parameter(np, internal_np::geom_traits)))
-      , threshold_(parameters::choose_parameter(
-            parameters::get_parameter(np, internal_np::simplification_threshold),
-            default_simplification_threshold)) {
-    if(!(threshold_ >= 0. && threshold_ <= 1.))
-      throw std::invalid_argument("the threshold of the simplification must be in [0, 1]");
-    const auto began = Clock::now();
-    Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index_)>, Vertex_point_map,
-                      Execution>
-        builder(tm, vertex_index_, point_);
-    mesh_ = builder.build();
-    vertices_ = builder.take_vertices();
-    statistics_.number_of_vertices = mesh_.number_of_vertices();
-    statistics_.number_of_faces = mesh_.number_of_faces();
-    statistics_.number_of_components = mesh_.seeds.size();
-    statistics_.genus = mesh_.genus;
-    statistics_.seconds_of_adaptor = seconds_since(began);
-  }
-
-  template <typename Graph> Reeb_statistics run(Graph& graph) {
-    const auto began = Clock::now();
-    if constexpr(is_given<internal_np::vertex_function_map_t>) {
-      const Function_on_vertices function(
-          mesh_, parameters::get_parameter(np_, internal_np::vertex_function_map), vertices_);
-      statistics_.seconds_of_function = seconds_since(began);
-      find([&](Index v) { return function.key(v); }, [&](Index v) { return function.value(v); },
-           graph);
-    } else {
-      const std::vector<Time> times = diffusion();
-      statistics_.seconds_of_function = seconds_since(began);
-      find([&](Index v) { return std::uint64_t(times[v]); },
-           [&](Index v) { return double(times[v]) / ticks_per_step; }, graph);
-    }
-    return statistics_;
-  }
-
-private:
-  static double seconds_since(Clock::time_point began) {
-    return std::chrono::duration<double>(Clock::now() - began).count();
-  }
-
-  std::vector<Time> diffusion() {
-    const auto callback = parameters::choose_parameter(
-        parameters::get_parameter(np_, internal_np::callback), std::function<bool(double)>());
-    const auto constants = parameters::choose_parameter(
-        parameters::get_parameter(np_, internal_np::field_constants), Field_constants());
-    check_constants(constants);
-    Statistics ignored;
-    Progress progress(
-        callback, [](Stage) {}, [](Stage) {}, ignored);
-    return diffusion_times<ConcurrencyTag>(mesh_, sources(), constants, progress);
-  }
-
-  std::vector<Index> sources() const {
-    std::vector<vertex_descriptor> given;
-    if constexpr(is_given<internal_np::seed_vertex_t>)
-      given.push_back(parameters::get_parameter(np_, internal_np::seed_vertex));
-    if constexpr(is_given<internal_np::source_vertices_t>)
-      for(vertex_descriptor v : parameters::get_parameter(np_, internal_np::source_vertices))
-        given.push_back(v);
-    if(given.empty())
-      return {};
-    std::vector<Index> flat_index;
-    for(std::size_t i = 0; i < vertices_.size(); ++i) {
-      flat_index.resize((std::max)(flat_index.size(), std::size_t(mesh_.original[i]) + 1),
-                        no_index);
-      flat_index[mesh_.original[i]] = static_cast<Index>(i);
-    }
-    std::vector<Index> sources;
-    for(vertex_descriptor v : given) {
-      const std::size_t i = get(vertex_index_, v);
-      if(i >= flat_index.size() || flat_index[i] == no_index)
-        throw std::invalid_argument("a source vertex is isolated or not in the mesh");
-      sources.push_back(flat_index[i]);
-    }
-    return sources;
-  }
-
-  template <typename Key, typename Value, typename Graph>
-  void find(const Key& key, const Value& value, Graph& graph) {
-    const auto measure = parameters::choose_parameter(
-        parameters::get_parameter(np_, internal_np::reeb_measure),
-        is_given<internal_np::vertex_function_map_t> ? Reeb_measure::PERSISTENCE
-                                                     : Reeb_measure::LIMBS);
-    const bool allows_parallel_arcs = parameters::choose_parameter(
-        parameters::get_parameter(np_, internal_np::allow_parallel_arcs), false);
-    Embedded_reeb_graph flat =
-        find_reeb_graph<Execution>(mesh_, key, value, measure, threshold_, statistics_);
-    const auto began = Clock::now();
-    if(!allows_parallel_arcs)
-      make_simple(flat);
-    if constexpr(is_given<internal_np::vertex_arc_map_t>) {
-      const auto map = parameters::get_parameter(np_, internal_np::vertex_arc_map);
-      for(std::size_t a = 0; a < flat.arcs.size(); ++a)
-        for(Index v : flat.arcs[a].vertices)
-          put(map, vertices_[v], a);
-    }
-    Reeb_converter<TriangleMesh, Vertex_point_map, Geom_traits>(point_, traits_, mesh_, vertices_)
-        .convert(Execution(), std::move(flat), value, graph);
-    statistics_.seconds_of_finishing += seconds_since(began);
-  }
-
-  const NamedParameters& np_;
-  decltype(CGAL::get_initialized_vertex_index_map(
-      std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>())) vertex_index_;
-  Vertex_point_map point_;
-  Geom_traits traits_;
-  double threshold_;
-  Flat_mesh mesh_;
-  std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
-  Reeb_statistics statistics_;
-};
-
-} // namespace internal
-} // namespace Handle_tunnel_loops
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -315,9 +168,32 @@ Handle_tunnel_loops::Reeb_statistics
 reeb_graph(const TriangleMesh& tm,
            Graph& graph,
            const NamedParameters& np = parameters::default_values()) {
-  return Handle_tunnel_loops::internal::Reeb_computation<ConcurrencyTag, TriangleMesh,
-                                                         NamedParameters>(tm, np)
-      .run(graph);
+  using namespace Handle_tunnel_loops;
+  namespace impl = Handle_tunnel_loops::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  if constexpr(parameters::is_default_parameter<NamedParameters,
+                                                internal_np::vertex_function_map_t>::value)
+  {
+    impl::Reeb_computation<TriangleMesh, NamedParameters> computation(
+        impl::execution_of<ConcurrencyTag>(), tm, np);
+    const auto diffusion = [&] {
+      const auto constants =
+          choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
+      impl::check_constants(constants);
+      Statistics ignored;
+      const auto nothing = [](Stage) {};
+      impl::Progress progress(
+          choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
+          nothing, nothing, ignored, impl::Progress::stages_of_diffusion());
+      return impl::diffusion_times<ConcurrencyTag>(computation.mesh(), computation.sources(),
+                                                   constants, progress);
+    };
+    return computation.run_on_times(diffusion, graph);
+  } else {
+    return reeb_graph_of_function<ConcurrencyTag>(
+        tm, get_parameter(np, internal_np::vertex_function_map), graph, np);
+  }
 }
 
 } // namespace CGAL

@@ -29,44 +29,44 @@ namespace parameters = CGAL::parameters;
 
 constexpr std::size_t any_size = 0;
 
-template <typename Passes> Answers answers_of(Passes& passes, const Flat_mesh& mesh) {
-  Quiet_progress progress;
+Answers answers_of(Backend& backend, const Flat_mesh& mesh) {
+  const Step_coefficients k = step_coefficients({}), searching = coefficients_for_searching(k);
   Answers answers;
-  answers.handles = passes.sweep({0}, progress);
-  answers.layers = passes.front_log().layer;
+  answers.handles = backend.initial_field({0}, k, go_on);
+  answers.layers = backend.front_log().layer;
   const std::vector<Crossing_loop> contours = loops_of(answers.handles);
   const Crossing_index index(mesh, contours);
-  answers.times_from_loops = passes.times_from_loops(contours, index);
+  answers.times_from_loops = backend.times_from_loops(contours, index, searching);
   for(const bool bars_only_own : {false, true})
-    passes.search(
-        {contours, index, bars_only_own, {0}}, progress, [&](Index, const Dual_walks& found) {
-          answers.walks.insert(answers.walks.end(), found.walks.begin(), found.walks.end());
-        });
-  answers.times = passes.arrival_times();
+    for(const Dual_walks& found :
+        backend.dual_walks({contours, index, bars_only_own, {0}}, searching, go_on))
+      answers.walks.insert(answers.walks.end(), found.walks.begin(), found.walks.end());
+  answers.times = backend.arrival_times();
   return answers;
 }
 
 class Cuda_fallback : public Cuda_runtime
 {
 protected:
-  using Execution = decltype(execution<CGAL::Cuda_if_available_tag>());
-  using Passes = Fallback_backend<Execution>;
+  const Execution execution = execution_of<CGAL::Cuda_if_available_tag>();
 
   // The passes are not on the current device, so that it matters which one is.
   void SetUp() override {
     Device_kind kind;
     kind.multiprocessors = kind.threads_per_block = 1;
     use_devices({kind, kind});
-    Host_backend<Execution> host(flat, step_coefficients({}));
+    Host_backend host(execution, flat);
     expected = answers_of(host, flat);
     ASSERT_EQ(expected.walks.size(), 2u);
   }
 
   Statistics expect_right() const {
-    Passes passes(flat, step_coefficients({}), {1, nullptr, any_size});
-    EXPECT_TRUE(answers_of(passes, flat) == expected);
+    Fallback_backend backend(execution, flat, [this] {
+      return device::make_cuda_solver(flat, {1, nullptr, any_size});
+    });
+    EXPECT_TRUE(answers_of(backend, flat) == expected);
     Statistics statistics;
-    passes.report(statistics);
+    backend.report(statistics);
     EXPECT_EQ(statistics.backend == "cuda", statistics.fallback.empty());
     return statistics;
   }

@@ -102,16 +102,16 @@ TEST_P(Cuda_launch, RunsOnDevicesOfAllSizes) {
 
 // ---- errors
 
-Answers answers_of(device::Solver& solver, const Flat_mesh& mesh) {
+Answers answers_of(Backend& solver, const Flat_mesh& mesh) {
   const Step_coefficients k = step_coefficients({});
   Answers answers;
-  answers.handles = solver.sweep({0}, k, go_on);
+  answers.handles = solver.initial_field({0}, k, go_on);
   answers.times = solver.arrival_times();
   answers.layers = solver.front_log().layer;
   const std::vector<Crossing_loop> contours = loops_of(answers.handles);
   const Crossing_index index(mesh, contours);
   answers.times_from_loops = solver.times_from_loops(contours, index, k);
-  answers.walks = solver.search({contours, index, false, {0}}, k, go_on).at(0).walks;
+  answers.walks = solver.dual_walks({contours, index, false, {0}}, k, go_on).at(0).walks;
   return answers;
 }
 

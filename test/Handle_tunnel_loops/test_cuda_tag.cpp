@@ -23,35 +23,20 @@ namespace device {
 
 // As the devices of this test: one that has the memory asked for by its number, in KiB, and none
 // with the number -1.
-class Stand_in : public Solver
+struct Stand_in_memory
+{
+  explicit Stand_in_memory(std::size_t memory)
+      : executor(Host_executor::Order::SHUFFLED, memory) {}
+
+  Host_executor executor;
+};
+
+class Stand_in : private Stand_in_memory, public Device_solver<Host_executor>
 {
 public:
   Stand_in(const Flat_mesh& mesh, std::size_t memory)
-      : executor_(Host_executor::Order::SHUFFLED, memory)
-      , solver_(executor_, mesh) {}
-
-  std::vector<Handle_candidate> sweep(const std::vector<Index>& seeds,
-                                      const Step_coefficients& k,
-                                      const Callback& callback) override {
-    return solver_.sweep(seeds, k, callback);
-  }
-  std::vector<Time> arrival_times() override { return solver_.arrival_times(); }
-  Front_log front_log() override { return solver_.front_log(); }
-  std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
-                                     const Crossing_index& index,
-                                     const Step_coefficients& k) override {
-    return solver_.times_from_loops(loops, index, k);
-  }
-  std::vector<Dual_walks> search(const Dual_loop_query& search,
-                                 const Step_coefficients& k,
-                                 const Callback& callback) override {
-    return solver_.search(search, k, callback);
-  }
-  Costs costs() const override { return solver_.costs(); }
-
-private:
-  Host_executor executor_;
-  Device_solver<Host_executor> solver_;
+      : Stand_in_memory(memory)
+      , Device_solver(this->executor, mesh) {}
 };
 
 std::unique_ptr<Solver>

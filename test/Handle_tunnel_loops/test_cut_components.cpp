@@ -24,24 +24,26 @@ namespace {
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::generators::Random;
 
-template <typename Execution> class Pieces : public testing::Test
-{};
+class Pieces : public testing::TestWithParam<bool>
+{
+protected:
+  const Execution execution = GetParam() ? Execution::parallel() : Execution();
+};
 
-using Executions = testing::Types<
-    Sequential_execution,
-    decltype(CGAL::Handle_tunnel_loops::internal::execution<CGAL::Parallel_if_available_tag>())>;
-TYPED_TEST_SUITE(Pieces, Executions);
+INSTANTIATE_TEST_SUITE_P(Executions, Pieces, testing::Bool(), [](const auto& test) {
+  return test.param ? "parallel" : "sequential";
+});
 
 // ---- parts of ranges
 
-template <typename Execution, typename Range> void expect_parts(const Range& range) {
+template <typename Range> void expect_parts(Execution execution, const Range& range) {
   using Iterator = typename Range::const_iterator;
   const std::vector<int> all(range.begin(), range.end());
   for(const std::size_t part_size : {1, 3, 1000}) {
     const Range_parts<Iterator> parts(range, part_size);
     EXPECT_EQ(parts.size(), all.size());
     std::vector<std::vector<int>> found(parts.number_of_parts());
-    parts.for_each_part(Execution(), [&](std::size_t i, Iterator begin, Iterator end) {
+    parts.for_each_part(execution, [&](std::size_t i, Iterator begin, Iterator end) {
       found[i].assign(begin, end);
     });
     std::vector<int> joined;
@@ -53,18 +55,18 @@ template <typename Execution, typename Range> void expect_parts(const Range& ran
   }
 }
 
-TYPED_TEST(Pieces, PartsCoverARangeInItsOrder) {
+TEST_P(Pieces, PartsCoverARangeInItsOrder) {
   for(const std::size_t n : {0, 1, 2, 3, 4, 100}) {
     std::vector<int> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 0);
-    expect_parts<TypeParam>(numbers);
-    expect_parts<TypeParam>(std::list<int>(numbers.begin(), numbers.end()));
+    expect_parts(execution, numbers);
+    expect_parts(execution, std::list<int>(numbers.begin(), numbers.end()));
   }
 }
 
 // ---- sets
 
-TYPED_TEST(Pieces, SetsAreThoseOfAGraphWithTheLeastNumberAsRoot) {
+TEST_P(Pieces, SetsAreThoseOfAGraphWithTheLeastNumberAsRoot) {
   constexpr Index size = 20000;
   for(const std::size_t number_of_edges : {0, 5000, 10000, 40000}) {
     Random random(number_of_edges);
@@ -73,14 +75,13 @@ TYPED_TEST(Pieces, SetsAreThoseOfAGraphWithTheLeastNumberAsRoot) {
       i = static_cast<Index>(random.below(size / 2)) * 2;
       j = static_cast<Index>(random.below(size / 2)) * 2;
     }
-    Concurrent_disjoint_sets sets(TypeParam(), size);
+    Concurrent_disjoint_sets sets(execution, size);
     for(Index i = 0; i < size; i += 2)
       sets.insert(i);
     for_each_index(
-        TypeParam(), edges.size(),
-        [&](std::size_t e) { sets.template unite<TypeParam>(edges[e].first, edges[e].second); },
-        16);
-    const std::vector<Index> roots = sets.flatten(TypeParam());
+        execution, edges.size(),
+        [&](std::size_t e) { sets.unite(edges[e].first, edges[e].second); }, 16);
+    const std::vector<Index> roots = sets.flatten(execution);
 
     std::vector<Index> least(size);
     std::iota(least.begin(), least.end(), Index(0));
@@ -144,13 +145,13 @@ std::vector<Index> pieces_by_search(const Mesh& mesh, const Cuts& cuts) {
   return piece;
 }
 
-template <typename Execution> void expect_pieces(const Mesh& mesh, const Cuts& cuts) {
+void expect_pieces(Execution execution, const Mesh& mesh, const Cuts& cuts) {
   const auto vertex_index = get(boost::vertex_index, mesh);
   const auto face_index = get(boost::face_index, mesh);
   Cut_components<Mesh, std::decay_t<decltype(vertex_index)>, std::decay_t<decltype(face_index)>>
       pieces(mesh, vertex_index, face_index);
   std::vector<std::atomic<int>> calls(mesh.num_edges());
-  pieces.cut(Execution(), cuts.ends, [&](Mesh::Halfedge_index h) {
+  pieces.cut(execution, cuts.ends, [&](Mesh::Halfedge_index h) {
     EXPECT_LT(mesh.source(h), mesh.target(h));
     ++calls[mesh.edge(h)];
     return cuts.is_cut[mesh.edge(h)] != 0;
@@ -167,22 +168,22 @@ template <typename Execution> void expect_pieces(const Mesh& mesh, const Cuts& c
     EXPECT_GE(calls[e], cuts.is_cut[e]);
   }
   EXPECT_EQ(pieces.number_of_faces(), mesh.number_of_faces());
-  pieces.renumber(Execution(), [](Index piece) { return piece + 7; });
+  pieces.renumber(execution, [](Index piece) { return piece + 7; });
   for(const Mesh::Face_index f : mesh.faces())
     EXPECT_EQ(pieces.piece(f), expected[f] + 7);
 }
 
-TYPED_TEST(Pieces, AreThoseOfASearch) {
+TEST_P(Pieces, AreThoseOfASearch) {
   Random random(1);
   for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3}, 1)) {
     SCOPED_TRACE(testing::Message() << recipe);
     const Mesh mesh = mesh_of(recipe);
     for(const std::size_t one_of : {2, 3, 10, 1000000})
-      expect_pieces<TypeParam>(mesh, random_cuts(mesh, one_of, random));
+      expect_pieces(execution, mesh, random_cuts(mesh, one_of, random));
   }
 }
 
-TYPED_TEST(Pieces, ArePiecesOfAllComponents) {
+TEST_P(Pieces, ArePiecesOfAllComponents) {
   Random random(2);
   const Mesh mesh = mesh_of(generators::permute_vertices(
       generators::disjoint_union({soup_of({"torus", {20000, 1, 0}}),
@@ -190,11 +191,11 @@ TYPED_TEST(Pieces, ArePiecesOfAllComponents) {
                                   soup_of({"multi-torus", {3000, 2, 0}})}),
       3));
   for(const std::size_t one_of : {2, 10, 1000000})
-    expect_pieces<TypeParam>(mesh, random_cuts(mesh, one_of, random));
+    expect_pieces(execution, mesh, random_cuts(mesh, one_of, random));
 }
 
 // Removed and isolated vertices leave gaps and are not counted.
-TYPED_TEST(Pieces, TakeNoNoticeOfVerticesWithoutFaces) {
+TEST_P(Pieces, TakeNoNoticeOfVerticesWithoutFaces) {
   Mesh mesh = mesh_of(Recipe{"torus", {2000, 1, 0}});
   const std::size_t number = mesh.number_of_vertices();
   const Mesh::Vertex_index removed = mesh.add_vertex();
@@ -204,7 +205,7 @@ TYPED_TEST(Pieces, TakeNoNoticeOfVerticesWithoutFaces) {
   const auto face_index = get(boost::face_index, mesh);
   Cut_components<Mesh, std::decay_t<decltype(vertex_index)>, std::decay_t<decltype(face_index)>>
       pieces(mesh, vertex_index, face_index);
-  pieces.cut(TypeParam(), {}, [](Mesh::Halfedge_index) { return true; });
+  pieces.cut(execution, {}, [](Mesh::Halfedge_index) { return true; });
   EXPECT_EQ(pieces.number_of_vertices(), number);
   EXPECT_EQ(pieces.pieces(), std::vector<Index>(1, 0));
 }

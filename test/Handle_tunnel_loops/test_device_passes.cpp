@@ -1,6 +1,7 @@
 // What is written for the device, run on the processor in several ways.
 
 #include "Device_agreement.h"
+#include "Lower_components.h"
 #include "Orders.h"
 #include "Random_growth.h"
 #include "label_front.h"
@@ -21,7 +22,6 @@ namespace {
 
 using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
-using device::Host_executor;
 using Solver = device::Device_solver<Host_executor>;
 
 class Device_backend : public testing::TestWithParam<Order>
@@ -63,11 +63,10 @@ void expect_handles_of_host(Order run_order,
                             const std::vector<Time>& times) {
   Host_executor executor(run_order);
   device::Costs costs;
-  const device::Device_mesh<Host_executor> device_mesh(executor, device::view_of(mesh));
+  const device::Device_mesh<Host_executor> device_mesh(executor, view_of(mesh));
   device::Device_initial_pass<Host_executor> sweep(executor, mesh, device_mesh, {}, costs);
   sweep.set_times(times);
-  EXPECT_EQ(sweep.handles(),
-            find_handle_candidates(Sequential_execution(), mesh, Arrival_order(times)));
+  EXPECT_EQ(sweep.handles(), find_handle_candidates(Execution(), mesh, times));
 }
 
 // With times in any order that has one minimum, saddles have many lower components.
@@ -81,9 +80,7 @@ TEST_P(Device_backend, FindTheHandlesOfTheHostInAnyOrder) {
     SCOPED_TRACE(testing::Message() << recipe << ", front of " << width);
     const std::vector<Time> times = Random_growth(mesh, random, width).times();
     expect_handles_of_host(GetParam(), mesh, times);
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      lower_components =
-          (std::max)(lower_components, count_lower_components(mesh, Arrival_order(times), v));
+    lower_components = (std::max)(lower_components, most_lower_components(mesh, times));
   }
   EXPECT_GE(lower_components, 5u) << "the meshes are too harmless";
 }
@@ -105,17 +102,17 @@ TEST_P(Device_backend, DoNotDependOnTheMemory) {
   const Step_coefficients k = step_coefficients({});
   Host_executor large(GetParam());
   Solver expected(large, mesh);
-  const std::vector<Crossing_loop> contours = loops_of(expected.sweep({0}, k, go_on));
+  const std::vector<Crossing_loop> contours = loops_of(expected.initial_field({0}, k, go_on));
   const Crossing_index index(mesh, contours);
   const Dual_loop_query search = {contours, index, false, first_numbers(contours.size()),
                                   1,        {},    30000};
-  const std::vector<Dual_walks> all = expected.search(search, k, go_on);
+  const std::vector<Dual_walks> all = expected.dual_walks(search, k, go_on);
   EXPECT_EQ(expected.costs().largest_batch, contours.size());
   std::size_t number_of_batches = 0;
   for(const std::size_t kib : {1500, 2000}) {
     Host_executor small(GetParam(), kib << 10);
     Solver solver(small, mesh);
-    const std::vector<Dual_walks> found = solver.search(search, k, go_on);
+    const std::vector<Dual_walks> found = solver.dual_walks(search, k, go_on);
     ASSERT_EQ(found.size(), all.size());
     for(std::size_t i = 0; i < all.size(); ++i)
       EXPECT_EQ(found[i].walks, all[i].walks);
@@ -165,12 +162,12 @@ TEST_P(Device_backend, StopWhenTheyAreAskedTo) {
   const auto stop = [](double) { return false; };
   Host_executor executor(GetParam());
   Solver solver(executor, mesh);
-  EXPECT_THROW(solver.sweep({0}, k, stop), Interrupted_exception);
-  const std::vector<Crossing_loop> contours = loops_of(solver.sweep({0}, k, go_on));
+  EXPECT_THROW(solver.initial_field({0}, k, stop), Interrupted_exception);
+  const std::vector<Crossing_loop> contours = loops_of(solver.initial_field({0}, k, go_on));
   const Crossing_index index(mesh, contours);
   const Dual_loop_query search = {contours, index, false, {0}};
-  EXPECT_THROW(solver.search(search, k, stop), Interrupted_exception);
-  EXPECT_EQ(solver.search(search, k, go_on)[0].walks.size(), 1u);
+  EXPECT_THROW(solver.dual_walks(search, k, stop), Interrupted_exception);
+  EXPECT_EQ(solver.dual_walks(search, k, go_on)[0].walks.size(), 1u);
   EXPECT_GT(executor.bytes_in_use(), 0u);
 }
 

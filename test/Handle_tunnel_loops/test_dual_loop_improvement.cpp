@@ -6,6 +6,7 @@
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>
 
 #include <gtest/gtest.h>
@@ -25,13 +26,10 @@ struct Pairs
       : mesh(m) {
     Quiet_progress progress;
     Statistics statistics;
-    Loop_pipeline<Sequential_execution>::Options options;
+    Pass_options options;
     options.do_tighten = false;
-    Loop_pipeline<Sequential_execution> finder(mesh, {0}, options, progress);
-    finder.initial_pass(statistics);
-    finder.tunnel_pass(statistics);
-    finder.refinement_pass(statistics);
-    for(Flat_pair& pair : finder.finished_pairs()) {
+    const auto passes = Passes_of_tag<CGAL::Sequential_tag>::make(mesh, {0}, options, {});
+    for(Flat_pair& pair : Loop_pipeline(*passes, options, progress).run(statistics)) {
       handles.push_back(std::move(pair.handle));
       tunnels.push_back(std::move(pair.tunnel));
     }
@@ -53,7 +51,7 @@ struct Pairs
 
   void look_again() {
     Quiet_progress progress;
-    Dual_loop_improvement<Sequential_execution>(mesh, progress).improve(handles, tunnels);
+    Dual_loop_improvement(Execution(), mesh, progress).improve(handles, tunnels);
   }
 
   std::vector<Crossing_loop> loops() const {

@@ -21,13 +21,11 @@ namespace {
 using namespace CGAL::Handle_tunnel_loops::internal;
 using generators::Random;
 
-using Parallel_if_available = decltype(execution<CGAL::Parallel_if_available_tag>());
-
-template <typename Execution> Flat_mesh flat_mesh_of(const Mesh& mesh) {
+Flat_mesh flat_mesh_of(Execution execution, const Mesh& mesh) {
   const auto index = get(boost::vertex_index, mesh);
   const auto point = get(CGAL::vertex_point, mesh);
-  return Flat_mesh_builder<Mesh, std::decay_t<decltype(index)>, std::decay_t<decltype(point)>,
-                           Execution>(mesh, index, point)
+  return Flat_mesh_builder<Mesh, std::decay_t<decltype(index)>, std::decay_t<decltype(point)>>(
+             execution, mesh, index, point)
       .build();
 }
 
@@ -43,7 +41,7 @@ struct Item
   }
 };
 
-template <unsigned bits, typename Execution> void expect_sorted(std::size_t n, Random& random) {
+template <unsigned bits> void expect_sorted(Execution execution, std::size_t n, Random& random) {
   Uninitialized_vector<Item> items;
   const std::uint32_t bound = 1 + static_cast<std::uint32_t>(random.below(std::size_t(1) << bits));
   for(std::size_t i = 0; i < n; ++i)
@@ -51,16 +49,16 @@ template <unsigned bits, typename Execution> void expect_sorted(std::size_t n, R
   Uninitialized_vector<Item> expected = items;
   std::stable_sort(expected.begin(), expected.end(),
                    [](const Item& a, const Item& b) { return a.key < b.key; });
-  radix_sort<bits>(Execution(), items, [](const Item& item) { return item.key; });
+  radix_sort<bits>(execution, items, [](const Item& item) { return item.key; });
   EXPECT_TRUE(items == expected) << n << " items below " << bound;
 }
 
 TEST(Radix_sort, IsAStableSort) {
   Random random(1);
   for(const std::size_t n : {0u, 1u, 2u, 100u, 65535u, 65536u, 65537u, 300000u}) {
-    expect_sorted<8, Sequential_execution>(n, random);
-    expect_sorted<30, Sequential_execution>(n, random);
-    expect_sorted<30, Parallel_if_available>(n, random);
+    expect_sorted<8>(Execution(), n, random);
+    expect_sorted<30>(Execution(), n, random);
+    expect_sorted<30>(Execution::parallel(), n, random);
   }
 }
 
@@ -75,14 +73,14 @@ TEST(Sum_before_each, IsThatSum) {
       expected[i] = sum;
       sum += numbers[i];
     }
-    EXPECT_EQ(sum_before_each(Parallel_if_available(), numbers, 10), sum);
+    EXPECT_EQ(sum_before_each(Execution::parallel(), numbers, 10), sum);
     EXPECT_EQ(numbers, expected);
   }
 }
 
 TEST(Unit_box, KeepsTheShape) {
   const Uninitialized_vector<Vector> points = {{-1., 5., 2.}, {3., 5., 2.5}, {1., 5., 4.}};
-  const Unit_box box(Sequential_execution(), points);
+  const Unit_box box(Execution(), points);
   EXPECT_EQ(box.scale(), 4.);
   EXPECT_EQ(box(points[0]), (Vector{0., 0., 0.}));
   EXPECT_EQ(box(points[1]), (Vector{1., 0., 0.125}));
@@ -146,8 +144,8 @@ void expect_components_of(const Flat_mesh& flat) {
 }
 
 void expect_flat_mesh_of(const Mesh& mesh, std::size_t genus) {
-  const Flat_mesh flat = flat_mesh_of<Sequential_execution>(mesh);
-  const Flat_mesh other = flat_mesh_of<Parallel_if_available>(mesh);
+  const Flat_mesh flat = flat_mesh_of(Execution(), mesh);
+  const Flat_mesh other = flat_mesh_of(Execution::parallel(), mesh);
   EXPECT_EQ(flat.genus, genus);
   expect_sorted_along_curve(flat);
   expect_rings_of(mesh, flat);

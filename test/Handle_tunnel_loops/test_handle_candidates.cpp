@@ -2,6 +2,7 @@
 // earlier neighbour, as many handles are found as there are.
 
 #include "Crossing_loops.h"
+#include "Lower_components.h"
 #include "Random_growth.h"
 #include "random_input.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
-const auto execution = Sequential_execution();
+const auto execution = Execution();
 
 void expect_disjoint(const Flat_mesh& mesh, const std::vector<Handle_candidate>& handles) {
   std::vector<Crossing_loop> loops;
@@ -50,7 +51,7 @@ void expect_triangular_pairing(const Flat_mesh& mesh,
 
 void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
   const Arrival_order order(times);
-  const std::vector<Handle_candidate> handles = find_handle_candidates(execution, mesh, order);
+  const std::vector<Handle_candidate> handles = find_handle_candidates(execution, mesh, times);
   ASSERT_EQ(handles.size(), mesh.genus);
   for(std::size_t k = 0; k < handles.size(); ++k) {
     const Handle_candidate& handle = handles[k];
@@ -61,7 +62,7 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
       EXPECT_LT(mesh.ring(handle.saddle).position(foot), mesh.ring(handle.saddle).size());
     }
     // Just below a simple saddle, with what was swept on the left.
-    if(count_lower_components(mesh, order, handle.saddle) == 2)
+    if(number_of_lower_components(mesh, times, handle.saddle) == 2)
       for(const Crossing& c : handle.loop) {
         EXPECT_TRUE(order.is_earlier(c.left, handle.saddle));
         EXPECT_FALSE(order.is_earlier(c.right, handle.saddle));
@@ -71,17 +72,9 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
   expect_triangular_pairing(mesh, order, handles);
 }
 
-std::size_t largest_saddle(const Flat_mesh& mesh, const Arrival_order& order) {
-  std::size_t lower_components = 0;
-  for(const Index v : find_saddles(execution, mesh, order))
-    lower_components =
-        (std::max<std::size_t>)(lower_components, count_lower_components(mesh, order, v));
-  return lower_components;
-}
-
 TEST(Sweep, FindsAllHandlesInAnyOrder) {
   Random random(1);
-  std::size_t lower_components = 0;
+  Index lower_components = 0;
   for(int i = 0; i < 1500; ++i) {
     const Recipe recipe = random_recipe(random, 11);
     const std::size_t width = i % 3 == 0 ? 1 : 1 + random.below(100);
@@ -89,8 +82,7 @@ TEST(Sweep, FindsAllHandlesInAnyOrder) {
     const Flat_mesh mesh = flat_mesh_of(recipe);
     const Random_growth growth(mesh, random, width);
     expect_handles(mesh, growth.times());
-    lower_components =
-        (std::max)(lower_components, largest_saddle(mesh, Arrival_order(growth.times())));
+    lower_components = (std::max)(lower_components, most_lower_components(mesh, growth.times()));
   }
   EXPECT_GE(lower_components, 5u) << "the meshes are too harmless";
 }
@@ -116,7 +108,7 @@ TEST(Sweep, FindsTheHandleOfTheSmallestTorusInEveryOrder) {
   do {
     SCOPED_TRACE(testing::PrintToString(times));
     expect_handles(mesh, times);
-    number_of_monkey_saddles += largest_saddle(mesh, Arrival_order(times)) == 3;
+    number_of_monkey_saddles += most_lower_components(mesh, times) == 3;
   } while(std::next_permutation(times.begin(), times.end()));
   EXPECT_GT(number_of_monkey_saddles, 0);
 }
@@ -129,23 +121,24 @@ TEST(Monkey_saddle, HidesAHandle) {
   std::iota(times.begin(), times.end(), 0u);
   int number_of_saddles = 0;
   do {
-    const Arrival_order order(times);
-    const std::vector<Index> saddles = find_saddles(execution, mesh, order);
-    if(saddles.size() != 1)
+    Processor_executor executor(execution);
+    Saddle_contours<Processor_executor> saddles(executor, view_of(mesh),
+                                                {times.data(), times.size()});
+    if(saddles.keys().size() != 1)
       continue;
     ++number_of_saddles;
-    const Saddle saddle(mesh, order, saddles[0]);
-    ASSERT_EQ(saddle.number_of_lower_components(), 3u);
+    const std::vector<Lower_component_arc> arcs = saddles.lower_components();
+    ASSERT_EQ(arcs.size(), 3u);
     // Below, an arc goes on from the lower component at which it arrives, above from the one after
     // it.
     for(const Index shift : {0u, 1u}) {
       Index at = 0;
       std::set<Index> visited;
       while(visited.insert(at).second)
-        at = (saddle.arrival(at) + shift) % 3;
+        at = (arcs[at].arrival + shift) % 3;
       EXPECT_EQ(visited.size(), 3u);
     }
-    EXPECT_EQ(Saddle_unfolding(saddle).handles().size(), 1u);
+    EXPECT_EQ(saddles.handles().size(), 1u);
   } while(std::next_permutation(times.begin(), times.end()));
   EXPECT_GT(number_of_saddles, 0);
 }

@@ -20,7 +20,7 @@ using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::Field_constants;
 using generators::Random;
 
-const auto execution = Sequential_execution();
+const auto execution = Execution();
 
 // ---- the formulas
 
@@ -118,7 +118,7 @@ void expect_one_minimum(const Flat_mesh& mesh, const std::vector<Time>& times, I
     ASSERT_NE(times[v], never) << "vertex " << v << " is not reached";
     EXPECT_EQ(order.is_earlier(order.earliest_neighbor(mesh, v), v), v != seed) << "vertex " << v;
   }
-  EXPECT_EQ(find_handle_candidates(execution, mesh, order).size(), mesh.genus);
+  EXPECT_EQ(find_handle_candidates(execution, mesh, times).size(), mesh.genus);
 }
 
 TEST(Narrow_band, HasOneMinimumOnSmoothSurfaces) {

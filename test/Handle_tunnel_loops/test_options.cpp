@@ -142,16 +142,16 @@ TEST(Visitor, IsToldOfTheStagesInOrder) {
   const Mesh mesh = mesh_of(small_recipe);
   Logging_visitor visitor;
   find_loops(mesh, params::visitor(std::ref(visitor)));
-  EXPECT_EQ(visitor.log, log_of({Stage::INITIAL, Stage::TUNNEL, Stage::REFINE, Stage::CLASSIFY,
-                                 Stage::CERTIFICATE}));
+  EXPECT_EQ(visitor.log, log_of({Stage::INITIAL, Stage::TUNNEL, Stage::REFINE, Stage::SHORTEN,
+                                 Stage::CONVERT, Stage::CERTIFICATE, Stage::CLASSIFY}));
 }
 
 TEST(Visitor, IsNotToldOfWhatIsLeftOut) {
   const Mesh mesh = mesh_of(small_recipe);
   Logging_visitor visitor;
   find_loops(mesh, params::do_refine_handles(false).visitor(std::ref(visitor)));
-  EXPECT_EQ(visitor.log,
-            log_of({Stage::INITIAL, Stage::TUNNEL, Stage::CLASSIFY, Stage::CERTIFICATE}));
+  EXPECT_EQ(visitor.log, log_of({Stage::INITIAL, Stage::TUNNEL, Stage::SHORTEN, Stage::CONVERT,
+                                 Stage::CERTIFICATE, Stage::CLASSIFY}));
 }
 
 TEST(Visitor, IsCopied) {
@@ -182,7 +182,7 @@ TEST(Visitor, SeesAStageBeginThatIsNotEnded) {
 TEST(Stages, HaveNames) {
   EXPECT_STREQ(HTL::stage_name(Stage::ADAPTOR), "adaptor");
   EXPECT_STREQ(HTL::stage_name(Stage::CERTIFICATE), "certificate");
-  EXPECT_EQ(static_cast<std::size_t>(Stage::CERTIFICATE) + 1, HTL::number_of_stages);
+  EXPECT_EQ(static_cast<std::size_t>(Stage::DIFFUSION) + 1, HTL::number_of_stages);
 }
 
 // ---- refinement and tightening

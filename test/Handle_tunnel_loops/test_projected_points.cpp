@@ -152,7 +152,7 @@ protected:
     curves.crossings.finish(1);
     curves.outward = {1, 1};
     Linking_numbers numbers(curves);
-    numbers.link(Sequential_execution());
+    numbers.link(Execution());
     contacts = numbers.contacts().size();
     value = numbers.linking().empty() ? 0 : numbers.linking().front().value;
   }

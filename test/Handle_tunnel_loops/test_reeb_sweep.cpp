@@ -19,7 +19,7 @@ using namespace CGAL::Handle_tunnel_loops::internal;
 using generators::Random;
 
 constexpr std::uint64_t unlimited = (std::numeric_limits<std::uint64_t>::max)();
-const auto execution = Sequential_execution();
+const auto execution = Execution();
 
 using Values = std::vector<int>;
 

@@ -144,7 +144,7 @@ protected:
 
   // In steps.
   std::vector<double> arrivals_of_narrow_band() const {
-    const Stencils stencils(Sequential_execution(), mesh);
+    const Stencils stencils(Execution(), mesh);
     Narrow_band band(mesh, stencils, step_coefficients(constants));
     band.add_source(mesh.seeds[0], 0);
     for(const Index u : mesh.ring(mesh.seeds[0]))
@@ -245,8 +245,7 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
   }
 
   const Arrival_order arrival_order(times);
-  const std::vector<Handle_candidate> handles =
-      find_handle_candidates(Sequential_execution(), mesh, arrival_order);
+  const std::vector<Handle_candidate> handles = find_handle_candidates(Execution(), mesh, times);
   const auto& meetings = tracker.meetings();
   ASSERT_EQ(meetings.size(), mesh.genus);
   ASSERT_EQ(handles.size(), mesh.genus);

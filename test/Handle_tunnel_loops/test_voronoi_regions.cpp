@@ -3,9 +3,9 @@
 
 #include "Crossing_loops.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Bidirectional_front.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_graph_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Host_backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/saddles/handle_candidates.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
@@ -19,7 +19,7 @@ namespace {
 using namespace CGAL::Handle_tunnel_loops;
 using namespace CGAL::Handle_tunnel_loops::internal;
 
-const auto execution = Sequential_execution();
+const auto execution = Execution();
 
 // A surface with the handles of a sweep, and the regions of their sides.
 struct Swept_surface
@@ -30,12 +30,12 @@ struct Swept_surface
       , coefficients(step_coefficients(Field_constants()))
       , loops(handles())
       , index(mesh, loops)
-      , regions(
-            execution,
-            mesh,
-            Host_backend<Sequential_execution>(mesh, coefficients).times_from_loops(loops, index),
-            loops,
-            index) {}
+      , regions(execution,
+                mesh,
+                Host_backend(execution, mesh)
+                    .times_from_loops(loops, index, coefficients_for_searching(coefficients)),
+                loops,
+                index) {}
 
   std::vector<Crossing_loop> handles() const {
     Narrow_band band(mesh, stencils, coefficients);
@@ -47,8 +47,7 @@ struct Swept_surface
     while(band.step(walls, [](Index) {}))
       ;
     std::vector<Crossing_loop> found;
-    for(const Handle_candidate& handle :
-        find_handle_candidates(execution, mesh, Arrival_order(band.take_times())))
+    for(const Handle_candidate& handle : find_handle_candidates(execution, mesh, band.take_times()))
       found.push_back(handle.loop);
     return found;
   }
@@ -148,7 +147,7 @@ TEST(Regions_of_distant_loops, OfferShortTunnels) {
     SCOPED_TRACE(testing::Message() << recipe);
     const Swept_surface s(recipe);
     Voronoi_graph_search search(s.mesh, s.loops, s.index, s.regions);
-    Bidirectional_front<Loops_from> pass(s.mesh, s.stencils, s.coefficients, s.index);
+    Bidirectional_front<Loops_from> fronts(s.mesh, s.stencils, s.coefficients, s.index);
     double through_regions = 0., by_fronts = 0.;
     const auto tight_length = [&](const std::vector<Index>& walk) {
       Crossing_loop loop = pushed_left(s.mesh, walk);
@@ -159,7 +158,7 @@ TEST(Regions_of_distant_loops, OfferShortTunnels) {
       const std::vector<Index> walk = search.dual_walk(k);
       ASSERT_FALSE(walk.empty()) << "loop " << k;
       through_regions += tight_length(walk);
-      by_fronts += tight_length(pass.dual_walks(s.loops[k], k, {k}, {}).at(0));
+      by_fronts += tight_length(fronts.dual_walks({s.loops, s.index, false, {k}}, k).walks.at(0));
     }
     EXPECT_LT(through_regions, 1.1 * by_fronts);
   }
@@ -168,16 +167,17 @@ TEST(Regions_of_distant_loops, OfferShortTunnels) {
 // A search that is out of updates says so, and does not disturb the next one.
 TEST(Bidirectional_front, GivesUpWhenItIsToldTo) {
   const Swept_surface s({"torus", {4000, 1, 0}});
-  Bidirectional_front<Loops_from> pass(s.mesh, s.stencils, s.coefficients, s.index);
-  const auto walks = pass.dual_walks(s.loops[0], 0, {0}, {});
-  ASSERT_EQ(walks.size(), 1u);
-  EXPECT_FALSE(pass.has_given_up());
-  Bidirectional_front<Loops_from>::Limits limits;
-  limits.number_of_updates = 100;
-  EXPECT_TRUE(pass.dual_walks(s.loops[0], 0, {0}, limits).empty());
-  EXPECT_TRUE(pass.has_given_up());
-  EXPECT_EQ(pass.dual_walks(s.loops[0], 0, {0}, {}), walks);
-  EXPECT_FALSE(pass.has_given_up());
+  Bidirectional_front<Loops_from> fronts(s.mesh, s.stencils, s.coefficients, s.index);
+  const Dual_loop_query query = {s.loops, s.index, false, {0}};
+  const Dual_walks found = fronts.dual_walks(query, 0);
+  ASSERT_EQ(found.walks.size(), 1u);
+  EXPECT_FALSE(found.has_given_up);
+  Dual_loop_query short_query = query;
+  short_query.number_of_updates = 100;
+  const Dual_walks nothing = fronts.dual_walks(short_query, 0);
+  EXPECT_TRUE(nothing.walks.empty());
+  EXPECT_TRUE(nothing.has_given_up);
+  EXPECT_EQ(fronts.dual_walks(query, 0).walks, found.walks);
 }
 
 } // namespace

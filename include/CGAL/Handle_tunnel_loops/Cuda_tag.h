@@ -12,16 +12,19 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Device_backend.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Device_start.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Fallback_backend.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
 #include <CGAL/Handle_tunnel_loops/release_device_memory.h>
+
+#ifdef CGAL_LINKED_WITH_CUDA
+#include <CGAL/Handle_tunnel_loops/internal/device/Passes_on_device.h>
+#endif
 
 #include <CGAL/tags.h>
 
-#include <cstddef>
-#include <optional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -65,35 +68,44 @@ struct Cuda_if_available_tag : public Parallel_if_available_tag
 namespace Handle_tunnel_loops {
 namespace internal {
 
-template <> struct Loop_pipeline_of<Cuda_if_available_tag>
-{
-  using Execution = decltype(execution<Cuda_if_available_tag>());
-  using type = Loop_pipeline<Execution, Fallback_backend<Execution>>;
-};
-
-template <> struct Loop_pipeline_of<Cuda_tag>
-{
-  using Execution = decltype(execution<Cuda_tag>());
-  using type = Loop_pipeline<Execution, Device_backend<Execution>>;
-};
-
 #ifdef CGAL_LINKED_WITH_CUDA
-template <> struct Device_start<Cuda_tag> : Concurrent_device_start
-{
-  Device_start(const Device_options& options, std::size_t)
-      : Concurrent_device_start(options) {}
-};
 
-template <> struct Device_start<Cuda_if_available_tag>
+template <> struct Passes_of_tag<Cuda_tag> : device::Passes_on_device
+{};
+
+template <> struct Passes_of_tag<Cuda_if_available_tag> : device::Passes_if_there_is_a_device
+{};
+
+#else
+
+// Depends on a type, so that nobody is refused who does not use it.
+template <typename Tag> struct Passes_without_cuda : Passes_of_tag<Parallel_if_available_tag>
 {
-  Device_start(const Device_options& options, std::size_t number_of_vertices) {
-    if(number_of_vertices >= options.least_vertices)
-      start_.emplace(options);
+  template <typename... Arguments> static std::unique_ptr<Passes> make(const Arguments&...) {
+    static_assert(std::is_void<Tag>::value,
+                  "Cuda_tag is used but the program is not linked with Handle_tunnel_loops::cuda");
+    return nullptr;
   }
-
-private:
-  std::optional<Concurrent_device_start> start_;
 };
+
+template <> struct Passes_of_tag<Cuda_tag> : Passes_without_cuda<Cuda_tag>
+{};
+
+template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Parallel_if_available_tag>
+{
+  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
+                                      std::vector<Index> seeds,
+                                      const Pass_options& options,
+                                      const Device_options&) {
+    const Execution execution = execution_of<Cuda_if_available_tag>();
+    return std::make_unique<Field_passes>(
+        execution, mesh, std::move(seeds), options, [execution, &mesh] {
+          return std::make_unique<Host_backend>(
+              execution, mesh, "the program is not linked with Handle_tunnel_loops::cuda");
+        });
+  }
+};
+
 #endif
 
 } // namespace internal

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Reference_pipeline.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Reference_passes.h>
 
 #include <CGAL/tags.h>
 
@@ -47,14 +47,12 @@ struct Reference_tag : public Sequential_tag
 
 namespace internal {
 
-template <> struct Loop_pipeline_of<Reference_tag>
-{
 #ifdef CGAL_EIGEN3_ENABLED
-  using type = reference::Reference_pipeline;
+template <> struct Passes_of_tag<Reference_tag> : reference::Passes_of_reference
+{};
 #else
-  using type = struct Link_with_CGAL_Eigen3_support; // without it there is no reference solver
+template <> struct Passes_of_tag<Reference_tag>; // link with CGAL::Eigen3_support
 #endif
-};
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

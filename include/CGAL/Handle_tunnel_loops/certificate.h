@@ -101,9 +101,9 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
       choose_parameter(get_parameter(np, internal_np::vertex_point),
                        get_const_property_map(vertex_point, tm)),
       CGAL::get_initialized_vertex_index_map(tm, np), CGAL::get_initialized_face_index_map(tm, np));
-  const auto execution = impl::execution<ConcurrencyTag>();
+  const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
   if(certification.are_closed(execution, pairs)) {
-    certification.prepare(execution);
+    certification.check_basis(execution);
     certification.relate(
         execution, choose_parameter(get_parameter(np, internal_np::do_compute_linking), true));
   }

@@ -23,18 +23,27 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// The stages of the computation, in order. `CLASSIFY` finishes the pairs and finds where the solid
-/// is; the linking numbers, which name the loops, are computed beside the certificate, in
-/// `CERTIFICATE`.
-enum class Stage { ADAPTOR, INITIAL, TUNNEL, REFINE, CLASSIFY, CERTIFICATE };
+/// The stages of a computation, in order; none of them is in every computation.
+enum class Stage {
+  ADAPTOR,     ///< checks the mesh, and turns it into arrays
+  INITIAL,     ///< the initial pass (paper, 4.1)
+  TUNNEL,      ///< the tunnel pass (paper, 4.2)
+  REFINE,      ///< the handle refinement pass (paper, 4.3)
+  SHORTEN,     ///< pulls all loops taut, and looks for shorter ones by length
+  CONVERT,     ///< turns the loops into loops on the caller's mesh
+  CERTIFICATE, ///< cuts the mesh along the loops, and checks that they are a basis
+  CLASSIFY,    ///< counts linking numbers, and tells handles from tunnels (paper, 4.5)
+  DIFFUSION    ///< the field of a Reeb graph
+};
 
 /// the number of stages.
-constexpr std::size_t number_of_stages = 6;
+constexpr std::size_t number_of_stages = 9;
 
 /// the name of a stage, as it stands in reports.
 inline const char* stage_name(Stage stage) {
   constexpr std::array<const char*, number_of_stages> names = {
-      "adaptor", "initial", "tunnel", "refine", "classify", "certificate"};
+      "adaptor", "initial",     "tunnel",   "refine",   "shorten",
+      "convert", "certificate", "classify", "diffusion"};
   return names[static_cast<std::size_t>(stage)];
 }
 

@@ -3,13 +3,11 @@
 
 #include "Flat_mesh_of_soup.h"
 #include "Layer_definitions.h"
-#include "Quiet_progress.h"
 #include "Same_events.h"
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Host_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
@@ -82,35 +80,30 @@ struct Tally
   }
 };
 
-inline std::vector<Dual_walks> expect_same(device::Solver& solver,
-                                           const Host_backend<Sequential_execution>& host,
+inline std::vector<Dual_walks> expect_same(Backend& solver,
+                                           Backend& host,
                                            const Step_coefficients& k,
-                                           const Dual_loop_query& search) {
-  const std::vector<Dual_walks> found = solver.search(search, k, go_on);
-  EXPECT_EQ(found.size(), search.numbers.size());
-  Quiet_progress progress;
-  std::size_t i = 0;
-  host.search(search, progress, [&](Index number, const Dual_walks& expected) {
-    EXPECT_EQ(number, search.numbers[i]);
-    EXPECT_EQ(found[i].walks, expected.walks);
-    if(expected.walks.empty()) {
-      EXPECT_EQ(found[i].has_given_up, expected.has_given_up);
+                                           const Dual_loop_query& query) {
+  const std::vector<Dual_walks> found = solver.dual_walks(query, k, go_on);
+  const std::vector<Dual_walks> expected = host.dual_walks(query, k, go_on);
+  EXPECT_EQ(expected.size(), query.numbers.size());
+  EXPECT_EQ(found.size(), expected.size());
+  for(std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].walks, expected[i].walks);
+    if(expected[i].walks.empty()) {
+      EXPECT_EQ(found[i].has_given_up, expected[i].has_given_up);
     }
-    ++i;
-  });
+  }
   return found;
 }
 
 // All passes on a mesh, one after the other.
-inline Tally expect_agreement(device::Solver& solver,
-                              const Flat_mesh& mesh,
-                              Index seed,
-                              const Field_constants& c) {
+inline Tally
+expect_agreement(Backend& solver, const Flat_mesh& mesh, Index seed, const Field_constants& c) {
   const Step_coefficients k = step_coefficients(c), searching = coefficients_for_searching(k);
-  Host_backend<Sequential_execution> host(mesh, k);
-  Quiet_progress progress;
-  const std::vector<Handle_candidate> handles = solver.sweep({seed}, k, go_on);
-  EXPECT_EQ(handles, host.sweep({seed}, progress));
+  Host_backend host(Execution(), mesh);
+  const std::vector<Handle_candidate> handles = solver.initial_field({seed}, k, go_on);
+  EXPECT_EQ(handles, host.initial_field({seed}, k, go_on));
   EXPECT_EQ(solver.arrival_times(), host.arrival_times());
   EXPECT_EQ(handles.size(), mesh.genus);
   const Front_log log = solver.front_log();
@@ -121,7 +114,7 @@ inline Tally expect_agreement(device::Solver& solver,
   const std::vector<Crossing_loop> contours = loops_of(handles);
   const Crossing_index index(mesh, contours);
   EXPECT_EQ(solver.times_from_loops(contours, index, searching),
-            host.times_from_loops(contours, index));
+            host.times_from_loops(contours, index, searching));
   const std::vector<Index> all = first_numbers(contours.size());
   Tally tally;
   for(const std::uint64_t updates : {100u, 3000u})
@@ -209,10 +202,9 @@ private:
 // The labels of a few fronts of a sweep: `label(times, level)` is what finds them.
 template <typename Label>
 void expect_front_labels(const Flat_mesh& mesh, Random& random, const Label& label) {
-  Host_backend<Sequential_execution> host(mesh, step_coefficients({}));
-  Quiet_progress progress;
-  host.sweep({0}, progress);
-  const std::vector<Time>& times = host.arrival_times();
+  Host_backend host(Execution(), mesh);
+  host.initial_field({0}, step_coefficients({}), go_on);
+  const std::vector<Time> times = host.arrival_times();
   for(int i = 0; i < 5; ++i) {
     const Time level = times[random.below(times.size())];
     SCOPED_TRACE(testing::Message() << "level " << level);

@@ -1,28 +1,20 @@
-// Copyright (c) 2026 The Handle_tunnel_loops authors.
-// All rights reserved.
-//
-// $URL$
-// $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Handle_tunnel_loops authors
-
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_HOST_EXECUTOR_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_HOST_EXECUTOR_H
-
-#include <CGAL/license/Handle_tunnel_loops.h>
+#ifndef HTL_TEST_HOST_EXECUTOR_H
+#define HTL_TEST_HOST_EXECUTOR_H
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/executors/Host_memory.h>
 #include <CGAL/Handle_tunnel_loops/internal/executors/run_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>
 #include <condition_variable>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <numeric>
 #include <random>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -30,7 +22,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// Lets a number of threads wait for each other.
 class Barrier
@@ -111,6 +102,10 @@ public:
 
   Host_executor(const Host_executor&) = delete;
   Host_executor& operator=(const Host_executor&) = delete;
+
+  /// nothing to choose for a call, nothing that is timed: as of `Device_solver`.
+  int scope() const { return 0; }
+  std::map<std::string, device::Kernel_cost> kernels() const { return {}; }
 
   std::size_t bytes_in_use() const { return bytes_in_use_; }
   std::size_t free_bytes() const { return memory_ - (std::min)(memory_, bytes_in_use_); }
@@ -208,9 +203,8 @@ private:
   std::mt19937 random_{1};
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_HOST_EXECUTOR_H
+#endif // HTL_TEST_HOST_EXECUTOR_H

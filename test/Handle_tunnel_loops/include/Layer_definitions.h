@@ -30,7 +30,7 @@ using CGAL::Handle_tunnel_loops::Front_event;
 using CGAL::Handle_tunnel_loops::Front_event_type;
 
 inline Sweep_order order_of(const Flat_mesh& mesh, const std::vector<Time>& times) {
-  return Sweep_order(Sequential_execution(), mesh, [&](Index v) { return times[v]; });
+  return Sweep_order(Execution(), mesh, [&](Index v) { return times[v]; });
 }
 
 inline std::size_t number_of(const Front_log& log, Front_event_type type) {
@@ -121,7 +121,7 @@ template <typename A, typename B> void expect_same_parts(const A& a, const B& b)
 // Layers are the arcs that the host finds, and arcs are numbered as they begin there too.
 inline void
 expect_arcs_of_host(const Front_log& log, const Flat_mesh& mesh, const Sweep_order& order) {
-  const std::vector<Star> stars = sweep_stars(Sequential_execution(), mesh, order);
+  const std::vector<Star> stars = sweep_stars(Execution(), mesh, order);
   Reeb_sweep sweep(mesh, order, stars, (std::numeric_limits<std::uint64_t>::max)(), 0.01);
   const Flat_reeb_graph graph = sweep.run();
   expect_same_parts(log.layer, graph.vertex_arc);

@@ -1,9 +1,7 @@
 #ifndef HTL_TEST_NUMBERS_OF_PASSES_H
 #define HTL_TEST_NUMBERS_OF_PASSES_H
 
-#include "Quiet_progress.h"
-
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Host_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
 
 #include <vector>
 
@@ -19,30 +17,31 @@ struct Numbers_of_passes
 inline Numbers_of_passes
 numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::Flat_mesh& mesh) {
   using namespace CGAL::Handle_tunnel_loops::internal;
-  Host_backend<Sequential_execution> passes(mesh, step_coefficients({}));
-  Quiet_progress progress;
+  Host_backend backend(Execution(), mesh);
+  const Step_coefficients k = step_coefficients({}), searching = coefficients_for_searching(k);
+  const Callback go_on = [](double) { return true; };
   Numbers_of_passes numbers;
   std::vector<Crossing_loop> contours;
-  for(const Handle_candidate& handle : passes.sweep({0}, progress)) {
+  for(const Handle_candidate& handle : backend.initial_field({0}, k, go_on)) {
     contours.push_back(handle.loop);
     for(const Crossing& crossing : handle.loop)
       numbers.ratios.push_back(crossing.ratio);
   }
-  numbers.times.assign(passes.arrival_times().begin(), passes.arrival_times().end());
-  for(const auto& event : passes.front_log().events)
+  const std::vector<Time> times = backend.arrival_times();
+  numbers.times.assign(times.begin(), times.end());
+  for(const auto& event : backend.front_log().events)
     for(const auto* fronts : {&event.before, &event.after})
       for(const auto& front : *fronts)
         numbers.lengths.push_back(front.length);
   const Crossing_index index(mesh, contours);
-  const std::vector<Time> from_loops = passes.times_from_loops(contours, index);
+  const std::vector<Time> from_loops = backend.times_from_loops(contours, index, searching);
   numbers.times.insert(numbers.times.end(), from_loops.begin(), from_loops.end());
   std::vector<Index> all(contours.size());
   for(Index k = 0; k < all.size(); ++k)
     all[k] = k;
-  passes.search({contours, index, false, all}, progress, [&](Index, const Dual_walks& found) {
+  for(const Dual_walks& found : backend.dual_walks({contours, index, false, all}, searching, go_on))
     for(const auto& walk : found.walks)
       numbers.walks.insert(numbers.walks.end(), walk.begin(), walk.end());
-  });
   return numbers;
 }
 

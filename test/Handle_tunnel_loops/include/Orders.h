@@ -7,7 +7,7 @@
 
 #include <string>
 
-using Order = CGAL::Handle_tunnel_loops::internal::device::Host_executor::Order;
+using Order = CGAL::Handle_tunnel_loops::internal::Host_executor::Order;
 
 /// the orders in which what is written for the device runs on the processor, for tests with a
 /// parameter.

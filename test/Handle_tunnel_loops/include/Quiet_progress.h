@@ -11,7 +11,7 @@ class Quiet_progress : public CGAL::Handle_tunnel_loops::internal::Progress
 public:
   Quiet_progress()
       : Progress(
-            {}, [](Stage) {}, [](Stage) {}, statistics_) {}
+            {}, [](Stage) {}, [](Stage) {}, statistics_, stages_of_loops()) {}
 
 private:
   CGAL::Handle_tunnel_loops::Statistics statistics_;

@@ -11,7 +11,7 @@
 
 namespace cuda_stand_in {
 
-using CGAL::Handle_tunnel_loops::internal::device::Barrier;
+using CGAL::Handle_tunnel_loops::internal::Barrier;
 
 // The threads that run a kernel, numbered along one axis.
 struct Grid

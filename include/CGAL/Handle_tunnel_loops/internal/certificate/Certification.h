@@ -49,8 +49,7 @@ public:
 
   /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
   /// on the surface. What follows is for such loops only.
-  template <typename Execution, typename PairRange>
-  bool are_closed(Execution execution, const PairRange& pairs) {
+  template <typename PairRange> bool are_closed(Execution execution, const PairRange& pairs) {
     for(const Pair& pair : pairs)
       loops_.insert(loops_.end(), {&pair.handle(), &pair.tunnel()});
     certifier_.set_loops(execution, loops_);
@@ -58,27 +57,26 @@ public:
     return certificate_.closed_on_surface;
   }
 
-  /// finds the components and where the solid is.
-  template <typename Execution> void prepare(Execution execution) {
+  /// cuts the mesh along the loops, and finds out whether they are a basis.
+  void check_basis(Execution execution) {
     certifier_.cut(execution);
+    certificate_.basis = certifier_.are_basis();
+  }
+
+  /// finds where the solid is, and the intersection numbers of the loops; with \p do_link the
+  /// linking numbers as well. After `check_basis()`.
+  void relate(Execution execution, bool do_link) {
     linker_.set_loops(
         execution, loops_, [this](const auto& f) { return certifier_.component(f); },
         certifier_.number_of_components());
+    if(do_link) {
+      linker_.link(execution);
+      note_linking();
+    } else {
+      linker_.intersect(execution);
+    }
   }
 
-  /// finds out whether the loops are a basis, and their intersection numbers; with \p do_link the
-  /// linking numbers as well.
-  template <typename Execution> void relate(Execution execution, bool do_link) {
-    Execution::invoke([this] { certificate_.basis = certifier_.are_basis(); },
-                      [this, execution, do_link] {
-                        if(do_link)
-                          linker_.link(execution);
-                        else
-                          linker_.intersect(execution);
-                      });
-    if(do_link)
-      note_linking();
-  }
   /// 1 if the linking numbers show that the first loop of a pair is the handle, -1 if the second,
   /// 0 if they do not tell.
   int handle_of_pair(std::size_t k) const {

@@ -46,7 +46,7 @@ public:
   /// \p ends are indices of vertices, and among them those at which cuts end; `is_cut(h)` tells
   /// whether the edge of a halfedge between two of them is cut. It is called once for each of these
   /// edges, with the halfedge to the larger index.
-  template <typename Execution, typename IsCut>
+  template <typename IsCut>
   void cut(Execution execution, const std::vector<Index>& ends, const IsCut& is_cut) {
     measure_vertices(execution);
     for(Index i : ends)
@@ -57,7 +57,7 @@ public:
       const Index u = index(source(h, tm_)), v = index(target(h, tm_));
       if(v < u || (is_end_[u] && is_end_[v] && is_cut(h)))
         return;
-      sets_.template unite<Execution>(index(face(h, tm_)), index(face(opposite(h, tm_), tm_)));
+      sets_.unite(index(face(h, tm_)), index(face(opposite(h, tm_), tm_)));
     });
     pieces_ = sets_.flatten(execution);
   }
@@ -69,8 +69,7 @@ public:
   const std::vector<Index>& pieces() const { return pieces_; }
 
   /// replaces the number of each piece by `number(piece)`; to be called once.
-  template <typename Execution, typename Function>
-  void renumber(Execution execution, const Function& number) {
+  template <typename Function> void renumber(Execution execution, const Function& number) {
     sets_.relabel(execution, number);
   }
 
@@ -89,7 +88,7 @@ private:
     std::size_t number = 0, bound = 0;
   };
 
-  template <typename Execution, typename Parts, typename Counts>
+  template <typename Parts, typename Counts>
   Extent extent(Execution execution, const Parts& all, const Counts& counts) const {
     Extent sum;
     std::mutex mutex;
@@ -106,7 +105,7 @@ private:
     return sum;
   }
 
-  template <typename Execution> void measure_vertices(Execution execution) {
+  void measure_vertices(Execution execution) {
     const Extent all = extent(execution, parts_of(vertices(tm_)), [this](vertex_descriptor v) {
       return halfedge(v, tm_) != Graph_traits::null_halfedge();
     });
@@ -114,7 +113,7 @@ private:
     is_end_.assign(all.bound, 0);
   }
 
-  template <typename Execution> void insert_faces(Execution execution) {
+  void insert_faces(Execution execution) {
     const auto all = parts_of(faces(tm_));
     number_of_faces_ = all.size();
     sets_ = Concurrent_disjoint_sets(

@@ -62,7 +62,7 @@ public:
       , pieces_(tm, vertex_index, face_index) {}
 
   /// takes pointers to loops, ranges of steps with members `halfedge` and `ratio`.
-  template <typename Execution, typename Loop>
+  template <typename Loop>
   void set_loops(Execution execution, const std::vector<const Loop*>& loops) {
     number_of_loops_ = loops.size();
     std::vector<Moved_loop> moved(loops.size());
@@ -91,7 +91,7 @@ public:
   }
 
   /// cuts the surface along the loops; to be called once, before what follows.
-  template <typename Execution> void cut(Execution execution) {
+  void cut(Execution execution) {
     prepare_chains(execution);
     find_pieces(execution);
     keep_distinct_edges(execution);
@@ -216,8 +216,8 @@ private:
   }
 
   // Adds up the entries of one loop on one edge, and lists the edges that remain.
-  template <typename Execution> void prepare_chains(Execution) {
-    Execution::sort(chains_.begin(), chains_.end(), std::less<Chain_entry>());
+  void prepare_chains(Execution execution) {
+    execution.sort(chains_.begin(), chains_.end(), std::less<Chain_entry>());
     std::size_t kept = 0;
     for(std::size_t i = 0; i < chains_.size();) {
       Chain_entry sum = chains_[i];
@@ -244,7 +244,7 @@ private:
 
   // ---- the pieces into which the used edges cut the surface
 
-  template <typename Execution> void find_pieces(Execution execution) {
+  void find_pieces(Execution execution) {
     std::vector<Index> ends;
     for(const Used_edge& e : used_edges_)
       for(const std::uint64_t v : {e.edge >> 32, e.edge & 0xffffffffu})
@@ -264,9 +264,9 @@ private:
 
   // Keeps one of the edges along which the same loops run between the same pieces: all that is
   // asked for is the same. In the order of the number of loops.
-  template <typename Execution> void keep_distinct_edges(Execution) {
-    Execution::sort(used_edges_.begin(), used_edges_.end(),
-                    [this](const Used_edge& a, const Used_edge& b) { return is_before(a, b); });
+  void keep_distinct_edges(Execution execution) {
+    execution.sort(used_edges_.begin(), used_edges_.end(),
+                   [this](const Used_edge& a, const Used_edge& b) { return is_before(a, b); });
     used_edges_.erase(std::unique(used_edges_.begin(), used_edges_.end(),
                                   [this](const Used_edge& a, const Used_edge& b) {
                                     return !is_before(a, b) && !is_before(b, a);
@@ -290,7 +290,7 @@ private:
   // ---- a tree over the pieces, and what a curve along it meets on its way to each of them
 
   // The pieces of a component hang together by used edges. A component without any is one piece.
-  template <typename Execution> void number_components(Execution execution) {
+  void number_components(Execution execution) {
     const std::vector<Index>& all = pieces_.pieces();
     const auto position = [&](Index piece) {
       return static_cast<Index>(std::lower_bound(all.begin(), all.end(), piece) - all.begin());
@@ -299,7 +299,7 @@ private:
     for(std::size_t i = 0; i < all.size(); ++i)
       sets.insert(static_cast<Index>(i));
     for(const Used_edge& e : used_edges_)
-      sets.template unite<Execution>(position(e.left), position(e.right));
+      sets.unite(position(e.left), position(e.right));
     sets.flatten(execution);
     std::vector<Index> number(all.size());
     for(std::size_t i = 0; i < all.size(); ++i) {

@@ -115,9 +115,7 @@ public:
 
   /// the handles, in the order in which the sweep finds them.
   std::vector<Handle_candidate> handles() {
-    const Saddle_contours<Executor> saddles(executor_, mesh_.view(), time_.span());
-    return traced(saddles.arrays(), vertices_of(saddles.keys()), saddles.begins(),
-                  saddles.lower_components());
+    return Saddle_contours<Executor>(executor_, mesh_.view(), time_.span()).handles();
   }
 
   /// the arrival times, in the memory of the executor.
@@ -187,31 +185,6 @@ private:
     costs_.number_of_steps += control.state.step;
     costs_.seconds_of_sweeps +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  }
-
-  std::vector<Handle_candidate> traced(const Saddle_arrays& arrays,
-                                       const std::vector<Index>& saddles,
-                                       const std::vector<Index>& begins,
-                                       const std::vector<Lower_component>& lower_components) {
-    std::vector<Found_handle> found;
-    std::vector<Handle_candidate> handles;
-    Index size = 0;
-    for(Index i = 0; i < saddles.size(); ++i)
-      for(Index j = begins[i]; j < begins[i + 1]; ++j)
-        if(lower_components[j].handle_start != no_index) {
-          found.push_back({i, j - begins[i], size});
-          handles.push_back(
-              {{}, saddles[i], lower_components[j - 1].foot, lower_components[j].foot});
-          size += lower_components[j].handle_size;
-        }
-    const Buffer<Found_handle> list = uploaded(executor_, found);
-    const Buffer<Crossing> crossings = executor_.template make<Crossing>(size);
-    executor_.for_each(found.size(), Trace_handles{arrays, list.span(), crossings.span()});
-    const std::vector<Crossing> all = downloaded(executor_, crossings);
-    for(std::size_t h = 0; h < found.size(); ++h)
-      handles[h].loop.assign(all.begin() + found[h].begin,
-                             h + 1 == found.size() ? all.end() : all.begin() + found[h + 1].begin);
-    return handles;
   }
 
   Executor& executor_;

@@ -24,7 +24,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
 
-/// All passes, with an executor that runs them. The mesh must outlive the object.
+/// On a device, by an executor that runs what is written for one. The mesh must outlive the object.
 template <typename Executor> class Device_solver : public Solver
 {
 public:
@@ -33,40 +33,56 @@ public:
       , host_mesh_(mesh)
       , tuning_(tuning)
       , mesh_(uploaded_mesh(executor, mesh))
-      , sweep_(executor, mesh, mesh_, tuning, costs_) {}
+      , initial_(executor, mesh, mesh_, tuning, costs_) {}
 
-  std::vector<Handle_candidate> sweep(const std::vector<Index>& seeds,
-                                      const Step_coefficients& k,
-                                      const Callback& callback) override {
-    sweep_.run(seeds, k, callback);
-    return sweep_.handles();
+  std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
+                                              const Step_coefficients& k,
+                                              const Callback& callback) override {
+    const auto scope = executor_.scope();
+    initial_.run(seeds, k, callback);
+    return initial_.handles();
   }
 
-  std::vector<Time> arrival_times() override { return sweep_.times(); }
+  std::vector<Time> arrival_times() override {
+    const auto scope = executor_.scope();
+    return initial_.times();
+  }
 
   Front_log front_log() override {
-    return Front_layers<Executor>(executor_, host_mesh_, mesh_.view(), sweep_.time_span()).run();
+    const auto scope = executor_.scope();
+    return Front_layers<Executor>(executor_, host_mesh_, mesh_.view(), initial_.time_span()).run();
   }
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {
-    Device_initial_pass<Executor> sweep(executor_, host_mesh_, mesh_, tuning_, costs_);
-    sweep.run_from_loops(loops, index, k);
-    return sweep.times();
+    const auto scope = executor_.scope();
+    Device_initial_pass<Executor> field(executor_, host_mesh_, mesh_, tuning_, costs_);
+    field.run_from_loops(loops, index, k);
+    return field.times();
   }
 
-  std::vector<Dual_walks> search(const Dual_loop_query& search,
-                                 const Step_coefficients& k,
-                                 const Callback& callback) override {
-    if(search.bars_only_own)
+  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
+                                     const Step_coefficients& k,
+                                     const Callback& callback) override {
+    const auto scope = executor_.scope();
+    if(query.bars_only_own)
       return Device_search<Executor, Only_loop>(executor_, mesh_, host_mesh_, tuning_, costs_)
-          .run(search, k, callback);
+          .run(query, k, callback);
     return Device_search<Executor, Loops_from>(executor_, mesh_, host_mesh_, tuning_, costs_)
-        .run(search, k, callback);
+        .run(query, k, callback);
   }
 
-  Costs costs() const override { return costs_; }
+  void report(Statistics& statistics) const override {
+    statistics.backend = "cuda";
+    statistics.device_bytes = costs_.largest_bytes;
+  }
+
+  Costs costs() const override {
+    Costs costs = costs_;
+    costs.kernels = executor_.kernels();
+    return costs;
+  }
 
 private:
   // Refuses the mesh if there would not be room for the passes beside it.
@@ -86,7 +102,7 @@ private:
   Tuning tuning_;
   Costs costs_;
   Device_mesh<Executor> mesh_;
-  Device_initial_pass<Executor> sweep_;
+  Device_initial_pass<Executor> initial_;
 };
 
 } // namespace device

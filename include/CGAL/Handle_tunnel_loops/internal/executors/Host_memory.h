@@ -19,7 +19,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// What executors have in common whose memory is that of the host.
 struct Host_memory
@@ -35,7 +34,6 @@ struct Host_memory
   }
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -24,13 +24,14 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
-/// Runs on the processor, as the host solver runs, what is written for the device and has no
-/// counterpart of its own. (`Host_executor` is for the tests.)
-template <typename Execution> class Processor_executor : public Host_memory
+/// Runs on the processor what is written for the processor and for a device alike.
+class Processor_executor : public Host_memory
 {
 public:
+  explicit Processor_executor(Execution execution)
+      : execution_(execution) {}
+
   template <typename T> class Buffer
   {
   public:
@@ -52,7 +53,7 @@ public:
     // A few items may be as much work as many are.
     const std::size_t grain = (std::min<std::size_t>)(n / 256 + 1, 4096);
     for_each_index(
-        Execution(), n, [&](std::size_t i) { f(static_cast<Index>(i)); }, grain);
+        execution_, n, [&](std::size_t i) { f(static_cast<Index>(i)); }, grain);
   }
 
   /// runs a program of many steps, see `run_steps()`.
@@ -74,9 +75,10 @@ private:
       executor.for_each(n, [&](Index i) { program(i, state); });
     }
   };
+
+  Execution execution_;
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -18,7 +18,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// What the programs for `run_steps()` have in common that go on until a step changes nothing.
 class Rounds
@@ -59,7 +58,6 @@ private:
   Span<std::uint32_t> changed_;
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

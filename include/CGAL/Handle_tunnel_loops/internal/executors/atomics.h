@@ -24,7 +24,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// \file atomics.h
 /// What threads do to common memory between two barriers. All of it is relaxed: only the barriers
@@ -125,7 +124,6 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t next_place(std::uint32_t& size) {
 #endif
 }
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

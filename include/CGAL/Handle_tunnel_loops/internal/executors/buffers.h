@@ -19,7 +19,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// \file buffers.h
 /// What is often done with the memory of an executor.
@@ -62,7 +61,6 @@ template <typename T> std::vector<T> begins_of(const std::vector<T>& sizes) {
   return begins;
 }
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

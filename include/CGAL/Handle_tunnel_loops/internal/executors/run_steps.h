@@ -17,7 +17,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /*!
 What each of the threads does that run a program of many steps together, from a memory of its own
@@ -47,7 +46,6 @@ CGAL_HTL_HOST_DEVICE void run_steps(const Program& program, Threads& threads) {
     program.store(state);
 }
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

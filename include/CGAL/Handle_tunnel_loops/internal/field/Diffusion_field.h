@@ -24,12 +24,12 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// The arrival times of fronts that start at several vertices at once, in all components.
-template <typename Execution> class Diffusion_field
+class Diffusion_field
 {
 public:
-  Diffusion_field(const Flat_mesh& mesh, const Field_constants& constants)
+  Diffusion_field(Execution execution, const Flat_mesh& mesh, const Field_constants& constants)
       : mesh_(mesh)
-      , stencils_(execution_, mesh)
+      , stencils_(execution, mesh)
       , band_(mesh, stencils_, step_coefficients(constants))
       , has_source_(mesh.seeds.size(), 0) {}
 
@@ -105,7 +105,6 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Execution execution_;
   Stencils stencils_;
   Narrow_band band_;
   std::vector<char> has_source_; // by component

@@ -33,7 +33,6 @@ class Stencils
 public:
   static constexpr Index width = stencil_width;
 
-  template <typename Execution>
   Stencils(Execution execution, const Flat_mesh& mesh)
       : rows_(mesh.number_of_vertices()) {
     for_each_index(execution, rows_.size(), [&](std::size_t v) {

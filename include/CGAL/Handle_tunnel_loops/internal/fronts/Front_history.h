@@ -25,8 +25,6 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-namespace device {
-
 /// What is known of the fronts of a sweep when their contours have been walked. Ends of layers are
 /// numbered as in `Layer_links`, but from zero.
 struct Walked_fronts
@@ -39,8 +37,8 @@ struct Walked_fronts
   struct Saddles
   {
     std::vector<std::uint64_t> keys;
-    std::vector<Index> begins;                     ///< by saddle, its first lower component
-    std::vector<Lower_component> lower_components; ///< by lower component, as all that follow
+    std::vector<Index> begins;                         ///< by saddle, its first lower component
+    std::vector<Lower_component_arc> lower_components; ///< by lower component, as all that follow
     std::vector<Linked_fronts> linked; ///< in the step of the unfolding at the lower component
     std::vector<Index> ends;           ///< of the layers just above the gaps
   };
@@ -170,7 +168,6 @@ private:
   Index number_of_layers_ = 0;
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -23,8 +23,6 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-namespace device {
-
 /*!
 Finds the layers of the fronts of a sweep, and what happens to the fronts.
 
@@ -150,7 +148,6 @@ private:
   Buffer<Index> link_, first_;
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

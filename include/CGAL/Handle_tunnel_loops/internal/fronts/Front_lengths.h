@@ -20,7 +20,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// A place in the unit of the mesh.
 struct Point
@@ -136,7 +135,6 @@ struct Measure_closings
   }
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -19,7 +19,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /*!
 The way from each vertex to the end of its layer.
@@ -205,7 +204,6 @@ struct Number_layers
   }
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -55,7 +55,6 @@ class Component_orientation
 public:
   /// \p component maps a face to the number of its component. What is asked for later are
   /// components with `is_wanted`.
-  template <typename Execution>
   Component_orientation(Execution execution,
                         const TriangleMesh& tm,
                         VertexPointMap point,
@@ -176,7 +175,7 @@ private:
   // Adds up results by component, where `f(result, component, face)` adds a face. Threads do so for
   // runs of faces of one component, and end in any order: what becomes of rounding errors is up to
   // them, but no more than a bound of these is used.
-  template <typename Result, typename Execution, typename Faces, typename F, typename Add>
+  template <typename Result, typename Faces, typename F, typename Add>
   void add_up(Execution execution, const Faces& all, const F& f, const Add& add) {
     std::mutex mutex;
     all.for_each_part(execution, [&](std::size_t i, auto begin, auto end) {
@@ -194,8 +193,7 @@ private:
     });
   }
 
-  template <typename Execution, typename Faces>
-  void find_extents(Execution execution, const Faces& all) {
+  template <typename Faces> void find_extents(Execution execution, const Faces& all) {
     if(parts_.size() == 1 && all.size() > 0) {
       parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
       return;
@@ -206,8 +204,7 @@ private:
         [](Part& part, const Extent& extent) { part.extent.add(extent); });
   }
 
-  template <typename Execution, typename Faces>
-  void find_volumes(Execution execution, const Faces& all) {
+  template <typename Faces> void find_volumes(Execution execution, const Faces& all) {
     add_up<Volume>(
         execution, all,
         [this](Volume& volume, std::size_t component, face_descriptor f) {
@@ -271,8 +268,7 @@ private:
 
   // Turns the sign of a component with each face above its first point that belongs to a component
   // whose box contains it.
-  template <typename Execution, typename Faces>
-  void find_nesting(Execution execution, const Faces& all) {
+  template <typename Faces> void find_nesting(Execution execution, const Faces& all) {
     const std::vector<std::size_t> open = open_components();
     if(open.empty())
       return;

@@ -58,9 +58,8 @@ class Linking_numbers
 {
 public:
   explicit Linking_numbers(const Surface_curves& curves)
-      : Linking_numbers(Sequential_execution(), curves) {}
+      : Linking_numbers(Execution(), curves) {}
 
-  template <typename Execution>
   Linking_numbers(Execution execution, const Surface_curves& curves)
       : curves_(curves)
       , points_(execution, curves.vertices, next_direction(), 2 * curves.corners.size()) {
@@ -68,7 +67,7 @@ public:
   }
 
   /// computes V.
-  template <typename Execution> void link(Execution execution) {
+  void link(Execution execution) {
     while(!are_touches_decided() && ++number_of_attempts_ < maximum_number_of_attempts)
       points_.see_along(execution, next_direction());
     add_touches();
@@ -207,7 +206,7 @@ private:
     return static_cast<Index>(curves_.vertices.size() + 2 * corner);
   }
 
-  template <typename Execution> void add_ends(Execution execution) {
+  void add_ends(Execution execution) {
     points_.add_midpoints(execution, 2 * curves_.corners.size(), [this](std::size_t i) {
       const Corner& c = curves_.corners[i / 2];
       return std::make_pair(c.apex, i % 2 == 0 ? c.from : c.to);
@@ -223,7 +222,6 @@ private:
   }
 
   // The order of rectangles along a space-filling curve.
-  template <typename Execution>
   static std::vector<Index> order(Execution execution, const std::vector<Box>& boxes) {
     Box all = boxes.empty() ? Box{0., 0., 0., 0.} : boxes.front();
     for(const Box& b : boxes)
@@ -244,7 +242,7 @@ private:
     std::vector<Box> boxes;
   };
 
-  template <typename Execution, typename Ends>
+  template <typename Ends>
   Sorted_boxes sorted_boxes(Execution execution, std::size_t n, const Ends& ends) const {
     std::vector<Box> boxes(n);
     for_each_index(execution, n, [&](std::size_t i) {
@@ -257,7 +255,7 @@ private:
     return sorted;
   }
 
-  template <typename Execution> void add_crossings(Execution execution) {
+  void add_crossings(Execution execution) {
     add_ends(execution);
     using Ends = std::pair<Index, Index>;
     Sorted_boxes edges = sorted_boxes(execution, curves_.edges.size(), [this](std::size_t e) {

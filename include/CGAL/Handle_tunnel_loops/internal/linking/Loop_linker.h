@@ -46,7 +46,7 @@ public:
 
   /// takes pointers to loops that are closed and lie on the surface; \p component gives the number
   /// of the component of a face. Finds where the solid is.
-  template <typename Execution, typename ComponentOfFace>
+  template <typename ComponentOfFace>
   void set_loops(Execution execution,
                  std::vector<const Loop*> loops,
                  const ComponentOfFace& component,
@@ -58,7 +58,7 @@ public:
   }
 
   /// computes the intersection numbers.
-  template <typename Execution> void intersect(Execution execution) {
+  void intersect(Execution execution) {
     walks_.resize(loops_.size());
     for_each_index(
         execution, loops_.size(),
@@ -69,7 +69,7 @@ public:
   }
 
   /// computes the intersection and the linking numbers.
-  template <typename Execution> void link(Execution execution) {
+  void link(Execution execution) {
     for(int round = 0; round < maximum_number_of_rounds; ++round)
       if(!find_walks(execution, round == 0) || !link_walks(execution))
         break;
@@ -98,7 +98,7 @@ private:
     problems_.emplace(loop, problem);
   }
 
-  template <typename Execution, typename ComponentOfFace>
+  template <typename ComponentOfFace>
   void find_outward(Execution execution,
                     const ComponentOfFace& component,
                     std::size_t number_of_components) {
@@ -116,7 +116,7 @@ private:
 
   // Whether there are walks that have not been tried. In the first round these are all; later,
   // those of loops for which there is a way around what has been found.
-  template <typename Execution> bool find_walks(Execution execution, bool is_first) {
+  bool find_walks(Execution execution, bool is_first) {
     bool is_any_new = is_first && !loops_.empty();
     walks_.resize(loops_.size());
     for(std::size_t i = is_first ? find_straight_walks(execution) : 0; i < loops_.size(); ++i) {
@@ -136,10 +136,10 @@ private:
 
   // Finds the walks of the first loops, up to the first one that does not run straight. That walker
   // and those after it learn from each other what to keep away from.
-  template <typename Execution> std::size_t find_straight_walks(Execution) {
+  std::size_t find_straight_walks(Execution execution) {
     constexpr std::size_t loops_at_once = 8;
     std::vector<char> is_straight(loops_.size(), 0);
-    Execution::for_ranges(loops_.size(), loops_at_once, [&](std::size_t begin, std::size_t end) {
+    execution.for_ranges(loops_.size(), loops_at_once, [&](std::size_t begin, std::size_t end) {
       Walker walker(tm_, point_, vertex_index_);
       for(std::size_t i = begin; i < end; ++i) {
         walks_[i] = walker.straight(*loops_[i]);
@@ -150,7 +150,7 @@ private:
   }
 
   // Whether another round may do better.
-  template <typename Execution> bool link_walks(Execution execution) {
+  bool link_walks(Execution execution) {
     Builder builder(tm_, point_, vertex_index_);
     const Surface_curves curves = builder.build(execution, walks_, outward_);
     Linking_numbers numbers(execution, curves);

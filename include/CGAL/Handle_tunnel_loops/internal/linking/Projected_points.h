@@ -46,10 +46,9 @@ public:
   };
 
   Projected_points(const std::vector<Vector>& vertices, const Direction& direction)
-      : Projected_points(Sequential_execution(), vertices, direction, 0) {}
+      : Projected_points(Execution(), vertices, direction, 0) {}
 
   /// as above; there will be \p number_of_midpoints.
-  template <typename Execution>
   Projected_points(Execution execution,
                    const std::vector<Vector>& vertices,
                    const Direction& direction,
@@ -67,22 +66,22 @@ public:
   }
 
   /// changes the direction, and forgets the midpoints.
-  template <typename Execution> void see_along(Execution execution, const Direction& direction) {
+  void see_along(Execution execution, const Direction& direction) {
     direction_ = direction;
     number_of_points_ = 0;
     add_midpoints(execution, vertices_.size(), [](std::size_t v) {
       return std::make_pair(static_cast<Index>(v), static_cast<Index>(v));
     });
   }
-  void see_along(const Direction& direction) { see_along(Sequential_execution(), direction); }
+  void see_along(const Direction& direction) { see_along(Execution(), direction); }
 
   /// adds the midpoint of two vertices as the next point.
   void add_midpoint(Index u, Index v) {
-    add_midpoints(Sequential_execution(), 1, [&](std::size_t) { return std::make_pair(u, v); });
+    add_midpoints(Execution(), 1, [&](std::size_t) { return std::make_pair(u, v); });
   }
 
   /// adds n points, the midpoints of the pairs `ends(i)` of vertices.
-  template <typename Execution, typename Ends>
+  template <typename Ends>
   void add_midpoints(Execution execution, std::size_t n, const Ends& ends) {
     if(number_of_points_ + n > capacity_)
       reserve(execution, (std::max)(number_of_points_ + n, 2 * capacity_));
@@ -162,7 +161,7 @@ private:
   }
 
   // The memory is left as it is, so that the threads that fill it are the first to touch it.
-  template <typename Execution> void reserve(Execution execution, std::size_t capacity) {
+  void reserve(Execution execution, std::size_t capacity) {
     std::unique_ptr<Point[]> points(new Point[capacity]);
     for_each_index(execution, number_of_points_, [&](std::size_t i) { points[i] = points_[i]; });
     points_ = std::move(points);

@@ -49,7 +49,6 @@ public:
       , vertex_index_(vertex_index) {}
 
   /// \p outward is 1 or -1 for each walk, as in `Surface_curves`.
-  template <typename Execution>
   Surface_curves
   build(Execution execution, const std::vector<Walk>& walks, std::vector<int> outward) {
     std::vector<Piece> pieces(walks.size());
@@ -92,7 +91,7 @@ private:
     }
   };
 
-  template <typename Execution, typename Function>
+  template <typename Function>
   static void
   for_each_loop(Execution execution, const std::vector<Walk>& walks, const Function& f) {
     for_each_index(execution, walks.size(), f, 1);
@@ -139,7 +138,6 @@ private:
   }
 
   // In the order of their indices.
-  template <typename Execution>
   void
   number_vertices(Execution execution, const std::vector<Walk>& walks, std::vector<Piece>& pieces) {
     std::size_t bound = 0;
@@ -193,14 +191,13 @@ private:
   }
 
   // In the order in which the walks pass them first.
-  template <typename Execution>
   void number_edges(Execution execution, const std::vector<Walk>& walks) {
     Walk all;
     for(const Walk& walk : walks)
       all.insert(all.end(), walk.begin(), walk.end());
     std::vector<Edge_position> places(all.size());
     for_each_index(execution, all.size(), [&](std::size_t i) { places[i] = {key(all[i]), i}; });
-    Execution::sort(places.begin(), places.end(), std::less<Edge_position>());
+    execution.sort(places.begin(), places.end(), std::less<Edge_position>());
     std::vector<Index> number(all.size(), no_index); // of edges, by the first place of each
     for(std::size_t i = 0; i < places.size(); ++i)
       if(i == 0 || places[i].key != places[i - 1].key)

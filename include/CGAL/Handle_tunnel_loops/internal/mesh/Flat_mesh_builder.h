@@ -39,23 +39,21 @@ namespace internal {
 /// closed oriented 2-manifold triangle mesh. Linear in the size of the mesh. Isolated vertices are
 /// left out. The mesh is walked once and in its own order, which its halfedges are likely to
 /// follow.
-template <typename TriangleMesh,
-          typename VertexIndexMap,
-          typename VertexPointMap,
-          typename Execution>
+template <typename TriangleMesh, typename VertexIndexMap, typename VertexPointMap>
 class Flat_mesh_builder
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  // Exact numbers may share what they are computed from, and know nothing of threads.
-  using Point_execution = std::
-      conditional_t<std::is_floating_point<Coordinate>::value, Execution, Sequential_execution>;
 
 public:
-  Flat_mesh_builder(const TriangleMesh& tm, VertexIndexMap index, VertexPointMap point)
-      : tm_(tm)
+  Flat_mesh_builder(Execution execution,
+                    const TriangleMesh& tm,
+                    VertexIndexMap index,
+                    VertexPointMap point)
+      : execution_(execution)
+      , tm_(tm)
       , index_(index)
       , point_(point)
       , rings_(tm, index) {}
@@ -93,7 +91,10 @@ private:
   void read_points() {
     points_.resize(vertices_.size());
     First_index not_finite;
-    for_each_index(Point_execution(), vertices_.size(), [&](std::size_t i) {
+    // Exact numbers may share what they are computed from, and know nothing of threads.
+    const Execution execution =
+        std::is_floating_point<Coordinate>::value ? execution_ : Execution();
+    for_each_index(execution, vertices_.size(), [&](std::size_t i) {
       const auto& p = get(point_, vertices_[i]);
       const Vector x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
       if(!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
@@ -196,10 +197,10 @@ private:
     mesh_.genus = handles_twice / 2;
   }
 
+  Execution execution_;
   const TriangleMesh& tm_;
   VertexIndexMap index_;
   VertexPointMap point_;
-  Execution execution_;
   Flat_mesh mesh_;
   std::size_t index_bound_ = 0;                       // above the caller's indices
   std::vector<vertex_descriptor> vertices_;           // in the order of the mesh, then sorted

@@ -20,7 +20,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// The first neighbours of a vertex, for a thread to load in two pieces; `no_index` beyond the
 /// last.
@@ -62,7 +61,6 @@ inline Mesh_view view_of(const Flat_mesh& mesh) {
           {}};
 }
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -41,10 +41,9 @@ public:
       , index_(index) {}
 
   /// reads the rings of these vertices. Throws if there is no triangle, or something else.
-  template <typename Execution>
-  void read(Execution, const std::vector<vertex_descriptor>& vertices) {
+  void read(Execution execution, const std::vector<vertex_descriptor>& vertices) {
     ranges_.resize((vertices.size() + grain - 1) / grain);
-    Execution::for_ranges(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+    execution.for_ranges(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
       read_range(vertices.data() + begin, end - begin, ranges_[begin / grain]);
     });
     std::size_t number_of_halfedges = 0;

@@ -27,10 +27,10 @@ namespace internal {
 class Unit_box
 {
 public:
-  template <typename Execution> Unit_box(Execution, const Uninitialized_vector<Vector>& points) {
+  Unit_box(Execution execution, const Uninitialized_vector<Vector>& points) {
     constexpr std::size_t grain = 65536;
     std::vector<Bounds> parts((points.size() + grain - 1) / grain);
-    Execution::for_ranges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    execution.for_ranges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
       Bounds bounds;
       for(std::size_t i = begin; i < end; ++i)
         bounds.extend(points[i], points[i]);

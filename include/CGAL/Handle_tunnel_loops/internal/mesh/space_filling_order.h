@@ -34,7 +34,7 @@ inline std::uint32_t every_third_bit(std::uint32_t x) {
 /// the numbers 0 .. n - 1 of points `point(i)` in the unit box, sorted along a Morton curve, those
 /// in one cell by their numbers. Meshes come in any order; a field that walks them in file order
 /// waits for memory.
-template <typename Execution, typename Point>
+template <typename Point>
 std::vector<Index> space_filling_order(Execution execution, std::size_t n, const Point& point) {
   struct Numbered_cell
   {

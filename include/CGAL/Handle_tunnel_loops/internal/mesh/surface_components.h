@@ -63,8 +63,8 @@ private:
 
 /// for each vertex the smallest one of its connected component. Ranges of vertices are joined each
 /// on its own; as they are pieces of a space-filling curve, few edges lead from one to another.
-template <typename Execution>
-Uninitialized_vector<Index> smallest_in_component(Execution execution, const Flat_mesh& mesh) {
+inline Uninitialized_vector<Index> smallest_in_component(Execution execution,
+                                                         const Flat_mesh& mesh) {
   constexpr std::size_t grain = std::size_t(1) << 16;
   using Edge = std::pair<Index, Index>;
   const std::size_t n = mesh.number_of_vertices();
@@ -84,7 +84,7 @@ Uninitialized_vector<Index> smallest_in_component(Execution execution, const Fla
   for(const auto& [u, v] : collect<Edge>(execution, n, join_range, grain))
     sets.unite(u, v);
   Uninitialized_vector<Index> smallest(n);
-  Execution::for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
+  execution.for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
     for(Index v = static_cast<Index>(begin); v < end; ++v) {
       const Index parent = sets.parent(v);
       smallest[v] = parent == v ? v : parent < begin ? sets.find(parent) : smallest[parent];

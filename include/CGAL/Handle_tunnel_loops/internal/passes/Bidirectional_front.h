@@ -16,9 +16,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/steepest_descent.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_loop_query.h>
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -57,55 +57,46 @@ public:
           band_.expect_walls(v);
   }
 
-  /// How long to search.
-  struct Limits
-  {
-    std::size_t number_of_walks = 1;                                           ///< to find
-    Time number_of_steps = never;                                              ///< of the field
-    std::size_t number_of_updates = (std::numeric_limits<std::size_t>::max)(); ///< of the field
-  };
-
-  /// returns closed walks on the edges, the shortest first as far as the fronts can tell; `number`
-  /// is that of `loop` in the index, and is among the `barred` ones, which are walls. Where the
-  /// fronts meet in several places, as behind each of several branches of the surface, there is a
-  /// walk for each; the search ends a third later than the first was found.
-  std::vector<std::vector<Index>> dual_walks(const Crossing_loop& loop,
-                                             Index number,
-                                             const Loop_set& barred,
-                                             const Limits& limits) {
+  /// finds closed walks on the edges, the shortest first as far as the fronts can tell, for one of
+  /// the loops of the query, which is a wall itself. Where the fronts meet in several places, as
+  /// behind each of several branches of the surface, there is a walk for each; the search ends a
+  /// third later than the first was found.
+  Dual_walks dual_walks(const Dual_loop_query& query, Index number) {
+    const Crossing_loop& loop = query.loops[number];
+    const Loop_set barred = {number};
     const Walls walls(index_, barred);
     parallel_paths_.measure(mesh_, loop);
     start(loop, walls);
-    std::vector<std::vector<Index>> walks;
-    Time last_step = limits.number_of_steps;
+    Dual_walks found;
+    Time last_step = query.numbers_of_steps.empty() ? never : query.numbers_of_steps[number];
     const std::size_t updates_before = band_.number_of_updates();
+    const auto has_given_up = [&] {
+      return band_.number_of_updates() - updates_before >= query.number_of_updates;
+    };
     const auto may_go_on = [&] {
-      return walks.size() < limits.number_of_walks && band_.number_of_steps() < last_step &&
-             band_.number_of_updates() - updates_before < limits.number_of_updates;
+      return found.walks.size() < query.number_of_walks && band_.number_of_steps() < last_step &&
+             !has_given_up();
     };
     do {
       std::sort(meetings_.begin(), meetings_.end());
       for(const Meeting& meeting : meetings_) {
-        if(walks.size() == limits.number_of_walks || continues_a_meeting(meeting))
+        if(found.walks.size() == query.number_of_walks || continues_a_meeting(meeting))
           continue;
         std::vector<Index> walk = parallel_paths_.closed_walk(path_back(meeting.right, walls),
                                                               path_back(meeting.left, walls));
         if(!is_dual(index_.intersections(walk), number, barred))
           continue;
         mark(meeting);
-        if(walks.empty())
+        if(found.walks.empty())
           last_step = (std::min)(last_step, band_.number_of_steps() * 4 / 3 + 1);
-        walks.push_back(std::move(walk));
+        found.walks.push_back(std::move(walk));
       }
       meetings_.clear();
     } while(may_go_on() && band_.step(walls, [&](Index v) { note_meetings(v, walls); }));
-    has_given_up_ = band_.number_of_updates() - updates_before >= limits.number_of_updates;
+    found.has_given_up = has_given_up();
     band_.reset();
-    return walks;
+    return found;
   }
-
-  /// whether the last search ended because it needed more updates than it was given.
-  bool has_given_up() const { return has_given_up_; }
 
   std::size_t number_of_updates() const { return band_.number_of_updates(); }
 
@@ -190,7 +181,6 @@ private:
   Narrow_band band_;
   std::vector<Meeting> meetings_;
   Parallel_paths parallel_paths_;
-  bool has_given_up_ = false;
 };
 
 } // namespace internal

@@ -54,7 +54,6 @@ public:
   };
 
   /// \p times are the arrival times of the field.
-  template <typename Execution>
   Voronoi_regions(Execution execution,
                   const Flat_mesh& mesh,
                   const std::vector<Time>& times,
@@ -108,7 +107,6 @@ private:
 
   bool is_wall(Index u, Index v) const { return index_.is_crossed(u, v, all_loops); }
 
-  template <typename Execution>
   void find_parents(Execution execution, const std::vector<Time>& times) {
     for_each_index(execution, mesh_.number_of_vertices(), [&](std::size_t i) {
       const Index v = static_cast<Index>(i);
@@ -132,7 +130,7 @@ private:
     }
   }
 
-  template <typename Execution> void find_gates(Execution execution) {
+  void find_gates(Execution execution) {
     const std::vector<Gate> found = collect<Gate>(
         execution, mesh_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
           std::vector<Gate> gates;

@@ -13,9 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Front_mean.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Lower_link_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_stars.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/Lower_link_components.h>
 
 #include <algorithm>
 #include <utility>

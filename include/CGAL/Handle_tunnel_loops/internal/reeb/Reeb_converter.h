@@ -47,7 +47,7 @@ public:
 
   /// \p value gives the value of the function at a vertex. Of `flat` no more is kept in memory than
   /// is still to be turned.
-  template <typename Execution, typename Graph, typename Value>
+  template <typename Graph, typename Value>
   void
   convert(Execution execution, Embedded_reeb_graph&& flat, const Value& value, Graph& graph) const {
     graph = Graph(flat.nodes.size());

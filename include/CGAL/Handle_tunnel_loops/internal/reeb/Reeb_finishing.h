@@ -42,14 +42,16 @@ struct Embedded_reeb_graph
 
 /// From a swept graph to one that is handed out: simplified, embedded, and with the vertices of its
 /// arcs. `Value` gives the value of the function at a vertex.
-template <typename Execution, typename Value> class Reeb_finishing
+template <typename Value> class Reeb_finishing
 {
 public:
-  Reeb_finishing(const Flat_mesh& mesh,
+  Reeb_finishing(Execution execution,
+                 const Flat_mesh& mesh,
                  const Sweep_order& order,
                  Flat_reeb_graph& graph,
                  const Value& value)
-      : mesh_(mesh)
+      : execution_(execution)
+      , mesh_(mesh)
       , order_(order)
       , graph_(graph)
       , value_(value)
@@ -211,11 +213,11 @@ private:
     }
   }
 
+  Execution execution_;
   const Flat_mesh& mesh_;
   const Sweep_order& order_;
   const Flat_reeb_graph& graph_;
   const Value& value_;
-  Execution execution_;
   Reeb_embedding embedding_;
 };
 

@@ -50,7 +50,7 @@ class Sweep_order
 {
 public:
   /// \p key gives an unsigned integer for each vertex.
-  template <typename Execution, typename Key>
+  template <typename Key>
   Sweep_order(Execution execution, const Flat_mesh& mesh, const Key& key)
       : vertices_(mesh.number_of_vertices())
       , rank_(mesh.number_of_vertices()) {

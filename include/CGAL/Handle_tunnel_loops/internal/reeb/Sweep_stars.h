@@ -61,8 +61,7 @@ inline Star star_of(const Flat_mesh& mesh, const Sweep_order& order, Index v) {
   return star;
 }
 
-template <typename Execution>
-std::vector<Star>
+inline std::vector<Star>
 sweep_stars(Execution execution, const Flat_mesh& mesh, const Sweep_order& order) {
   std::vector<Star> stars(mesh.number_of_vertices());
   for_each_index(execution, stars.size(),

@@ -18,11 +18,10 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// A lower component of earlier vertices around a saddle, and the arc of the contour that leaves
 /// it: what `Saddle` says of them, but for the crossings of the arc, which are not kept.
-struct Lower_component
+struct Lower_component_arc
 {
   Index first, last; ///< positions in the ring, counterclockwise
   Index foot;        ///< the first vertex
@@ -40,7 +39,8 @@ struct Lower_component
 class Contour_cycles
 {
 public:
-  CGAL_HTL_HOST_DEVICE explicit Contour_cycles(const Span<const Lower_component>& lower_components)
+  CGAL_HTL_HOST_DEVICE explicit Contour_cycles(
+      const Span<const Lower_component_arc>& lower_components)
       : lower_components_(lower_components) {}
 
   /// calls `f(at, leaving)` for the lower components at which the contour through `start` arrives,
@@ -78,10 +78,9 @@ private:
                                    : (lower_component + 1 == step ? 0 : lower_component + 1);
   }
 
-  Span<const Lower_component> lower_components_;
+  Span<const Lower_component_arc> lower_components_;
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

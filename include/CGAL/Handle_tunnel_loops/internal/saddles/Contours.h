@@ -19,7 +19,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// What one thread knows of a saddle.
 class Saddle_view
@@ -29,7 +28,7 @@ public:
   Saddle_view(const Mesh_view& mesh,
               const Span<const Time>& time,
               Index center,
-              Span<Lower_component> lower_components)
+              Span<Lower_component_arc> lower_components)
       : mesh_(mesh)
       , time_(time)
       , center_(center)
@@ -135,7 +134,7 @@ private:
   CGAL_HTL_HOST_DEVICE bool is_lower(Index p) const { return is_earlier(ring_[p], center_); }
 
   CGAL_HTL_HOST_DEVICE void start_arc(Index i) const {
-    Lower_component& lower_component = lower_components_[i];
+    Lower_component_arc& lower_component = lower_components_[i];
     lower_component.left = ring_[lower_component.first];
     lower_component.right = ring_[ring_.previous(lower_component.first)];
     lower_component.arc_size = 1;
@@ -145,7 +144,7 @@ private:
     return mesh_.ring(left).after(right);
   }
 
-  CGAL_HTL_HOST_DEVICE bool advance(Lower_component& arc) const {
+  CGAL_HTL_HOST_DEVICE bool advance(Lower_component_arc& arc) const {
     const Index apex = apex_ahead(arc.left, arc.right);
     if(apex == center_) {
       arc.arrival = lower_component_that_ends_at(arc.left);
@@ -217,7 +216,7 @@ private:
   Span<const Time> time_;
   Index center_;
   Ring ring_;
-  Span<Lower_component> lower_components_;
+  Span<Lower_component_arc> lower_components_;
 };
 
 /// The saddles in the order of the sweep, and their lower components, one saddle after the other.
@@ -227,7 +226,7 @@ struct Saddle_arrays
   Span<const Time> time;
   Span<const Index> saddles;
   Span<const Index> begin; ///< by saddle, its first lower component
-  Span<Lower_component> lower_components;
+  Span<Lower_component_arc> lower_components;
 
   CGAL_HTL_HOST_DEVICE Saddle_view saddle(Index i) const {
     return {mesh, time, saddles[i], {lower_components.data() + begin[i], begin[i + 1] - begin[i]}};
@@ -285,7 +284,6 @@ struct Trace_handles
   }
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

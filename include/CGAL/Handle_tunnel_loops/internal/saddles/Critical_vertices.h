@@ -23,12 +23,11 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// What begins or ends at a vertex: a contour, or several in one.
 enum class Critical_kind { MINIMUM, SADDLE, MAXIMUM };
 
-/// Counts the critical vertices of one kind, or lists them where there is a list.
+/// Counts the critical vertices of one kind, and lists as many as there is room for.
 struct Find_critical
 {
   Mesh_view mesh;
@@ -64,15 +63,18 @@ std::vector<std::uint64_t> critical_vertices(Executor& executor,
                                              const Span<const Time>& time,
                                              Critical_kind kind) {
   const auto number = filled(executor, 1, Index(0));
-  const auto find = [&](const Span<std::uint64_t>& keys) {
+  const auto find = [&](std::size_t room) {
+    auto keys = executor.template make<std::uint64_t>(room);
     executor.fill(number.span(), Index(0));
     executor.for_each(mesh.number_of_vertices(),
-                      Find_critical{mesh, time, kind, number.span().data(), keys});
+                      Find_critical{mesh, time, kind, number.span().data(), keys.span()});
+    return keys;
   };
-  find({});
-  const auto keys = executor.template make<std::uint64_t>(downloaded(executor, number)[0]);
-  find(keys.span());
-  std::vector<std::uint64_t> sorted = downloaded(executor, keys);
+  auto keys = find(mesh.number_of_vertices() / 64 + 64); // mostly enough
+  std::vector<std::uint64_t> sorted(downloaded(executor, number)[0]);
+  if(sorted.size() > keys.span().size())
+    keys = find(sorted.size());
+  executor.download(sorted.data(), Span<std::uint64_t>(keys.span().data(), sorted.size()));
   std::sort(sorted.begin(), sorted.end());
   return sorted;
 }
@@ -85,7 +87,6 @@ inline std::vector<Index> vertices_of(const std::vector<std::uint64_t>& keys) {
   return vertices;
 }
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

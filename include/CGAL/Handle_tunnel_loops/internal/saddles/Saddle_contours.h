@@ -14,13 +14,13 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/saddles/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/saddles/Critical_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/saddles/Handle_candidate.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// The saddles of a sweep in their order, with the contours that meet at them, in the memory of an
 /// executor. The mesh and the times must outlive the object.
@@ -37,7 +37,7 @@ public:
       , saddles_(uploaded(executor, vertices_of(keys_)))
       , begins_(lower_component_begins())
       , begin_(uploaded(executor, begins_))
-      , lower_components_(executor.template make<Lower_component>(begins_.back())) {
+      , lower_components_(executor.template make<Lower_component_arc>(begins_.back())) {
     executor_.for_each(keys_.size(), Walk_contours{arrays()});
   }
 
@@ -47,8 +47,30 @@ public:
   /// by saddle, its first lower component; and how many there are.
   const std::vector<Index>& begins() const { return begins_; }
 
-  std::vector<Lower_component> lower_components() const {
+  std::vector<Lower_component_arc> lower_components() const {
     return downloaded(executor_, lower_components_);
+  }
+
+  /// the handles, in the order in which the saddles are reached.
+  std::vector<Handle_candidate> handles() {
+    const std::vector<Index> saddles = vertices_of(keys_);
+    const std::vector<Lower_component_arc> arcs = lower_components();
+    std::vector<Found_handle> found;
+    std::vector<Handle_candidate> handles;
+    Index size = 0;
+    for(Index i = 0; i < saddles.size(); ++i)
+      for(Index j = begins_[i]; j < begins_[i + 1]; ++j)
+        if(arcs[j].handle_start != no_index) {
+          found.push_back({i, j - begins_[i], size});
+          handles.push_back({{}, saddles[i], arcs[j - 1].foot, arcs[j].foot});
+          size += arcs[j].handle_size;
+        }
+    const std::vector<Crossing> crossings = traced(found, size);
+    for(std::size_t h = 0; h < found.size(); ++h) {
+      const Index end = h + 1 == found.size() ? size : found[h + 1].begin;
+      handles[h].loop.assign(crossings.begin() + found[h].begin, crossings.begin() + end);
+    }
+    return handles;
   }
 
   Saddle_arrays arrays() const {
@@ -56,6 +78,14 @@ public:
   }
 
 private:
+  // The crossings of all handles, one after the other.
+  std::vector<Crossing> traced(const std::vector<Found_handle>& handles, std::size_t size) {
+    const Buffer<Found_handle> list = uploaded(executor_, handles);
+    const Buffer<Crossing> crossings = executor_.template make<Crossing>(size);
+    executor_.for_each(handles.size(), Trace_handles{arrays(), list.span(), crossings.span()});
+    return downloaded(executor_, crossings);
+  }
+
   std::vector<Index> lower_component_begins() {
     const Buffer<Index> numbers = executor_.template make<Index>(keys_.size());
     executor_.for_each(keys_.size(),
@@ -70,10 +100,9 @@ private:
   Buffer<Index> saddles_;
   std::vector<Index> begins_;
   Buffer<Index> begin_;
-  Buffer<Lower_component> lower_components_;
+  Buffer<Lower_component_arc> lower_components_;
 };
 
-} // namespace device
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

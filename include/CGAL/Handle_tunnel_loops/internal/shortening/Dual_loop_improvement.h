@@ -44,11 +44,12 @@ The loops for which the search is expected to cover the fewest vertices come fir
 as long as it pays: when a part of the loops, for `first_share()` of vertices, gave nothing, the
 rest is left as it is; otherwise the next part may cover twice as many.
 */
-template <typename Execution> class Dual_loop_improvement
+class Dual_loop_improvement
 {
 public:
-  Dual_loop_improvement(const Flat_mesh& mesh, Progress& progress)
-      : mesh_(mesh)
+  Dual_loop_improvement(Execution execution, const Flat_mesh& mesh, Progress& progress)
+      : execution_(execution)
+      , mesh_(mesh)
       , progress_(progress)
       , searches_([&] { return std::make_unique<Bidirectional_dijkstra>(mesh); }) {}
 
@@ -101,7 +102,7 @@ private:
       for(std::size_t sum = 0; end < numbers.size() && (sum += visits(numbers[end])) <= share;)
         ++end;
       for_each_index(
-          Execution(), end - begin,
+          execution_, end - begin,
           [&](std::size_t i) {
             const Index k = numbers[begin + i];
             if(!progress_.is_interrupted())
@@ -184,6 +185,7 @@ private:
     }
   }
 
+  Execution execution_;
   const Flat_mesh& mesh_;
   Progress& progress_;
   Workspace_pool<Bidirectional_dijkstra> searches_;

@@ -33,9 +33,9 @@ public:
   Concurrent_disjoint_sets() = default;
 
   /// no number below \p n is in a set yet.
-  template <typename Execution>
   Concurrent_disjoint_sets(Execution execution, std::size_t n)
-      : size_(n)
+      : is_shared_(execution.is_parallel())
+      , size_(n)
       , parent_(new std::atomic<Index>[n]) {
     for_each_index(execution, n,
                    [this](std::size_t i) { set_parent(static_cast<Index>(i), none); });
@@ -48,7 +48,7 @@ public:
 
   bool contains(Index i) const { return parent(i) != none; }
 
-  template <typename Execution> void unite(Index i, Index j) {
+  void unite(Index i, Index j) {
     for(;;) {
       i = root(i);
       j = root(j);
@@ -56,7 +56,7 @@ public:
         return;
       if(i < j)
         std::swap(i, j);
-      if(put_below<Execution>(i, j))
+      if(put_below(i, j))
         return;
     }
   }
@@ -77,7 +77,7 @@ public:
   }
 
   /// lets all numbers point to their roots, and returns these in ascending order.
-  template <typename Execution> std::vector<Index> flatten(Execution execution) {
+  std::vector<Index> flatten(Execution execution) {
     return collect<Index>(execution, size_, [this](std::size_t begin, std::size_t end) {
       std::vector<Index> roots;
       for(Index i = static_cast<Index>(begin); i < end; ++i) {
@@ -96,8 +96,7 @@ public:
   Index label(Index i) const { return parent(i); }
 
   /// replaces each root, after `flatten()`, by `f(root)`. Nothing can be united any more.
-  template <typename Execution, typename Function>
-  void relabel(Execution execution, const Function& f) {
+  template <typename Function> void relabel(Execution execution, const Function& f) {
     for_each_index(execution, size_, [&](std::size_t i) {
       if(contains(static_cast<Index>(i)))
         set_parent(static_cast<Index>(i), f(label(static_cast<Index>(i))));
@@ -108,8 +107,8 @@ private:
   static constexpr Index none = no_index;
 
   // Puts a root below another. Fails if another thread has put it elsewhere.
-  template <typename Execution> bool put_below(Index root, Index other) {
-    if constexpr(Execution::is_parallel)
+  bool put_below(Index root, Index other) {
+    if(is_shared_)
       return parent_[root].compare_exchange_strong(root, other, std::memory_order_relaxed);
     set_parent(root, other);
     return true;
@@ -119,6 +118,7 @@ private:
   Index parent(Index i) const { return parent_[i].load(std::memory_order_relaxed); }
   void set_parent(Index i, Index parent) { parent_[i].store(parent, std::memory_order_relaxed); }
 
+  bool is_shared_ = false; // by several threads
   std::size_t size_ = 0;
   std::unique_ptr<std::atomic<Index>[]> parent_;
 };

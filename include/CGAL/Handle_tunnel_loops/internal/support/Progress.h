@@ -22,6 +22,7 @@
 #include <functional>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -34,14 +35,28 @@ class Progress
 public:
   using Stage_function = std::function<void(Stage)>;
 
+  /// \p stages are those that may come, in their order.
   Progress(std::function<bool(double)> callback,
            Stage_function start_stage,
            Stage_function end_stage,
-           Statistics& statistics)
+           Statistics& statistics,
+           std::vector<Stage> stages)
       : callback_(std::move(callback))
       , start_stage_(std::move(start_stage))
       , end_stage_(std::move(end_stage))
-      , statistics_(statistics) {}
+      , statistics_(statistics)
+      , stages_(std::move(stages)) {}
+
+  /// the stages on the way to loops.
+  static std::vector<Stage> stages_of_loops() {
+    return {Stage::ADAPTOR, Stage::INITIAL, Stage::TUNNEL,      Stage::REFINE,
+            Stage::SHORTEN, Stage::CONVERT, Stage::CERTIFICATE, Stage::CLASSIFY};
+  }
+
+  /// the stages on the way to a diffusion that starts from loops.
+  static std::vector<Stage> stages_of_diffusion() {
+    return {Stage::ADAPTOR, Stage::INITIAL, Stage::TUNNEL, Stage::REFINE, Stage::DIFFUSION};
+  }
 
   void start(Stage stage) {
     start_stage_(stage);
@@ -76,6 +91,16 @@ public:
       report(double(done) / double(number));
   }
 
+  /// asks whether to go on, without news; for many threads.
+  bool goes_on() {
+    if(callback_) {
+      const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+      if(lock.owns_lock())
+        report(0.);
+    }
+    return !is_interrupted_;
+  }
+
   bool is_interrupted() const { return is_interrupted_; }
 
   void throw_if_interrupted() const {
@@ -86,21 +111,31 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  // About what the stages take of the whole, by stage, as measured on meshes of a million faces and
+  // genus 1 to 250.
+  static double weight(Stage stage) {
+    constexpr std::array<double, number_of_stages> weights = {0.10, 0.22, 0.20, 0.17, 0.12,
+                                                              0.01, 0.12, 0.06, 0.25};
+    return weights[static_cast<std::size_t>(stage)];
+  }
+
   void report(double part) {
-    // What the stages take of the whole, roughly.
-    constexpr std::array<double, number_of_stages + 1> begin = {0., 0.1, 0.3, 0.6, 0.85, 0.87, 1.};
     if(!callback_)
       return;
-    const std::size_t i = static_cast<std::size_t>(stage_);
-    const double now = begin[i] + part * (begin[i + 1] - begin[i]);
-    reported_ = (std::max)(reported_, now);
-    if(!callback_(reported_))
+    double before = 0., sum = 0.;
+    for(Stage stage : stages_) {
+      before += stage < stage_ ? weight(stage) : 0.;
+      sum += weight(stage);
+    }
+    reported_ = (std::max)(reported_, (before + part * weight(stage_)) / sum);
+    if(!callback_((std::min)(reported_, 1.)))
       is_interrupted_ = true;
   }
 
   std::function<bool(double)> callback_;
   Stage_function start_stage_, end_stage_;
   Statistics& statistics_;
+  std::vector<Stage> stages_;
   Stage stage_ = Stage::ADAPTOR;
   Clock::time_point began_;
   std::atomic<std::size_t> done_{0};

@@ -49,15 +49,13 @@ public:
   std::size_t number_of_parts() const { return bounds_.size() - 1; }
 
   /// calls `f(i, begin, end)` for each part i.
-  template <typename Execution, typename Function>
-  void for_each_part(Execution execution, const Function& f) const {
+  template <typename Function> void for_each_part(Execution execution, const Function& f) const {
     for_each_index(
         execution, number_of_parts(), [&](std::size_t i) { f(i, bounds_[i], bounds_[i + 1]); }, 1);
   }
 
   /// calls `f(x)` for each element x.
-  template <typename Execution, typename Function>
-  void for_each(Execution execution, const Function& f) const {
+  template <typename Function> void for_each(Execution execution, const Function& f) const {
     for_each_part(execution, [&](std::size_t, Iterator begin, Iterator end) {
       for(; begin != end; ++begin)
         f(*begin);

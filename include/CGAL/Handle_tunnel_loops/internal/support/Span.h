@@ -20,7 +20,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-namespace device {
 
 /// An array that somebody else owns, in the memory of the host or of the device.
 template <typename T> class Span
@@ -49,8 +48,6 @@ private:
   T* data_ = nullptr;
   std::size_t size_ = 0;
 };
-
-} // namespace device
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -32,54 +32,46 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-template <typename ConcurrencyTag>
-struct Is_parallel : std::is_convertible<ConcurrencyTag, Parallel_tag>
-{};
-
-/// The execution policies: `for_ranges(n, grain, f)` calls `f(begin, end)` on ranges that cover
-/// [0, n). Ranges begin at multiples of `grain` and have that size, whatever the number of
-/// threads, so that sums kept per range are reproducible. `invoke(f, g)` calls both, perhaps at the
-/// same time. `sort(first, last, less)` is not stable. `number_of_threads()` is what there may be.
-struct Sequential_execution
+/// How to do what can be done in any order: in the calling thread, or in all threads that there
+/// are. It is the first argument of whatever makes use of it, and no answer depends on it.
+class Execution
 {
-  static constexpr bool is_parallel = false;
+public:
+  /// in the calling thread.
+  constexpr Execution() = default;
 
-  static std::size_t number_of_threads() { return 1; }
-
-  template <typename Function>
-  static void for_ranges(std::size_t n, std::size_t grain, const Function& f) {
-    for(std::size_t begin = 0; begin < n; begin += grain)
-      f(begin, (std::min)(n, begin + grain));
-  }
-
-  template <typename F, typename G> static void invoke(const F& f, const G& g) {
-    f();
-    g();
-  }
-
-  template <typename Iterator, typename Less>
-  static void sort(Iterator first, Iterator last, const Less& less) {
-    std::sort(first, last, less);
-  }
-};
-
+  /// in all threads, if there is a library for that.
+  static constexpr Execution parallel() {
+    Execution execution;
 #ifdef CGAL_LINKED_WITH_TBB
-struct Parallel_execution
-{
-  static constexpr bool is_parallel = true;
-
-  static std::size_t number_of_threads() {
-    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    execution.is_parallel_ = true;
+#endif
+    return execution;
   }
 
+  constexpr bool is_parallel() const { return is_parallel_; }
+
+  /// how many threads there may be.
+  std::size_t number_of_threads() const {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(is_parallel_)
+      return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#endif
+    return 1;
+  }
+
+  /// calls `f(begin, end)` on ranges that cover [0, n). They begin at multiples of `grain` and have
+  /// that size, whatever the number of threads, so that sums kept per range are reproducible.
   template <typename Function>
-  static void for_ranges(std::size_t n, std::size_t grain, const Function& f) {
-    const std::size_t number_of_ranges = (n + grain - 1) / grain;
-    tbb::parallel_for(std::size_t(0), number_of_ranges,
-                      [&](std::size_t i) { f(i * grain, (std::min)(n, (i + 1) * grain)); });
+  void for_ranges(std::size_t n, std::size_t grain, const Function& f) const {
+    const auto call = [&](std::size_t i) { f(i * grain, (std::min)(n, (i + 1) * grain)); };
+    for_each_range((n + grain - 1) / grain, {&call, [](const void* c, std::size_t i) {
+                                               (*static_cast<decltype(&call)>(c))(i);
+                                             }});
   }
 
-  template <typename F, typename G> static void invoke(const F& f, const G& g) {
+  /// calls both, perhaps at the same time.
+  template <typename F, typename G> void invoke(const F& f, const G& g) const {
     for_ranges(2, 1, [&](std::size_t i, std::size_t) {
       if(i == 0)
         f();
@@ -88,38 +80,64 @@ struct Parallel_execution
     });
   }
 
+  /// sorts; not stable.
   template <typename Iterator, typename Less>
-  static void sort(Iterator first, Iterator last, const Less& less) {
-    tbb::parallel_sort(first, last, less);
-  }
-};
-#endif
-
-template <typename ConcurrencyTag> constexpr auto execution() {
+  void sort(Iterator first, Iterator last, const Less& less) const {
 #ifdef CGAL_LINKED_WITH_TBB
-  return std::conditional_t<Is_parallel<ConcurrencyTag>::value, Parallel_execution,
-                            Sequential_execution>();
-#else
-  static_assert(!Is_parallel<ConcurrencyTag>::value,
-                "Parallel_tag is used but the program is not linked with TBB");
-  return Sequential_execution();
+    if(is_parallel_)
+      return tbb::parallel_sort(first, last, less);
 #endif
+    std::sort(first, last, less);
+  }
+
+private:
+  // A function without its type: the library for threads is compiled for this one only.
+  struct Range_function
+  {
+    const void* function;
+    void (*call)(const void*, std::size_t);
+  };
+
+  void for_each_range(std::size_t number, const Range_function& f) const {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(is_parallel_)
+      return tbb::parallel_for(std::size_t(0), number,
+                               [f](std::size_t i) { f.call(f.function, i); });
+#endif
+    for(std::size_t i = 0; i < number; ++i)
+      f.call(f.function, i);
+  }
+
+  bool is_parallel_ = false;
+};
+
+/// the execution that a concurrency tag stands for.
+template <typename ConcurrencyTag> constexpr Execution execution_of() {
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag is used but the program is not linked with TBB");
+#endif
+  return is_parallel ? Execution::parallel() : Execution();
 }
 
 /// calls `f(i)` for all i in [0, n).
-template <typename Execution, typename Function>
-void for_each_index(Execution, std::size_t n, const Function& f, std::size_t grain = 4096) {
-  Execution::for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
+template <typename Function>
+void for_each_index(Execution execution,
+                    std::size_t n,
+                    const Function& f,
+                    std::size_t grain = 4096) {
+  execution.for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i < end; ++i)
       f(i);
   });
 }
 
 /// concatenates `f(begin, end)`, vectors computed range by range, in the order of the ranges.
-template <typename T, typename Execution, typename Function>
-std::vector<T> collect(Execution, std::size_t n, const Function& f, std::size_t grain = 16384) {
+template <typename T, typename Function>
+std::vector<T>
+collect(Execution execution, std::size_t n, const Function& f, std::size_t grain = 16384) {
   std::vector<std::vector<T>> parts((n + grain - 1) / grain);
-  Execution::for_ranges(
+  execution.for_ranges(
       n, grain, [&](std::size_t begin, std::size_t end) { parts[begin / grain] = f(begin, end); });
   std::vector<T> all;
   for(const std::vector<T>& part : parts)
@@ -128,17 +146,17 @@ std::vector<T> collect(Execution, std::size_t n, const Function& f, std::size_t 
 }
 
 /// replaces each number by the sum of those before it. Returns the sum of all.
-template <typename Execution, typename Numbers>
-std::size_t sum_before_each(Execution, Numbers& numbers, std::size_t grain = 65536) {
+template <typename Numbers>
+std::size_t sum_before_each(Execution execution, Numbers& numbers, std::size_t grain = 65536) {
   std::vector<std::size_t> sums((numbers.size() + grain - 1) / grain, 0);
-  Execution::for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
+  execution.for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i < end; ++i)
       sums[begin / grain] += numbers[i];
   });
   std::size_t sum = 0;
   for(std::size_t& s : sums)
     sum += std::exchange(s, sum);
-  Execution::for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
+  execution.for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::uint32_t before = static_cast<std::uint32_t>(sums[begin / grain]);
     for(std::size_t i = begin; i < end; ++i)
       before += std::exchange(numbers[i], before);

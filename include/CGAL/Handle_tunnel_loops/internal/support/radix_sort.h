@@ -26,15 +26,15 @@ namespace internal {
 /// sorts items, of which there are fewer than 2^32, by one digit of their keys; those with the same
 /// digit keep their order. Each range of them knows beforehand where its items of each digit go, so
 /// that the ranges can be moved at the same time.
-template <unsigned digits, typename Execution, typename Item, typename Digit>
-void sort_by_digit(Execution,
+template <unsigned digits, typename Item, typename Digit>
+void sort_by_digit(Execution execution,
                    const Uninitialized_vector<Item>& items,
                    Uninitialized_vector<Item>& sorted,
                    const Digit& digit) {
   constexpr std::size_t grain = std::size_t(1) << 16;
   const std::size_t ranges = (items.size() + grain - 1) / grain;
   std::vector<std::uint32_t> places(ranges * digits, 0); // by range and digit
-  Execution::for_ranges(items.size(), grain, [&](std::size_t begin, std::size_t end) {
+  execution.for_ranges(items.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::uint32_t* count = places.data() + begin / grain * digits;
     for(std::size_t i = begin; i < end; ++i)
       ++count[digit(items[i])];
@@ -43,7 +43,7 @@ void sort_by_digit(Execution,
   for(std::size_t d = 0; d < digits; ++d)
     for(std::size_t r = 0; r < ranges; ++r)
       sum += std::exchange(places[r * digits + d], sum);
-  Execution::for_ranges(items.size(), grain, [&](std::size_t begin, std::size_t end) {
+  execution.for_ranges(items.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::uint32_t* place = places.data() + begin / grain * digits;
     for(std::size_t i = begin; i < end; ++i)
       sorted[place[digit(items[i])]++] = items[i];
@@ -51,7 +51,7 @@ void sort_by_digit(Execution,
 }
 
 /// sorts items by the low bits of `key(item)`, an unsigned integer; equal ones keep their order.
-template <unsigned bits, typename Execution, typename Item, typename Key>
+template <unsigned bits, typename Item, typename Key>
 void radix_sort(Execution execution, Uninitialized_vector<Item>& items, const Key& key) {
   constexpr unsigned bits_of_digit = 10, digits = 1u << bits_of_digit;
   Uninitialized_vector<Item> sorted(items.size());

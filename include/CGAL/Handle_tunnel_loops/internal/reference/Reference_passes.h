@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PIPELINE_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PIPELINE_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PASSES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PASSES_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include <CGAL/Handle_tunnel_loops/Device_options.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Crossing_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Dual_loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -32,48 +33,34 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace reference {
 
-/// The passes of the paper, one after the other.
-class Reference_pipeline
+/// The passes as the paper has them. Fronts are always logged; nothing is tightened, as all loops
+/// but those of the initial pass are streamlines.
+class Reference_passes : public Passes
 {
 public:
-  struct Options
-  {
-    Field_constants constants;
-    Device_options device; ///< has no effect
-    bool do_refine_handles = true;
-    bool do_tighten = true;    ///< has no effect: the loops are streamlines
-    bool do_log_fronts = true; ///< has no effect: they are always logged
-  };
-
   /// \p seeds are the vertices to start from, one in each component.
-  Reference_pipeline(const Flat_mesh& mesh,
-                     const std::vector<Index>& seeds,
-                     const Options& options,
-                     Progress& progress)
+  Reference_passes(const Flat_mesh& mesh,
+                   const std::vector<Index>& seeds,
+                   const Pass_options& options)
       : mesh_(mesh)
-      , progress_(progress)
       , initial_pass_(mesh, options.constants, seeds)
       , dual_loop_pass_(mesh, options.constants) {}
 
-  /// paper, 4.1
-  void initial_pass(Statistics& statistics) {
-    progress_.start(Stage::INITIAL);
-    initial_pass_.run(progress_);
+  void initial_pass(Progress& progress, Statistics& statistics) override {
+    initial_pass_.run(progress);
     for(const Front_meeting& meeting : initial_pass_.tracker().meetings())
       handles_.push_back(meeting.loop);
     statistics.backend = "reference";
     statistics.front_events = initial_pass_.tracker().events();
     statistics.resolution = initial_pass_.resolution();
-    progress_.end(Stage::INITIAL);
   }
 
-  /// paper, 4.2. The region that was covered when a handle was found lies to the left of all
+  /// The region that was covered when a handle was found lies to the left of all
   /// handles that were found later; these are walls, and a larger region is not barred.
-  void tunnel_pass(Statistics& statistics) {
-    progress_.start(Stage::TUNNEL);
+  void tunnel_pass(Progress& progress, Statistics& statistics) override {
     const Crossing_numbers with_handles(mesh_, handles_);
     for(std::size_t k = 0; k < handles_.size(); ++k) {
-      report(k);
+      report(progress, k);
       const std::vector<Crossing_loop> loops =
           dual_loop_pass_.dual_loops(handles_[k], with_handles.walls(k, handles_.size()));
       const auto shortest =
@@ -84,17 +71,15 @@ public:
                              ? *shortest
                              : tunnel_in_covered_region(initial_pass_.tracker().meetings()[k]));
     }
-    progress_.end(Stage::TUNNEL);
   }
 
-  /// paper, 4.3. A refined loop takes the place of its handle if it crosses the tunnel once, is
+  /// A refined loop takes the place of its handle if it crosses the tunnel once, is
   /// shorter, and the loops remain a basis.
-  void refinement_pass(Statistics& statistics) {
-    progress_.start(Stage::REFINE);
+  void refinement_pass(Progress& progress, Statistics& statistics) override {
     const Crossing_numbers with_handles(mesh_, handles_), with_tunnels(mesh_, tunnels_);
     Handle_exchange exchange(numbers_of_tunnels(with_handles), numbers_of_tunnels(with_tunnels));
     for(std::size_t k = 0; k < handles_.size(); ++k) {
-      report(k);
+      report(progress, k);
       const std::vector<Crossing_loop> loops =
           dual_loop_pass_.dual_loops(tunnels_[k], with_tunnels.walls(k, k + 1));
       const auto better = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
@@ -107,22 +92,22 @@ public:
       else
         ++statistics.kept_sweep_handles;
     }
-    progress_.end(Stage::REFINE);
   }
 
-  /// the pairs; which loop of a pair is the handle remains to be seen.
-  std::vector<Flat_pair> finished_pairs() const {
+  void shorten(Progress&) override {}
+
+  std::vector<Flat_pair> take_pairs() override {
     std::vector<Flat_pair> pairs;
     for(std::size_t k = 0; k < handles_.size(); ++k)
-      pairs.push_back({handles_[k], tunnels_[k]});
+      pairs.push_back({std::move(handles_[k]), std::move(tunnels_[k])});
     return pairs;
   }
 
 private:
   using Numbers = Handle_exchange::Numbers;
 
-  void report(std::size_t k) {
-    progress_.advance(static_cast<double>(k) / static_cast<double>(handles_.size()));
+  void report(Progress& progress, std::size_t k) const {
+    progress.advance(static_cast<double>(k) / static_cast<double>(handles_.size()));
   }
 
   // Whether a loop crosses handle k once and none that was found later.
@@ -166,10 +151,25 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Progress& progress_;
   Initial_pass initial_pass_;
   Dual_loop_pass dual_loop_pass_;
   std::vector<Crossing_loop> handles_, tunnels_;
+};
+
+/// See `Passes_of_tag`.
+struct Passes_of_reference
+{
+  struct Head_start
+  {
+    Head_start(const Device_options&, std::size_t) {}
+  };
+
+  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
+                                      const std::vector<Index>& seeds,
+                                      const Pass_options& options,
+                                      const Device_options&) {
+    return std::make_unique<Reference_passes>(mesh, seeds, options);
+  }
 };
 
 } // namespace reference
@@ -179,4 +179,4 @@ private:
 
 #endif // CGAL_EIGEN3_ENABLED
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PIPELINE_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_REFERENCE_PASSES_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SADDLES_LOWER_LINK_COMPONENTS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SADDLES_LOWER_LINK_COMPONENTS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_LOWER_LINK_COMPONENTS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_LOWER_LINK_COMPONENTS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -53,4 +53,4 @@ Lower_link_components find_lower_components(Ring ring, const IsLower& is_lower) 
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SADDLES_LOWER_LINK_COMPONENTS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_LOWER_LINK_COMPONENTS_H

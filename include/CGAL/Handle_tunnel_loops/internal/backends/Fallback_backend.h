@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_BACKENDS_FALLBACK_BACKEND_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_BACKENDS_FALLBACK_BACKEND_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// On a device as long as there is one that does it, else on the processor. What fails on the
+/// device begins anew on the processor, and so does all that comes later; what the device has found
+/// before is kept, since the processor would find the same.
+class Fallback_backend : public Backend
+{
+public:
+  /// \p make_device may throw `Device_exception`.
+  Fallback_backend(Execution execution,
+                   const Flat_mesh& mesh,
+                   const std::function<std::unique_ptr<Backend>()>& make_device)
+      : execution_(execution)
+      , mesh_(mesh) {
+    try {
+      device_ = make_device();
+    } catch(const Device_exception& e) {
+      host_.emplace(execution, mesh, e.what());
+    }
+  }
+
+  std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
+                                              const Step_coefficients& k,
+                                              const Callback& callback) override {
+    is_initial_field_of_device_ = false;
+    repeat_ = [this, seeds, k, callback] { host_->initial_field(seeds, k, callback); };
+    auto handles = run([&](Backend& backend) { return backend.initial_field(seeds, k, callback); });
+    is_initial_field_of_device_ = device_ != nullptr;
+    return handles;
+  }
+
+  std::vector<Time> arrival_times() override {
+    return run_on_times([](Backend& backend) { return backend.arrival_times(); });
+  }
+
+  Front_log front_log() override {
+    return run_on_times([](Backend& backend) { return backend.front_log(); });
+  }
+
+  std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
+                                     const Crossing_index& index,
+                                     const Step_coefficients& k) override {
+    return run([&](Backend& backend) { return backend.times_from_loops(loops, index, k); });
+  }
+
+  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
+                                     const Step_coefficients& k,
+                                     const Callback& callback) override {
+    return run([&](Backend& backend) { return backend.dual_walks(query, k, callback); });
+  }
+
+  void report(Statistics& statistics) const override {
+    if(device_)
+      return device_->report(statistics);
+    host_->report(statistics);
+    if(is_initial_field_of_device_)
+      statistics.backend = "cuda, then host";
+    statistics.device_bytes = device_bytes_;
+  }
+
+private:
+  // The answer of the device, or that of the processor if the device fails.
+  template <typename Function> std::invoke_result_t<Function, Backend&> run(const Function& f) {
+    if(device_)
+      try {
+        return f(*device_);
+      } catch(const Device_exception& e) {
+        leave_device(e);
+      }
+    return f(static_cast<Backend&>(*host_));
+  }
+
+  // The same of what rests on the last initial field.
+  template <typename Function>
+  std::invoke_result_t<Function, Backend&> run_on_times(const Function& f) {
+    if(device_)
+      try {
+        return f(*device_);
+      } catch(const Device_exception& e) {
+        leave_device(e);
+      }
+    if(!host_->has_arrival_times())
+      repeat_();
+    return f(static_cast<Backend&>(*host_));
+  }
+
+  void leave_device(const Device_exception& e) {
+    Statistics statistics;
+    device_->report(statistics);
+    device_bytes_ = statistics.device_bytes;
+    std::vector<Time> times;
+    if(is_initial_field_of_device_)
+      times = times_if_there();
+    device_.reset();
+    host_.emplace(execution_, mesh_, e.what());
+    host_->set_arrival_times(std::move(times));
+  }
+
+  // A device that has failed in a later pass may still have them.
+  std::vector<Time> times_if_there() {
+    try {
+      return device_->arrival_times();
+    } catch(const Device_exception&) {
+      return {};
+    }
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  std::unique_ptr<Backend> device_; // one of the two
+  std::optional<Host_backend> host_;
+  std::size_t device_bytes_ = 0; // of the device that failed
+  bool is_initial_field_of_device_ = false;
+  std::function<void()> repeat_; // the last initial field
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_BACKENDS_FALLBACK_BACKEND_H

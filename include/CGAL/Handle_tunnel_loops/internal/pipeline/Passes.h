@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PIPELINE_PASSES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PIPELINE_PASSES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What the passes are to do, whoever does them.
+struct Pass_options
+{
+  Field_constants constants;
+  bool do_refine_handles = true;
+  bool do_tighten = true; ///< the reference knows no tightening
+  bool do_log_fronts = false;
+};
+
+/// The passes of a method (paper, section 4), which `Loop_pipeline` calls in their order, each
+/// once: `Field_passes`, or those of the reference.
+class Passes
+{
+public:
+  virtual ~Passes() = default;
+
+  /// paper, 4.1: finds handle loops, as many as the genus.
+  virtual void initial_pass(Progress& progress, Statistics& statistics) = 0;
+
+  /// paper, 4.2: finds a tunnel loop for each handle loop.
+  virtual void tunnel_pass(Progress& progress, Statistics& statistics) = 0;
+
+  /// paper, 4.3: looks for better handle loops.
+  virtual void refinement_pass(Progress& progress, Statistics& statistics) = 0;
+
+  /// makes all loops as short as it can.
+  virtual void shorten(Progress& progress) = 0;
+
+  /// the pairs; which loop of a pair is the handle remains to be seen.
+  virtual std::vector<Flat_pair> take_pairs() = 0;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PIPELINE_PASSES_H

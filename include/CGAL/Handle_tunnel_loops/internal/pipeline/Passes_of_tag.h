@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PIPELINE_PASSES_OF_TAG_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PIPELINE_PASSES_OF_TAG_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Device_options.h>
+#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Field_passes.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What a concurrency tag stands for: who does the passes. Specialised for the tags of other
+/// solvers, which take part in the tests of agreement.
+template <typename ConcurrencyTag> struct Passes_of_tag
+{
+  /// lives while the mesh is prepared: what can be made ready meanwhile.
+  struct Head_start
+  {
+    Head_start(const Device_options&, std::size_t /* number_of_vertices */) {}
+  };
+
+  /// \p seeds are the vertices to start from, one in each component.
+  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
+                                      std::vector<Index> seeds,
+                                      const Pass_options& options,
+                                      const Device_options&) {
+    const Execution execution = execution_of<ConcurrencyTag>();
+    return std::make_unique<Field_passes>(
+        execution, mesh, std::move(seeds), options,
+        [execution, &mesh] { return std::make_unique<Host_backend>(execution, mesh); });
+  }
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PIPELINE_PASSES_OF_TAG_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_COMPUTATION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_COMPUTATION_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Function_on_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/find_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// One computation of a Reeb graph, for one set of named parameters. It asks for nothing but the
+/// values of a function.
+template <typename TriangleMesh, typename NamedParameters> class Reeb_computation
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  using Clock = std::chrono::steady_clock;
+
+  template <typename Tag>
+  static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+public:
+  Reeb_computation(Execution execution, const TriangleMesh& tm, const NamedParameters& np)
+      : execution_(execution)
+      , np_(np)
+      , vertex_index_(CGAL::get_initialized_vertex_index_map(tm, np))
+      , point_(
+            parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                         get_const_property_map(vertex_point, tm)))
+      , traits_(parameters::choose_parameter<Geom_traits>(
+            parameters::get_parameter(np, internal_np::geom_traits)))
+      , threshold_(parameters::choose_parameter(
+            parameters::get_parameter(np, internal_np::simplification_threshold),
+            default_simplification_threshold)) {
+    if(!(threshold_ >= 0. && threshold_ <= 1.))
+      throw std::invalid_argument("the threshold of the simplification must be in [0, 1]");
+    const auto began = Clock::now();
+    Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index_)>, Vertex_point_map>
+        builder(execution, tm, vertex_index_, point_);
+    mesh_ = builder.build();
+    vertices_ = builder.take_vertices();
+    statistics_.number_of_vertices = mesh_.number_of_vertices();
+    statistics_.number_of_faces = mesh_.number_of_faces();
+    statistics_.number_of_components = mesh_.seeds.size();
+    statistics_.genus = mesh_.genus;
+    statistics_.seconds_of_adaptor = seconds_since(began);
+  }
+
+  const Flat_mesh& mesh() const { return mesh_; }
+
+  /// the vertices at which the parameters want a diffusion to start, if they say so.
+  std::vector<Index> sources() const {
+    std::vector<vertex_descriptor> given;
+    if constexpr(is_given<internal_np::seed_vertex_t>)
+      given.push_back(parameters::get_parameter(np_, internal_np::seed_vertex));
+    if constexpr(is_given<internal_np::source_vertices_t>)
+      for(vertex_descriptor v : parameters::get_parameter(np_, internal_np::source_vertices))
+        given.push_back(v);
+    if(given.empty())
+      return {};
+    std::vector<Index> flat_index;
+    for(std::size_t i = 0; i < vertices_.size(); ++i) {
+      flat_index.resize((std::max)(flat_index.size(), std::size_t(mesh_.original[i]) + 1),
+                        no_index);
+      flat_index[mesh_.original[i]] = static_cast<Index>(i);
+    }
+    std::vector<Index> sources;
+    for(vertex_descriptor v : given) {
+      const std::size_t i = get(vertex_index_, v);
+      if(i >= flat_index.size() || flat_index[i] == no_index)
+        throw std::invalid_argument("a source vertex is isolated or not in the mesh");
+      sources.push_back(flat_index[i]);
+    }
+    return sources;
+  }
+
+  /// the graph of a function of the caller.
+  template <typename Map, typename Graph>
+  Reeb_statistics run_on_function(const Map& map, Graph& graph) {
+    const auto began = Clock::now();
+    const Function_on_vertices function(mesh_, map, vertices_);
+    statistics_.seconds_of_function = seconds_since(began);
+    return find([&](Index v) { return function.key(v); },
+                [&](Index v) { return function.value(v); }, Reeb_measure::PERSISTENCE, graph);
+  }
+
+  /// the graph of the arrival times that `find_times()` returns.
+  template <typename FindTimes, typename Graph>
+  Reeb_statistics run_on_times(const FindTimes& find_times, Graph& graph) {
+    const auto began = Clock::now();
+    const std::vector<Time> times = find_times();
+    statistics_.seconds_of_function = seconds_since(began);
+    return find([&](Index v) { return std::uint64_t(times[v]); },
+                [&](Index v) { return double(times[v]) / ticks_per_step; }, Reeb_measure::LIMBS,
+                graph);
+  }
+
+private:
+  static double seconds_since(Clock::time_point began) {
+    return std::chrono::duration<double>(Clock::now() - began).count();
+  }
+
+  template <typename Key, typename Value, typename Graph>
+  Reeb_statistics
+  find(const Key& key, const Value& value, Reeb_measure default_measure, Graph& graph) {
+    const auto measure = parameters::choose_parameter(
+        parameters::get_parameter(np_, internal_np::reeb_measure), default_measure);
+    const bool allows_parallel_arcs = parameters::choose_parameter(
+        parameters::get_parameter(np_, internal_np::allow_parallel_arcs), false);
+    Embedded_reeb_graph flat =
+        find_reeb_graph(execution_, mesh_, key, value, measure, threshold_, statistics_);
+    const auto began = Clock::now();
+    if(!allows_parallel_arcs)
+      make_simple(flat);
+    if constexpr(is_given<internal_np::vertex_arc_map_t>) {
+      const auto map = parameters::get_parameter(np_, internal_np::vertex_arc_map);
+      for(std::size_t a = 0; a < flat.arcs.size(); ++a)
+        for(Index v : flat.arcs[a].vertices)
+          put(map, vertices_[v], a);
+    }
+    Reeb_converter<TriangleMesh, Vertex_point_map, Geom_traits>(point_, traits_, mesh_, vertices_)
+        .convert(execution_, std::move(flat), value, graph);
+    statistics_.seconds_of_finishing += seconds_since(began);
+    return statistics_;
+  }
+
+  Execution execution_;
+  const NamedParameters& np_;
+  decltype(CGAL::get_initialized_vertex_index_map(
+      std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>())) vertex_index_;
+  Vertex_point_map point_;
+  Geom_traits traits_;
+  double threshold_;
+  Flat_mesh mesh_;
+  std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
+  Reeb_statistics statistics_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_COMPUTATION_H
