@@ -10,9 +10,10 @@
 #ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_GRID_GRAPH_H
 #define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_GRID_GRAPH_H
 
-#include "Disjoint_sets.h"
 #include "Field.h"
 #include "Random.h"
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <array>
 #include <cstddef>
@@ -85,13 +86,14 @@ private:
   void choose_edges(std::size_t cycles, Random& random) {
     std::vector<Edge> edges = all_edges();
     random.shuffle(edges);
-    Disjoint_sets components(number_of_nodes());
-    for(const Edge& edge : edges) {
-      const bool closes_cycle = !components.join(edge.first, edge.second);
+    boost::disjoint_sets_with_storage<> components(number_of_nodes());
+    for(const auto& [a, b] : edges) {
+      const bool closes_cycle = components.find_set(a) == components.find_set(b);
       if(closes_cycle && cycles == 0)
         continue;
       cycles -= closes_cycle;
-      edges_.push_back(edge);
+      components.union_set(a, b);
+      edges_.emplace_back(a, b);
     }
   }
 

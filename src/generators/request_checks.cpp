@@ -9,7 +9,8 @@
 
 #include "request_checks.h"
 
-#include "Disjoint_sets.h"
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <stdexcept>
 #include <string>
@@ -40,12 +41,14 @@ bool is_connected_of_genus(const Soup& soup, std::size_t genus) {
   // Closed: E = 3 F / 2, so V - F / 2 = 2 - 2 g.
   if(2 * soup.points.size() + 4 * genus != soup.triangles.size() + 4)
     return false;
-  Disjoint_sets components(soup.points.size());
+  const std::size_t n = soup.points.size();
+  boost::disjoint_sets_with_storage<> components(n);
   for(const auto& [a, b, c] : soup.triangles) {
-    components.join(a, b);
-    components.join(b, c);
+    components.union_set(a, b);
+    components.union_set(b, c);
   }
-  return components.count() == 1;
+  const boost::counting_iterator<std::size_t> first(0), end(n);
+  return components.count_sets(first, end) == 1;
 }
 
 } // namespace generators

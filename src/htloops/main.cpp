@@ -7,10 +7,10 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "command.h"
+#include "commands/command.h"
+#include "commands/help_style.h"
 #include "failure.h"
-#include "help_style.h"
-#include "interrupt.h"
+#include "terminal/interrupt.h"
 #include "version.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>

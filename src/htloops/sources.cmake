@@ -1,60 +1,56 @@
 set(HTLOOPS_SOURCES
-  atomic_file.cpp
-  backends.cpp
-  check_command.cpp
-  common_options.cpp
-  edge_table.cpp
-  events_writer.cpp
-  export_lines.cpp
-  export_obj.cpp
-  export_ply.cpp
-  export_polylines.cpp
-  export_vtp.cpp
-  exported_lines.cpp
-  generate_command.cpp
-  help_style.cpp
-  host_backend.cpp
-  input_file.cpp
-  interrupt.cpp
-  linking_words.cpp
-  loops_binding.cpp
-  loops_command.cpp
-  loops_json_reader.cpp
-  loops_json_writer.cpp
   main.cpp
-  mesh_builder.cpp
-  mesh_reader.cpp
-  mesh_writer.cpp
-  off_reader.cpp
-  output_paths.cpp
-  pair_table.cpp
-  picture_export.cpp
-  ply_guard.cpp
-  ply_header.cpp
-  progress_bar.cpp
-  reeb_answer.cpp
-  reeb_command.cpp
-  reeb_exports.cpp
-  reeb_json_writer.cpp
-  reeb_solver.cpp
-  self_contact.cpp
-  soup_diagnosis.cpp
-  soup_reader.cpp
-  stl_guard.cpp
-  terminal.cpp
-  text_cursor.cpp
-  text_writer.cpp
-  thread_limit.cpp
-  values_reader.cpp
-  version.cpp)
+  version.cpp
+  commands/check_command.cpp
+  commands/common_options.cpp
+  commands/generate_command.cpp
+  commands/help_style.cpp
+  commands/loops_command.cpp
+  commands/reeb_command.cpp
+  read/edge_table.cpp
+  read/input_file.cpp
+  read/loops_binding.cpp
+  read/loops_json_reader.cpp
+  read/mesh_builder.cpp
+  read/mesh_reader.cpp
+  read/off_reader.cpp
+  read/ply_guard.cpp
+  read/ply_header.cpp
+  read/soup_diagnosis.cpp
+  read/soup_reader.cpp
+  read/stl_guard.cpp
+  read/text_cursor.cpp
+  read/values_reader.cpp
+  solve/backends.cpp
+  solve/host_backend.cpp
+  solve/reeb_answer.cpp
+  solve/reeb_solver.cpp
+  solve/self_contact.cpp
+  solve/thread_limit.cpp
+  terminal/interrupt.cpp
+  terminal/progress_bar.cpp
+  terminal/terminal.cpp
+  write/atomic_file.cpp
+  write/events_writer.cpp
+  write/export_lines.cpp
+  write/export_vtp.cpp
+  write/exported_lines.cpp
+  write/linking_words.cpp
+  write/loops_json_writer.cpp
+  write/mesh_writer.cpp
+  write/pair_table.cpp
+  write/picture_export.cpp
+  write/reeb_exports.cpp
+  write/reeb_json_writer.cpp
+  write/text_writer.cpp)
 if(HTL_HAS_EIGEN)
-  list(APPEND HTLOOPS_SOURCES reference_backend.cpp)
-  set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/backends.cpp" PROPERTIES
+  list(APPEND HTLOOPS_SOURCES solve/reference_backend.cpp)
+  set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/solve/backends.cpp" PROPERTIES
     COMPILE_DEFINITIONS HTLOOPS_HAS_REFERENCE)
 endif()
 
 if(TARGET Handle_tunnel_loops_cuda)
-  list(APPEND HTLOOPS_SOURCES cuda_backend.cpp)
+  list(APPEND HTLOOPS_SOURCES solve/cuda_backend.cpp)
 endif()
 
 # Only one file has to be compiled again when the version changes.

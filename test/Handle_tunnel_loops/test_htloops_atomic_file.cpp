@@ -1,9 +1,9 @@
-#include "htloops/atomic_file.h"
+#include "htloops/write/atomic_file.h"
 
 #include "Temporary_folder.h"
 
 #include "htloops/failure.h"
-#include "htloops/text_writer.h"
+#include "htloops/write/text_writer.h"
 
 #include <gtest/gtest.h>
 

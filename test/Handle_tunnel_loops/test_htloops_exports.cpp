@@ -1,12 +1,12 @@
-#include "htloops/export_lines.h"
+#include "htloops/write/export_lines.h"
 
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
 #include "htloops/failure.h"
-#include "htloops/mesh_writer.h"
-#include "htloops/pair_table.h"
-#include "htloops/soup_reader.h"
+#include "htloops/read/soup_reader.h"
+#include "htloops/write/mesh_writer.h"
+#include "htloops/write/pair_table.h"
 
 #include <gtest/gtest.h>
 

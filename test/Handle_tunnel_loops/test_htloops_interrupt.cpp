@@ -1,8 +1,8 @@
-#include "htloops/interrupt.h"
+#include "htloops/terminal/interrupt.h"
 
 #include "Temporary_folder.h"
 
-#include "htloops/text_writer.h"
+#include "htloops/write/text_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "htloops/loops_json_writer.h"
+#include "htloops/write/loops_json_writer.h"
 
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
 #include "htloops/failure.h"
-#include "htloops/loops_binding.h"
-#include "htloops/loops_json_reader.h"
+#include "htloops/read/loops_binding.h"
+#include "htloops/read/loops_json_reader.h"
 
 #include <nlohmann/json.hpp>
 

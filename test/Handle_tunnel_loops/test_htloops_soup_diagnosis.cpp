@@ -1,6 +1,6 @@
-#include "htloops/soup_diagnosis.h"
+#include "htloops/read/soup_diagnosis.h"
 
-#include "htloops/mesh_builder.h"
+#include "htloops/read/mesh_builder.h"
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -1,4 +1,4 @@
-#include "htloops/soup_reader.h"
+#include "htloops/read/soup_reader.h"
 
 #include "Mesh_corpus.h"
 #include "Temporary_folder.h"

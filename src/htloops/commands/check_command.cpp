@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/command.h"
+#include "commands/help_style.h"
+#include "failure.h"
+#include "read/loops_binding.h"
+#include "read/loops_json_reader.h"
+#include "read/mesh_reader.h"
+#include "solve/self_contact.h"
+#include "write/linking_words.h"
+
+#include <CGAL/Handle_tunnel_loops/certificate.h>
+
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace htloops {
+namespace {
+
+struct Check_options
+{
+  std::string mesh_file;
+  std::string loops_file;
+  bool is_quiet = false;
+};
+
+using CGAL::Handle_tunnel_loops::Certificate;
+
+constexpr std::size_t largest_number_of_lines = 10;
+
+// The lines, indented, each after a line break; not too many of them.
+std::string list(const std::vector<std::string>& lines) {
+  std::string text;
+  for(std::size_t i = 0; i < lines.size() && i < largest_number_of_lines; ++i)
+    text += "\n  " + lines[i];
+  if(lines.size() > largest_number_of_lines)
+    text +=
+        "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more such lines";
+  return text;
+}
+
+void require_none(const std::string& loops_file, const std::vector<std::string>& problems) {
+  if(!problems.empty())
+    throw Failure(Exit_code::NOT_CERTIFIED,
+                  loops_file + " fails its certificate:" + list(problems));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for(std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+// The names of handles and tunnels are wrong, and nothing else.
+bool has_wrong_types_only(const Certificate& c) {
+  return c.closed_on_surface && c.basis && c.pairing && !c.types;
+}
+
+// What has been found to be right, and what is no failure but should be known.
+std::string praise(const Certificate& certificate, bool is_boundary_of_solid) {
+  const std::size_t number_of_loops = certificate.linking.size();
+  const std::string text = "the " + std::to_string(number_of_loops) +
+                           " loops are closed, lie on the surface and are a basis of H1(S; Z)";
+  if(number_of_loops == 0)
+    return text;
+  std::vector<std::string> remarks;
+  if(!is_boundary_of_solid)
+    remarks.push_back(
+        "the surface touches or crosses itself: where it does, there is no inside and "
+        "outside, and loops bound by their linking numbers alone");
+  for(const auto& lines : {lines_of(certificate.failure), remarks_on_sides(certificate)})
+    remarks.insert(remarks.end(), lines.begin(), lines.end());
+  return text + "; each tunnel loop crosses its handle loop once\n" +
+         summary_of_sides(certificate) + list(remarks);
+}
+
+void run(const Check_options& options) {
+  const Mesh mesh = read_mesh(options.mesh_file);
+  const Bound_loops loops = bind_loops(read_loops_json(options.loops_file), mesh);
+  require_none(options.loops_file, loops.problems);
+  const Certificate certificate =
+      CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(mesh, loops.pairs);
+  const bool is_boundary_of_solid = loops.pairs.empty() || !touches_itself(mesh);
+  // Names mean nothing where there is no inside.
+  if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
+    require_none(options.loops_file, lines_of(certificate.failure));
+  if(!options.is_quiet)
+    std::cout << options.loops_file << ": " << praise(certificate, is_boundary_of_solid)
+              << std::endl;
+}
+
+constexpr char description[] =
+    "Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop\n"
+    "crosses its handle loop once, and which of them bound inside and outside the surface.\n"
+    "\n"
+    "The certificate is computed from the two files alone; what the JSON says of itself is "
+    "ignored.\n"
+    "A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel\n"
+    "loop that have each other's names are one.\n";
+
+constexpr char examples[] =
+    "Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.\n"
+    "\n"
+    "Example:\n"
+    "  htloops check cup.off cup.json && echo 'a basis'\n";
+
+} // namespace
+
+void add_check_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Check_options>();
+  CLI::App* check = app.add_subcommand("check", description)->group("Commands");
+  check->add_option("MESH", options->mesh_file, "the mesh that the loops were computed on")
+      ->option_text(" ")
+      ->required();
+  check->add_option("LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote")
+      ->option_text(" ")
+      ->required();
+  check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  complete_help(*check, examples);
+  check->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/common_options.h"
+
+#include "failure.h"
+#include "write/atomic_file.h"
+#include "write/export_lines.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace htloops {
+namespace {
+
+void check_output_paths(const std::string& mesh_file, const std::vector<std::string>& targets) {
+  for(auto target = targets.begin(); target != targets.end(); ++target) {
+    std::error_code ignored; // of a file that does not exist
+    if(std::filesystem::equivalent(*target, mesh_file, ignored))
+      throw Failure(Exit_code::WRONG_USAGE, *target + " is the mesh; it is not overwritten");
+    if(std::find(targets.begin(), target, *target) != target)
+      throw Failure(Exit_code::WRONG_USAGE, *target + " is named for two outputs");
+    check_writable(*target);
+  }
+}
+
+} // namespace
+
+void add_mesh_argument(CLI::App& command, Common_options& options) {
+  command.add_option("MESH", options.mesh_file, "closed triangle mesh: .off .obj .ply .stl .ts")
+      ->option_text(" ")
+      ->required();
+}
+
+void add_json_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group) {
+  command.add_option("-o,--output", options.json_file, what + " as JSON; - is standard output")
+      ->option_text("FILE.json")
+      ->group(group);
+}
+
+void add_lines_option(CLI::App& command,
+                      Common_options& options,
+                      const std::string& what,
+                      const std::string& group) {
+  command
+      .add_option("--lines", options.lines_files,
+                  what + " as lines: .ply .obj .vtp .polylines.txt; repeatable")
+      ->option_text("FILE")
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+void add_picture_options(CLI::App& command,
+                         Common_options& options,
+                         const std::string& what,
+                         const std::string& group) {
+  if(!has_pictures)
+    return;
+  Picture_options& picture = options.picture;
+  command.add_option("--picture", picture.file, "a picture of the mesh and " + what)
+      ->option_text("FILE.png")
+      ->group(group);
+  const auto add_direction = [&](const char* name, std::vector<double>& direction,
+                                 const char* meaning) {
+    command.add_option(name, direction, meaning)
+        ->option_text("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->needs("--picture")
+        ->group(group);
+  };
+  add_direction("--view", picture.view, "direction the picture is seen from; default: oblique");
+  add_direction("--up", picture.up, "direction that is upright in the picture; default: 0,0,1");
+}
+
+void add_threads_option(CLI::App& command, Common_options& options, const std::string& group) {
+  constexpr int largest_number_of_threads = 1024;
+  command
+      .add_option("--threads", options.number_of_threads,
+                  "threads to use, 1 to " + std::to_string(largest_number_of_threads) +
+                      "; default: one per core")
+      ->option_text("N")
+      ->check(CLI::Range(1, largest_number_of_threads))
+      ->group(group);
+}
+
+void check_common_options(const Common_options& options, std::vector<std::string> outputs) {
+  const Picture_options& picture = options.picture;
+  if(!picture.view.empty() && is_zero(picture.view))
+    throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
+  if(!picture.up.empty() && is_zero(picture.up))
+    throw Failure(Exit_code::WRONG_USAGE, "--up 0,0,0 is no direction");
+  for(const std::string& file : options.lines_files)
+    check_lines_format(file);
+  outputs.insert(outputs.end(), options.lines_files.begin(), options.lines_files.end());
+  outputs.insert(outputs.end(), {options.json_file, picture.file});
+  outputs.erase(std::remove(outputs.begin(), outputs.end(), ""), outputs.end());
+  check_output_paths(options.mesh_file, outputs);
+}
+
+Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
+  const std::string name = "the seed vertex " + std::to_string(number);
+  if(number >= mesh.number_of_vertices())
+    throw Failure(Exit_code::WRONG_USAGE, name + " is not one of the " +
+                                              std::to_string(mesh.number_of_vertices()) +
+                                              " vertices (they count from 0)");
+  const Mesh::Vertex_index v(number);
+  if(mesh.is_isolated(v))
+    throw Failure(Exit_code::WRONG_USAGE, name + " belongs to no face");
+  return v;
+}
+
+void show_text(const std::string& text, bool is_output_taken) {
+  if(is_output_taken) {
+    std::fputs(text.c_str(), stderr);
+    return;
+  }
+  Atomic_file output("-");
+  output.write(text.data(), text.size());
+  output.commit();
+}
+
+bool is_zero(const std::vector<double>& direction) {
+  return std::all_of(direction.begin(), direction.end(), [](double x) { return x == 0.; });
+}
+
+} // namespace htloops

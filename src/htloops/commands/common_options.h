@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_COMMON_OPTIONS_H
+#define HTLOOPS_COMMON_OPTIONS_H
+
+#include "write/picture_export.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace htloops {
+
+/// Options that the commands have that compute something on a mesh.
+struct Common_options
+{
+  std::string mesh_file;
+  std::string json_file;
+  std::vector<std::string> lines_files;
+  Picture_options picture;
+  int number_of_threads = 0;
+  bool is_quiet = false;
+};
+
+// Each declares some of them; `what` is "the loops", say.
+void add_mesh_argument(CLI::App& command, Common_options& options);
+void add_json_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group);
+void add_lines_option(CLI::App& command,
+                      Common_options& options,
+                      const std::string& what,
+                      const std::string& group);
+void add_picture_options(CLI::App& command,
+                         Common_options& options,
+                         const std::string& what,
+                         const std::string& group);
+void add_threads_option(CLI::App& command, Common_options& options, const std::string& group);
+
+/// throws `Failure` if an output cannot be written, would overwrite the mesh or another one, or if
+/// the picture is to be seen from no direction. `outputs` are those that no other command has; an
+/// empty name is none.
+void check_common_options(const Common_options& options, std::vector<std::string> outputs);
+
+/// the vertex that a number stands for; throws `Failure` if there is none, or if it has no face.
+Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number);
+
+/// prints a text on the standard output, or, if that is taken, on the other one.
+void show_text(const std::string& text, bool is_output_taken);
+
+/// whether a direction is none.
+bool is_zero(const std::vector<double>& direction);
+
+} // namespace htloops
+
+#endif // HTLOOPS_COMMON_OPTIONS_H

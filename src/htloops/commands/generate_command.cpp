@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/command.h"
+#include "commands/help_style.h"
+#include "failure.h"
+#include "generators/generators.h"
+#include "terminal/interrupt.h"
+#include "write/atomic_file.h"
+#include "write/mesh_writer.h"
+
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+namespace htloops {
+namespace {
+
+namespace generators = CGAL::Handle_tunnel_loops::generators;
+
+struct Generate_options
+{
+  generators::Request request;
+  std::string mesh_file;
+  bool is_quiet = false;
+};
+
+generators::Soup make(const generators::Kind& kind, const generators::Request& request) {
+  try {
+    return kind.make(request);
+  } catch(const std::invalid_argument& reason) {
+    throw Failure(Exit_code::WRONG_USAGE, reason.what());
+  }
+}
+
+void run(const generators::Kind& kind, const Generate_options& options) {
+  check_mesh_format(options.mesh_file);
+  check_writable(options.mesh_file);
+  const generators::Soup mesh = make(kind, options.request);
+  const Interrupt_guard guard;
+  write_mesh(options.mesh_file, mesh);
+  if(!options.is_quiet)
+    std::cout << options.mesh_file << ": " << mesh.points.size() << " vertices, "
+              << mesh.triangles.size() << " faces, genus " << options.request.genus << std::endl;
+}
+
+void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {
+  const auto options = std::make_shared<Generate_options>();
+  const auto default_of = [](auto value) { return "; default: " + std::to_string(value); };
+  CLI::App* sub =
+      generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
+  sub->add_option("-o,--output", options->mesh_file, "the mesh: .off .obj .ply .stl (required)")
+      ->option_text("MESH")
+      ->required();
+  sub->add_option("--faces", options->request.faces,
+                  "about how many triangles" + default_of(options->request.faces))
+      ->option_text("N");
+  sub->add_option("--genus", options->request.genus,
+                  "how many handles" + default_of(options->request.genus))
+      ->option_text("G");
+  sub->add_option("--seed", options->request.seed,
+                  "of the random numbers, if the kind uses any" + default_of(options->request.seed))
+      ->option_text("N");
+  sub->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
+  complete_help(*sub);
+  sub->callback(
+      [&kind, options, &command] { command = [&kind, options] { run(kind, *options); }; });
+}
+
+constexpr char description[] = "Makes a mesh of a known genus, to test and to measure with.\n";
+
+constexpr char examples[] =
+    "Examples:\n"
+    "  htloops generate torus -o torus.off\n"
+    "  htloops generate gyroid --faces 1000000 --genus 250 -o gyroid.off\n"
+    "  htloops generate torus --help                   the options of a kind\n";
+
+} // namespace
+
+void add_generate_command(CLI::App& app, Command& command) {
+  CLI::App* generate = app.add_subcommand("generate", description)->group("Commands");
+  generate->formatter(std::make_shared<Help_formatter>("KIND"));
+  generate->require_subcommand(1);
+  for(const generators::Kind& kind : generators::kinds())
+    add_kind(*generate, kind, command);
+  complete_help(*generate, examples);
+}
+
+} // namespace htloops

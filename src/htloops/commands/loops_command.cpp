@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/command.h"
+#include "commands/common_options.h"
+#include "commands/help_style.h"
+#include "failure.h"
+#include "read/mesh_reader.h"
+#include "solve/backends.h"
+#include "solve/stopwatch.h"
+#include "terminal/interrupt.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
+#include "write/events_writer.h"
+#include "write/export_lines.h"
+#include "write/loops_json_writer.h"
+#include "write/pair_table.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace htloops {
+namespace {
+
+struct Loops_options : Common_options
+{
+  std::string events_file;
+  std::string backend = "auto";
+  std::optional<std::uint32_t> seed;
+  bool do_not_refine = false;
+  bool do_not_tighten = false;
+  std::string classifier = "linking";
+  bool show_all = false;
+  std::string colour = "auto";
+};
+
+Answer solve(const Backend& backend, const Mesh& mesh, const Loops_options& options) {
+  Solve_options solve_options;
+  if(options.seed)
+    solve_options.seed = vertex_of_mesh(mesh, *options.seed);
+  solve_options.do_refine_handles = !options.do_not_refine;
+  solve_options.do_tighten = !options.do_not_tighten;
+  solve_options.do_compute_linking = options.classifier == "linking";
+  solve_options.do_log_fronts = !options.events_file.empty();
+  solve_options.number_of_threads = options.number_of_threads;
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  return backend.solve(mesh, solve_options, bar);
+}
+
+void write_files(const Loops_options& options,
+                 const Mesh& mesh,
+                 const Answer& answer,
+                 double read_seconds) {
+  if(!options.json_file.empty())
+    write_loops_json(options.json_file, mesh, answer, read_seconds);
+  if(!options.events_file.empty())
+    write_events(options.events_file, answer);
+  for(const std::string& file : options.lines_files)
+    export_lines(file, lines_of(answer.pairs));
+  if(!options.picture.file.empty())
+    export_picture(options.picture, mesh, lines_of(answer.pairs));
+}
+
+void show(const Loops_options& options, const Answer& answer, double read_seconds) {
+  if(options.is_quiet)
+    return;
+  const bool is_output_taken = options.json_file == "-";
+  std::FILE* stream = is_output_taken ? stderr : stdout;
+  const Table_options table{options.show_all, use_colour(options.colour, stream)};
+  const std::string text = table_of_pairs(answer.pairs, table) + summary(answer, read_seconds);
+  show_text(text, is_output_taken);
+}
+
+void run(const Loops_options& options) {
+  const Backend& backend = choose_backend(options.backend);
+  check_common_options(options, {options.events_file});
+  const Stopwatch stopwatch;
+  const Mesh mesh = read_mesh(options.mesh_file);
+  const double read_seconds = stopwatch.seconds();
+  const Interrupt_guard guard;
+  const Answer answer = solve(backend, mesh, options);
+  write_files(options, mesh, answer, read_seconds);
+  show(options, answer, read_seconds);
+}
+
+void add_output_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "What to write";
+  add_json_option(command, options, "the loops", group);
+  add_lines_option(command, options, "the loops", group);
+  command
+      .add_option("--events", options.events_file,
+                  "what happens to the fronts of the first pass, as JSON")
+      ->option_text("FILE.json")
+      ->group(group);
+  add_picture_options(command, options, "the loops", group);
+}
+
+void add_computation_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "How to compute";
+  command
+      .add_option("--backend", options.backend,
+                  "auto, host, cuda or reference; default: auto, a CUDA device if there is one")
+      ->option_text("NAME")
+      ->check(CLI::IsMember(names_of_backends()))
+      ->group(group);
+  add_threads_option(command, options, group);
+  command
+      .add_option("--seed", options.seed,
+                  "vertex to grow from, from 0 as in the file; default: the first")
+      ->option_text("VERTEX")
+      ->group(group);
+  command
+      .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")
+      ->group(group);
+  command.add_flag("--no-tighten", options.do_not_tighten, "do not shorten the loops: faster")
+      ->group(group);
+  command
+      .add_option("--classify", options.classifier,
+                  "what tells handles from tunnels: linking (numbers, exact; the default)\n"
+                  "or offset (change of length: faster)")
+      ->option_text("HOW")
+      ->check(CLI::IsMember({"linking", "offset"}))
+      ->group(group);
+}
+
+void add_display_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "What to show";
+  command.add_flag("--all", options.show_all, "all rows of a long table")->group(group);
+  command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors")->group(group);
+  command.add_option("--color", options.colour, "auto, always or never; default: auto")
+      ->option_text("WHEN")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->group(group);
+}
+
+constexpr char description[] =
+    "Finds the handle and tunnel loops of a closed triangle mesh.\n"
+    "\n"
+    "A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside "
+    "the\n"
+    "surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop "
+    "once.\n"
+    "They are checked to be a basis of H1(S; Z) before they are written.\n";
+
+constexpr char examples[] =
+    "Examples:\n"
+    "  htloops loops cup.off                           a table of the loops\n"
+    "  htloops loops cup.off -o cup.json --lines cup.ply\n"
+    "                                                  the loops for a program and for a viewer\n"
+    "  htloops loops cup.off -qo - | jq '.pairs | length'\n"
+    "                                                  JSON into a pipe\n";
+
+} // namespace
+
+void add_loops_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Loops_options>();
+  CLI::App* loops = app.add_subcommand("loops", description)->group("Commands");
+  add_mesh_argument(*loops, *options);
+  add_output_options(*loops, *options);
+  add_computation_options(*loops, *options);
+  add_display_options(*loops, *options);
+  complete_help(*loops, examples);
+  loops->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops

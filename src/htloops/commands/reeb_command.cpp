@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/command.h"
+#include "commands/common_options.h"
+#include "commands/help_style.h"
+#include "failure.h"
+#include "read/mesh_reader.h"
+#include "read/values_reader.h"
+#include "solve/reeb_solver.h"
+#include "solve/stopwatch.h"
+#include "terminal/interrupt.h"
+#include "terminal/terminal.h"
+#include "words.h"
+#include "write/atomic_file.h"
+#include "write/export_lines.h"
+#include "write/reeb_exports.h"
+#include "write/reeb_json_writer.h"
+
+#include <cstdio>
+#include <map>
+#include <memory>
+
+namespace htloops {
+namespace {
+
+struct Reeb_command_options : Common_options
+{
+  std::vector<std::string> graph_files;
+  std::string parts_file;
+  std::vector<std::uint32_t> seeds;
+  std::vector<double> height;
+  std::string values_file;
+  std::string measure;
+  std::optional<double> threshold;
+};
+
+const std::map<std::string, CGAL::Reeb_measure> measures = {
+    {"limbs", CGAL::Reeb_measure::LIMBS},
+    {"persistence", CGAL::Reeb_measure::PERSISTENCE},
+    {"length", CGAL::Reeb_measure::LENGTH},
+    {"area", CGAL::Reeb_measure::AREA},
+    {"vertices", CGAL::Reeb_measure::VERTICES}};
+
+void check_options(const Reeb_command_options& options) {
+  if(!options.height.empty() && is_zero(options.height))
+    throw Failure(Exit_code::WRONG_USAGE, "--height 0,0,0 is no direction");
+  for(const std::string& file : options.graph_files)
+    check_graph_format(file);
+  if(!options.parts_file.empty())
+    check_coloured_mesh_format(options.parts_file);
+  std::vector<std::string> outputs = options.graph_files;
+  outputs.push_back(options.parts_file);
+  check_common_options(options, outputs);
+}
+
+std::vector<Mesh::Vertex_index> sources_of(const Reeb_command_options& options, const Mesh& mesh) {
+  std::vector<Mesh::Vertex_index> sources;
+  for(const std::uint32_t seed : options.seeds)
+    sources.push_back(vertex_of_mesh(mesh, seed));
+  return sources;
+}
+
+std::vector<double> values_of(const Reeb_command_options& options, const Mesh& mesh) {
+  if(!options.values_file.empty())
+    return read_values(options.values_file, mesh.number_of_vertices());
+  std::vector<double> values;
+  if(!options.height.empty())
+    for(const Point& p : mesh.points())
+      values.push_back(options.height[0] * p.x() + options.height[1] * p.y() +
+                       options.height[2] * p.z());
+  return values;
+}
+
+Reeb_answer solve(const Mesh& mesh, const Reeb_command_options& options) {
+  Reeb_options reeb;
+  reeb.sources = sources_of(options, mesh);
+  reeb.values = values_of(options, mesh);
+  if(!options.measure.empty())
+    reeb.measure = measures.at(options.measure);
+  reeb.threshold = options.threshold;
+  reeb.number_of_threads = options.number_of_threads;
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  return find_reeb_graph(mesh, reeb, bar);
+}
+
+void write_files(const Reeb_command_options& options,
+                 const Mesh& mesh,
+                 const Reeb_answer& answer,
+                 double read_seconds) {
+  if(!options.json_file.empty())
+    write_reeb_json(options.json_file, mesh, answer, read_seconds);
+  for(const std::string& file : options.lines_files)
+    export_lines(file, lines_of(answer));
+  for(const std::string& file : options.graph_files)
+    export_graph(file, answer);
+  if(!options.parts_file.empty())
+    export_coloured_mesh(options.parts_file, mesh, answer);
+  if(!options.picture.file.empty()) {
+    Exported_lines lines = lines_of(answer);
+    for(Exported_line& line : lines.lines)
+      line.colour = {30, 30, 30}; // the arcs' own colours are those of the surface around them
+    export_picture(options.picture, mesh, lines, face_colours(mesh, answer));
+  }
+}
+
+std::string summary(const Reeb_answer& answer, double read_seconds) {
+  std::map<CGAL::Reeb_node_type, std::size_t> count;
+  for(const auto v : CGAL::make_range(vertices(answer.graph)))
+    ++count[answer.graph[v].type];
+  const auto& statistics = answer.statistics;
+  char seconds[80];
+  std::snprintf(seconds, sizeof(seconds), "%.2f s after %.2f s of reading, ", answer.total_seconds,
+                read_seconds);
+  return "genus " + std::to_string(statistics.genus) + " in " +
+         counted(statistics.number_of_components, "component", "components") + ": " +
+         counted(num_edges(answer.graph), "arc", "arcs") + ", " +
+         counted(number_of_cycles(answer), "cycle", "cycles") + ", " +
+         counted(count[CGAL::Reeb_node_type::MINIMUM], "minimum", "minima") + ", " +
+         counted(count[CGAL::Reeb_node_type::SADDLE], "saddle", "saddles") + ", " +
+         counted(count[CGAL::Reeb_node_type::MAXIMUM], "maximum", "maxima") + " (of " +
+         counted(statistics.number_of_critical_nodes, "node", "nodes") +
+         " before the simplification)\n" + seconds +
+         counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
+}
+
+void run(const Reeb_command_options& options) {
+  check_options(options);
+  const Stopwatch stopwatch;
+  const Mesh mesh = read_mesh(options.mesh_file);
+  const double read_seconds = stopwatch.seconds();
+  const Interrupt_guard guard;
+  const Reeb_answer answer = solve(mesh, options);
+  write_files(options, mesh, answer, read_seconds);
+  if(!options.is_quiet)
+    show_text(summary(answer, read_seconds), options.json_file == "-");
+}
+
+void add_output_options(CLI::App& command, Reeb_command_options& options) {
+  const char group[] = "What to write";
+  add_json_option(command, options, "the graph", group);
+  add_lines_option(command, options, "the arcs", group);
+  command.add_option("--graph", options.graph_files, "nodes and arcs: .graphml .dot; repeatable")
+      ->option_text("FILE")
+      ->allow_extra_args(false)
+      ->group(group);
+  command.add_option("--parts", options.parts_file, "the mesh with vertices coloured by arc")
+      ->option_text("FILE.ply")
+      ->group(group);
+  add_picture_options(command, options, "the graph", group);
+}
+
+void add_computation_options(CLI::App& command, Reeb_command_options& options) {
+  const char group[] = "How to compute";
+  CLI::Option* seed =
+      command
+          .add_option("--seed", options.seeds,
+                      "vertex to diffuse from; repeatable; default: handle loops, or an end")
+          ->option_text("VERTEX")
+          ->allow_extra_args(false)
+          ->group(group);
+  CLI::Option* height =
+      command
+          .add_option("--height", options.height, "take the height in a direction, not a diffusion")
+          ->option_text("X,Y,Z")
+          ->delimiter(',')
+          ->expected(3)
+          ->excludes(seed)
+          ->group(group);
+  command.add_option("--values", options.values_file, "take a number for each vertex from a file")
+      ->option_text("FILE")
+      ->excludes(seed)
+      ->excludes(height)
+      ->group(group);
+  command
+      .add_option("--simplify", options.threshold,
+                  "leaves to take off, as part of the whole, 0 to 1; default: 0.03")
+      ->option_text("PART")
+      ->check(CLI::Range(0., 1.))
+      ->group(group);
+  command
+      .add_option("--measure", options.measure,
+                  "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
+                  "else persistence")
+      ->option_text("NAME")
+      ->check(CLI::IsMember(measures))
+      ->group(group);
+  add_threads_option(command, options, group);
+}
+
+constexpr char description[] =
+    "Computes the Reeb graph of a closed triangle mesh.\n"
+    "\n"
+    "Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an "
+    "animal,\n"
+    "the bars of a frame. A connected surface of genus g has a graph with g independent cycles.\n";
+
+constexpr char examples[] =
+    "Examples:\n"
+    "  htloops reeb horse.off --picture horse.png      a look at it\n"
+    "  htloops reeb horse.off -o horse.json --parts parts.ply --lines bones.obj\n"
+    "                                                  for a program and for a viewer\n"
+    "  htloops reeb horse.off --height 0,0,1 --simplify 0 --graph horse.graphml\n"
+    "                                                  the full Reeb graph of the height\n";
+
+} // namespace
+
+void add_reeb_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Reeb_command_options>();
+  CLI::App* reeb = app.add_subcommand("reeb", description)->group("Commands");
+  add_mesh_argument(*reeb, *options);
+  add_output_options(*reeb, *options);
+  add_computation_options(*reeb, *options);
+  reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  complete_help(*reeb, examples);
+  reeb->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/input_file.h"
+
+#include "failure.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace htloops {
+namespace {
+
+[[noreturn]] void fail(const std::string& file) {
+  throw Failure(Exit_code::UNREADABLE_FILE, "cannot read " + file + ": " + std::strerror(errno));
+}
+
+struct Close_file
+{
+  void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+
+using Stream = std::unique_ptr<std::FILE, Close_file>;
+
+Stream open(const std::string& file) {
+  Stream stream(std::fopen(file.c_str(), "rb"));
+  if(!stream)
+    fail(file);
+  // A folder opens on some systems; only reading tells.
+  if(std::fgetc(stream.get()) == EOF && std::ferror(stream.get()))
+    fail(file);
+  std::rewind(stream.get());
+  return stream;
+}
+
+} // namespace
+
+std::string read_whole_file(const std::string& file) {
+  const Stream stream = open(file);
+  std::error_code error;
+  const std::uintmax_t expected_size = std::filesystem::file_size(file, error);
+  std::string content;
+  std::size_t size = 0;
+  // One byte more than expected, so that a file that has not grown is read in one go.
+  content.resize(error ? std::size_t(1) << 20 : static_cast<std::size_t>(expected_size) + 1);
+  while(const std::size_t n = std::fread(&content[size], 1, content.size() - size, stream.get())) {
+    size += n;
+    if(size == content.size())
+      content.resize(2 * size);
+  }
+  if(std::ferror(stream.get()))
+    fail(file);
+  content.resize(size);
+  return content;
+}
+
+std::uintmax_t size_of_file(const std::string& file) {
+  open(file);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if(error)
+    throw Failure(Exit_code::UNREADABLE_FILE, "cannot read " + file + ": " + error.message());
+  return size;
+}
+
+void fail_to_read(const std::string& file, const std::string& problem) {
+  throw Failure(Exit_code::UNREADABLE_FILE, file + ": " + problem);
+}
+
+} // namespace htloops

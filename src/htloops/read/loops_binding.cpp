@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/loops_binding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+// Far above rounding, far below what a drawing shows.
+constexpr double relative_tolerance = 1e-9;
+
+class Binder
+{
+public:
+  Binder(const Loops_record& record, const Mesh& mesh)
+      : record_(record)
+      , mesh_(mesh) {}
+
+  Bound_loops bind() {
+    if(!is_same_mesh())
+      return std::move(result_);
+    measure_mesh();
+    for(std::size_t i = 0; i < record_.pairs.size(); ++i) {
+      Loop handle = bind_loop(i, CGAL::Loop_type::HANDLE);
+      Loop tunnel = bind_loop(i, CGAL::Loop_type::TUNNEL);
+      result_.pairs.emplace_back(std::move(handle), std::move(tunnel));
+    }
+    return std::move(result_);
+  }
+
+private:
+  void add_problem(const std::string& problem) { result_.problems.push_back(problem); }
+
+  bool is_same_mesh() {
+    const std::size_t vertices = mesh_.number_of_vertices(), faces = mesh_.number_of_faces();
+    if(record_.number_of_vertices == vertices && record_.number_of_faces == faces)
+      return true;
+    add_problem("it is about a mesh of " + std::to_string(record_.number_of_vertices) +
+                " vertices and " + std::to_string(record_.number_of_faces) +
+                " faces; this one has " + std::to_string(vertices) + " and " +
+                std::to_string(faces));
+    return false;
+  }
+
+  void measure_mesh() {
+    double largest = 0.;
+    for(const Point& p : mesh_.points())
+      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    tolerance_ = relative_tolerance * largest;
+  }
+
+  Loop bind_loop(std::size_t pair, CGAL::Loop_type type) {
+    const Loop_record& record = record_.pairs[pair].loop(type);
+    place_ = "pair " + std::to_string(pair) + ", " + name_of(type);
+    if(record.locations.size() != record.points.size())
+      add_problem(place_ + ": " + std::to_string(record.locations.size()) + " locations, but " +
+                  std::to_string(record.points.size()) + " points");
+    std::vector<Loop::Step> steps;
+    std::vector<Point> points;
+    for(std::size_t i = 0; i < record.locations.size(); ++i) {
+      position_ = i;
+      const Location_record& location = record.locations[i];
+      const Mesh::Halfedge_index halfedge = bind_location(location);
+      if(halfedge == Mesh::null_halfedge())
+        continue;
+      steps.push_back({halfedge, location.ratio});
+      points.push_back(point_at(steps.back()));
+      if(i < record.points.size())
+        check_point(points.back(), record.points[i]);
+    }
+    check_length(record, points);
+    return Loop(std::move(steps), std::move(points), record.length, type, pair);
+  }
+
+  void add_problem_here(const std::string& problem) {
+    add_problem(place_ + ", position " + std::to_string(position_) + ": " + problem);
+  }
+
+  // the null halfedge if there is no such place.
+  Mesh::Halfedge_index bind_location(const Location_record& location) {
+    bool is_sound = true;
+    for(const long long vertex : {location.source, location.target})
+      if(vertex < 0 || vertex >= static_cast<long long>(mesh_.number_of_vertices())) {
+        add_problem_here("vertex " + std::to_string(vertex) + " is not one of the " +
+                         std::to_string(mesh_.number_of_vertices()) + " of the mesh");
+        is_sound = false;
+      }
+    if(!(location.ratio >= 0. && location.ratio <= 1.)) {
+      add_problem_here("the ratio " + std::to_string(location.ratio) + " is not between 0 and 1");
+      is_sound = false;
+    }
+    if(!is_sound)
+      return Mesh::null_halfedge();
+    const Mesh::Halfedge_index halfedge =
+        mesh_.halfedge(Mesh::Vertex_index(static_cast<std::uint32_t>(location.source)),
+                       Mesh::Vertex_index(static_cast<std::uint32_t>(location.target)));
+    if(halfedge == Mesh::null_halfedge())
+      add_problem_here("no edge joins the vertices " + std::to_string(location.source) + " and " +
+                       std::to_string(location.target));
+    return halfedge;
+  }
+
+  Point point_at(const Loop::Step& step) const {
+    const Point& p = mesh_.point(mesh_.source(step.halfedge));
+    const Point& q = mesh_.point(mesh_.target(step.halfedge));
+    // Not p + t * (q - p): the difference may overflow where neither point does.
+    const double s = 1. - step.ratio, t = step.ratio;
+    return Point(s * p.x() + t * q.x(), s * p.y() + t * q.y(), s * p.z() + t * q.z());
+  }
+
+  void check_point(const Point& expected, const std::array<double, 3>& found) {
+    for(int i = 0; i < 3; ++i)
+      if(!(std::abs(expected[i] - found[i]) <= tolerance_)) {
+        add_problem_here("the point is not where the location is");
+        return;
+      }
+  }
+
+  void check_length(const Loop_record& record, const std::vector<Point>& points) {
+    double length = 0.;
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const Point& p = points[i];
+      const Point& q = points[i + 1 == points.size() ? 0 : i + 1];
+      length += std::hypot(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
+    }
+    if(points.size() != record.locations.size() || length == record.length)
+      return;
+    const double tolerance = relative_tolerance * length + tolerance_;
+    if(!(std::abs(length - record.length) <= tolerance))
+      add_problem(place_ + ": the length is given as " + std::to_string(record.length) +
+                  " and is " + std::to_string(length));
+  }
+
+  const Loops_record& record_;
+  const Mesh& mesh_;
+  Bound_loops result_;
+  double tolerance_ = 0.;
+  // Where the binder is, for messages.
+  std::string place_;
+  std::size_t position_ = 0;
+};
+
+} // namespace
+
+Bound_loops bind_loops(const Loops_record& record, const Mesh& mesh) {
+  return Binder(record, mesh).bind();
+}
+
+} // namespace htloops

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_OFF_READER_H
+#define HTLOOPS_OFF_READER_H
+
+#include "read/soup.h"
+
+#include <string>
+#include <string_view>
+
+namespace htloops {
+
+/// reads the text of an OFF file (also with colours, normals or texture coordinates, which are
+/// passed over) several times faster than the reader of CGAL, and says which line is wrong where
+/// that one says only that something is. Returns false if the text is in another dialect (four or n
+/// coordinates): those are left to CGAL.
+/// Throws `Failure` if the text is malformed or ends too early; `file` is for the message.
+bool read_plain_off(const std::string& file, std::string_view text, Soup& soup);
+
+} // namespace htloops
+
+#endif // HTLOOPS_OFF_READER_H

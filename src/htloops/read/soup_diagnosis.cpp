@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/soup_diagnosis.h"
+
+#include "read/edge_table.h"
+#include "words.h"
+
+#include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace htloops {
+namespace {
+
+// Of numbers of 32 bits: half the memory, which is what the time goes to.
+using Number_map = boost::typed_identity_property_map<std::uint32_t>;
+using Disjoint_sets = boost::disjoint_sets_with_storage<Number_map, Number_map>;
+
+std::string name_of_edge(const Edge_table::Edge& edge) {
+  return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]);
+}
+
+std::string name_of_face(std::size_t face) { return "face " + std::to_string(face); }
+
+std::string name_of_vertex(std::size_t vertex) { return "vertex " + std::to_string(vertex); }
+
+// Counts the elements with a defect and remembers the first of them.
+class Finding
+{
+public:
+  template <typename Name_of_element> void add(Name_of_element name) {
+    if(count_++ == 0)
+      example_ = name();
+  }
+
+  std::size_t count() const { return count_; }
+
+  void report(std::vector<Defect>& defects,
+              Mesh_defect kind,
+              const std::string& one,
+              const std::string& many,
+              const std::string& remark = "") const {
+    if(count_ != 0)
+      defects.push_back({kind, count_,
+                         counted(count_, one, many) + remark +
+                             (count_ == 1 ? ": " : ", the first is ") + example_});
+  }
+
+private:
+  std::size_t count_ = 0;
+  std::string example_;
+};
+
+class Diagnostician
+{
+public:
+  explicit Diagnostician(const Soup& soup)
+      : soup_(soup) {}
+
+  Diagnosis run() {
+    check_size();
+    check_points();
+    check_faces();
+    // Without triangles there are no edges to speak of.
+    if(are_faces_sound_) {
+      edges_.emplace(soup_);
+      check_edges();
+      check_vertices();
+    }
+    if(!diagnosis_.defects.empty())
+      diagnosis_.edges.clear();
+    return std::move(diagnosis_);
+  }
+
+private:
+  std::vector<Defect>& defects() { return diagnosis_.defects; }
+
+  void check_size() {
+    constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
+    if(soup_.faces.empty())
+      defects().push_back({Mesh_defect::EMPTY, 1, "the mesh has no face"});
+    if(3 * soup_.faces.size() > largest_number_of_halfedges ||
+       soup_.points.size() > largest_number_of_halfedges)
+      defects().push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^31 halfedges"});
+    are_faces_sound_ = defects().empty();
+  }
+
+  void check_points() {
+    Finding bad_points;
+    for(std::size_t v = 0; v < soup_.points.size(); ++v) {
+      const Point& p = soup_.points[v];
+      if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+        bad_points.add([v] { return name_of_vertex(v); });
+    }
+    bad_points.report(defects(), Mesh_defect::NON_FINITE_COORDINATE,
+                      "vertex with a coordinate that is infinite or not a number",
+                      "vertices with coordinates that are infinite or not numbers");
+  }
+
+  void check_faces() {
+    Finding not_triangles, degenerate_faces;
+    for(std::size_t f = 0; f < soup_.faces.size(); ++f) {
+      const Soup_face& face = soup_.faces[f];
+      if(!face.is_triangle())
+        not_triangles.add(
+            [&] { return name_of_face(f) + " with " + std::to_string(face.size()) + " vertices"; });
+      else if(face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
+        degenerate_faces.add([f] { return name_of_face(f); });
+    }
+    not_triangles.report(defects(), Mesh_defect::NOT_TRIANGULATED, "face is not a triangle",
+                         "faces are not triangles");
+    degenerate_faces.report(defects(), Mesh_defect::DEGENERATE_FACE,
+                            "face names the same vertex twice", "faces name the same vertex twice");
+    if(not_triangles.count() + degenerate_faces.count() != 0)
+      are_faces_sound_ = false;
+  }
+
+  bool have_same_direction(std::uint32_t h, std::uint32_t g) const {
+    return soup_.source(h) == soup_.source(g);
+  }
+
+  void check_edges() {
+    diagnosis_.edges.reserve(3 * soup_.faces.size() / 2);
+    Finding boundary, crowded, disoriented;
+    std::vector<std::uint32_t> suspects; // faces that may have a duplicate
+    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
+      const std::uint32_t h = edge.halfedge(0);
+      const std::uint32_t g = edge.halfedge(edge.size() - 1);
+      if(edge.size() == 1) {
+        boundary.add([&] { return name_of_edge(edge) + " of " + name_of_face(h / 3); });
+      } else if(edge.size() > 2) {
+        crowded.add(
+            [&] { return name_of_edge(edge) + " with " + std::to_string(edge.size()) + " faces"; });
+        for(std::size_t i = 0; i < edge.size(); ++i)
+          suspects.push_back(edge.halfedge(i) / 3);
+      } else if(have_same_direction(h, g)) {
+        disoriented.add([&] {
+          return name_of_edge(edge) + " between faces " + std::to_string(h / 3) + " and " +
+                 std::to_string(g / 3);
+        });
+        suspects.insert(suspects.end(), {h / 3, g / 3});
+      } else {
+        diagnosis_.edges.push_back({h, g});
+      }
+    });
+    report_duplicate_faces(suspects);
+    crowded.report(defects(), Mesh_defect::NON_MANIFOLD_EDGE, "edge has more than two faces",
+                   "edges have more than two faces");
+    report_boundary(boundary);
+    report_orientation(disoriented);
+  }
+
+  // Faces with the same three vertices, whatever their order: they share edges that are suspicious.
+  void report_duplicate_faces(std::vector<std::uint32_t>& suspects) {
+    std::sort(suspects.begin(), suspects.end());
+    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+    struct Key
+    {
+      std::array<std::uint32_t, 3> vertices;
+      std::uint32_t face;
+    };
+    std::vector<Key> keys;
+    for(const std::uint32_t f : suspects) {
+      keys.push_back({{soup_.faces[f][0], soup_.faces[f][1], soup_.faces[f][2]}, f});
+      std::sort(keys.back().vertices.begin(), keys.back().vertices.end());
+    }
+    std::stable_sort(keys.begin(), keys.end(),
+                     [](const Key& a, const Key& b) { return a.vertices < b.vertices; });
+    Finding duplicates;
+    for(std::size_t i = 1; i < keys.size(); ++i)
+      if(keys[i].vertices == keys[i - 1].vertices)
+        duplicates.add([&] {
+          return name_of_face(keys[i].face) + " with the vertices of " +
+                 name_of_face(keys[i - 1].face);
+        });
+    duplicates.report(defects(), Mesh_defect::NON_MANIFOLD_EDGE, "face is a duplicate",
+                      "faces are duplicates");
+  }
+
+  void report_boundary(const Finding& boundary) {
+    if(boundary.count() == 0)
+      return;
+    Disjoint_sets vertices(soup_.points.size());
+    std::vector<std::uint32_t> on_boundary;
+    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
+      if(edge.size() != 1)
+        return;
+      vertices.union_set(edge.vertices[0], edge.vertices[1]);
+      on_boundary.insert(on_boundary.end(), {edge.vertices[0], edge.vertices[1]});
+    });
+    std::sort(on_boundary.begin(), on_boundary.end());
+    on_boundary.erase(std::unique(on_boundary.begin(), on_boundary.end()), on_boundary.end());
+    const std::size_t pieces = vertices.count_sets(on_boundary.begin(), on_boundary.end());
+    boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
+                    ", in " + counted(pieces, "loop", "loops"));
+  }
+
+  void report_orientation(const Finding& disoriented) {
+    if(disoriented.count() == 0)
+      return;
+    disoriented.report(defects(), Mesh_defect::INCONSISTENT_ORIENTATION,
+                       "edge has two faces that are oriented differently",
+                       "edges have two faces that are oriented differently",
+                       is_orientable() ? " (flipping faces would mend it)"
+                                       : " (no flipping of faces mends it: the surface is "
+                                         "not orientable)");
+  }
+
+  // Each face stands for itself and, shifted by the number of faces, for itself flipped. The
+  // surface is not orientable where a face turns out to be of one side with its own flipped self.
+  bool is_orientable() const {
+    const auto number_of_faces = static_cast<std::uint32_t>(soup_.faces.size());
+    Disjoint_sets sides(2 * std::size_t(number_of_faces));
+    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
+      if(edge.size() != 2)
+        return;
+      const std::uint32_t f = edge.halfedge(0) / 3, g = edge.halfedge(1) / 3;
+      const std::uint32_t flip =
+          have_same_direction(edge.halfedge(0), edge.halfedge(1)) ? number_of_faces : 0;
+      sides.union_set(f, g + flip);
+      sides.union_set(f + number_of_faces, g + number_of_faces - flip);
+    });
+    for(std::uint32_t f = 0; f < number_of_faces; ++f)
+      if(sides.find_set(f) == sides.find_set(f + number_of_faces))
+        return false;
+    return true;
+  }
+
+  // The corners at a vertex form fans, from one to the next across an edge; one fan is right. A
+  // corner has the number of the halfedge that begins there.
+  void check_vertices() {
+    Disjoint_sets corners(3 * soup_.faces.size());
+    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
+      const std::uint32_t h = edge.halfedge(0);
+      for(std::size_t i = 1; i < edge.size(); ++i) {
+        const std::uint32_t g = edge.halfedge(i);
+        const bool is_parallel = have_same_direction(h, g);
+        corners.union_set(h, is_parallel ? g : next_in_triangle(g));
+        corners.union_set(next_in_triangle(h), is_parallel ? next_in_triangle(g) : g);
+      }
+    });
+    std::vector<std::uint32_t> fans(soup_.points.size(), 0);
+    for(std::uint32_t corner = 0; corner < 3 * soup_.faces.size(); ++corner)
+      if(corners.find_set(corner) == corner)
+        ++fans[soup_.source(corner)];
+    Finding pinched;
+    for(std::size_t v = 0; v < fans.size(); ++v)
+      if(fans[v] > 1)
+        pinched.add(
+            [&] { return name_of_vertex(v) + " with " + std::to_string(fans[v]) + " fans"; });
+    pinched.report(defects(), Mesh_defect::NON_MANIFOLD_VERTEX,
+                   "vertex has faces that form more than one fan",
+                   "vertices have faces that form more than one fan");
+  }
+
+  const Soup& soup_;
+  Diagnosis diagnosis_;
+  bool are_faces_sound_ = true;
+  std::optional<Edge_table> edges_;
+};
+
+} // namespace
+
+Diagnosis diagnose(const Soup& soup) { return Diagnostician(soup).run(); }
+
+} // namespace htloops

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/text_cursor.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+namespace htloops {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+bool ends_word(char c) { return is_blank(c) || c == '\n' || c == '#'; }
+
+// Knows every form of a number, and what is too large or too small for one.
+bool parse_slowly(std::string_view word, double& value) {
+  const std::string copy(word);
+  char* end = nullptr;
+  value = std::strtod(copy.c_str(), &end);
+  return !copy.empty() && end == copy.c_str() + copy.size();
+}
+
+bool parse(std::string_view word, double& value) {
+#ifdef __cpp_lib_to_chars
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if(error == std::errc() && end == word.data() + word.size())
+    return true;
+#endif
+  return parse_slowly(word, value);
+}
+
+} // namespace
+
+void Text_cursor::skip_blanks() {
+  while(at_ != end_ && is_blank(*at_))
+    ++at_;
+}
+
+void Text_cursor::skip_line() {
+  at_ = std::find(at_, end_, '\n');
+  if(at_ != end_)
+    ++at_;
+}
+
+bool Text_cursor::skip_to_content() {
+  for(;;) {
+    skip_blanks();
+    if(at_ == end_)
+      return false;
+    if(*at_ != '\n' && *at_ != '#')
+      return true;
+    skip_line();
+  }
+}
+
+std::string_view Text_cursor::next_word() const {
+  const char* end = std::find_if(at_, end_, ends_word);
+  return {at_, static_cast<std::size_t>(end - at_)};
+}
+
+bool Text_cursor::read(double& value) {
+  skip_blanks();
+  const std::string_view word = next_word();
+  if(!parse(word, value))
+    return false;
+  at_ += word.size();
+  return true;
+}
+
+bool Text_cursor::read(long long& value) {
+  skip_blanks();
+  const auto [end, error] = std::from_chars(at_, end_, value);
+  if(error != std::errc() || (end != end_ && !ends_word(*end)))
+    return false;
+  at_ = end;
+  return true;
+}
+
+std::string_view Text_cursor::word() {
+  skip_blanks();
+  const std::string_view word = next_word();
+  at_ += word.size();
+  return word;
+}
+
+std::size_t Text_cursor::line() const {
+  return 1 + static_cast<std::size_t>(std::count(begin_, at_, '\n'));
+}
+
+} // namespace htloops

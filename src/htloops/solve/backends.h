@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_BACKENDS_H
+#define HTLOOPS_BACKENDS_H
+
+#include "mesh_types.h"
+#include "solve/answer.h"
+#include "terminal/progress_bar.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+struct Solve_options
+{
+  std::optional<Mesh::Vertex_index> seed;
+  bool do_refine_handles = true;
+  bool do_tighten = true;
+  bool do_compute_linking = true;
+  bool do_log_fronts = false;
+  int number_of_threads = 0; ///< 0: as many as the machine has
+};
+
+/// One of the programs that find the loops.
+struct Backend
+{
+  const char* name;
+  bool is_chosen_by_auto;
+  /// null in a build without it.
+  Answer (*solve)(const Mesh&, const Solve_options&, Progress_bar&);
+};
+
+/// the backend of that name; for "auto" the first that there is of those that may be chosen so.
+/// Throws `Failure` if this build has none.
+const Backend& choose_backend(const std::string& name);
+
+/// what `choose_backend()` accepts.
+std::vector<std::string> names_of_backends();
+
+} // namespace htloops
+
+#endif // HTLOOPS_BACKENDS_H

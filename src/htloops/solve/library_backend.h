@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_LIBRARY_BACKEND_H
+#define HTLOOPS_LIBRARY_BACKEND_H
+
+#include "solve/backends.h"
+#include "solve/stopwatch.h"
+#include "terminal/interrupt.h"
+
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops_solver.h>
+
+#include <functional>
+#include <iterator>
+
+namespace htloops {
+
+/// Names the stages on the progress bar.
+class Show_stages : public CGAL::Handle_tunnel_loops::Default_visitor
+{
+public:
+  explicit Show_stages(Progress_bar& bar)
+      : bar_(bar) {}
+
+  void start_stage(CGAL::Handle_tunnel_loops::Stage stage) {
+    bar_.start(CGAL::Handle_tunnel_loops::stage_name(stage));
+  }
+
+private:
+  Progress_bar& bar_;
+};
+
+/// The library's solver, as the tag says; what is left to fill in are the backend's name and its
+/// number of threads.
+template <typename ConcurrencyTag>
+Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
+  namespace parameters = CGAL::parameters;
+  Show_stages visitor(bar);
+  const std::function<bool(double)> callback = [&bar](double fraction) {
+    bar.update(fraction);
+    return interrupting_signal() == 0;
+  };
+  const auto watched = parameters::callback(callback).visitor(std::ref(visitor));
+  const auto logged = parameters::do_log_fronts(options.do_log_fronts, watched);
+  const auto linked = parameters::do_compute_linking(options.do_compute_linking, logged);
+  const auto np = parameters::do_refine_handles(options.do_refine_handles,
+                                                parameters::do_tighten(options.do_tighten, linked));
+
+  Answer answer;
+  const Stopwatch stopwatch;
+  const Mesh::Vertex_index seed =
+      options.seed.value_or(boost::graph_traits<Mesh>::null_vertex()); // the solver's choice
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(ConcurrencyTag(), mesh, np);
+  solver.template find_loops<ConcurrencyTag>(std::back_inserter(answer.pairs),
+                                             parameters::seed_vertex(seed, np));
+  answer.statistics = solver.statistics();
+  answer.certificate = solver.certificate();
+  answer.total_seconds = stopwatch.seconds();
+  bar.erase();
+  return answer;
+}
+
+} // namespace htloops
+
+#endif // HTLOOPS_LIBRARY_BACKEND_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/reeb_solver.h"
+
+#include "solve/stopwatch.h"
+#include "solve/thread_limit.h"
+#include "terminal/interrupt.h"
+
+#include <CGAL/reeb_graph.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <functional>
+
+namespace htloops {
+namespace {
+
+namespace parameters = CGAL::parameters;
+
+// Writes the arcs where the answer has room for them.
+struct Arc_map
+{
+  using key_type = Mesh::Vertex_index;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::writable_property_map_tag;
+
+  std::vector<std::size_t>* arcs;
+
+  friend void put(const Arc_map& map, key_type v, value_type arc) { (*map.arcs)[v.idx()] = arc; }
+};
+
+template <typename NamedParameters>
+void solve(const Mesh& mesh, const NamedParameters& np, Reeb_answer& answer) {
+  answer.statistics = CGAL::reeb_graph<CGAL::Parallel_if_available_tag>(mesh, answer.graph, np);
+}
+
+} // namespace
+
+Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress_bar& bar) {
+  const Thread_limit limit(options.number_of_threads);
+  const bool has_values = !options.values.empty();
+  bar.start("reeb");
+  const std::function<bool(double)> callback = [&bar](double fraction) {
+    bar.update(fraction);
+    return interrupting_signal() == 0;
+  };
+
+  Reeb_answer answer;
+  answer.function = has_values ? "given" : "diffusion";
+  answer.number_of_threads = limit.number_of_threads();
+  answer.vertex_arc.assign(mesh.number_of_vertices(), Reeb_answer::no_arc);
+  const auto default_measure =
+      has_values ? CGAL::Reeb_measure::PERSISTENCE : CGAL::Reeb_measure::LIMBS;
+  const auto np = parameters::simplification_threshold(
+      options.threshold.value_or(CGAL::Handle_tunnel_loops::default_simplification_threshold),
+      parameters::reeb_measure(
+          options.measure.value_or(default_measure),
+          parameters::vertex_arc_map(
+              Arc_map{&answer.vertex_arc},
+              parameters::allow_parallel_arcs(true, parameters::callback(callback)))));
+  const Stopwatch stopwatch;
+  if(has_values) {
+    const auto value = [&options](Mesh::Vertex_index v) { return options.values[v.idx()]; };
+    solve(mesh,
+          parameters::vertex_function_map(
+              boost::make_function_property_map<Mesh::Vertex_index, double>(value), np),
+          answer);
+  } else
+    solve(mesh, parameters::source_vertices(options.sources, np), answer);
+  answer.total_seconds = stopwatch.seconds();
+  bar.erase();
+  return answer;
+}
+
+} // namespace htloops

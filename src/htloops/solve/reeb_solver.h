@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_REEB_SOLVER_H
+#define HTLOOPS_REEB_SOLVER_H
+
+#include "solve/reeb_answer.h"
+#include "terminal/progress_bar.h"
+
+#include <optional>
+#include <vector>
+
+namespace htloops {
+
+struct Reeb_options
+{
+  std::vector<Mesh::Vertex_index> sources; ///< of the diffusion; none: as the library chooses
+  std::vector<double> values;              ///< by vertex, a function; none: a diffusion
+  std::optional<CGAL::Reeb_measure> measure;
+  std::optional<double> threshold;
+  int number_of_threads = 0; ///< 0: as many as the machine has
+};
+
+/// computes a Reeb graph.
+Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress_bar& bar);
+
+} // namespace htloops
+
+#endif // HTLOOPS_REEB_SOLVER_H

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/library_backend.h"
+#include "solve/solvers.h"
+
+#include <CGAL/Handle_tunnel_loops/Reference_tag.h>
+
+namespace htloops {
+
+Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
+  Answer answer = solve_with_library<CGAL::Handle_tunnel_loops::Reference_tag>(mesh, options, bar);
+  answer.backend = "reference";
+  return answer;
+}
+
+} // namespace htloops

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_SOLVERS_H
+#define HTLOOPS_SOLVERS_H
+
+#include "solve/backends.h"
+
+// The functions behind the names of the backends; which of them there are depends on the build.
+namespace htloops {
+
+/// finds the loops with the processor's own threads.
+Answer solve_on_host(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+
+/// finds the loops with a CUDA device. Throws `Failure` if there is none that takes the mesh.
+Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+
+/// finds the loops with a CUDA device if there is one that takes the mesh, else without.
+Answer
+solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+
+/// finds the loops by the method of the paper to the letter, in one thread; logs the events of the
+/// fronts.
+Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+
+} // namespace htloops
+
+#endif // HTLOOPS_SOLVERS_H

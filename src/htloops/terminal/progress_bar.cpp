@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "terminal/progress_bar.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace htloops {
+namespace {
+
+constexpr int width = 32;
+constexpr std::chrono::milliseconds shortest_pause{50};
+
+} // namespace
+
+void Progress_bar::start(const std::string& what) {
+  if(!is_visible_)
+    return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  what_ = what;
+  draw();
+}
+
+void Progress_bar::update(double fraction) {
+  if(!is_visible_)
+    return;
+  // Who comes while another thread draws need not wait: the next call shows the news.
+  const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+  if(!lock.owns_lock())
+    return;
+  fraction_ = (std::min)((std::max)(fraction, fraction_), 1.);
+  if(Clock::now() - last_drawn_ >= shortest_pause)
+    draw();
+}
+
+void Progress_bar::draw() {
+  last_drawn_ = Clock::now();
+  const double seconds = std::chrono::duration<double>(last_drawn_ - begin_).count();
+  const int filled = static_cast<int>(fraction_ * width);
+  const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
+  std::fprintf(stderr, "\r[%s] %3d%%  %.1f s  %s\033[K", bar.c_str(),
+               static_cast<int>(100. * fraction_), seconds, what_.c_str());
+  std::fflush(stderr);
+  is_drawn_ = true;
+}
+
+void Progress_bar::erase() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if(is_drawn_)
+    std::fputs("\r\033[K", stderr);
+  is_drawn_ = false;
+}
+
+} // namespace htloops

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_JSON_WRITER_H
+#define HTLOOPS_JSON_WRITER_H
+
+#include "mesh_types.h"
+#include "write/text_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// Members keep their order. What is not finite is written as null, as JSON has no infinity, which
+/// a length may reach where coordinates almost do.
+using Json = nlohmann::ordered_json;
+
+/// A file with an object of JSON, written member by member, each on a line of its own; of a long
+/// array each element. So a thousand long loops are no tree to keep in memory.
+class Json_writer
+{
+public:
+  explicit Json_writer(const std::string& target)
+      : out_(target) {}
+
+  void member(const char* name, const Json& value) {
+    begin_member(name);
+    out_ << value.dump();
+  }
+
+  /// writes an array of what `json_of(element)` makes of the elements of a range.
+  template <typename Range, typename Json_of>
+  void array(const char* name, const Range& range, Json_of json_of) {
+    begin_member(name);
+    const char* separator = "[\n    ";
+    for(const auto& element : range) {
+      out_ << separator << json_of(element).dump();
+      separator = ",\n    ";
+    }
+    out_ << (*separator == '[' ? "[]" : "\n  ]");
+  }
+
+  void finish() {
+    out_ << "\n}\n";
+    out_.finish();
+  }
+
+private:
+  void begin_member(const char* name) {
+    out_ << separator_ << "\n  \"" << name << "\": ";
+    separator_ = ",";
+  }
+
+  Text_writer out_;
+  const char* separator_ = "{";
+};
+
+inline Json json_of_point(const Point& point) {
+  return std::array<double, 3>{point.x(), point.y(), point.z()};
+}
+
+/// the points of a line.
+inline Json json_of_points(const std::vector<Point>& points) {
+  Json array = Json::array();
+  for(const Point& point : points)
+    array.push_back(json_of_point(point));
+  return array;
+}
+
+/// what documents say of the mesh that they are about.
+template <typename Statistics> Json json_of_mesh(const Mesh& mesh, const Statistics& statistics) {
+  return {{"vertices", mesh.number_of_vertices()},
+          {"faces", mesh.number_of_faces()},
+          {"components", statistics.number_of_components},
+          {"genus", statistics.genus}};
+}
+
+} // namespace htloops
+
+#endif // HTLOOPS_JSON_WRITER_H

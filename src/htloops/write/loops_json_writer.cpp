@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/loops_json_writer.h"
+
+#include "write/json_writer.h"
+#include "write/linking_words.h"
+
+#include <optional>
+
+namespace htloops {
+namespace {
+
+using CGAL::Handle_tunnel_loops::Loop_linking;
+using CGAL::Handle_tunnel_loops::Stage;
+
+Json timings(const Answer& answer, double read_seconds) {
+  Json json = {{"read", read_seconds}};
+  for(std::size_t i = 0; i < CGAL::Handle_tunnel_loops::number_of_stages; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    json[CGAL::Handle_tunnel_loops::stage_name(stage)] = answer.statistics.seconds_of(stage);
+  }
+  json["total"] = answer.total_seconds;
+  return json;
+}
+
+Json json_of(const std::optional<std::size_t>& count) { return count ? Json(*count) : Json(); }
+
+Json json_of(const CGAL::Handle_tunnel_loops::Certificate& certificate) {
+  return {{"closed_on_surface", certificate.closed_on_surface},
+          {"basis", certificate.basis},
+          {"pairing", certificate.pairing},
+          {"types", certificate.types},
+          {"handles_bound_inside", json_of(certificate.handles_bound_inside)},
+          {"tunnels_bound_outside", json_of(certificate.tunnels_bound_outside)}};
+}
+
+// Row, column and value, where loop 2k is handle k and loop 2k + 1 is tunnel k.
+Json json_of(const std::vector<Loop_linking>& linking) {
+  Json array = Json::array();
+  for(std::size_t i = 0; i < linking.size(); ++i)
+    for(const auto& [j, value] : linking[i].row)
+      array.push_back(Json::array({i, j, value}));
+  return array;
+}
+
+Json json_of(const Loop& loop, const Mesh& mesh, const Loop_linking* linking) {
+  Json json = {{"length", loop.length()}};
+  if(linking != nullptr)
+    json["bounds"] = word_for_side(*linking);
+  Json locations = Json::array();
+  for(const Loop::Step& step : loop.steps())
+    locations.push_back(Json::array(
+        {mesh.source(step.halfedge).idx(), mesh.target(step.halfedge).idx(), step.ratio}));
+  json["locations"] = std::move(locations);
+  json["points"] = json_of_points(loop.points());
+  return json;
+}
+
+} // namespace
+
+void write_loops_json(const std::string& target,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      double read_seconds) {
+  const auto& linking = answer.certificate.linking;
+  Json_writer out(target);
+  out.member("format", "htloops/1");
+  out.member("mesh", json_of_mesh(mesh, answer.statistics));
+  out.member("backend", answer.backend);
+  out.member("threads", answer.number_of_threads);
+  out.member("timings", timings(answer, read_seconds));
+  out.member("certificate", json_of(answer.certificate));
+  if(!linking.empty())
+    out.member("linking", json_of(linking));
+  std::size_t index = 0; // of the next loop
+  out.array("pairs", answer.pairs, [&](const Pair& pair) {
+    Json json;
+    for(const CGAL::Loop_type type : loop_types) {
+      json[name_of(type)] =
+          json_of(pair.loop(type), mesh, linking.empty() ? nullptr : &linking[index]);
+      ++index;
+    }
+    return json;
+  });
+  out.finish();
+}
+
+} // namespace htloops

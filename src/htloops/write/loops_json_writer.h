@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_LOOPS_JSON_WRITER_H
+#define HTLOOPS_LOOPS_JSON_WRITER_H
+
+#include "mesh_types.h"
+#include "solve/answer.h"
+
+#include <string>
+
+namespace htloops {
+
+/// writes an answer in the format "htloops/1"; every number reads back as exactly itself.
+void write_loops_json(const std::string& target,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      double read_seconds);
+
+} // namespace htloops
+
+#endif // HTLOOPS_LOOPS_JSON_WRITER_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/pair_table.h"
+
+#include "words.h"
+#include "write/linking_words.h"
+#include "write/loop_colours.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <array>
+#include <cstdio>
+
+namespace htloops {
+namespace {
+
+// A table of up to this many rows is shown whole; of a longer one the first and the last rows.
+constexpr std::size_t longest_whole_table = 40;
+constexpr std::size_t first_rows = 20;
+constexpr std::size_t last_rows = 5;
+
+template <typename... Values> std::string formatted(const char* format, Values... values) {
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+std::string in_colour(const std::string& text, CGAL::Loop_type type, bool use_colour) {
+  if(!use_colour)
+    return text;
+  const auto [red, green, blue] = colour_of(type);
+  return formatted("\033[38;2;%d;%d;%dm", red, green, blue) + text + "\033[0m";
+}
+
+std::string row(const Pair& pair, std::size_t index, bool use_colour) {
+  std::string line = formatted("%5zu", index);
+  for(const CGAL::Loop_type type : loop_types)
+    line += in_colour(formatted("  %12.6g", pair.loop(type).length()), type, use_colour);
+  const CGAL::Bbox_3 box =
+      CGAL::bbox_3(pair.handle().points().begin(), pair.handle().points().end());
+  std::array<double, 3> centre, size;
+  for(int i = 0; i < 3; ++i) {
+    centre[i] = box.min(i) + (box.max(i) - box.min(i)) / 2.;
+    size[i] = box.max(i) - box.min(i);
+  }
+  const std::string where = formatted("(%.4g, %.4g, %.4g)", centre[0], centre[1], centre[2]);
+  const std::string extent = formatted("%.3g x %.3g x %.3g", size[0], size[1], size[2]);
+  return line + formatted("  %-34s  %s\n", where.c_str(), extent.c_str());
+}
+
+std::string header(bool use_colour) {
+  std::string line = " pair";
+  for(const CGAL::Loop_type type : loop_types)
+    line += in_colour(formatted("  %12s", name_of(type)), type, use_colour);
+  return line + formatted("  %-34s  %s\n", "centre of the handle", "its size");
+}
+
+double total_length(const Pairs& pairs, CGAL::Loop_type type) {
+  double sum = 0.;
+  for(const Pair& pair : pairs)
+    sum += pair.loop(type).length();
+  return sum;
+}
+
+// Where a mesh is coarser than the paper takes for granted; only the reference solver looks for it.
+std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolution) {
+  if(resolution.is_resolved())
+    return "";
+  std::string text = "the mesh is coarse for the field:";
+  const char* separator = " ";
+  const auto append = [&](std::size_t number, const char* one, const char* many) {
+    if(number == 0)
+      return;
+    text += separator + counted(number, one, many);
+    separator = ", ";
+  };
+  append(resolution.handles_within_steps, "handle passed in one step",
+         "handles passed in one step");
+  append(resolution.rests, "rest", "rests");
+  append(resolution.early_vertices, "vertex reached ahead of the front",
+         "vertices reached ahead of the front");
+  append(resolution.events_in_seed_region, "event beside the seed", "events beside the seed");
+  return text + "\n";
+}
+
+} // namespace
+
+std::string table_of_pairs(const Pairs& pairs, const Table_options& options) {
+  if(pairs.empty())
+    return "";
+  const bool is_whole = options.show_all || pairs.size() <= longest_whole_table;
+  std::string table = header(options.use_colour);
+  for(std::size_t i = 0; i < pairs.size(); ++i) {
+    if(!is_whole && i == first_rows) {
+      i = pairs.size() - last_rows;
+      table += "  ... " + std::to_string(i - first_rows) + " more (--all shows them)\n";
+    }
+    table += row(pairs[i], i, options.use_colour);
+  }
+  return table;
+}
+
+std::string summary(const Answer& answer, double read_seconds) {
+  const auto& statistics = answer.statistics;
+  std::string text = "genus " + std::to_string(statistics.genus) + " in " +
+                     counted(statistics.number_of_components, "component", "components") + ": ";
+  if(answer.pairs.empty())
+    text += "no loops\n";
+  else
+    text += counted(answer.pairs.size(), "pair", "pairs") +
+            " of loops, certified as a basis of H1(S; Z)\n" +
+            formatted("total length %.6g of the handles, %.6g of the tunnels\n",
+                      total_length(answer.pairs, CGAL::Loop_type::HANDLE),
+                      total_length(answer.pairs, CGAL::Loop_type::TUNNEL));
+  const std::string sides = summary_of_sides(answer.certificate);
+  if(!sides.empty())
+    text += sides + "\n";
+  return text + remarks(statistics.resolution) +
+         formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
+                   read_seconds, answer.backend.c_str()) +
+         counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
+         (statistics.fallback.empty() ? "" : "no device was used: " + statistics.fallback + "\n");
+}
+
+} // namespace htloops

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_PAIR_TABLE_H
+#define HTLOOPS_PAIR_TABLE_H
+
+#include "solve/answer.h"
+
+#include <string>
+
+namespace htloops {
+
+struct Table_options
+{
+  bool show_all = false; ///< otherwise the middle of a long table is left out
+  bool use_colour = false;
+};
+
+/// a table of the pairs for a person: how long the loops are and where the handles are.
+std::string table_of_pairs(const Pairs& pairs, const Table_options& options);
+
+/// lines that sum up an answer and what it took.
+std::string summary(const Answer& answer, double read_seconds);
+
+} // namespace htloops
+
+#endif // HTLOOPS_PAIR_TABLE_H
