@@ -170,10 +170,10 @@ TEST_P(Cuda_errors, SolversGoOnAfterAnInterruption) {
   const auto solver = make_solver(mesh, {1, nullptr});
   const auto stop = [](double) { return false; };
   const Step_coefficients k = step_coefficients({});
-  const std::vector<Crossing_loop> contours = loops_of(solver->sweep({0}, k, go_on));
+  const std::vector<Crossing_loop> contours = loops_of(solver->initial_field({0}, k, go_on));
   const Crossing_index index(mesh, contours);
-  EXPECT_THROW(solver->sweep({0}, k, stop), Interrupted_exception);
-  EXPECT_THROW(solver->search({contours, index, false, {0}}, k, stop), Interrupted_exception);
+  EXPECT_THROW(solver->initial_field({0}, k, stop), Interrupted_exception);
+  EXPECT_THROW(solver->dual_walks({contours, index, false, {0}}, k, stop), Interrupted_exception);
   EXPECT_TRUE(is_right(*solver));
 }
 
