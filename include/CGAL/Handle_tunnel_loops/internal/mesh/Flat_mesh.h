@@ -38,12 +38,16 @@ inline Vector operator-(const Vector& a, const Vector& b) {
 inline Vector operator+(const Vector& a, const Vector& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline Vector operator*(double s, const Vector& a) {
+  return {rounded_product(s, a[0]), rounded_product(s, a[1]), rounded_product(s, a[2])};
+}
 inline double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return rounded_product(a[0], b[0]) + rounded_product(a[1], b[1]) + rounded_product(a[2], b[2]);
 }
 inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {rounded_product(a[1], b[2]) - rounded_product(a[2], b[1]),
+          rounded_product(a[2], b[0]) - rounded_product(a[0], b[2]),
+          rounded_product(a[0], b[1]) - rounded_product(a[1], b[0])};
 }
 inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 
