@@ -331,7 +331,7 @@ protected:
     curves.crossings.finish(n);
     curves.outward = {1, 1};
     Linking_numbers numbers(curves);
-    numbers.link(Sequential_execution());
+    numbers.link(Execution());
     for(const auto& contact : numbers.contacts())
       contacts.emplace(contact.corner, contact.edge);
     for(const Matrix_entry& e : numbers.linking())

@@ -89,7 +89,7 @@ class Simplification : public testing::TestWithParam<Reeb_measure>
 {
 protected:
   void expect_leaf_by_leaf(const Flat_mesh& mesh, const Values& values, double threshold) {
-    const auto execution = Sequential_execution();
+    const Execution execution;
     const Sweep_order order(execution, mesh, [&](Index v) { return ordering_key(values[v]); });
     const std::vector<Star> stars = sweep_stars(execution, mesh, order);
     Reeb_sweep sweep(mesh, order, stars, (std::numeric_limits<std::uint64_t>::max)(), 0.01);
@@ -105,7 +105,7 @@ protected:
 
     Flat_reeb_graph copy = graph; // its samples are taken away
     const auto value = [&values](Index v) { return values[v]; };
-    const Reeb_finishing<Sequential_execution, decltype(value)> finishing(mesh, order, copy, value);
+    const Reeb_finishing<decltype(value)> finishing(execution, mesh, order, copy, value);
     const Arcs found_arcs = arcs_of(finishing.run(GetParam(), threshold));
     const Arcs expected_arcs = arcs_of(graph, expected);
     ASSERT_EQ(found_arcs.size(), expected_arcs.size());
