@@ -185,4 +185,33 @@ TEST(Edge_walker, NoticesThatTheLastVertexClosesARing) {
   }
 }
 
+// What is enclosed is avoided as well.
+TEST(Edge_walker, GoesAroundARingAndWhatIsInIt) {
+  const Mesh mesh = mesh_of(Recipe{"torus", {400, 1, 0}});
+  Random random(3);
+  int around = 0;
+  for(const Vertex v : mesh.vertices()) {
+    Walker walker = walker_on(mesh);
+    std::set<Vertex> enclosed = {v};
+    for(const Vertex u : CGAL::vertices_around_target(v, mesh)) {
+      walker.avoid(static_cast<Index>(u.idx()));
+      enclosed.insert(u);
+    }
+    const auto is_enclosed = [&](Mesh::Halfedge_index h) {
+      return enclosed.count(mesh.source(h)) != 0;
+    };
+    for(int i = 0; i < 20; ++i) {
+      const Loop loop = random_loop(mesh, random);
+      const Walk straight = walker.straight(loop);
+      if(std::none_of(straight.begin(), straight.end(), is_enclosed))
+        continue;
+      const Walk walk = walker(loop);
+      EXPECT_FALSE(walker.has_failed());
+      EXPECT_TRUE(std::none_of(walk.begin(), walk.end(), is_enclosed));
+      ++around;
+    }
+  }
+  EXPECT_GT(around, 100);
+}
+
 } // namespace

@@ -5,6 +5,7 @@
 #include "Flat_torus.h"
 #include "Geodesic_angles.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Gauss_reduction.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <gtest/gtest.h>
@@ -112,6 +113,54 @@ TEST(Geodesic, HasNoBendsThatCouldBeTakenOut) {
   EXPECT_LE(bent, 0.2 * all) << "of " << all;
 
   EXPECT_GT(at_vertices, 0.2 * all) << "pass a vertex";
+}
+
+// Of a pair on a flat torus, one loop is wound around the other, and is unwound: the classes are
+// those of a basis of the lattice that is reduced but for a tenth.
+TEST(Gauss_reduction, TakesTheTwistOutOfAPair) {
+  Random random(3);
+  for(int round = 0; round < 40; ++round) {
+    const std::size_t columns = 4 * (2 + random.below(4)), rows = 2 * (3 + random.below(5));
+    const Flat_torus torus(columns, rows, 1., random.uniform(0.5, 3.), random);
+    const Flat_mesh mesh = flat_mesh_of(torus.soup());
+    const int twist = static_cast<int>(random.below(9)) - 4;
+    Vertex_walk around, twisted;
+    for(std::size_t i = 0; i < columns; ++i)
+      around.push_back(static_cast<Index>(i));
+    for(std::size_t j = 0, i = 0; j < rows; ++j) {
+      twisted.push_back(static_cast<Index>(j * columns + i));
+      const std::size_t steps =
+          static_cast<std::size_t>(std::abs(twist)) * columns * (j + 1) / rows -
+          static_cast<std::size_t>(std::abs(twist)) * columns * j / rows;
+      for(std::size_t k = 0; k < steps; ++k) {
+        i = (twist > 0 ? i + 1 : i + columns - 1) % columns;
+        twisted.push_back(static_cast<Index>(j * columns + i));
+      }
+    }
+    SCOPED_TRACE(testing::Message() << "round " << round << ", twist " << twist);
+    ASSERT_EQ(torus.turns(around), std::pair(1, 0));
+    ASSERT_EQ(torus.turns(twisted), std::pair(twist, 1));
+    Crossing_loop a = pushed_left(mesh, around), b = pushed_left(mesh, twisted);
+    CGAL::Handle_tunnel_loops::internal::Gauss_reduction(mesh).reduce(a, b);
+    a = taut(mesh, a);
+    b = taut(mesh, b);
+    const auto turns = [&torus](const Crossing_loop& loop) {
+      Vertex_walk walk;
+      for(const Crossing& c : loop)
+        walk.push_back(c.left);
+      return torus.turns(walk);
+    };
+    const auto [p, q] = turns(a);
+    const auto [r, s] = turns(b);
+    EXPECT_EQ(std::abs(p * s - q * r), 1);
+    const double shorter = (std::min)(length(mesh, a), length(mesh, b)),
+                 longer = (std::max)(length(mesh, a), length(mesh, b));
+    for(const int sign : {-1, 1}) {
+      const double changed = torus.geodesic_length({p + sign * r, q + sign * s});
+      EXPECT_TRUE(longer < 1.15 * shorter || changed > 0.98 * longer)
+          << shorter << ' ' << longer << ' ' << changed;
+    }
+  }
 }
 
 } // namespace

@@ -401,6 +401,23 @@ TEST_F(Line_and_path, CrossOnceWhereTheEndOfTheEdgesIsSeenOnTheLine) {
   EXPECT_EQ(std::abs(value), 1);
 }
 
+// Where a copy crosses an edge of a walk, a face beside the edge is seen as a line: another
+// direction tells.
+TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
+  const auto [a, b] = first_direction();
+  Surface_curves curves;
+  curves.vertices = {{0., 0., 0.}, {1., 0., 0.}, {0.5 + a, b, 1.}, {0.5, -1., -0.25}};
+  curves.edges = {{0, 1, 2, 3}};
+  curves.walks.add(0, 1, 1);
+  curves.crossings.add(0, 0, 1);
+  curves.walks.finish(1);
+  curves.crossings.finish(1);
+  curves.outward = {1, 1};
+  Linking_numbers numbers(curves);
+  numbers.link(Sequential_execution());
+  EXPECT_TRUE(numbers.contacts().empty());
+}
+
 TEST(Boxes, AreFoundWhereTheyMeet) {
   Random random(3);
   for(int round = 0; round < 50; ++round) {
