@@ -22,6 +22,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -59,6 +61,7 @@ public:
     while(band.number_of_reached() < n && band.step(walls, [](Index) {}))
       if(band.number_of_steps() % 64 == 0)
         go_on_or_throw(callback, double(band.number_of_reached()) / double(n));
+    CGAL_assertion_msg(band.number_of_reached() == n, "there is a seed in each component");
     times_ = band.take_times();
     return find_handle_candidates(execution_, mesh_, times_);
   }

@@ -12,8 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -56,6 +60,7 @@ public:
     Chain& chain = chains_[side];
     const double sign = side == LEFT ? 1. : -1.;
     std::vector<Bend>& corners = chain.corners;
+    CGAL_precondition_msg(!bends_.empty(), "after `start()`");
     if(corner.point == (chain.is_empty() ? bends_ : corners).back().point)
       return;
     while(!chain.is_empty() &&
@@ -77,6 +82,9 @@ public:
                   chains_[LEFT].corners.end());
     if(bends_.back().portal != goal.portal)
       bends_.push_back(goal);
+    CGAL_expensive_postcondition(
+        std::is_sorted(bends_.begin(), bends_.end(),
+                       [](const Bend& a, const Bend& b) { return a.portal < b.portal; }));
   }
 
   /// the corners of the path, with its ends.
