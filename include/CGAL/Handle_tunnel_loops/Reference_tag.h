@@ -18,7 +18,6 @@
 #include <CGAL/tags.h>
 
 namespace CGAL {
-namespace Handle_tunnel_loops {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -32,8 +31,9 @@ section 3 with all its terms; the fields of the other two passes cover the whole
 handles after the refinement, are streamlines across the triangles. Nothing is tightened:
 `do_tighten` has no effect. Nothing is shared with the other solvers but the adaptor, the conversion
 of the answer, the linking numbers that tell handles from tunnels, and the certificate.
-`Statistics::front_events` holds the splits, merges and closings of the initial pass afterwards, and
-`Statistics::resolution` where the mesh was too coarse for what the paper takes for granted.
+`Handle_tunnel_loops::Statistics::front_events` holds the splits, merges and closings of the initial
+pass afterwards, and `Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for
+what the paper takes for granted.
 
 Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
 is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is
@@ -44,6 +44,10 @@ linked with the target `CGAL::Eigen3_support`.
 */
 struct Reference_tag : public Sequential_tag
 {};
+
+namespace Handle_tunnel_loops {
+
+using CGAL::Reference_tag; // where it was at first
 
 namespace internal {
 
