@@ -4,8 +4,8 @@ add_library(htl_build_options INTERFACE)
 if(MSVC)
   target_compile_options(htl_build_options INTERFACE /W4 $<$<BOOL:${HTL_WARNINGS_AS_ERRORS}>:/WX>)
 else()
-  # Without multiply-adds, numbers are the same on all machines. Where a device has to compute the
-  # same, the formulas see to that themselves: users need not say it.
+  # Without multiply-adds, what is generated and drawn is the same on all machines. The formulas of
+  # the headers see to that themselves: users need not say it.
   target_compile_options(htl_build_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off
     $<$<BOOL:${HTL_WARNINGS_AS_ERRORS}>:-Werror>

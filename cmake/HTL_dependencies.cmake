@@ -1,6 +1,15 @@
 # Finds what the package needs (CGAL) and what it can use. A missing optional library costs its
 # feature and one status line. Sets HTL_HAS_<NAME> for each optional library.
 
+# What comes into being here is seen here only, and a project that includes this one links it: see
+# below. Whatever is there already, that project has found itself; it cannot be changed from here.
+set(_htl_for_all)
+foreach(target IN ITEMS TBB::tbb TBB::tbbmalloc CGAL::TBB_support Threads::Threads)
+  if(NOT TARGET ${target})
+    list(APPEND _htl_for_all ${target})
+  endif()
+endforeach()
+
 # Asked for a version, CGAL accepts only its own major one; so the version is checked here. It
 # reports every step even when asked to be quiet.
 set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
@@ -27,10 +36,13 @@ endmacro()
 htl_find_optional(TBB TBB "everything runs in one thread")
 if(HTL_HAS_TBB)
   include(CGAL_TBB_support)
-  # A project that includes this one sees the targets only if they are global.
-  set_target_properties(TBB::tbb TBB::tbbmalloc CGAL::TBB_support Threads::Threads
-    PROPERTIES IMPORTED_GLOBAL TRUE)
+  foreach(target IN LISTS _htl_for_all)
+    if(TARGET ${target})
+      set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
+    endif()
+  endforeach()
 endif()
+unset(_htl_for_all)
 
 if(HTL_BUILD_TOOL OR HTL_BUILD_TESTS)
   htl_find_optional(EIGEN Eigen3 "the reference solver is neither tested nor in htloops")

@@ -19,6 +19,6 @@ target_compile_options(headers_alone PRIVATE $<$<NOT:$<BOOL:${MSVC}>>:-O0;-g0>)
 add_test(NAME headers_alone
   COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --config $<CONFIG>
     --target headers_alone)
-set_tests_properties(headers_alone PROPERTIES LABELS package RESOURCE_LOCK build_folder)
+set_tests_properties(headers_alone PROPERTIES LABELS package TIMEOUT 600 RESOURCE_LOCK build_folder)
 unset(_htl_headers)
 unset(_htl_sources)

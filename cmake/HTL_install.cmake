@@ -11,7 +11,8 @@ if(TARGET htloops)
 endif()
 install(FILES LICENSE README.md CHANGES.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
-install(TARGETS Handle_tunnel_loops EXPORT Handle_tunnel_loopsTargets)
+install(TARGETS Handle_tunnel_loops EXPORT Handle_tunnel_loopsTargets
+  INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(EXPORT Handle_tunnel_loopsTargets
   NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
 

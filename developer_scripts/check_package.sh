@@ -123,7 +123,7 @@ check_device_headers() {
   local header
   {
     files 'cuda/*.cu' 'cuda/*.cuh' | xargs -r grep -h '^#include <CGAL/' | sort -u
-    echo "#include <CGAL/$package/internal/device/Host_executor.h>"
+    echo "#include <CGAL/$package/internal/device/Device_solver.h>"
   } | "${CXX:-c++}" -std=c++17 -Iinclude -x c++ -M - | tr -s ' \\' '\n' | grep '/CGAL/' |
     grep -v '^include/' | while read -r header; do complain "cuda: includes $header"; done
 }

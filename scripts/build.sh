@@ -2,6 +2,8 @@
 # Configures the folder build/ in release mode and builds a target there.
 #
 #   scripts/build.sh TARGET [CMake option...]
+#
+# As many jobs at a time as there are processors, or as the memory that is available is enough for.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,4 +15,12 @@ if [ ! -f build/CMakeCache.txt ] && command -v ninja >/dev/null; then
   set -- -G Ninja "$@"
 fi
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "$@"
-cmake --build build --target "$target" --parallel "$(nproc)"
+jobs=$(nproc)
+if [ -r /proc/meminfo ]; then
+  # The largest jobs take 1.6 GB.
+  fitting=$(awk '/^MemAvailable:/ { print int($2 / 1600000) }' /proc/meminfo)
+  if [ -n "$fitting" ] && [ "$fitting" -lt "$jobs" ]; then
+    jobs=$((fitting > 1 ? fitting : 1))
+  fi
+fi
+cmake --build build --target "$target" --parallel "$jobs"

@@ -3,14 +3,17 @@ add_test(NAME htloops_end_to_end
   COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
     "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/htloops_end_to_end"
     -P "${CMAKE_CURRENT_LIST_DIR}/end_to_end.cmake")
-set_tests_properties(htloops_end_to_end PROPERTIES LABELS tool)
+set_tests_properties(htloops_end_to_end PROPERTIES LABELS tool TIMEOUT 300)
 
 # All meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one.
-add_test(NAME htloops_corpus
-  COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
-    "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/htloops_corpus"
-    -P "${CMAKE_CURRENT_LIST_DIR}/corpus.cmake")
-set_tests_properties(htloops_corpus PROPERTIES
-  LABELS "tool;corpus"
-  TIMEOUT 3000
-  SKIP_REGULAR_EXPRESSION "SKIPPED")
+set(_htl_parts 4)
+foreach(part RANGE 1 ${_htl_parts})
+  set(name htloops_corpus_${part}_of_${_htl_parts})
+  add_test(NAME ${name}
+    COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
+      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/${name}" -DPART=${part} -DPARTS=${_htl_parts}
+      -P "${CMAKE_CURRENT_LIST_DIR}/corpus.cmake")
+  set_tests_properties(${name} PROPERTIES
+    LABELS "tool;corpus" TIMEOUT 300 SKIP_REGULAR_EXPRESSION "SKIPPED")
+endforeach()
+unset(_htl_parts)

@@ -108,9 +108,11 @@ template <typename ConcurrencyTag> void use_tag() {
   solver.find_loops<ConcurrencyTag>(std::back_inserter(pairs),
                                     CGAL::parameters::do_refine_handles(false));
   EXPECT_EQ(pairs.size(), 4u);
+  EXPECT_EQ(solver.statistics().backend, "host");
 }
 
-TEST(Tags, ChooseTheExecution) {
+// In which threads they run is seen in test_determinism.
+TEST(Tags, AreTakenEverywhere) {
   use_tag<CGAL::Sequential_tag>();
   use_tag<CGAL::Parallel_if_available_tag>();
 #ifdef CGAL_LINKED_WITH_TBB

@@ -17,9 +17,15 @@ namespace {
 
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
-TEST(Corpus, IsThere) {
-  if(files_of_corpus().empty())
+// Where there is a folder, the tests below are about something.
+TEST(Corpus, HasClosedMeshes) {
+  if(!std::filesystem::is_directory(mesh_corpus()))
     GTEST_SKIP() << "there are no meshes in " << mesh_corpus();
+  const std::vector<std::filesystem::path> files = files_of_corpus();
+  for(const char* folder : {"closed", "sphere_like"})
+    EXPECT_TRUE(std::any_of(files.begin(), files.end(), [folder](const auto& file) {
+      return file.parent_path().filename() == folder;
+    })) << folder;
 }
 
 class Mesh_of_corpus : public testing::TestWithParam<std::filesystem::path>

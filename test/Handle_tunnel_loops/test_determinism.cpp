@@ -6,13 +6,18 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
 #endif
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -96,6 +101,94 @@ TEST_P(Loops, AreTheSameForEveryTag) {
   solver.find_loops<CGAL::Sequential_tag>(std::back_inserter(pairs));
   expect_same(pairs, expected);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+using Threads = std::set<std::thread::id>;
+
+// Those that work in an arena.
+class Observer : public tbb::task_scheduler_observer
+{
+public:
+  explicit Observer(tbb::task_arena& arena)
+      : tbb::task_scheduler_observer(arena) {
+    observe(true);
+  }
+  ~Observer() override { observe(false); }
+
+  void on_scheduler_entry(bool) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    threads_.insert(std::this_thread::get_id());
+  }
+
+  Threads threads() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return threads_;
+  }
+
+private:
+  mutable std::mutex mutex_;
+  Threads threads_;
+};
+
+class Execution : public testing::Test
+{
+protected:
+  // More threads than one, even on one processor.
+  template <typename Function> static Threads threads_of(const Function& f) {
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 4);
+    tbb::task_arena arena(4);
+    const Observer observer(arena);
+    arena.execute(f);
+    return observer.threads();
+  }
+
+  // A busy processor may let one thread do everything now and then, but not every time.
+  template <typename Function> static std::size_t most_threads_of(const Function& f) {
+    std::size_t most = 0;
+    for(int i = 0; i < 20 && most < 2; ++i)
+      most = (std::max)(most, threads_of(f).size());
+    return most;
+  }
+
+  const Threads this_thread = {std::this_thread::get_id()};
+};
+
+TEST_F(Execution, IsThatOfTheTagOfTheSolver) {
+  const Mesh mesh = mesh_of(Recipe{"torus", {60000, 1, 0}});
+  Solver solver(mesh);
+  EXPECT_EQ(threads_of([&] { solver.find_loops(CGAL::Emptyset_iterator()); }), this_thread);
+  EXPECT_EQ(threads_of([&] { solver.find_loops<CGAL::Sequential_tag>(CGAL::Emptyset_iterator()); }),
+            this_thread);
+  EXPECT_EQ(solver.statistics().backend, "host");
+  EXPECT_GT(
+      most_threads_of([&] { solver.find_loops<CGAL::Parallel_tag>(CGAL::Emptyset_iterator()); }),
+      1u);
+  EXPECT_EQ(solver.statistics().backend, "host");
+  EXPECT_GT(most_threads_of([&] {
+              solver.find_loops<CGAL::Parallel_if_available_tag>(CGAL::Emptyset_iterator());
+            }),
+            1u);
+}
+
+TEST_F(Execution, IsThatOfTheTagOfThePreparation) {
+  const Mesh mesh = mesh_of(Recipe{"torus", {60000, 1, 0}});
+  const auto np = CGAL::parameters::default_values();
+  EXPECT_EQ(threads_of([&] { Solver solver(mesh); }), this_thread);
+  EXPECT_EQ(threads_of([&] { Solver solver(CGAL::Sequential_tag(), mesh, np); }), this_thread);
+  EXPECT_GT(most_threads_of([&] { Solver solver(CGAL::Parallel_tag(), mesh, np); }), 1u);
+}
+
+TEST_F(Execution, IsThatOfTheTagOfTheCertificate) {
+  const Mesh mesh = mesh_of(Recipe{"gyroid", {50000, 25, 0}}); // many loops
+  const Pairs pairs = find_loops(mesh);
+  EXPECT_EQ(threads_of([&] { CGAL::certify_handle_tunnel_loops(mesh, pairs); }), this_thread);
+  EXPECT_GT(
+      most_threads_of([&] { CGAL::certify_handle_tunnel_loops<CGAL::Parallel_tag>(mesh, pairs); }),
+      1u);
+}
+
+#endif
 
 // From the same place, on meshes of which the loops are as short as a person would draw them.
 class Numbering : public testing::TestWithParam<Recipe>

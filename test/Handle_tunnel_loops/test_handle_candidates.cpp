@@ -21,6 +21,25 @@ using namespace CGAL::Handle_tunnel_loops::internal;
 
 const auto execution = Execution();
 
+TEST(Contour_crossing, IsWhereTheTimeIsThatOfTheContour) {
+  Random random(8);
+  for(int i = 0; i < 1000; ++i) {
+    const auto time = [&] { return static_cast<Time>(random.below(i < 500 ? 10 : 100000)); };
+    const Time left = time(), right = left + time(), at = left + time();
+    if(at > right)
+      continue;
+    const Crossing c = contour_crossing(3, 5, left, right, at);
+    EXPECT_TRUE(c.left == 3 && c.right == 5);
+    EXPECT_GE(c.ratio, smallest_ratio);
+    EXPECT_LE(c.ratio, largest_ratio);
+    const double found = left + c.ratio * (double(right) - left), width = double(right) - left;
+    EXPECT_NEAR(found, at, left == right ? 0. : (smallest_ratio + 1e-12) * width);
+    if(c.ratio > smallest_ratio && c.ratio < largest_ratio) {
+      EXPECT_NEAR(found, at, 1e-12 * width);
+    }
+  }
+}
+
 void expect_disjoint(const Flat_mesh& mesh, const std::vector<Handle_candidate>& handles) {
   std::vector<Crossing_loop> loops;
   for(const Handle_candidate& handle : handles)

@@ -178,6 +178,19 @@ TEST(Parallel_edges, AreRefused) {
   }
 }
 
+// Edges at vertices with many neighbours are looked through in another way.
+TEST(Parallel_edges, AreRefusedAtVerticesOfHighDegree) {
+  const Grid_torus torus(2, 5);
+  Mesh mesh = torus.mesh();
+  for(int round = 0; round < 2; ++round) {
+    const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+    for(const Mesh::Face_index f : faces)
+      CGAL::Euler::add_center_vertex(mesh.halfedge(f), mesh);
+  }
+  ASSERT_EQ(mesh.degree(Mesh::Vertex_index(0)), 24u);
+  EXPECT_EQ(defect_of(mesh).defect(), Mesh_defect::PARALLEL_EDGES);
+}
+
 // ---- coordinates
 
 TEST(Coordinate_that_is_not_finite, IsRefused) {

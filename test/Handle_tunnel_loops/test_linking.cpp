@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -264,6 +265,28 @@ TEST_P(Linking, IsBilinear) {
                                       (j == b ? -1 : 1);
         ASSERT_EQ(found[i][j], expected) << i << ' ' << j;
       }
+  }
+}
+
+// What the solver keeps of its loops, which it may have exchanged since they were linked, is what
+// is found of them anew.
+TEST_P(Linking, IsKeptWithTheLoops) {
+  for(unsigned seed = 0; seed < 4; ++seed) {
+    Recipe recipe = GetParam();
+    recipe.request.seed += seed;
+    const Mesh mesh = mesh_of(recipe);
+    CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+    Pairs pairs;
+    solver.find_loops(std::back_inserter(pairs));
+    const Certificate anew = certify_handle_tunnel_loops(mesh, pairs);
+    const Certificate& kept = solver.certificate();
+    ASSERT_EQ(kept.linking.size(), anew.linking.size());
+    for(std::size_t i = 0; i < kept.linking.size(); ++i) {
+      EXPECT_EQ(kept.linking[i].row, anew.linking[i].row) << "loop " << i;
+      EXPECT_EQ(kept.linking[i].column, anew.linking[i].column) << "loop " << i;
+      EXPECT_EQ(kept.linking[i].bounds_inside(), anew.linking[i].bounds_inside());
+      EXPECT_EQ(kept.linking[i].bounds_outside(), anew.linking[i].bounds_outside());
+    }
   }
 }
 

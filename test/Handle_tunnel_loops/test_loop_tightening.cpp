@@ -4,6 +4,7 @@
 #include "Tightening_anew.h"
 #include "Torus_loops.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/classification/Offset_growth.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <gtest/gtest.h>
@@ -134,6 +135,23 @@ TEST(Tightening, LeavesAnEmptyLoopAlone) {
   Crossing_loop loop;
   Loop_tightening(mesh).tighten(loop);
   EXPECT_TRUE(loop.empty());
+}
+
+// A circle around a solid tube grows by 2 pi when the surface is moved outwards, one around the
+// hole shrinks as much, whichever way the faces look.
+TEST(Growth, IsThatOfCircles) {
+  using CGAL::Handle_tunnel_loops::internal::Offset_growth;
+  Soup soup = soup_of({"torus", {8000, 1, 0}});
+  for(const bool looks_inwards : {false, true}) {
+    if(looks_inwards)
+      reverse_orientation(soup);
+    const Flat_mesh torus = flat_mesh_of(soup);
+    Crossing_loop tube = loop_around_tube(torus, 0.1), hole = loop_around_hole(torus, 0.2);
+    Loop_tightening(torus).tighten(tube, 1000);
+    Loop_tightening(torus).tighten(hole, 1000);
+    EXPECT_NEAR(Offset_growth(torus)(tube), 2. * pi, 0.1);
+    EXPECT_NEAR(Offset_growth(torus)(hole), -2. * pi, 0.1);
+  }
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace {
@@ -50,6 +51,27 @@ TEST_P(Formulas, HaveTwoPhasesAtRest) {
   EXPECT_EQ(stepped_value(1.f, 1.f, coefficients()), 1.f);
 }
 
+// An explicit Euler step of the equation that is documented, in double precision.
+TEST_P(Formulas, AreAStepOfTheEquation) {
+  Random random(6);
+  for(int i = 0; i < 1000; ++i) {
+    Field_constants c = random_constants(random);
+    c.step = GetParam();
+    c.penalty = c.gradient_coefficient * random.uniform(0.01, 1.);
+    c.driving_force = c.penalty * random.uniform(1., 10.);
+    const double phi = random.uniform(0., 1.), mean = random.uniform(0., 1.);
+    const double largest_step = 1. / (2. * c.mobility * c.gradient_coefficient);
+    const double rate =
+        0.5 * c.mobility *
+        (c.gradient_coefficient * 4. * (mean - phi) +
+         c.driving_force * std::sqrt(phi * (1. - phi)) - c.penalty * (1. - 2. * phi));
+    const double value = phi + c.step * largest_step * rate;
+    EXPECT_NEAR(
+        stepped_value(static_cast<float>(phi), static_cast<float>(mean), step_coefficients(c)),
+        (std::min)((std::max)(value, 0.), 1.), 1e-5);
+  }
+}
+
 // The driving force turns the middle into the phase that grows.
 TEST_P(Formulas, LetOnePhaseGrow) { EXPECT_GT(stepped_value(0.5f, 0.5f, coefficients()), 0.5f); }
 
@@ -76,6 +98,40 @@ TEST(Crossing_time, IsWithinItsStep) {
       latest = time;
     }
   }
+}
+
+// Up to the last number below the threshold: none of a step's moments is taken for one of the step
+// before it.
+TEST(Crossing_time, TellsTheStep) {
+  Random random(7);
+  const auto expect_step = [](float before, float after, Time step) {
+    const Time time = crossing_time(before, after, step);
+    EXPECT_EQ(step_of(time), step) << before << ' ' << after;
+    // The last moment that a step has is after all those of the step before it.
+    EXPECT_GT(time, crossing_time(0.f, front_threshold, step - 1));
+  };
+  std::vector<float> below = {0.f, just_below_threshold, std::nextafter(front_threshold, 0.f)};
+  std::vector<float> above = {front_threshold, std::nextafter(front_threshold, 1.f), 1.f};
+  for(int i = 0; i < 300; ++i) {
+    below.push_back(front_threshold - std::ldexp(1.f, -1 - static_cast<int>(random.below(24))));
+    below.push_back(static_cast<float>(random.uniform(0., 0.499)));
+    above.push_back(front_threshold + std::ldexp(1.f, -1 - static_cast<int>(random.below(23))));
+    above.push_back(static_cast<float>(random.uniform(0.5, 1.)));
+  }
+  for(const Time step : {1u, 2u, 130u, (never - 1) / ticks_per_step})
+    for(const float before : below)
+      for(const float after : above)
+        expect_step(before, after, step);
+  // What was beyond the threshold before, and could not be reached, is reached now.
+  for(const Time step : {1u, 2u, 130u})
+    for(const float before : above)
+      expect_step(before, 1.f, step);
+}
+
+TEST(Crossing_time, OfSourcesIsBeforeTheFirstStep) {
+  EXPECT_EQ(step_of(0), 0u);
+  EXPECT_EQ(step_of(1), 0u);
+  EXPECT_GT(crossing_time(std::nextafter(front_threshold, 0.f), 1.f, 1), 1u);
 }
 
 // ---- the field from one vertex

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -196,6 +197,225 @@ TEST_F(Line_and_edge, MayPassEachOther) {
   link(-1., -smallest_step);
   EXPECT_EQ(contacts, 0u);
   EXPECT_EQ(value, 0);
+}
+
+// ---- closed polygons: what they are seen as must not matter
+
+// The direction along which linking numbers are counted first. If that changes, the polygons below
+// are as good as any, but few of their corners are seen on lines.
+Projected_points::Direction first_direction() {
+  std::minstd_rand random;
+  const auto next = [&random] { return (static_cast<int>(random() % 1024) * 2 - 1023) / 1024.; };
+  const double a = next();
+  return {a, next()};
+}
+
+using Lattice_point = std::array<std::int64_t, 3>;
+using Lattice_polygon = std::vector<Lattice_point>;
+
+// Two segments between points of a lattice, by integers: as seen along a direction in which no
+// point is seen on a line that it is not on.
+class Two_segments
+{
+public:
+  Two_segments(const Lattice_point& a,
+               const Lattice_point& b,
+               const Lattice_point& p,
+               const Lattice_point& q)
+      : a_(a)
+      , b_(b)
+      , p_(p)
+      , q_(q)
+      , turns_{turn(a, b, p), turn(a, b, q), turn(p, q, a), turn(p, q, b)} {}
+
+  // Positive where r turns to the left seen from above.
+  static std::int64_t turn(const Lattice_point& p, const Lattice_point& q, const Lattice_point& r) {
+    const auto x = [](const Lattice_point& v) { return 1000003 * v[0] - 414217 * v[2]; };
+    const auto y = [](const Lattice_point& v) { return 1000003 * v[1] - 732051 * v[2]; };
+    return (x(q) - x(p)) * (y(r) - y(p)) - (x(r) - x(p)) * (y(q) - y(p));
+  }
+
+  bool meet() const {
+    if(volume() != 0)
+      return false;
+    if(turns_ == std::array<std::int64_t, 4>{0, 0, 0, 0})
+      return is_between(a_, p_, q_) || is_between(b_, p_, q_) || is_between(p_, a_, b_) ||
+             is_between(q_, a_, b_);
+    return is_apart(turns_[0], turns_[1]) && is_apart(turns_[2], turns_[3]);
+  }
+
+  // 0 unless the first passes over the second; 1 if that then leads to the left.
+  int passage() const {
+    if(!is_apart(turns_[0], turns_[1]) || !is_apart(turns_[2], turns_[3]) || volume() == 0)
+      return 0;
+    const int sense = turns_[1] > 0 ? 1 : -1;
+    return (volume() > 0 ? 1 : -1) == sense ? sense : 0;
+  }
+
+  // Whether they are in a plane that is seen as a line along (0, 0, 1).
+  bool are_seen_on_a_line() const {
+    const auto turn = [](const Lattice_point& p, const Lattice_point& q, const Lattice_point& r) {
+      return (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]);
+    };
+    return turn(a_, b_, p_) == 0 && turn(a_, b_, q_) == 0 && turn(p_, q_, a_) == 0 &&
+           turn(p_, q_, b_) == 0;
+  }
+
+private:
+  static bool is_apart(std::int64_t a, std::int64_t b) {
+    return (a <= 0 || b <= 0) && (a >= 0 || b >= 0);
+  }
+
+  static bool is_between(const Lattice_point& r, const Lattice_point& p, const Lattice_point& q) {
+    std::int64_t sum = 0;
+    for(int d = 0; d < 3; ++d)
+      sum += (p[d] - r[d]) * (q[d] - r[d]);
+    return sum <= 0;
+  }
+
+  // Positive if q lies above the plane through a, b and p, where these turn to the left.
+  std::int64_t volume() const {
+    std::int64_t u[3], v[3], w[3];
+    for(int d = 0; d < 3; ++d) {
+      u[d] = b_[d] - a_[d];
+      v[d] = p_[d] - a_[d];
+      w[d] = q_[d] - a_[d];
+    }
+    return (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
+           (u[0] * v[1] - u[1] * v[0]) * w[2];
+  }
+
+  Lattice_point a_, b_, p_, q_;
+  std::array<std::int64_t, 4> turns_;
+};
+
+// Loop 0 runs along the first polygon, as a copy across corners, loop 1 along the second.
+class Two_polygons : public testing::Test
+{
+protected:
+  // The lattice is inclined, so that many of its points are seen at one place.
+  static Vector inclined(const Lattice_point& p, double scale) {
+    const auto [a, b] = first_direction();
+    return {scale * (double(p[0]) + a * double(p[2])), scale * (double(p[1]) + b * double(p[2])),
+            scale * double(p[2])};
+  }
+
+  static Lattice_polygon random_polygon(Random& random, std::size_t size) {
+    Lattice_polygon polygon;
+    while(polygon.size() < size) {
+      Lattice_point p;
+      for(std::int64_t& x : p)
+        x = static_cast<std::int64_t>(random.below(size));
+      if(polygon.empty() ||
+         (p != polygon.back() && (polygon.size() + 1 < size || p != polygon.front())))
+        polygon.push_back(p);
+    }
+    return polygon;
+  }
+
+  void link(const Lattice_polygon& copy, const Lattice_polygon& walk, double scale) {
+    Surface_curves curves;
+    curves.vertices.push_back({0., 0., 0.});
+    for(const Lattice_point& p : walk)
+      curves.vertices.push_back(inclined(p, scale));
+    for(const Lattice_point& p : copy)
+      curves.vertices.push_back(inclined(p, 2. * scale)); // the midpoint with the origin counts
+    const Index n = static_cast<Index>(walk.size()), m = static_cast<Index>(copy.size());
+    for(Index e = 0; e < n; ++e) {
+      curves.edges.push_back({1 + e, 1 + (e + 1) % n, 0, 0});
+      curves.walks.add(e, 1, 1);
+    }
+    for(Index c = 0; c < m; ++c)
+      curves.corners.push_back({0, 1 + n + c, 1 + n + (c + 1) % m, 0});
+    curves.walks.finish(n);
+    curves.crossings.finish(n);
+    curves.outward = {1, 1};
+    Linking_numbers numbers(curves);
+    numbers.link(Execution());
+    for(const auto& contact : numbers.contacts())
+      contacts.emplace(contact.corner, contact.edge);
+    for(const Matrix_entry& e : numbers.linking())
+      value += e.value;
+  }
+
+  std::set<std::pair<std::size_t, std::size_t>> contacts;
+  std::int64_t value = 0;
+};
+
+TEST_F(Two_polygons, AreLinkedAsByDefinition) {
+  Random random(5);
+  int linked = 0, apart = 0, touching = 0;
+  for(int round = 0; round < 4000; ++round) {
+    contacts.clear();
+    value = 0;
+    const Lattice_polygon copy = random_polygon(random, 3 + random.below(5)),
+                          walk = random_polygon(random, 3 + random.below(5));
+    const double scale = std::ldexp(1., static_cast<int>(random.below(3)) * 60 - 60);
+    link(copy, walk, scale);
+    std::int64_t expected = 0;
+    for(std::size_t c = 0; c < copy.size(); ++c)
+      for(std::size_t e = 0; e < walk.size(); ++e) {
+        const Two_segments segments(copy[c], copy[(c + 1) % copy.size()], walk[e],
+                                    walk[(e + 1) % walk.size()]);
+        expected += segments.passage();
+        const bool is_contact = contacts.count({c, e}) != 0;
+        // If the plane that they are in is seen as a line, it need not be known that they are
+        // apart.
+        EXPECT_TRUE(is_contact == segments.meet() || (is_contact && segments.are_seen_on_a_line()))
+            << "round " << round << ", line " << c << ", edge " << e;
+      }
+    if(contacts.empty()) {
+      EXPECT_EQ(value, expected) << "round " << round;
+      linked += expected != 0;
+      ++apart;
+    } else
+      ++touching;
+  }
+  EXPECT_GT(linked, 100);
+  EXPECT_GT(apart, 1000);
+  EXPECT_GT(touching, 1000);
+}
+
+// A path of two edges along x whose middle is seen exactly on the line from (1, -1, 0) to (1, 1,
+// 0).
+class Line_and_path : public Two_polygons
+{
+protected:
+  void link_at_height(std::int64_t z) {
+    const Lattice_polygon line = {{1, -1, 0}, {1, 1, 0}, {9, 0, 0}};
+    link(line, {{0, 0, z}, {1, 0, z}, {2, 0, z}, {1, 0, 9}}, 1.);
+  }
+};
+
+TEST_F(Line_and_path, TouchAtTheEndOfTheEdges) {
+  link_at_height(0);
+  EXPECT_EQ(contacts, (std::set<std::pair<std::size_t, std::size_t>>{{0, 0}, {0, 1}}));
+}
+
+TEST_F(Line_and_path, CrossOnceWhereTheEndOfTheEdgesIsSeenOnTheLine) {
+  link_at_height(1);
+  EXPECT_TRUE(contacts.empty());
+  EXPECT_EQ(value, 0);
+  link_at_height(-1);
+  EXPECT_TRUE(contacts.empty());
+  EXPECT_EQ(std::abs(value), 1);
+}
+
+// Where a copy crosses an edge of a walk, a face beside the edge is seen as a line: another
+// direction tells.
+TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
+  const auto [a, b] = first_direction();
+  Surface_curves curves;
+  curves.vertices = {{0., 0., 0.}, {1., 0., 0.}, {0.5 + a, b, 1.}, {0.5, -1., -0.25}};
+  curves.edges = {{0, 1, 2, 3}};
+  curves.walks.add(0, 1, 1);
+  curves.crossings.add(0, 0, 1);
+  curves.walks.finish(1);
+  curves.crossings.finish(1);
+  curves.outward = {1, 1};
+  Linking_numbers numbers(curves);
+  numbers.link(Sequential_execution());
+  EXPECT_TRUE(numbers.contacts().empty());
 }
 
 TEST(Boxes, AreFoundWhereTheyMeet) {

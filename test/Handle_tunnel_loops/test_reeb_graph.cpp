@@ -444,27 +444,27 @@ TEST(Reeb_graph, SplitsIntoPolylines) {
   }
 }
 
-TEST(Reeb_graph_of_corpus, HasAsManyCyclesAsHandles) {
+class Reeb_graph_of_corpus : public testing::TestWithParam<std::filesystem::path>
+{};
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Reeb_graph_of_corpus);
+INSTANTIATE_TEST_SUITE_P(Files,
+                         Reeb_graph_of_corpus,
+                         testing::ValuesIn(files_of_corpus()),
+                         name_of_file);
+
+TEST_P(Reeb_graph_of_corpus, HasAsManyCyclesAsHandles) {
+  if(std::filesystem::file_size(GetParam()) > 4000000)
+    GTEST_SKIP() << "the tool is tested on the large ones";
   Random random(4);
-  int number_of_meshes = 0;
-  for(const char* folder : {"closed", "sphere_like"})
-    if(std::filesystem::is_directory(mesh_corpus() / folder))
-      for(const auto& entry : std::filesystem::directory_iterator(mesh_corpus() / folder)) {
-        if(std::filesystem::file_size(entry) > 4000000)
-          continue; // the tool is tested on these
-        SCOPED_TRACE(entry.path());
-        Mesh mesh;
-        ASSERT_TRUE(CGAL::IO::read_polygon_mesh(entry.path().string(), mesh));
-        ++number_of_meshes;
-        Options options;
-        options.threshold = 0.03;
-        expect_reeb_graph(mesh, reeb_of_diffusion(mesh, options));
-        expect_reeb_graph(mesh, reeb_of(mesh, height(mesh), options));
-        expect_reeb_graph(mesh, reeb_of(mesh, random_function(mesh, random, 1 << 20)));
-        expect_reeb_graph(mesh, reeb_of(mesh, random_function(mesh, random, 5)));
-      }
-  if(number_of_meshes == 0)
-    GTEST_SKIP() << "there are no meshes in " << mesh_corpus();
+  Mesh mesh;
+  ASSERT_TRUE(CGAL::IO::read_polygon_mesh(GetParam().string(), mesh));
+  Options options;
+  options.threshold = 0.03;
+  expect_reeb_graph(mesh, reeb_of_diffusion(mesh, options));
+  expect_reeb_graph(mesh, reeb_of(mesh, height(mesh), options));
+  expect_reeb_graph(mesh, reeb_of(mesh, random_function(mesh, random, 1 << 20)));
+  expect_reeb_graph(mesh, reeb_of(mesh, random_function(mesh, random, 5)));
 }
 
 } // namespace

@@ -10,8 +10,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -81,10 +85,67 @@ void expect_same(const Flat_reeb_graph& a, const Flat_reeb_graph& b) {
   EXPECT_EQ(reeb_by_levels::reeb_arcs(a), reeb_by_levels::reeb_arcs(b));
 }
 
+// The contours that touch a vertex, just below or just above it, each added up edge by edge.
+std::vector<Front_mean>
+fronts_at(const Flat_mesh& mesh, const Sweep_order& order, Index v, bool is_above) {
+  const auto contours =
+      reeb_by_levels::contours_below(mesh, order, order.rank(v) + (is_above ? 1 : 0));
+  std::map<int, Front_mean> fronts;
+  for(const Index u : mesh.ring(v))
+    if((order.rank(u) > order.rank(v)) == is_above)
+      fronts[contours.at(is_above ? std::pair(v, u) : std::pair(u, v))];
+  for(const auto& [edge, contour] : contours)
+    if(fronts.count(contour) != 0) {
+      const auto ring = mesh.ring(edge.first);
+      fronts[contour] += crossing_of_front(mesh, edge.first, ring, ring.position(edge.second));
+    }
+  std::vector<Front_mean> all;
+  for(const auto& [contour, front] : fronts)
+    all.push_back(front);
+  return all;
+}
+
+void expect_same_girths(std::vector<float> found, const std::vector<Front_mean>& fronts) {
+  std::vector<float> expected;
+  for(const Front_mean& front : fronts)
+    expected.push_back(front.girth());
+  std::sort(found.begin(), found.end());
+  std::sort(expected.begin(), expected.end());
+  ASSERT_EQ(found.size(), expected.size());
+  for(std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 1e-4 * (1. + expected[i]));
+}
+
+// The lengths of the fronts at the ends of arcs, and their means at saddles. Where a saddle is
+// unfolded, what is between its nodes is left out.
+void expect_fronts(const Flat_mesh& mesh, const Sweep_order& order, const Flat_reeb_graph& graph) {
+  std::map<Index, std::vector<float>> lower_girths, upper_girths; // by vertex
+  for(const auto& arc : graph.arcs) {
+    const Index lower = graph.nodes[arc.lower].vertex, upper = graph.nodes[arc.upper].vertex;
+    if(lower != upper) {
+      upper_girths[upper].push_back(arc.upper_girth);
+      if(graph.nodes[arc.lower].kind == Node_kind::SADDLE)
+        lower_girths[lower].push_back(arc.lower_girth);
+    }
+  }
+  for(const auto& [v, girths] : upper_girths)
+    expect_same_girths(girths, fronts_at(mesh, order, v, false));
+  for(const auto& [v, girths] : lower_girths)
+    expect_same_girths(girths, fronts_at(mesh, order, v, true));
+  for(const auto& node : graph.nodes)
+    if(node.kind == Node_kind::SADDLE) {
+      Front_mean all;
+      for(const Front_mean& front : fronts_at(mesh, order, node.vertex, false))
+        all += front;
+      EXPECT_LT(norm(node.position - all.mean(mesh.points[node.vertex])), 1e-4);
+    }
+}
+
 void expect_reeb_graph(const Flat_mesh& mesh, const Values& values) {
   const Sweep_order order = order_of(mesh, values);
   const Flat_reeb_graph graph = swept(mesh, order);
   expect_graph_of_closed_surface(mesh, graph);
+  expect_fronts(mesh, order, graph);
   EXPECT_EQ(reeb_by_levels::reeb_arcs(graph), reeb_by_levels::reeb_arcs(mesh, order));
   for(const std::uint64_t limit : {0, 20}) {
     SCOPED_TRACE(testing::Message() << "trees after " << limit << " steps");

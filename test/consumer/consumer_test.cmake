@@ -15,17 +15,50 @@ string(FIND "${program}" "```" end)
 string(SUBSTRING "${program}" 0 ${end} program)
 file(WRITE "${WORK_DIR}/main.cpp" "${program}")
 
+set(configure "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/project"
+  -G "${GENERATOR}" -DCMAKE_BUILD_TYPE=${CONFIG} "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+  "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+  "-DPROGRAM=${WORK_DIR}/main.cpp"
+  "-DMESH=${PACKAGE_DIR}/examples/Handle_tunnel_loops/data/triple_torus.off")
+
+# Configuring fails, and what it prints contains all the words in their order.
+function(fails_with words)
+  execute_process(COMMAND ${configure} ${ARGN}
+    COMMAND_ECHO STDOUT RESULT_VARIABLE result OUTPUT_VARIABLE printed ERROR_VARIABLE printed)
+  # CMake breaks lines where it likes.
+  string(REGEX REPLACE "[ \n]+" " " printed "${printed}")
+  string(FIND "${printed}" "${words}" position)
+  if(result EQUAL 0 OR position EQUAL -1)
+    message(FATAL_ERROR "Expected \"${words}\" and an error (${result}), not:\n${printed}")
+  endif()
+endfunction()
+
 if(USE STREQUAL "find_package")
   set(prefix "${WORK_DIR}/prefix")
   run("${CMAKE_COMMAND}" --install "${PACKAGE_BUILD_DIR}" --prefix "${prefix}" --config ${CONFIG})
   set(where "-DCMAKE_PREFIX_PATH=${prefix}")
+
+  # The headers alone, in a folder of the user's choice.
+  set(prefix "${WORK_DIR}/prefix_of_headers")
+  run("${CMAKE_COMMAND}" -S "${PACKAGE_DIR}" -B "${WORK_DIR}/build_of_headers" -G "${GENERATOR}"
+    "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" -DCMAKE_INSTALL_INCLUDEDIR=include/chosen
+    -DHTL_BUILD_TOOL=OFF -DHTL_BUILD_TESTS=OFF -DHTL_BUILD_EXAMPLES=OFF -DHTL_BUILD_BENCHMARKS=OFF
+    -DHTL_CUDA=OFF)
+  run("${CMAKE_COMMAND}" --install "${WORK_DIR}/build_of_headers" --prefix "${prefix}")
+  set(headers -B "${WORK_DIR}/build_with_headers" "-DCMAKE_PREFIX_PATH=${prefix}")
+  run(${configure} ${headers})
+
+  fails_with("the package was built without CUDA" ${headers} -DCOMPONENTS=CUDA)
+  fails_with("there is no component Cuda, only TBB and CUDA" ${headers} -DCOMPONENTS=Cuda)
+  fails_with("TBB, which was not found"
+    ${headers} -DCOMPONENTS=TBB -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
 else()
   set(where "-DHANDLE_TUNNEL_LOOPS_DIR=${PACKAGE_DIR}")
 endif()
 
-run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/project" -B "${WORK_DIR}/build"
-  -G "${GENERATOR}" -DCMAKE_BUILD_TYPE=${CONFIG} "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
-  "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" ${where}
-  "-DPROGRAM=${WORK_DIR}/main.cpp"
-  "-DMESH=${PACKAGE_DIR}/examples/Handle_tunnel_loops/data/triple_torus.off")
+# The project may have found any of the libraries before; the last one, nothing.
+foreach(found_before IN ITEMS
+    "CGAL TBB Threads" "CGAL TBB" "CGAL Threads" "TBB Threads" CGAL TBB Threads "")
+  run(${configure} -B "${WORK_DIR}/build" ${where} "-DFOUND_BEFORE=${found_before}")
+endforeach()
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config ${CONFIG} --target run_consumer)

@@ -72,11 +72,24 @@ inline bool have_same_classes(const Mesh& mesh, const Pairs& a, const Pairs& b) 
          is_zero(intersections(mesh, a, Loop_type::TUNNEL, b, Loop_type::TUNNEL));
 }
 
+// How many meshes with handles were compared, and on how many of them the classes too: where no
+// loop of either answer bounds on neither side, by the linking numbers.
+struct Compared
+{
+  int meshes = 0, classes = 0;
+
+  // Otherwise the classes would be compared nowhere if all answers were wrong.
+  void expect_classes(double share) const {
+    EXPECT_GT(meshes, 0);
+    EXPECT_GE(classes, share * meshes) << "of " << meshes << " meshes";
+  }
+};
+
 // Both answers have as many pairs as there are handles, and are a basis by the definition; the
 // tests' own determinant decides which solver is right where they differ. Loops are of the same
 // classes wherever the linking numbers do not say of a loop that it bounds on neither side.
 template <typename ConcurrencyTag, typename ExpectedTag = CGAL::Sequential_tag>
-void expect_agreement(const Mesh& mesh, std::size_t genus) {
+void expect_agreement(const Mesh& mesh, std::size_t genus, Compared* compared = nullptr) {
   const Solver_answer expected = answer_of<ExpectedTag>(mesh);
   const Solver_answer answer = answer_of<ConcurrencyTag>(mesh);
   {
@@ -85,8 +98,13 @@ void expect_agreement(const Mesh& mesh, std::size_t genus) {
   }
   SCOPED_TRACE("the solver under test");
   expect_handle_tunnel_pairs(mesh, answer.pairs, genus);
-  if(expected.is_pure() && answer.is_pure()) {
+  const bool are_pure = expected.is_pure() && answer.is_pure();
+  if(are_pure) {
     EXPECT_TRUE(have_same_classes(mesh, answer.pairs, expected.pairs));
+  }
+  if(compared != nullptr && genus > 0) {
+    ++compared->meshes;
+    compared->classes += are_pure;
   }
 }
 

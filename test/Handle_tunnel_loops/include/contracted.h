@@ -1,6 +1,7 @@
 #ifndef HTL_TEST_CONTRACTED_H
 #define HTL_TEST_CONTRACTED_H
 
+#include "Numbers_of_answers.h"
 #include "Numbers_of_passes.h"
 
 // Compiled for the processor of this machine, with multiply-adds wherever they can be made. In a
@@ -9,6 +10,8 @@ namespace contracted {
 
 __attribute__((visibility("default"))) Numbers_of_passes
 numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::Flat_mesh& mesh);
+
+__attribute__((visibility("default"))) Numbers_of_answers numbers_of_answers(const Soup& soup);
 
 // a * b + c, rounded once where there is an instruction for it.
 __attribute__((visibility("default"))) double product_and_sum(double a, double b, double c);

@@ -48,17 +48,12 @@ public:
                                               const Step_coefficients& k,
                                               const Callback& callback) override {
     Narrow_band band(mesh_, stencils_, k);
-    for(Index seed : seeds) {
-      band.add_source(seed, 0);
-      for(Index u : mesh_.ring(seed))
-        band.add_source(u, 1);
-    }
-    const No_walls walls;
-    band.start(walls);
-    const std::size_t n = mesh_.number_of_vertices();
-    while(band.number_of_reached() < n && band.step(walls, [](Index) {}))
-      if(band.number_of_steps() % 64 == 0)
-        go_on_or_throw(callback, double(band.number_of_reached()) / double(n));
+    for(Index seed : seeds)
+      add_source_with_ring(band, mesh_, seed);
+    grow(band, mesh_.number_of_vertices(), [&](double part) {
+      if(!callback(part))
+        throw Interrupted_exception();
+    });
     times_ = band.take_times();
     return find_handle_candidates(execution_, mesh_, times_);
   }
@@ -132,11 +127,6 @@ private:
     if(is_stopped)
       throw Interrupted_exception();
     return found;
-  }
-
-  static void go_on_or_throw(const Callback& callback, double part) {
-    if(!callback(part))
-      throw Interrupted_exception();
   }
 
   Execution execution_;

@@ -14,8 +14,15 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/host_device.h>
 
-#ifdef __CUDACC__
+#if defined(__CUDACC__)
 #include <cuda/atomic>
+#elif __cplusplus >= 202002L && __has_include(<version>)
+#include <version>
+#endif
+#if defined(__cpp_lib_atomic_ref)
+#include <atomic>
+#elif !defined(__CUDACC__)
+#include <boost/atomic/atomic_ref.hpp>
 #endif
 
 #include <cstdint>
@@ -27,61 +34,53 @@ namespace internal {
 
 /// \file atomics.h
 /// What threads do to common memory between two barriers. All of it is relaxed: only the barriers
-/// order anything. (The compiler's own functions are what the thread sanitizer sees through.)
+/// order anything. (Boost uses the compiler's own functions, which the thread sanitizer sees
+/// through.)
 
-#ifdef __CUDACC__
-template <typename T> using Atomic_on_device = cuda::atomic_ref<T, cuda::thread_scope_device>;
+#if defined(__CUDACC__)
+template <typename T> using Atomic_ref = cuda::atomic_ref<T, cuda::thread_scope_device>;
+constexpr cuda::memory_order relaxed = cuda::memory_order_relaxed;
+#elif defined(__cpp_lib_atomic_ref)
+template <typename T> using Atomic_ref = std::atomic_ref<T>;
+constexpr std::memory_order relaxed = std::memory_order_relaxed;
+#else
+template <typename T> using Atomic_ref = boost::atomic_ref<T>;
+constexpr boost::memory_order relaxed = boost::memory_order_relaxed;
 #endif
 
 /// reads what another thread may be writing; the old value is as good as the new one.
 template <typename T> CGAL_HTL_HOST_DEVICE T racy_load(const T& x) {
-#ifdef __CUDA_ARCH__
-  return Atomic_on_device<T>(const_cast<T&>(x)).load(cuda::memory_order_relaxed);
-#else
-  return __atomic_load_n(&x, __ATOMIC_RELAXED);
-#endif
+  return Atomic_ref<T>(const_cast<T&>(x)).load(relaxed);
 }
 
 /// writes what other threads may be reading, or writing the same value to.
 template <typename T> CGAL_HTL_HOST_DEVICE void racy_store(T& x, T value) {
-#ifdef __CUDA_ARCH__
-  Atomic_on_device<T>(x).store(value, cuda::memory_order_relaxed);
-#else
-  __atomic_store_n(&x, value, __ATOMIC_RELAXED);
-#endif
+  Atomic_ref<T>(x).store(value, relaxed);
 }
 
 /// returns the old value, as all of these.
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_or(std::uint32_t& x, std::uint32_t bits) {
-#ifdef __CUDA_ARCH__
-  return Atomic_on_device<std::uint32_t>(x).fetch_or(bits, cuda::memory_order_relaxed);
-#else
-  return __atomic_fetch_or(&x, bits, __ATOMIC_RELAXED);
-#endif
+  return Atomic_ref<std::uint32_t>(x).fetch_or(bits, relaxed);
 }
 
 template <typename T> CGAL_HTL_HOST_DEVICE T fetch_add(T& x, T summand) {
-#ifdef __CUDA_ARCH__
-  return Atomic_on_device<T>(x).fetch_add(summand, cuda::memory_order_relaxed);
-#else
-  return __atomic_fetch_add(&x, summand, __ATOMIC_RELAXED);
-#endif
+  return Atomic_ref<T>(x).fetch_add(summand, relaxed);
 }
 
 /// sets `x` to `value` if that comes before it, and returns what it was.
 template <typename Before>
 inline std::uint32_t
 exchange_if(std::uint32_t& x, std::uint32_t value, const Before& comes_before) {
-  std::uint32_t old = __atomic_load_n(&x, __ATOMIC_RELAXED);
-  while(comes_before(value, old) &&
-        !__atomic_compare_exchange_n(&x, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+  const Atomic_ref<std::uint32_t> atomic(x);
+  std::uint32_t old = atomic.load(relaxed);
+  while(comes_before(value, old) && !atomic.compare_exchange_weak(old, value, relaxed))
     ;
   return old;
 }
 
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_min(std::uint32_t& x, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
-  return Atomic_on_device<std::uint32_t>(x).fetch_min(value, cuda::memory_order_relaxed);
+  return Atomic_ref<std::uint32_t>(x).fetch_min(value, relaxed);
 #else
   return exchange_if(x, value, std::less<>());
 #endif
@@ -89,7 +88,7 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_min(std::uint32_t& x, std::uint3
 
 CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_max(std::uint32_t& x, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
-  return Atomic_on_device<std::uint32_t>(x).fetch_max(value, cuda::memory_order_relaxed);
+  return Atomic_ref<std::uint32_t>(x).fetch_max(value, relaxed);
 #else
   return exchange_if(x, value, std::greater<>());
 #endif
@@ -97,14 +96,8 @@ CGAL_HTL_HOST_DEVICE inline std::uint32_t fetch_max(std::uint32_t& x, std::uint3
 
 CGAL_HTL_HOST_DEVICE inline std::uint32_t
 compare_and_swap(std::uint32_t& x, std::uint32_t expected, std::uint32_t value) {
-#ifdef __CUDA_ARCH__
-  Atomic_on_device<std::uint32_t>(x).compare_exchange_strong(expected, value,
-                                                             cuda::memory_order_relaxed);
+  Atomic_ref<std::uint32_t>(x).compare_exchange_strong(expected, value, relaxed);
   return expected;
-#else
-  __atomic_compare_exchange_n(&x, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
-  return expected;
-#endif
 }
 
 /// a place at the end of a list that the counter is the size of. The threads of a warp that come

@@ -53,12 +53,12 @@ public:
     std::size_t missing = 0;
     for(Index component = 0; component < mesh_.seeds.size(); ++component)
       if(!has_source_[component])
-        start_at(mesh_.seeds[component]);
+        add_source_with_ring(band_, mesh_, mesh_.seeds[component]);
     for(Index component : mesh_.component)
       missing += !has_source_[component];
     if(missing == 0)
       return;
-    grow(missing, progress);
+    grow_to(missing, progress);
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
       Index& u = last[mesh_.component[v]];
       if(band_.is_reached(v) && is_later(v, u))
@@ -74,8 +74,9 @@ public:
     for(Index v : sources_)
       band_.add_source(v, 0);
     for(Index v : sources_)
-      start_around(v);
-    grow(mesh_.number_of_vertices(), progress);
+      for(Index u : mesh_.ring(v))
+        band_.add_source(u, 1);
+    grow_to(mesh_.number_of_vertices(), progress);
     return band_.take_times();
   }
 
@@ -85,23 +86,8 @@ private:
            (band_.time(v) == band_.time(u) && mesh_.original[v] < mesh_.original[u]);
   }
 
-  void start_at(Index v) {
-    band_.add_source(v, 0);
-    start_around(v);
-  }
-
-  // A single vertex may be too little for a front to leave it.
-  void start_around(Index v) {
-    for(Index u : mesh_.ring(v))
-      band_.add_source(u, 1);
-  }
-
-  void grow(std::size_t number_of_vertices, Progress& progress) {
-    const No_walls walls;
-    band_.start(walls);
-    while(band_.number_of_reached() < number_of_vertices && band_.step(walls, [](Index) {}))
-      if(band_.number_of_steps() % 64 == 0)
-        progress.advance(double(band_.number_of_reached()) / double(number_of_vertices));
+  void grow_to(std::size_t number_of_vertices, Progress& progress) {
+    grow(band_, number_of_vertices, [&](double part) { progress.advance(part); });
   }
 
   const Flat_mesh& mesh_;

@@ -400,6 +400,24 @@ private:
   std::size_t number_of_updates_ = 0;
 };
 
+/// makes steps until so many vertices are reached, or the band is at rest; tells `tell(part)` now
+/// and then how far it has come.
+template <typename Tell>
+void grow(Narrow_band& band, std::size_t number_of_vertices, const Tell& tell) {
+  const No_walls walls;
+  band.start(walls);
+  while(band.number_of_reached() < number_of_vertices && band.step(walls, [](Index) {}))
+    if(band.number_of_steps() % 64 == 0)
+      tell(double(band.number_of_reached()) / double(number_of_vertices));
+}
+
+/// starts a front at a vertex. A single vertex may be too little for a front to leave it.
+inline void add_source_with_ring(Narrow_band& band, const Flat_mesh& mesh, Index v) {
+  band.add_source(v, 0);
+  for(Index u : mesh.ring(v))
+    band.add_source(u, 1);
+}
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -55,9 +55,6 @@ inline Step_coefficients coefficients_for_searching(Step_coefficients k) {
   return k;
 }
 
-/// Rows of the Laplacian have room for so many neighbours; longer ones are treated apart.
-constexpr std::uint32_t stencil_width = 8;
-
 /// the mean of at most eight neighbours, from the reciprocal of their number: `value(i)` is the
 /// value of neighbour i, and zero where there is none.
 template <typename Value>

@@ -14,9 +14,11 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -68,8 +70,18 @@ private:
   Point point_at(const Crossing& c) const {
     if(vertex_of(c) != no_index)
       return get(point_, vertices_[vertex_of(c)]);
-    return traits_.construct_barycenter_3_object()(get(point_, vertices_[c.left]), 1. - c.ratio,
-                                                   get(point_, vertices_[c.right]), c.ratio);
+    using FT = typename GeomTraits::FT;
+    const auto& p = get(point_, vertices_[c.left]);
+    const auto& q = get(point_, vertices_[c.right]);
+    if constexpr(std::is_floating_point<FT>::value) { // as below, but with rounded products
+      const FT at_p = FT(1. - c.ratio), at_q = FT(c.ratio), sum = at_p + at_q;
+      const auto between = [&](FT a, FT b) {
+        return (rounded_product(at_p, a) + rounded_product(at_q, b)) / sum;
+      };
+      return traits_.construct_point_3_object()(between(p.x(), q.x()), between(p.y(), q.y()),
+                                                between(p.z(), q.z()));
+    } else
+      return traits_.construct_barycenter_3_object()(p, 1. - c.ratio, q, c.ratio);
   }
 
   const TriangleMesh& tm_;

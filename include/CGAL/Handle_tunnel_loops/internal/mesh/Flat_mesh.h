@@ -12,9 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Uninitialized_vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/host_device.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <array>
 #include <cmath>
@@ -26,26 +27,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-
-using Index = std::uint32_t;
-constexpr Index no_index = (std::numeric_limits<Index>::max)();
-
-using Vector = std::array<double, 3>;
-
-inline Vector operator-(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Vector operator+(const Vector& a, const Vector& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 /// The neighbours of a vertex in counterclockwise order; consecutive ones (and the last and the
 /// first) form a face with the vertex.

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <algorithm>
 #include <limits>
@@ -40,9 +41,8 @@ public:
     for(const Bounds& part : parts)
       all.extend(part.low, part.high);
     low_ = all.low;
-    // Halved before they are subtracted: the difference of the largest doubles overflows.
     for(int d = 0; d < 3; ++d)
-      half_ = (std::max)(half_, 0.5 * all.high[d] - 0.5 * all.low[d]);
+      half_ = (std::max)(half_, half_difference(all.high[d], all.low[d]));
     if(half_ == 0.)
       half_ = 0.5;
   }
@@ -53,7 +53,7 @@ public:
   Vector operator()(const Vector& p) const {
     Vector q;
     for(int d = 0; d < 3; ++d)
-      q[d] = (0.5 * p[d] - 0.5 * low_[d]) / half_;
+      q[d] = half_difference(p[d], low_[d]) / half_;
     return q;
   }
 
@@ -70,6 +70,12 @@ private:
       }
     }
   };
+
+  // Halved before they are subtracted: the difference of the largest doubles overflows. Half of the
+  // smallest ones is rounded.
+  static double half_difference(double a, double b) {
+    return rounded_product(0.5, a) - rounded_product(0.5, b);
+  }
 
   Vector low_;
   double half_ = 0.;

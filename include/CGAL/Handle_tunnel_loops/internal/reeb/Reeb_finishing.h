@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <algorithm>
 #include <array>
@@ -225,7 +226,7 @@ private:
 inline Embedded_reeb_graph::Arc split_arc(Embedded_reeb_graph& graph, Index a, double where) {
   Embedded_reeb_graph::Arc& arc = graph.arcs[a];
   const Polyline& line = arc.line;
-  const double last = double(line.size() - 1), place = where * last;
+  const double last = double(line.size() - 1), place = rounded_product(where, last);
   const auto whole = static_cast<std::ptrdiff_t>((std::min)(place, last - 0.5));
   const Vector point = line[whole] + (place - double(whole)) * (line[whole + 1] - line[whole]);
   const auto middle = static_cast<std::ptrdiff_t>(where * double(arc.vertices.size()));

@@ -171,9 +171,9 @@ private:
     double s = 0., t = 0.;
     if(!find_descent(p.a, p.b, apex, s, t) || !(t > 0.))
       return vertex_point(apex);
-    const double far = (std::numeric_limits<double>::max)();
-    const double to_a = s < 0. ? p.ratio / -s : far; // until the coordinate of b is zero
-    const double to_b = s + t > 0. ? (1. - p.ratio) / (s + t) : far;
+    const double unbounded = (std::numeric_limits<double>::max)();
+    const double to_a = s < 0. ? p.ratio / -s : unbounded; // until the coordinate of b is zero
+    const double to_b = s + t > 0. ? (1. - p.ratio) / (s + t) : unbounded;
     const bool leaves_at_a = to_a < to_b;
     return {leaves_at_a ? p.a : p.b, apex, inner(t * (leaves_at_a ? to_a : to_b))};
   }

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -24,8 +26,12 @@ namespace internal {
 using Point_2 = std::array<double, 2>;
 
 inline Point_2 minus(const Point_2& a, const Point_2& b) { return {a[0] - b[0], a[1] - b[1]}; }
-inline double cross(const Point_2& a, const Point_2& b) { return a[0] * b[1] - a[1] * b[0]; }
-inline double dot(const Point_2& a, const Point_2& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline double cross(const Point_2& a, const Point_2& b) {
+  return rounded_product(a[0], b[1]) - rounded_product(a[1], b[0]);
+}
+inline double dot(const Point_2& a, const Point_2& b) {
+  return rounded_product(a[0], b[0]) + rounded_product(a[1], b[1]);
+}
 
 /// The shortest path through portals that are laid out in the plane, by the algorithm of Lee and
 /// Preparata. Each corner enters the funnel once and leaves it once.

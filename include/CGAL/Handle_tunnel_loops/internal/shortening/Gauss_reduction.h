@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <algorithm>
 #include <utility>
@@ -50,7 +51,7 @@ private:
     // Of two loops of nearly the same length, the sum is hardly ever shorter than both.
     if(length(mesh_, loop) < 1.1 * length(mesh_, by))
       return false;
-    const double threshold = 0.99 * length(mesh_, loop);
+    const double threshold = rounded_product(0.99, length(mesh_, loop));
     for(const bool forward : {true, false}) {
       Crossing_loop sum = pushed_left(mesh_, joined(loop, by, forward));
       if(!sum.empty() && becomes_shorter(sum, threshold)) {

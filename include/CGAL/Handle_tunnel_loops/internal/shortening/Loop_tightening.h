@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Funnel.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,8 @@ private:
 
   // At the ends exactly: the funnel has to tell whether the path is held at a corner.
   static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
-    return {(1. - ratio) * l[0] + ratio * r[0], (1. - ratio) * l[1] + ratio * r[1]};
+    return {rounded_product(1. - ratio, l[0]) + rounded_product(ratio, r[0]),
+            rounded_product(1. - ratio, l[1]) + rounded_product(ratio, r[1])};
   }
 
   void find_bends() {
@@ -237,7 +239,8 @@ private:
     /// adds the angle whose cosine and sine are in the ratio of the arguments. Returns whether the
     /// sum is still less than straight.
     bool add(double cosine, double sine) {
-      const double c = cosine_ * cosine - sine_ * sine, s = cosine_ * sine + sine_ * cosine;
+      const double c = rounded_product(cosine_, cosine) - rounded_product(sine_, sine);
+      const double s = rounded_product(cosine_, sine) + rounded_product(sine_, cosine);
       const double size = (std::max)(std::abs(c), std::abs(s));
       cosine_ = size > 0. ? c / size : 1.;
       sine_ = size > 0. ? s / size : 0.;
@@ -261,10 +264,10 @@ private:
   // Whether the faces on the other side of the corner, from the way in to the way out, span less
   // than a straight angle.
   bool is_shorter_on_other_side(const Fan& fan, const Point_2& before, const Point_2& after) const {
-    const std::vector<Point_2>& near = fan.at_left ? strip_.left() : strip_.right();
-    const Point_2 corner = near[fan.first];
+    const std::vector<Point_2>& ends = fan.at_left ? strip_.left() : strip_.right();
+    const Point_2 corner = ends[fan.first];
     Angle_sum sum;
-    if(!add_angle(minus(before, corner), minus(near[fan.first - 1], corner), sum))
+    if(!add_angle(minus(before, corner), minus(ends[fan.first - 1], corner), sum))
       return false;
     const Index v = fan.at_left ? strip_[fan.first].left : strip_[fan.first].right;
     const Index from = fan.at_left ? strip_[fan.first - 1].left : strip_[fan.first - 1].right;
@@ -277,7 +280,7 @@ private:
         return false;
       p = q;
     }
-    return add_angle(minus(near[fan.last + 1], corner), minus(after, corner), sum);
+    return add_angle(minus(ends[fan.last + 1], corner), minus(after, corner), sum);
   }
 
   // The strip comes from the triangle before the fan and goes to the one after it; between them it

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Funnel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +100,8 @@ private:
       portal.ahead = -1.;
     } else {
       portal.along = 0.5 * (to_left - to_right + base) / base;
-      portal.ahead = std::sqrt((std::max)(0., to_left / base - portal.along * portal.along));
+      portal.ahead =
+          std::sqrt((std::max)(0., to_left / base - rounded_product(portal.along, portal.along)));
     }
   }
 
@@ -108,8 +110,8 @@ private:
     if(portal.ahead < 0.)
       return {l[0] + portal.along, l[1]};
     const Point_2 d = minus(r, l);
-    return {l[0] + portal.along * d[0] - portal.ahead * d[1],
-            l[1] + portal.along * d[1] + portal.ahead * d[0]};
+    return {l[0] + rounded_product(portal.along, d[0]) - rounded_product(portal.ahead, d[1]),
+            l[1] + rounded_product(portal.along, d[1]) + rounded_product(portal.ahead, d[0])};
   }
 
   const Flat_mesh& mesh_;

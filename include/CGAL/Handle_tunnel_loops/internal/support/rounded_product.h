@@ -19,14 +19,23 @@
 /// \file rounded_product.h
 /// Products that are rounded before anything is added to them. Otherwise compilers may make
 /// multiply-adds of both, which round once, and others, or the same for other processors, may not:
-/// then arrival times would differ in the last bit, and with them loops.
+/// then arrival times would differ in the last bit, and with them loops. So would they if the
+/// compiler were free to reorder sums: `-ffast-math` is not supported.
 
-// The kind of register that floating-point numbers are in, for g++ and clang. Other compilers
-// have to be told.
+#ifdef __FAST_MATH__
+#error                                                                                             \
+    "Handle_tunnel_loops cannot be compiled with -ffast-math or -Ofast: it tests whether numbers are finite, and relies on the order of sums"
+#endif
+
+// The kind of register that floating-point numbers are in, for g++ and clang; on processors that
+// are not named here the number goes through memory. Visual C++ makes no multiply-adds from 2022
+// on unless told to (/fp:contract). Other compilers have to be told.
 #if defined(__GNUC__) && defined(__SSE2_MATH__)
 #define CGAL_HTL_FLOAT_REGISTER "+x"
 #elif defined(__GNUC__) && defined(__aarch64__)
 #define CGAL_HTL_FLOAT_REGISTER "+w"
+#elif defined(__GNUC__)
+#define CGAL_HTL_FLOAT_REGISTER "+m"
 #endif
 
 namespace CGAL {
