@@ -17,7 +17,7 @@ fails, but for the one that goes on on the processor then.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Handle_tunnel_loops::internal::Host_backend}
-\cgalHasModels{CGAL::Handle_tunnel_loops::internal::device::Device_solver<Executor>}
+\cgalHasModels{CGAL::Handle_tunnel_loops::internal::device::Device_solver}
 \cgalHasModels{CGAL::Handle_tunnel_loops::internal::Fallback_backend}
 \cgalHasModelsEnd
 
@@ -48,8 +48,9 @@ public:
   /// which loops cross the edges at a vertex.
   typedef CGAL::Handle_tunnel_loops::internal::Crossing_index Crossing_index;
 
-  /// loops, the numbers of those for which dual loops are looked for, whether all of the later loops
-  /// or the own loop only are walls, how many walks are enough, and bounds on steps and updates.
+  /// loops, the numbers of those for which dual loops are looked for, whether all of the later
+  /// loops or the own loop only are walls, how many walks are enough, and bounds on steps and
+  /// updates.
   typedef CGAL::Handle_tunnel_loops::internal::Dual_loop_query Dual_loop_query;
 
   /// closed walks that cross one loop once, those found first coming first; and whether the search
@@ -67,9 +68,9 @@ public:
   /// \name Operations
   /// @{
 
-  /// computes the field of the initial pass, from one vertex in each component, and returns what its
-  /// saddles offer as handles, in their order: as many as the genus. The callback is called by the
-  /// calling thread.
+  /// computes the field of the initial pass, from one vertex in each component, and returns what
+  /// its saddles offer as handles, in their order: as many as the genus. The callback is called by
+  /// the calling thread.
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,
                                               const Callback& callback);
@@ -88,9 +89,8 @@ public:
 
   /// computes the fields of the loop passes, and returns what is found for each of the numbers of
   /// the query. The callback may be called by several threads at a time.
-  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
-                                     const Step_coefficients& k,
-                                     const Callback& callback);
+  std::vector<Dual_walks>
+  dual_walks(const Dual_loop_query& query, const Step_coefficients& k, const Callback& callback);
 
   /// fills `backend`, `fallback` and `device_bytes` of the statistics.
   void report(CGAL::Handle_tunnel_loops::Statistics& statistics) const;

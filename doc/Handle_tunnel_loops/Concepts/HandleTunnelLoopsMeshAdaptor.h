@@ -19,7 +19,7 @@ A `Flat_mesh` is a closed, oriented 2-manifold triangle mesh without isolated ve
 The vertices may be numbered in any order; passes are faster if neighbors are near in memory.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Handle_tunnel_loops::internal::Flat_mesh_builder<TriangleMesh\, VertexIndexMap\, VertexPointMap>}
+\cgalHasModels{CGAL::Handle_tunnel_loops::internal::Flat_mesh_builder}
 \cgalHasModelsEnd
 
 \sa `HandleTunnelLoopsPasses`
@@ -60,7 +60,8 @@ public:
   /// @{
 
   /// returns the arrays; to be called once.
-  /// \throws CGAL::Handle_tunnel_loops::Invalid_mesh_exception if the mesh is not a closed, oriented
+  /// \throws CGAL::Handle_tunnel_loops::Invalid_mesh_exception if the mesh is not a closed,
+  /// oriented
   ///   2-manifold triangle mesh with finite coordinates; it names an element
   CGAL::Handle_tunnel_loops::internal::Flat_mesh build();
 

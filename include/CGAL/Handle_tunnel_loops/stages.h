@@ -29,7 +29,7 @@ enum class Stage {
   INITIAL,     ///< the initial pass (paper, 4.1)
   TUNNEL,      ///< the tunnel pass (paper, 4.2)
   REFINE,      ///< the handle refinement pass (paper, 4.3)
-  SHORTEN,     ///< pulls all loops taut, and looks for shorter ones by length
+  SHORTEN,     ///< tightens all loops, and looks for shorter ones by length
   CONVERT,     ///< turns the loops into loops on the caller's mesh
   CERTIFICATE, ///< cuts the mesh along the loops, and checks that they are a basis
   CLASSIFY,    ///< counts linking numbers, and tells handles from tunnels (paper, 4.5)
