@@ -60,7 +60,7 @@ struct Cuda_tag : public Parallel_if_available_tag
 The same where the program is linked with `Handle_tunnel_loops::cuda`, there is a device with enough
 memory, and the mesh is not so small that the processor is done before a device has started, see
 `Handle_tunnel_loops::Device_options::least_vertices`; elsewhere the computation runs on the
-processor. Should the device fail on the way, the processor goes on from what there is; no
+processor. Should the device fail in the middle, the processor goes on from what there is; no
 `Handle_tunnel_loops::Device_exception` is thrown. `Handle_tunnel_loops::Statistics::fallback` says
 why it was not the device.
 */

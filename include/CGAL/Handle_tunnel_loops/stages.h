@@ -76,7 +76,7 @@ struct Statistics
   std::vector<Front_event> front_events;
   Field_resolution resolution; ///< of the initial pass; by `Reference_tag` only
   /// what computed the fields, if any: "host", "cuda" or "reference"; "cuda, then host" where a
-  /// device failed on the way.
+  /// device failed in the middle.
   std::string backend;
   std::string fallback;         ///< why not on the device, or no longer, if that was asked for
   std::size_t device_bytes = 0; ///< of the device's memory, at most at one time
