@@ -3,8 +3,9 @@
 //
 //   benchmark_corpus [--seeds N] [--reference LIMIT] [--self-intersections] FOLDER | FILE...
 //
-// Each mesh is computed by all threads from the first vertex; with --seeds also from N other
-// vertices, and with --reference by the reference solver too, where it has at most LIMIT faces.
+// Each mesh is computed by all threads from the first vertex; with --seeds also from N
+// vertices, evenly spaced, the first among them, and with --reference by the reference solver too,
+// where it has at most LIMIT faces.
 
 #include "Corpus_answer.h"
 #include "Counting_allocation.h"
