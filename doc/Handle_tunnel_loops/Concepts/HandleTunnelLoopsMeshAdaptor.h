@@ -35,7 +35,7 @@ public:
   typedef unspecified_type TriangleMesh;
 
   /// a model of `ReadablePropertyMap` with the vertices as keys: a unique index below
-  /// \f$ 2^{32} - 1 \f$, with gaps or without.
+  /// \f$ 2^{32} - 2 \f$, with gaps or without.
   typedef unspecified_type VertexIndexMap;
 
   /// a model of `ReadablePropertyMap` with the vertices as keys and points as values, whose
