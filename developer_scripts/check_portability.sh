@@ -4,8 +4,8 @@
 #
 #   developer_scripts/check_portability.sh [clang|c++20|windows]...
 #
-# `windows` is the compiler of Debian's g++-mingw-w64-x86-64-posix, with the headers of windows.h
-# before all others, and no program is linked. Without arguments: all compilers that are here.
+# `windows` is the compiler of Debian's g++-mingw-w64-x86-64-posix, with windows.h before all other
+# headers; the program of the README is linked too. Without arguments: all compilers that are here.
 #
 # With another release of CGAL, in the folder DIR: builds headers, examples and tests, and runs them;
 # or only the tests and examples that are named.
@@ -62,8 +62,10 @@ check_windows() {
   ln -sfn /usr/include/boost "$work/headers/boost"
   ln -sfn /usr/include/eigen3/Eigen "$work/headers/Eigen"
   # The macros of windows.h are there on purpose: min, max, near, far, small ...
-  compile_all windows x86_64-w64-mingw32-g++-posix -std=c++17 "${flags[@]}" \
-    -isystem "$work/headers" -DCGAL_DISABLE_GMP=1 -DCGAL_EIGEN3_ENABLED -include windows.h
+  local -a compiler=(x86_64-w64-mingw32-g++-posix -std=c++17 -isystem "$work/headers"
+    -DCGAL_DISABLE_GMP=1 -DCGAL_EIGEN3_ENABLED -include windows.h)
+  compile_all windows "${compiler[@]}" "${flags[@]}" &&
+    "${compiler[@]}" -O1 -I "$root/include" "$work/sources/README.cpp" -o "$work/README.exe"
 }
 
 check_cgal() {
