@@ -89,10 +89,13 @@ struct Seed_sums
       most = (std::max)(most, lengths[0] + lengths[1]);
     }
     if(least > most)
-      return;
+      least = most = 1.; // no answer
     most_over_least.push_back(most / least);
     meshes_that_differ += most > 1.001 * least;
   }
+
+  // The longest over the shortest of the last mesh, 1 if there is none.
+  double last() const { return most_over_least.empty() ? 1. : most_over_least.back(); }
 
   void print(std::size_t number_of_seeds) const {
     std::printf("\n%zu seeds: certified answers %zu of %zu; total lengths differ by more than a "
@@ -111,10 +114,11 @@ public:
       : options_(options) {}
 
   void run() {
-    std::printf("| mesh | faces | genus | components | reading s | loops s | ratio | bytes per "
-                "face | handles inside | tunnels outside | undecided loops | handles / diagonal | "
-                "tunnels / diagonal | remark |\n|---|---|---|---|---|---|---|---|---|---|---|---|"
-                "---|---|\n");
+    std::printf(
+        "| mesh | faces | genus | components | reading s | loops s | ratio | bytes per "
+        "face | handles inside | tunnels outside | undecided loops | handles / diagonal | "
+        "tunnels / diagonal | seeds | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|"
+        "---|---|---|\n");
     for(const auto& file : options_.files)
       run_on(file.string(), file.filename().string());
     print();
@@ -139,8 +143,8 @@ private:
         Solver again(Tag(), mesh, params::default_values());
         answer_of<Tag>(again, params::default_values());
       }));
-      report(name, mesh, answer, t1 - t0, t2 - t1, bytes / double(mesh.number_of_faces()));
       count(mesh, solver, answer);
+      report(name, mesh, answer, t1 - t0, t2 - t1, bytes / double(mesh.number_of_faces()));
     } catch(const HTL::Invalid_mesh_exception& e) {
       std::printf("| %s | refused: %s |\n", name.c_str(), e.what());
     }
@@ -156,11 +160,11 @@ private:
     const auto lengths = answer.lengths();
     const double size = diagonal(mesh);
     std::printf("| %s | %zu | %zu | %zu | %.3f | %.3f | %.2f | %.0f | %zu | %zu | %zu | %.3f | "
-                "%.3f | %s |\n",
+                "%.3f | %.3f | %s |\n",
                 name.c_str(), std::size_t(mesh.number_of_faces()), answer.statistics.genus,
                 answer.statistics.number_of_components, reading, loops, loops / reading, bytes,
                 answer.handles_inside(), answer.tunnels_outside(), answer.undecided(),
-                lengths[0] / size, lengths[1] / size, answer.error.c_str());
+                lengths[0] / size, lengths[1] / size, seeds_.last(), answer.error.c_str());
     handle_length_ += lengths[0] / size;
     tunnel_length_ += lengths[1] / size;
     if(mesh.number_of_faces() < 100000)
