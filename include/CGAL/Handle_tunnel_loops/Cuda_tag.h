@@ -33,9 +33,11 @@ namespace CGAL {
 
 As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()` and of
 `CGAL::Handle_tunnel_loops_solver::find_loops()`, it asks for a CUDA device: the fields of all
-passes and the contours run there, and only loops come back; the preparation of the mesh, the
-tightening of the loops and the certificate run on the processor, in parallel if TBB is linked. The
-loops are those of the other tags.
+passes and the contours run there, and contours and closed walks come back; arrival times only where
+no dual loop of a handle was found in the tunnel pass, for the tunnels that are found by one field
+from all loops, and, with `do_log_fronts`, as layers. The preparation of the mesh, the tightening of
+the loops and the certificate run on the processor, in parallel if TBB is linked. The loops are
+those of `Sequential_tag` and `Parallel_tag`.
 
 Which device and which stream is said by the named parameter `device_options`. At least about
 90 bytes per face of the device's memory are asked for: some 50 for the mesh and one field, the
@@ -58,7 +60,7 @@ struct Cuda_tag : public Parallel_if_available_tag
 The same where the program is linked with `Handle_tunnel_loops::cuda`, there is a device with enough
 memory, and the mesh is not so small that the processor is done before a device has started, see
 `Handle_tunnel_loops::Device_options::least_vertices`; elsewhere the computation runs on the
-processor. Should the device fail on the way, the processor goes on from what there is; no
+processor. Should the device fail in the middle, the processor goes on from what there is; no
 `Handle_tunnel_loops::Device_exception` is thrown. `Handle_tunnel_loops::Statistics::fallback` says
 why it was not the device.
 */

@@ -29,11 +29,13 @@ As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()` and of
 All fields of the initial pass are the rows of a sparse matrix, and obey the equation of the paper's
 section 3 with all its terms; the fields of the other two passes cover the whole mesh; tunnels, and
 handles after the refinement, are streamlines across the triangles. Nothing is tightened:
-`do_tighten` has no effect. Nothing is shared with the other solvers but the adaptor, the conversion
-of the answer, the linking numbers that tell handles from tunnels, and the certificate.
-`Handle_tunnel_loops::Statistics::front_events` holds the splits, merges and closings of the initial
-pass afterwards, and `Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for
-what the paper takes for granted.
+`do_tighten` has no effect. It shares no algorithm that finds loops with the other solvers; it
+shares with them the adaptor and its arrays, the sequences of crossed edges that loops are, the
+order of the passes, the conversion of the answer, the linking numbers and the offset criterion that
+tell handles from tunnels, and the certificate. `Handle_tunnel_loops::Statistics::front_events`
+holds the splits, merges and closings of the initial pass afterwards, and
+`Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for what the paper takes
+for granted.
 
 Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
 is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is

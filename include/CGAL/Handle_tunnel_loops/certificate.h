@@ -38,17 +38,24 @@ of them bound inside and outside the solid that the surface encloses.
 The loops are moved onto the edges, and the mesh is cut along them. The intersection numbers of the
 loops with the closed curves of a tree-cotree decomposition of the dual graph that crosses them as
 rarely as possible are integers; the loops are a basis if and only if these vectors span all integer
-vectors, which integer elimination decides. Nothing is shared with the code that finds the loops,
-nothing rests on floating-point numbers, and the surface need not be connected. Almost linear in the
-size of the mesh where the loops are short.
+vectors, which integer elimination decides. No floating-point number plays a part in this, and the
+surface need not be connected. Almost linear in the size of the mesh where the loops are short.
+
+What is independent of what: whether the loops are a basis is decided by code that shares no
+algorithm with what finds loops, only how work is dealt out to threads. That the loops of a pair
+cross once, and what is said of inside and outside, rest on one computation of intersection and
+linking numbers, which finds no loops either. The names are not checked independently of the solver:
+it names the loops by the same linking numbers and the same function that decides here whether they
+have each other's names. So this part of the check is one for loops that come from elsewhere.
 
 Linking numbers are counted in a projection by exact predicates on the coordinates, taken as doubles
-(see `Handle_tunnel_loops::Loop_linking`): near linear in the total length of the loops and the
-number of places where one is seen to pass over another. Their difference with the transpose is
-compared with the intersection numbers; where these disagree or places coincide that should be
-apart, because the surface crosses or touches itself, the loops concerned are reported as undecided.
-That the surface nowhere crosses itself is not checked; where it does, away from the loops, linking
-numbers remain what they are, but there is no inside for the loops to bound in.
+(those of an exact kernel are rounded; see `Handle_tunnel_loops::Loop_linking`): near linear in the
+total length of the loops and the number of places where one is seen to pass over another. Their
+difference with the transpose is compared with the intersection numbers; where these disagree or
+places coincide that should be apart, because the surface crosses or touches itself, the loops
+concerned are reported as undecided. That the surface nowhere crosses itself is not checked; where
+it does, away from the loops, linking numbers remain what they are, but there is no inside for the
+loops to bound in.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the

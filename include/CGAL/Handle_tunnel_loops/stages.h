@@ -29,7 +29,7 @@ enum class Stage {
   INITIAL,     ///< the initial pass (paper, 4.1)
   TUNNEL,      ///< the tunnel pass (paper, 4.2)
   REFINE,      ///< the handle refinement pass (paper, 4.3)
-  SHORTEN,     ///< pulls all loops taut, and looks for shorter ones by length
+  SHORTEN,     ///< tightens all loops, and looks for shorter ones by length
   CONVERT,     ///< turns the loops into loops on the caller's mesh
   CERTIFICATE, ///< cuts the mesh along the loops, and checks that they are a basis
   CLASSIFY,    ///< counts linking numbers, and tells handles from tunnels (paper, 4.5)
@@ -76,7 +76,7 @@ struct Statistics
   std::vector<Front_event> front_events;
   Field_resolution resolution; ///< of the initial pass; by `Reference_tag` only
   /// what computed the fields, if any: "host", "cuda" or "reference"; "cuda, then host" where a
-  /// device failed on the way.
+  /// device failed in the middle.
   std::string backend;
   std::string fallback;         ///< why not on the device, or no longer, if that was asked for
   std::size_t device_bytes = 0; ///< of the device's memory, at most at one time

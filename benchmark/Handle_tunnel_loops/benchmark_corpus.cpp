@@ -1,0 +1,267 @@
+// Finds the loops of all closed meshes in a folder, prints a line for each mesh, and ends with the
+// sums that the manual and the design notes quote.
+//
+//   benchmark_corpus [--seeds N] [--reference LIMIT] [--self-intersections] FOLDER | FILE...
+//
+// Each mesh is computed by all threads from the first vertex; with --seeds also from N
+// vertices, evenly spaced, the first among them, and with --reference by the reference solver too,
+// where it has at most LIMIT faces.
+
+#include "Corpus_answer.h"
+#include "Counting_allocation.h"
+#ifdef CGAL_EIGEN3_ENABLED
+#include "Corpus_reference.h"
+#endif
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+using namespace corpus;
+using Tag = CGAL::Parallel_if_available_tag;
+namespace params = CGAL::parameters;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+struct Options
+{
+  std::size_t number_of_seeds = 0;
+  std::size_t reference_limit = 0;
+  bool do_test_crossing = false;
+  std::vector<std::filesystem::path> files;
+};
+
+Options parse(int argc, char* argv[]) {
+  Options options;
+  for(int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if(word == "--seeds" && i + 1 < argc)
+      options.number_of_seeds = std::stoul(argv[++i]);
+    else if(word == "--reference" && i + 1 < argc)
+      options.reference_limit = std::stoul(argv[++i]);
+    else if(word == "--self-intersections")
+      options.do_test_crossing = true;
+    else if(std::filesystem::is_directory(word))
+      for(const auto& entry : std::filesystem::directory_iterator(word))
+        options.files.push_back(entry.path());
+    else
+      options.files.push_back(word);
+  }
+  std::sort(options.files.begin(), options.files.end());
+  return options;
+}
+
+bool read(const std::string& file, Mesh& mesh) {
+  return CGAL::IO::read_polygon_mesh(file, mesh) || PMP::IO::read_polygon_mesh(file, mesh);
+}
+
+double diagonal(const Mesh& mesh) {
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+// The lengths from several seeds.
+struct Seed_sums
+{
+  std::size_t meshes = 0, answers = 0, certified = 0;
+  std::size_t meshes_that_differ = 0; // by more than a thousandth
+  std::vector<double> most_over_least;
+
+  void add(const Mesh& mesh, Solver& solver, std::size_t number_of_seeds) {
+    ++meshes;
+    double least = HUGE_VAL, most = 0.;
+    for(const auto seed : spaced_seeds(mesh, number_of_seeds)) {
+      const Answer answer = answer_of<Tag>(solver, params::seed_vertex(seed));
+      ++answers;
+      if(!answer.error.empty())
+        continue;
+      ++certified;
+      const auto lengths = answer.lengths();
+      least = (std::min)(least, lengths[0] + lengths[1]);
+      most = (std::max)(most, lengths[0] + lengths[1]);
+    }
+    if(least > most)
+      least = most = 1.; // no answer
+    most_over_least.push_back(most / least);
+    meshes_that_differ += most > 1.001 * least;
+  }
+
+  // The longest over the shortest of the last mesh, 1 if there is none.
+  double last() const { return most_over_least.empty() ? 1. : most_over_least.back(); }
+
+  void print(std::size_t number_of_seeds) const {
+    std::printf("\n%zu seeds: certified answers %zu of %zu; total lengths differ by more than a "
+                "thousandth on %zu of %zu meshes; longest over shortest: median %.3f, 90%% %.3f, "
+                "most %.2f\n",
+                number_of_seeds, certified, answers, meshes_that_differ, meshes,
+                quantile(most_over_least, 0.5), quantile(most_over_least, 0.9),
+                quantile(most_over_least, 1.));
+  }
+};
+
+class Corpus
+{
+public:
+  explicit Corpus(const Options& options)
+      : options_(options) {}
+
+  void run() {
+    std::printf(
+        "| mesh | faces | genus | components | reading s | loops s | ratio | bytes per "
+        "face | handles inside | tunnels outside | undecided loops | handles / diagonal | "
+        "tunnels / diagonal | seeds | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|"
+        "---|---|---|\n");
+    for(const auto& file : options_.files)
+      run_on(file.string(), file.filename().string());
+    print();
+  }
+
+private:
+  void run_on(const std::string& file, const std::string& name) {
+    Mesh mesh;
+    const double t0 = seconds_now();
+    if(!read(file, mesh)) {
+      std::printf("| %s | cannot be read |\n", name.c_str());
+      return;
+    }
+    const double t1 = seconds_now();
+    try {
+      Solver solver(Tag(), mesh, params::default_values());
+      if(solver.genus() == 0)
+        return;
+      const Answer answer = answer_of<Tag>(solver, params::default_values());
+      const double t2 = seconds_now();
+      const double bytes = double(counting_allocation::peak_bytes([&] {
+        Solver again(Tag(), mesh, params::default_values());
+        answer_of<Tag>(again, params::default_values());
+      }));
+      count(mesh, solver, answer);
+      report(name, mesh, answer, t1 - t0, t2 - t1, bytes / double(mesh.number_of_faces()));
+    } catch(const HTL::Invalid_mesh_exception& e) {
+      std::printf("| %s | refused: %s |\n", name.c_str(), e.what());
+    }
+    std::fflush(stdout);
+  }
+
+  void report(const std::string& name,
+              const Mesh& mesh,
+              const Answer& answer,
+              double reading,
+              double loops,
+              double bytes) {
+    const auto lengths = answer.lengths();
+    const double size = diagonal(mesh);
+    std::printf("| %s | %zu | %zu | %zu | %.3f | %.3f | %.2f | %.0f | %zu | %zu | %zu | %.3f | "
+                "%.3f | %.3f | %s |\n",
+                name.c_str(), std::size_t(mesh.number_of_faces()), answer.statistics.genus,
+                answer.statistics.number_of_components, reading, loops, loops / reading, bytes,
+                answer.handles_inside(), answer.tunnels_outside(), answer.undecided(),
+                lengths[0] / size, lengths[1] / size, seeds_.last(), answer.error.c_str());
+    handle_length_ += lengths[0] / size;
+    tunnel_length_ += lengths[1] / size;
+    if(mesh.number_of_faces() < 100000)
+      return;
+    ratios_.push_back(loops / reading);
+    bytes_.push_back(bytes);
+  }
+
+  void count(const Mesh& mesh, Solver& solver, const Answer& answer) {
+    ++meshes_;
+    certified_ += answer.error.empty();
+    pairs_ += answer.pairs.size();
+    least_genus_ = (std::min)(least_genus_, answer.statistics.genus);
+    most_genus_ = (std::max)(most_genus_, answer.statistics.genus);
+    inside_ += answer.handles_inside();
+    outside_ += answer.tunnels_outside();
+    pure_ += answer.is_pure();
+    if(answer.undecided() != 0) {
+      ++meshes_undecided_;
+      undecided_ += answer.undecided();
+      loops_of_undecided_ += 2 * answer.pairs.size();
+    }
+    compare_with_offsets(solver, answer);
+    if(options_.do_test_crossing)
+      crossing_ += PMP::does_self_intersect<Tag>(mesh);
+    if(options_.number_of_seeds != 0)
+      seeds_.add(mesh, solver, options_.number_of_seeds);
+#ifdef CGAL_EIGEN3_ENABLED
+    if(mesh.number_of_faces() <= options_.reference_limit)
+      reference_.add(mesh, solver, answer, options_.number_of_seeds);
+#endif
+  }
+
+  // The same loops, named by their growth along the normals.
+  void compare_with_offsets(Solver& solver, const Answer& answer) {
+    const Answer other =
+        answer_of<Tag>(solver, params::do_compute_linking(false, params::default_values()));
+    for(std::size_t k = 0; k < answer.pairs.size() && k < other.pairs.size(); ++k)
+      if(answer.tells_handle(k)) {
+        ++told_;
+        agree_ += answer.pairs[k].handle().points() == other.pairs[k].handle().points();
+      }
+  }
+
+  void print() const {
+    std::printf("\nmeshes: %zu, genus %zu to %zu, pairs of loops: %zu\n", meshes_, least_genus_,
+                most_genus_, pairs_);
+    std::printf("certified: %zu of %zu\n", certified_, meshes_);
+    std::printf("linking numbers tell the handle: %zu of %zu pairs; offsets agree: %zu (%.1f%%)\n",
+                told_, pairs_, agree_, 100. * double(agree_) / double(told_));
+    std::printf("handles that bound inside: %zu; tunnels that bound outside: %zu; all of both on "
+                "%zu meshes\n",
+                inside_, outside_, pure_);
+    std::printf("undecided: %zu of %zu loops on %zu meshes\n", undecided_, loops_of_undecided_,
+                meshes_undecided_);
+    if(options_.do_test_crossing)
+      std::printf("meshes that touch or cross themselves: %zu\n", crossing_);
+    std::printf("total lengths over diagonals: handles %.2f, tunnels %.2f\n", handle_length_,
+                tunnel_length_);
+    std::printf("%zu meshes of 100,000 faces or more: ratio to reading, median %.2f, most %.2f; "
+                "bytes per face, median %.0f, most %.0f\n",
+                ratios_.size(), quantile(ratios_, 0.5), quantile(ratios_, 1.),
+                quantile(bytes_, 0.5), quantile(bytes_, 1.));
+    if(options_.number_of_seeds != 0)
+      seeds_.print(options_.number_of_seeds);
+#ifdef CGAL_EIGEN3_ENABLED
+    if(options_.reference_limit != 0)
+      reference_.print();
+#endif
+  }
+
+  Options options_;
+  std::size_t meshes_ = 0, certified_ = 0, pairs_ = 0, told_ = 0, agree_ = 0;
+  std::size_t least_genus_ = std::size_t(-1), most_genus_ = 0;
+  std::size_t inside_ = 0, outside_ = 0, pure_ = 0, crossing_ = 0;
+  std::size_t meshes_undecided_ = 0, undecided_ = 0, loops_of_undecided_ = 0;
+  double handle_length_ = 0., tunnel_length_ = 0.;
+  std::vector<double> ratios_, bytes_; // of the larger meshes
+  Seed_sums seeds_;
+#ifdef CGAL_EIGEN3_ENABLED
+  Reference_sums reference_;
+#endif
+};
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  try {
+    const Options options = parse(argc, argv);
+    if(options.files.empty()) {
+      std::cerr << "usage: benchmark_corpus [--seeds N] [--reference LIMIT] "
+                   "[--self-intersections] FOLDER | FILE...\n";
+      return EXIT_FAILURE;
+    }
+    Corpus(options).run();
+  } catch(const std::exception& e) {
+    std::cerr << "Error: " << e.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

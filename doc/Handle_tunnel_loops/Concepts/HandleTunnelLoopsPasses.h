@@ -1,0 +1,63 @@
+/*!
+\ingroup PkgHandleTunnelLoopsConcepts
+\cgalConcept
+
+The concept `HandleTunnelLoopsPasses` describes the passes of a method (paper, section 4). The
+pipeline calls them in the order in which they stand here, each at most once: `refinement_pass()`
+only if `do_refine_handles` is set, `shorten()` only if `do_tighten` is. They are not called for a
+surface of genus 0. In the package it is the abstract class
+`CGAL::Handle_tunnel_loops::internal::Passes`, from which models derive (see \ref HTLDesign); names
+of it may change.
+
+A model is made by `Passes_of_tag<ConcurrencyTag>::%make()` from a `Flat_mesh`, the vertices to
+start from (one in each component), the options, and the options of a device. The mesh outlives it.
+
+Every pass reports its progress, and throws `CGAL::Handle_tunnel_loops::Interrupted_exception` when
+somebody wants to stop. The answer may depend on the mesh, the seeds and the options, but not on the
+number of threads.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Handle_tunnel_loops::internal::Field_passes}
+\cgalHasModels{CGAL::Handle_tunnel_loops::internal::reference::Reference_passes}
+\cgalHasModelsEnd
+
+\sa `HandleTunnelLoopsBackend`
+\sa `HandleTunnelLoopsMeshAdaptor`
+*/
+class HandleTunnelLoopsPasses
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// is told how far the work has come, and knows whether to go on.
+  typedef CGAL::Handle_tunnel_loops::internal::Progress Progress;
+
+  /// two sequences of crossed edges. Which of them is the handle remains to be seen.
+  typedef CGAL::Handle_tunnel_loops::internal::Flat_pair Flat_pair;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// finds handle loops, as many as the genus (paper, 4.1), and fills `front_events` and
+  /// `resolution` of the statistics if that was asked for.
+  void initial_pass(Progress& progress, CGAL::Handle_tunnel_loops::Statistics& statistics);
+
+  /// finds a tunnel loop for each handle loop, such that all are a basis (paper, 4.2), and notes in
+  /// `kept_sweep_tunnels` for how many the field found none.
+  void tunnel_pass(Progress& progress, CGAL::Handle_tunnel_loops::Statistics& statistics);
+
+  /// replaces handle loops by shorter ones, as far as the loops remain a basis (paper, 4.3), and
+  /// notes in `kept_sweep_handles` how many stayed.
+  void refinement_pass(Progress& progress, CGAL::Handle_tunnel_loops::Statistics& statistics);
+
+  /// makes all loops as short as it can; may do nothing.
+  void shorten(Progress& progress);
+
+  /// returns the pairs, and keeps none.
+  std::vector<Flat_pair> take_pairs();
+
+  /// @}
+};
