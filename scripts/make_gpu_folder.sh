@@ -110,9 +110,9 @@ for what in "$@"; do
       ;;
     profile)
       if command -v ncu >/dev/null; then
-        for region in Whole_mesh Paged_region; do
-          run "profile_$region" 60 ncu --clock-control none --kernel-name-base demangled \
-            -k "regex:Field_steps.*$region" -s 3 -c 1 --section SpeedOfLight --section LaunchStats \
+        for domain in Whole_mesh_domain Paged_domain; do
+          run "profile_$domain" 60 ncu --clock-control none --kernel-name-base demangled \
+            -k "regex:Field_steps.*$domain" -s 3 -c 1 --section SpeedOfLight --section LaunchStats \
             --section WarpStateStats --section SourceCounters \
             bin/benchmark_device -n 1 --no-host --no-sweep gyroid:1000000:250
         done
