@@ -12,8 +12,8 @@
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
+using CGAL::Reference_tag;
 using CGAL::Handle_tunnel_loops::Front_event;
-using CGAL::Handle_tunnel_loops::Reference_tag;
 
 // Watches the fronts of the initial pass.
 int main(int argc, char* argv[]) {

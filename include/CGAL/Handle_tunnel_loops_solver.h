@@ -27,6 +27,7 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -76,8 +77,9 @@ public:
   checks and prepares a mesh. Linear, but for the sort of the vertices along a space-filling curve.
 
   \param tm the mesh
-  \param np a sequence of named parameters: `vertex_point_map`, `vertex_index_map`, `geom_traits`,
-    as in `CGAL::handle_tunnel_loops()`
+  \param np a sequence of named parameters: `vertex_point_map`, `vertex_index_map`,
+    `face_index_map`, `geom_traits`, as in `CGAL::handle_tunnel_loops()`; the maps are those of all
+    computations
 
   \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
     triangle mesh with finite coordinates
@@ -104,6 +106,15 @@ public:
                                      Device_options()),
         num_vertices(tm));
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+    name_and_certify_ = [&tm, point = point_, vertex_index,
+                         face_index = CGAL::get_initialized_face_index_map(tm, np)](
+                            impl::Execution execution, bool do_link, std::vector<Pair>& pairs,
+                            impl::Progress& progress) {
+      return name_and_certify(execution,
+                              impl::certification<Pair>(tm, point, vertex_index, face_index),
+                              impl::Offset_classifier<TriangleMesh, Vertex_point_map>(tm, point),
+                              do_link, pairs, progress);
+    };
     impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
         builder(impl::execution_of<ConcurrencyTag>(), tm, vertex_index, point_);
     mesh_ = builder.build();
@@ -135,8 +146,8 @@ public:
     `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and
     `Cuda_if_available_tag`. The result is the same.
   \param out an output iterator that accepts `Pair`
-  \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but
-    `vertex_point_map` and `geom_traits`
+  \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but those that the
+    constructor takes, which are not looked at here
   \return `out`, past the last pair written
   */
   template <typename ConcurrencyTag = Sequential_tag,
@@ -148,6 +159,8 @@ public:
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    CGAL_expensive_precondition_msg(halfedges(tm_).size() == mesh_.neighbor.size(),
+                                    "the mesh has changed since the solver was made");
     forget_last_run();
     auto visitor = choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
     impl::Progress progress(
@@ -206,7 +219,13 @@ private:
     progress.start(Stage::CONVERT);
     std::vector<Pair> pairs = converted(execution, flat_pairs);
     progress.end(Stage::CONVERT);
-    certify_and_classify(execution, pairs, np, progress);
+    certificate_ = name_and_certify_(
+        execution, choose_parameter(get_parameter(np, internal_np::do_compute_linking), true),
+        pairs, progress);
+    if(!certificate_)
+      throw Uncertified_loops_exception("the loops found fail their certificate: " +
+                                        certificate_.failure);
+    progress.end(Stage::CLASSIFY);
     return pairs;
   }
 
@@ -241,17 +260,17 @@ private:
     return pairs;
   }
 
-  // The linking numbers that tell handles from tunnels are part of the certificate.
-  template <typename NamedParameters>
-  void certify_and_classify(Handle_tunnel_loops::internal::Execution execution,
-                            std::vector<Pair>& pairs,
-                            const NamedParameters& np,
-                            Handle_tunnel_loops::internal::Progress& progress) {
-    using namespace Handle_tunnel_loops;
-    namespace impl = Handle_tunnel_loops::internal;
-    auto certification =
-        impl::certification<Pair>(tm_, point_, CGAL::get_initialized_vertex_index_map(tm_, np),
-                                  CGAL::get_initialized_face_index_map(tm_, np));
+  // The linking numbers that tell handles from tunnels are part of the certificate. The stage that
+  // tells them is left to be ended.
+  template <typename Certification, typename Classifier>
+  static Handle_tunnel_loops::Certificate
+  name_and_certify(Handle_tunnel_loops::internal::Execution execution,
+                   Certification certification,
+                   const Classifier& classifier,
+                   bool do_link,
+                   std::vector<Pair>& pairs,
+                   Handle_tunnel_loops::internal::Progress& progress) {
+    using Handle_tunnel_loops::Stage;
     progress.start(Stage::CERTIFICATE);
     const bool are_closed = certification.are_closed(execution, pairs);
     if(are_closed)
@@ -259,26 +278,20 @@ private:
     progress.end(Stage::CERTIFICATE);
     progress.start(Stage::CLASSIFY);
     if(are_closed) {
-      certification.relate(
-          execution, parameters::choose_parameter(
-                         parameters::get_parameter(np, internal_np::do_compute_linking), true));
-      classify(execution, certification, pairs);
+      certification.relate(execution, do_link);
+      classify(execution, certification, classifier, pairs);
     }
-    certificate_ = certification.finish();
-    if(!certificate_)
-      throw Uncertified_loops_exception("the loops found fail their certificate: " +
-                                        certificate_.failure);
-    progress.end(Stage::CLASSIFY);
+    return certification.finish();
   }
 
   // Handles and tunnels by their linking numbers, or by their growth along the normals where these
   // do not tell (paper, 4.5).
-  template <typename Certification>
-  void classify(Handle_tunnel_loops::internal::Execution execution,
-                Certification& certification,
-                std::vector<Pair>& pairs) const {
+  template <typename Certification, typename Classifier>
+  static void classify(Handle_tunnel_loops::internal::Execution execution,
+                       Certification& certification,
+                       const Classifier& classifier,
+                       std::vector<Pair>& pairs) {
     namespace impl = Handle_tunnel_loops::internal;
-    const impl::Offset_classifier<TriangleMesh, Vertex_point_map> classifier(tm_, point_);
     std::vector<char> is_exchanged(pairs.size(), 0);
     impl::for_each_index(
         execution, pairs.size(),
@@ -301,6 +314,12 @@ private:
   Geom_traits traits_;
   Handle_tunnel_loops::internal::Flat_mesh mesh_;
   std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
+  // Knows the index maps, whose types are those of the constructor's parameters.
+  std::function<Handle_tunnel_loops::Certificate(Handle_tunnel_loops::internal::Execution,
+                                                 bool do_link,
+                                                 std::vector<Pair>&,
+                                                 Handle_tunnel_loops::internal::Progress&)>
+      name_and_certify_;
   Handle_tunnel_loops::Statistics statistics_;
   Handle_tunnel_loops::Certificate certificate_;
 };

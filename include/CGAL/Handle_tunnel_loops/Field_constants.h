@@ -31,7 +31,7 @@ struct Field_constants
   double driving_force = 1. / 30.;        ///< \f$ e > 0 \f$
   double gradient_coefficient = 1. / 25.; ///< \f$ a^2 > 0 \f$
   double penalty = 1. / 125.;             ///< \f$ w > 0 \f$, with \f$ e > w \f$
-  double step = 1.0; ///< time step, in (0, 1], as a fraction of the largest stable one
+  double step = 1.0; ///< time step, in [1/1024, 1], as a fraction of the largest stable one
 };
 
 } // namespace Handle_tunnel_loops

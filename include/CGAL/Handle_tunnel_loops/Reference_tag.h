@@ -18,7 +18,6 @@
 #include <CGAL/tags.h>
 
 namespace CGAL {
-namespace Handle_tunnel_loops {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -33,9 +32,10 @@ handles after the refinement, are streamlines across the triangles. Nothing is t
 `do_tighten` has no effect. It shares no algorithm that finds loops with the other solvers; it
 shares with them the adaptor and its arrays, the sequences of crossed edges that loops are, the
 order of the passes, the conversion of the answer, the linking numbers and the offset criterion that
-tell handles from tunnels, and the certificate. `Statistics::front_events` holds the splits, merges
-and closings of the initial pass afterwards, and `Statistics::resolution` where the mesh was too
-coarse for what the paper takes for granted.
+tell handles from tunnels, and the certificate. `Handle_tunnel_loops::Statistics::front_events`
+holds the splits, merges and closings of the initial pass afterwards, and
+`Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for what the paper takes
+for granted.
 
 Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
 is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is
@@ -46,6 +46,10 @@ linked with the target `CGAL::Eigen3_support`.
 */
 struct Reference_tag : public Sequential_tag
 {};
+
+namespace Handle_tunnel_loops {
+
+using CGAL::Reference_tag; // where it was at first
 
 namespace internal {
 

@@ -15,10 +15,12 @@
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -90,6 +92,9 @@ loops to bound in.
 \cgalNamedParamsEnd
 
 \pre `tm` is a closed triangle mesh.
+
+\throws Handle_tunnel_loops::Invalid_mesh_exception if a face of `tm` is no triangle, or an edge has
+  a face on one side only
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,
@@ -103,12 +108,15 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using Pair = typename std::iterator_traits<typename PairRange::const_iterator>::value_type;
-  auto certification = impl::certification<Pair>(
-      tm,
-      choose_parameter(get_parameter(np, internal_np::vertex_point),
-                       get_const_property_map(vertex_point, tm)),
-      CGAL::get_initialized_vertex_index_map(tm, np), CGAL::get_initialized_face_index_map(tm, np));
   const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  impl::check_closed_triangles(execution, tm, vertex_index);
+  CGAL_expensive_precondition(impl::are_loops_of(tm, pairs));
+  auto certification =
+      impl::certification<Pair>(tm,
+                                choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                 get_const_property_map(vertex_point, tm)),
+                                vertex_index, CGAL::get_initialized_face_index_map(tm, np));
   if(certification.are_closed(execution, pairs)) {
     certification.check_basis(execution);
     certification.relate(

@@ -15,7 +15,7 @@
 namespace htloops {
 
 Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
-  Answer answer = solve_with_library<CGAL::Handle_tunnel_loops::Reference_tag>(mesh, options, bar);
+  Answer answer = solve_with_library<CGAL::Reference_tag>(mesh, options, bar);
   answer.backend = "reference";
   return answer;
 }

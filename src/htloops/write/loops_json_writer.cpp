@@ -24,6 +24,8 @@ Json timings(const Answer& answer, double read_seconds) {
   Json json = {{"read", read_seconds}};
   for(std::size_t i = 0; i < CGAL::Handle_tunnel_loops::number_of_stages; ++i) {
     const auto stage = static_cast<Stage>(i);
+    if(stage == Stage::DIFFUSION)
+      continue; // no loop comes of it
     json[CGAL::Handle_tunnel_loops::stage_name(stage)] = answer.statistics.seconds_of(stage);
   }
   json["total"] = answer.total_seconds;

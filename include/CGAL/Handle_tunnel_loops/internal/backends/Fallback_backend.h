@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
 
+#include <CGAL/assertions.h>
+
 #include <functional>
 #include <memory>
 #include <optional>
@@ -78,6 +80,7 @@ public:
   void report(Statistics& statistics) const override {
     if(device_)
       return device_->report(statistics);
+    CGAL_assertion(host_.has_value());
     host_->report(statistics);
     if(is_initial_field_of_device_)
       statistics.backend = "cuda, then host";

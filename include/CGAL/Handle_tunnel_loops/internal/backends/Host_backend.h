@@ -22,6 +22,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -54,6 +56,8 @@ public:
       if(!callback(part))
         throw Interrupted_exception();
     });
+    CGAL_assertion_msg(band.number_of_reached() == mesh_.number_of_vertices(),
+                       "there is a seed in each component");
     times_ = band.take_times();
     return find_handle_candidates(execution_, mesh_, times_);
   }

@@ -16,10 +16,15 @@
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
 
+#include <CGAL/assertions.h>
+
+#include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +55,7 @@ public:
   /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
   /// on the surface. What follows is for such loops only.
   template <typename PairRange> bool are_closed(Execution execution, const PairRange& pairs) {
+    CGAL_precondition(loops_.empty());
     for(const Pair& pair : pairs)
       loops_.insert(loops_.end(), {&pair.handle(), &pair.tunnel()});
     certifier_.set_loops(execution, loops_);
@@ -59,6 +65,7 @@ public:
 
   /// cuts the mesh along the loops, and finds out whether they are a basis.
   void check_basis(Execution execution) {
+    CGAL_precondition(certificate_.closed_on_surface);
     certifier_.cut(execution);
     certificate_.basis = certifier_.are_basis();
   }
@@ -66,6 +73,7 @@ public:
   /// finds where the solid is, and the intersection numbers of the loops; with \p do_link the
   /// linking numbers as well. After `check_basis()`.
   void relate(Execution execution, bool do_link) {
+    CGAL_precondition(certificate_.closed_on_surface);
     linker_.set_loops(
         execution, loops_, [this](const auto& f) { return certifier_.component(f); },
         certifier_.number_of_components());
@@ -82,6 +90,7 @@ public:
   int handle_of_pair(std::size_t k) const {
     if(!is_linked_)
       return 0;
+    CGAL_precondition(2 * k + 1 < certificate_.linking.size());
     const auto insideness = [](const Loop_linking& l) {
       return int(l.bounds_inside_component) - int(l.bounds_outside_component);
     };
@@ -95,12 +104,15 @@ public:
 
   /// changes which loop is the handle and which the tunnel, in the pairs where `is_exchanged`.
   void exchange(const std::vector<char>& is_exchanged) {
+    CGAL_precondition(2 * is_exchanged.size() == loops_.size());
     if(!is_linked_)
       return;
     std::vector<Loop_linking>& linking = certificate_.linking;
     for(std::size_t k = 0; k < is_exchanged.size(); ++k)
-      if(is_exchanged[k])
+      if(is_exchanged[k]) {
         std::swap(linking[2 * k], linking[2 * k + 1]);
+        std::swap(components_[2 * k], components_[2 * k + 1]);
+      }
     for(Loop_linking& l : linking)
       for(auto* numbers : {&l.row, &l.column}) {
         for(auto& number : *numbers)
@@ -127,9 +139,12 @@ private:
   void note_linking() {
     std::vector<Loop_linking>& linking = certificate_.linking;
     linking.resize(loops_.size());
+    for(std::size_t i = 0; i < loops_.size(); ++i)
+      components_.push_back(linker_.component(i));
     for(Loop_linking& l : linking)
       l.bounds_inside_component = l.bounds_outside_component = true;
     for(const Matrix_entry& e : linker_.linking()) {
+      CGAL_assertion(e.row < linking.size() && e.column < linking.size() && e.value != 0);
       linking[e.row].row.emplace_back(e.column, e.value);
       linking[e.column].column.emplace_back(e.row, e.value);
       if(linker_.component(e.row) == linker_.component(e.column))
@@ -164,14 +179,32 @@ private:
       }
   }
 
+  // Anew from the rows and columns as they are handed out, not from what the names were given by:
+  // no more may speak against the name of a handle than for it.
   void check_types(std::vector<std::string>& failures) {
     certificate_.types = true;
-    for(std::size_t k = 0; certificate_.basis && k < loops_.size() / 2; ++k)
-      if(handle_of_pair(k) < 0) {
+    for(std::size_t k = 0; certificate_.basis && is_linked_ && k < loops_.size() / 2; ++k) {
+      const auto [handle_inside, handle_outside] = sides_of(2 * k);
+      const auto [tunnel_inside, tunnel_outside] = sides_of(2 * k + 1);
+      const int in_favour = (handle_inside && !tunnel_inside) + (tunnel_outside && !handle_outside);
+      const int against = (tunnel_inside && !handle_inside) + (handle_outside && !tunnel_outside);
+      if(against > in_favour) {
         certificate_.types = false;
         failures.push_back("pair " + std::to_string(k) +
                            ": the handle and the tunnel loop have each other's names");
       }
+    }
+  }
+
+  // Whether a loop bounds on the inner side of its component, and on the outer one.
+  std::pair<bool, bool> sides_of(std::size_t i) const {
+    const Loop_linking& l = certificate_.linking[i];
+    const auto is_zero = [&](const std::vector<Loop_linking::Number>& numbers) {
+      return l.problem.empty() && std::none_of(numbers.begin(), numbers.end(), [&](const auto& n) {
+               return components_[n.first] == components_[i];
+             });
+    };
+    return {is_zero(l.row), is_zero(l.column)};
   }
 
   void count() {
@@ -186,8 +219,26 @@ private:
   Certifier certifier_;
   Loop_linker<TriangleMesh, Loop, VertexPointMap, VertexIndexMap> linker_;
   std::vector<const Loop*> loops_;
+  std::vector<std::size_t> components_; // by loop, in the order of the linking numbers
   bool is_linked_ = false;
 };
+
+/// whether all steps of the loops that are anywhere are on halfedges of the mesh.
+template <typename TriangleMesh, typename PairRange>
+bool are_loops_of(const TriangleMesh& tm, const PairRange& pairs) {
+  const auto range = halfedges(tm);
+  const std::set<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> all(range.begin(),
+                                                                                      range.end());
+  const auto is_loop = [&](const auto& loop) {
+    return std::all_of(loop.steps().begin(), loop.steps().end(), [&](const auto& step) {
+      return step.halfedge == boost::graph_traits<TriangleMesh>::null_halfedge() ||
+             all.count(step.halfedge) != 0;
+    });
+  };
+  return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+    return is_loop(pair.handle()) && is_loop(pair.tunnel());
+  });
+}
 
 template <typename Pair,
           typename TriangleMesh,

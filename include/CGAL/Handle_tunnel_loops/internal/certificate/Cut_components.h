@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -49,8 +51,10 @@ public:
   template <typename IsCut>
   void cut(Execution execution, const std::vector<Index>& ends, const IsCut& is_cut) {
     measure_vertices(execution);
-    for(Index i : ends)
+    for(Index i : ends) {
+      CGAL_precondition(i < is_end_.size());
       is_end_[i] = 1;
+    }
     insert_faces(execution);
     // In the order of memory.
     parts_of(halfedges(tm_)).for_each(execution, [&](halfedge_descriptor h) {
@@ -60,6 +64,7 @@ public:
       sets_.unite(index(face(h, tm_)), index(face(opposite(h, tm_), tm_)));
     });
     pieces_ = sets_.flatten(execution);
+    CGAL_expensive_postcondition(std::is_sorted(pieces_.begin(), pieces_.end()));
   }
 
   /// the number of the piece of a face, any number.

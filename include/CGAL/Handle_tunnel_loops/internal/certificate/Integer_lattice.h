@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cstddef>
@@ -35,6 +37,7 @@ public:
       : rows_(dimension) {}
 
   void add(Row row) {
+    CGAL_precondition(row.empty() || row.rbegin()->first < rows_.size());
     while(!row.empty()) {
       const std::size_t column = row.begin()->first;
       Row& pivot = rows_[column];
@@ -47,6 +50,7 @@ public:
         if(!row.empty() && row.begin()->first == column)
           std::swap(row, pivot);
       }
+      CGAL_assertion(!pivot.empty() && pivot.begin()->first == column);
       number_of_units_ += is_unit(pivot);
     }
   }

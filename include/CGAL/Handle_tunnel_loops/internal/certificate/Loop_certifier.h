@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Integer_lattice.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -70,7 +71,8 @@ public:
         execution, loops.size(),
         [&](std::size_t i) {
           check(*loops[i], i, moved[i].failures);
-          move_onto_edges(*loops[i], i, moved[i].chain);
+          if(moved[i].failures.empty())
+            move_onto_edges(*loops[i], i, moved[i].chain);
         },
         1);
     for(const Moved_loop& m : moved) {
@@ -107,6 +109,7 @@ public:
   }
 
   bool are_basis() {
+    CGAL_precondition_msg(number_of_components_ > 0 || number_of_loops_ == 0, "after `cut()`");
     const std::size_t number_of_generators = 2 * genus();
     if(number_of_generators != number_of_loops_)
       return fail("there are " + std::to_string(number_of_loops_) +
@@ -164,7 +167,9 @@ private:
       failures.push_back(name_of(number) + " has fewer than two steps");
     for(std::size_t i = 0; i < steps.size(); ++i) {
       const auto &a = steps[i], &b = steps[i + 1 == steps.size() ? 0 : i + 1];
-      if(!(a.ratio >= 0. && a.ratio <= 1.))
+      if(a.halfedge == Graph_traits::null_halfedge() || b.halfedge == Graph_traits::null_halfedge())
+        fails_at(i, "this step or the next lies on no edge");
+      else if(!(a.ratio >= 0. && a.ratio <= 1.))
         fails_at(i, "the ratio is not in [0, 1]");
       else if(!have_common_face(a, b))
         fails_at(i, "there is no face on which this step and the next both lie");
@@ -245,6 +250,9 @@ private:
   // ---- the pieces into which the used edges cut the surface
 
   void find_pieces(Execution execution) {
+    CGAL_expensive_assertion(
+        std::is_sorted(used_edges_.begin(), used_edges_.end(),
+                       [](const Used_edge& a, const Used_edge& b) { return a.edge < b.edge; }));
     std::vector<Index> ends;
     for(const Used_edge& e : used_edges_)
       for(const std::uint64_t v : {e.edge >> 32, e.edge & 0xffffffffu})
@@ -257,6 +265,7 @@ private:
     });
     for_each_index(execution, used_edges_.size(), [this](std::size_t i) {
       Used_edge& e = used_edges_[i];
+      CGAL_assertion_msg(e.halfedge != Graph_traits::null_halfedge(), "a step is along no edge");
       e.left = pieces_.piece(face(e.halfedge, tm_));
       e.right = pieces_.piece(face(opposite(e.halfedge, tm_), tm_));
     });
@@ -304,6 +313,7 @@ private:
     std::vector<Index> number(all.size());
     for(std::size_t i = 0; i < all.size(); ++i) {
       const Index root = sets.label(static_cast<Index>(i));
+      CGAL_assertion(root <= i);
       number[i] = root == i ? static_cast<Index>(number_of_components_++) : number[root];
     }
     if(number_of_components_ != 1)
@@ -349,6 +359,8 @@ private:
 
   // V - E + F = 2 c - 2 g, with 2 E = 3 F.
   std::size_t genus() const {
+    CGAL_assertion(pieces_.number_of_faces() % 2 == 0);
+    CGAL_assertion(pieces_.number_of_vertices() % 2 == pieces_.number_of_faces() / 2 % 2);
     return (2 * number_of_components_ + pieces_.number_of_faces() / 2 -
             pieces_.number_of_vertices()) /
            2;

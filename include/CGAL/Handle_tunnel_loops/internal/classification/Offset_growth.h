@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 
+#include <CGAL/assertions.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +36,7 @@ public:
 
   /// the derivative of the length by the way along the normals.
   double operator()(const Crossing_loop& loop) const {
+    CGAL_precondition(!loop.empty());
     double sum = 0.;
     Vector p = position(mesh_, loop.back()), n = normal(loop.back());
     for(const Crossing& c : loop) {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
+#include <CGAL/assertions.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -38,6 +39,8 @@ class Square_root_sum
 public:
   /// adds `sign` (1 or -1) times the square root of a number that is not negative.
   void add(int sign, const Exact_rational& radicand) {
+    CGAL_precondition(sign == 1 || sign == -1);
+    CGAL_precondition(radicand >= 0);
     typename Fraction::Numerator_type numerator;
     typename Fraction::Denominator_type denominator;
     typename Fraction::Decompose()(radicand, numerator, denominator);

@@ -135,7 +135,7 @@ public:
       const Time now = seen_.state.step;
       executor_.run(
           Field_steps<Domain>(field_, k,
-                              {no_index, now + (std::min)(tuning.steps_per_look, patience),
+                              {no_index, now + (std::min)(tuning.steps_per_look, k.patience),
                                now + tuning.steps_per_look_if_met}),
           number_of_passes_ + seen_.state.next_list_size);
       look_at_reached();

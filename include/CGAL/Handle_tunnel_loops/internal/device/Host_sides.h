@@ -15,7 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/executors/buffers.h>
 #include <CGAL/Handle_tunnel_loops/internal/kernels/Loop_sides.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 
 #include <cstddef>
 #include <vector>
@@ -40,11 +40,11 @@ sides_of(const Flat_mesh& mesh, const Dual_loop_query& search, const std::vector
   Host_sides sides;
   sides.loops = loops;
   sides.begin.push_back(0);
-  Parallel_paths rail;
+  std::vector<double> along;
   for(Index i = 0; i < loops.size(); ++i) {
     const Crossing_loop& loop = search.loops[loops[i]];
-    rail.measure(mesh, loop);
-    sides.along.insert(sides.along.end(), rail.along().begin(), rail.along().end());
+    measure_left_side(mesh, loop, along);
+    sides.along.insert(sides.along.end(), along.begin(), along.end());
     sides.crossings.insert(sides.crossings.end(), loop.begin(), loop.end());
     sides.pass.insert(sides.pass.end(), loop.size(), i);
     sides.begin.push_back(static_cast<Index>(sides.crossings.size()));

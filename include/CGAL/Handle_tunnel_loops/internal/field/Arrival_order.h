@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -37,6 +39,7 @@ public:
 
   Index earliest_neighbor(const Flat_mesh& mesh, Index v) const {
     const Ring ring = mesh.ring(v);
+    CGAL_precondition(ring.size() != 0);
     return *std::min_element(ring.begin(), ring.end(),
                              [this](Index a, Index b) { return is_earlier(a, b); });
   }

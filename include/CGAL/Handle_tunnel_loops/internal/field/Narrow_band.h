@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -79,6 +81,7 @@ public:
 
   /// makes `v` a source, unless it is one already: its value is one for ever.
   void add_source(Index v, Time time, Side side = Side::LEFT) {
+    CGAL_precondition(v < mesh_.number_of_vertices());
     if(is_reached(v))
       return;
     touched_[number_of_touched_++] = v;
@@ -101,13 +104,14 @@ public:
   bool step(const Walls& walls, const Reached& reached) {
     if(band_size_ == 0 && special_band_.empty())
       return false;
+    CGAL_assertion_msg(step_ < never / ticks_per_step - 1, "times are numbers of 32 bits");
     ++step_;
     compute();
     const std::size_t reached_before = number_of_reached_;
     commit(walls, reached);
     if(number_of_reached_ != reached_before)
       last_progress_ = step_;
-    else if(step_ - last_progress_ > patience)
+    else if(step_ - last_progress_ > coefficients_.patience)
       push_on(walls, reached);
     return true;
   }
@@ -201,6 +205,7 @@ private:
   Stencil_row row(Index v) const { return {v, stencils_.neighbors(v).data()}; }
 
   void arrive(Index v, Time time, Side side) {
+    CGAL_assertion_msg(!is_reached(v), "a vertex is reached once");
     time_[v] = time;
     if(side == Side::RIGHT)
       state_[v] |= right;
@@ -230,6 +235,8 @@ private:
       number_of_touched_ += is_new;
       band_size_ += is_new && has_stencil;
     }
+    CGAL_assertion(number_of_touched_ <= mesh_.number_of_vertices());
+    CGAL_assertion(band_size_ + special_band_.size() <= mesh_.number_of_vertices());
   }
 
   float mean(const Special_row& row) const {
@@ -294,6 +301,7 @@ private:
         after = just_below_threshold;
       else {
         arrive(v, crossing_time(before, after, step_), side(earlier));
+        CGAL_assertion(time(earlier) < time(v));
         reached(v);
       }
     }
@@ -359,6 +367,7 @@ private:
     if(earlier == v)
       return;
     arrive(v, step_ * ticks_per_step, side(earlier));
+    CGAL_assertion(time(earlier) < time(v));
     if(value_[v] <= spark_)
       activate_neighbors(row, walls);
     value_[v] = 1.f;

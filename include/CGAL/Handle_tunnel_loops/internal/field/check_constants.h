@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -21,7 +22,7 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// throws `std::invalid_argument` if no front would move with these constants.
+/// throws `std::invalid_argument` if no front would move with these constants, or too slowly.
 inline void check_constants(const Field_constants& c) {
   const bool are_finite = std::isfinite(c.mobility) && std::isfinite(c.gradient_coefficient) &&
                           std::isfinite(c.penalty) && std::isfinite(c.driving_force);
@@ -29,8 +30,8 @@ inline void check_constants(const Field_constants& c) {
        c.driving_force > c.penalty))
     throw std::invalid_argument("the field's constants must be positive, and the driving force "
                                 "must be larger than the penalty");
-  if(!(c.step > 0. && c.step <= 1.))
-    throw std::invalid_argument("the field's time step must be in (0, 1]");
+  if(!(c.step >= smallest_step && c.step <= 1.))
+    throw std::invalid_argument("the field's time step must be in [1/1024, 1]");
 }
 
 } // namespace internal

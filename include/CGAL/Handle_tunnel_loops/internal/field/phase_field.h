@@ -37,15 +37,33 @@ struct Step_coefficients
   float diffusion;
   float drive;
   float penalty;
-  float settled = 1.f; ///< a value that comes so far is set to one
+  float settled = 1.f;  ///< a value that comes so far is set to one
+  float slowness = 1.f; ///< so many steps are as much time as one of the largest
+  /// When no vertex was reached for more than so many steps, the field is pushed on: a front that
+  /// moves at all passes a vertex in far fewer steps.
+  std::uint32_t patience = 64;
 };
+
+/// No step is smaller: what a value changes by has to be large against its rounding, and the steps
+/// of a field have to be numbers of 25 bits.
+constexpr double smallest_step = 1. / 1024.;
+
+/// how many steps are as much time as so many of the largest.
+inline std::uint32_t steps_of(std::uint32_t number_of_largest_steps, const Step_coefficients& k) {
+  return static_cast<std::uint32_t>(
+      std::ceil(static_cast<double>(number_of_largest_steps) * k.slowness));
+}
 
 /// The largest stable step makes the new value a mean of the neighbours, diffusion = 1.
 inline Step_coefficients step_coefficients(const Field_constants& c) {
   const double largest_step = 1. / (0.5 * c.mobility * 4. * c.gradient_coefficient);
   const double factor = c.step * largest_step * 0.5 * c.mobility;
-  return {static_cast<float>(factor * 4. * c.gradient_coefficient),
-          static_cast<float>(factor * c.driving_force), static_cast<float>(factor * c.penalty)};
+  Step_coefficients k = {static_cast<float>(factor * 4. * c.gradient_coefficient),
+                         static_cast<float>(factor * c.driving_force),
+                         static_cast<float>(factor * c.penalty)};
+  k.slowness = static_cast<float>(1. / c.step);
+  k.patience = steps_of(k.patience, k);
+  return k;
 }
 
 /// The coefficients for the loop passes, which need the way that a front takes, not its profile: a
@@ -78,10 +96,6 @@ stepped_value(float phi, float mean_of_neighbors, const Step_coefficients& k) {
 using Time = std::uint32_t;
 constexpr Time never = 0xffffffffu;
 constexpr Time ticks_per_step = 128;
-
-/// When no vertex was reached for more than so many steps, the field is pushed on: a front that
-/// moves at all passes a vertex in far fewer steps.
-constexpr Time patience = 64;
 
 /// A vertex may not pass the threshold before a neighbour has; it stays at this value.
 constexpr float just_below_threshold = 0.499f;

@@ -105,10 +105,10 @@ private:
     bool is_over, is_push;
   };
 
-  CGAL_HTL_HOST_DEVICE static Phase phase(Time progress, Time last_step, Time step) {
+  CGAL_HTL_HOST_DEVICE Phase phase(Time progress, Time last_step, Time step) const {
     const Time idle = step - progress;
-    const bool is_push = idle == patience + 2;
-    return {idle > patience + 2 || step - is_push > last_step, is_push};
+    const bool is_push = idle == coefficients_.patience + 2;
+    return {idle > coefficients_.patience + 2 || step - is_push > last_step, is_push};
   }
 
   // When a pass last came on is written to the one array and read from the other, in turns. That a

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -182,6 +183,7 @@ private:
       std::vector<std::pair<std::size_t, Result>> runs;
       while(begin != end) {
         const std::size_t component = component_(*begin);
+        CGAL_precondition(component < parts_.size());
         Result result(i);
         for(; begin != end && component_(*begin) == component; ++begin)
           f(result, component, *begin);

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
@@ -61,7 +62,9 @@ public:
   /// the walk of a loop that is closed and lies on the surface.
   template <typename Loop> Walk operator()(const Loop& loop) {
     failure_ = no_index;
-    return without_spurs(around_clusters(straight(loop)));
+    Walk walk = without_spurs(around_clusters(straight(loop)));
+    CGAL_postcondition(is_closed(walk));
+    return walk;
   }
 
   /// the walk as it would be if there were no faces without area.
@@ -93,6 +96,7 @@ private:
     vertex_descriptor u = end_of(loop.steps().back());
     for(const auto& step : loop.steps()) {
       const vertex_descriptor v = end_of(step);
+      CGAL_precondition_msg(u == v || halfedge(u, v, tm_).second, "steps lie on a common face");
       if(u != v)
         walk.push_back(halfedge(u, v, tm_).first);
       u = v;
@@ -102,6 +106,13 @@ private:
 
   template <typename Step> vertex_descriptor end_of(const Step& step) const {
     return step.ratio == 1. ? target(step.halfedge, tm_) : source(step.halfedge, tm_);
+  }
+
+  bool is_closed(const Walk& walk) const {
+    for(std::size_t i = 0; i < walk.size(); ++i)
+      if(target(walk[i], tm_) != source(walk[i + 1 == walk.size() ? 0 : i + 1], tm_))
+        return false;
+    return true;
   }
 
   // Takes out edges that are passed there and back.

@@ -19,6 +19,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -122,6 +124,8 @@ private:
         for(const Chains::Term& walk : curves_.walks.of(e))
           intersections_.push_back({copy.loop, walk.loop, product(copy, walk)});
     add_up(intersections_);
+    CGAL_postcondition_msg(is_antisymmetric(intersections_),
+                           "a copy crosses as often as its loop does");
   }
 
   static std::int64_t product(const Chains::Term& a, const Chains::Term& b) {

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -52,8 +54,11 @@ public:
                  const ComponentOfFace& component,
                  std::size_t number_of_components) {
     loops_ = std::move(loops);
-    for(const Loop* loop : loops_)
+    for(const Loop* loop : loops_) {
+      CGAL_precondition(!loop->steps().empty());
       components_.push_back(component(face(loop->steps().front().halfedge, tm_)));
+      CGAL_assertion(components_.back() < number_of_components);
+    }
     find_outward(execution, component, number_of_components);
   }
 

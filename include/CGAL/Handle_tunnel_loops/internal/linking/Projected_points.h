@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,6 +89,7 @@ public:
       reserve(execution, (std::max)(number_of_points_ + n, 2 * capacity_));
     for_each_index(execution, n, [&](std::size_t i) {
       const auto [u, v] = ends(i);
+      CGAL_precondition(u < vertices_.size() && v < vertices_.size());
       points_[number_of_points_ + i] = midpoint(u, v);
     });
     number_of_points_ += n;
@@ -100,6 +103,7 @@ public:
 
   /// the sense in which the projections of three points turn: 1 is counterclockwise.
   int turn(Index p, Index q, Index r) const {
+    CGAL_precondition(p < number_of_points_ && q < number_of_points_ && r < number_of_points_);
     const Point &a = points_[p], &b = points_[q], &c = points_[r];
     const double x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
     const double size = (std::max)({std::abs(x1), std::abs(y1), std::abs(x2), std::abs(y2)});

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +51,16 @@ inline void add_up(std::vector<Matrix_entry>& entries) {
       entries[kept++] = sum;
   }
   entries.resize(kept);
+}
+
+/// whether a matrix is its transpose with the other sign. Logarithmic time for each entry.
+inline bool is_antisymmetric(const Sparse_matrix& matrix) {
+  CGAL_precondition(std::is_sorted(matrix.begin(), matrix.end()));
+  return std::all_of(matrix.begin(), matrix.end(), [&](const Matrix_entry& e) {
+    const Matrix_entry transposed = {e.column, e.row, -e.value};
+    const auto it = std::lower_bound(matrix.begin(), matrix.end(), transposed);
+    return it != matrix.end() && it->is_beside(transposed) && it->value == transposed.value;
+  });
 }
 
 } // namespace internal

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +46,7 @@ public:
 
   /// The loops must come in ascending order.
   void add(Index element, Index loop, std::int32_t value) {
+    CGAL_precondition(entries_.empty() || entries_.back().term.loop <= loop);
     entries_.push_back({element, {loop, value}});
   }
 
@@ -66,6 +69,7 @@ public:
 
   /// the terms of an element, in the order of the loops; none is zero.
   Terms of(std::size_t element) const {
+    CGAL_precondition_msg(element + 1 < begin_.size(), "after `finish()`");
     return {terms_.data() + begin_[element], terms_.data() + begin_[element + 1]};
   }
 

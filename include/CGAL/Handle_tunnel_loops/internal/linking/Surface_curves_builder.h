@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -106,6 +108,7 @@ private:
     Walk entered;
     for(std::size_t i = 0; i < walk.size(); ++i) {
       const halfedge_descriptor end = walk[i + 1 == walk.size() ? 0 : i + 1];
+      CGAL_precondition_msg(source(end, tm_) == target(walk[i], tm_), "walks are closed");
       for(halfedge_descriptor h = next(walk[i], tm_); h != end; h = next(opposite(h, tm_), tm_))
         entered.push_back(opposite(h, tm_));
     }
@@ -265,8 +268,10 @@ private:
   void join(const std::vector<Walk>& walks, const std::vector<Piece>& pieces) {
     for(std::size_t i = 0; i < walks.size(); ++i) {
       const auto loop = static_cast<Index>(i);
-      for(halfedge_descriptor h : walks[i])
+      for(halfedge_descriptor h : walks[i]) {
+        CGAL_assertion_msg(find_edge(h) != no_index, "the edges of the walks are numbered");
         curves_.walks.add(find_edge(h), loop, is_reversed(h) ? -1 : 1);
+      }
       for(const auto& [edge, sense] : pieces[i].crossings)
         curves_.crossings.add(edge, loop, sense);
       curves_.corners.insert(curves_.corners.end(), pieces[i].corners.begin(),

@@ -61,6 +61,17 @@ inline double length(const Flat_mesh& mesh, const Crossing_loop& loop) {
   return sum;
 }
 
+/// the length of the left side up to each crossing, and at last all of it.
+inline void
+measure_left_side(const Flat_mesh& mesh, const Crossing_loop& loop, std::vector<double>& along) {
+  along.resize(loop.size() + 1);
+  along[0] = 0.;
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const Index u = loop[i].left, v = loop[i + 1 == loop.size() ? 0 : i + 1].left;
+    along[i + 1] = along[i] + mesh.edge_length(u, v);
+  }
+}
+
 /// calls `f(u, v)` for each edge of the closed walk along the left ends.
 template <typename Function> void for_each_left_edge(const Crossing_loop& loop, const Function& f) {
   if(loop.empty())
@@ -75,6 +86,23 @@ template <typename Function> void for_each_left_edge(const Crossing_loop& loop, 
 
 template <typename Edge> bool is_backtrack(const Edge& a, const Edge& b) {
   return a.left == b.right && a.right == b.left;
+}
+
+/// whether each crossing and the next one are two edges of the triangle ahead, or the same edge
+/// there and back: that the sequence is a loop.
+inline bool are_consecutive(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const Crossing &c = loop[i], &next = loop[i + 1 == loop.size() ? 0 : i + 1];
+    const Ring ring = mesh.ring(c.left);
+    if(ring.position(c.right) == ring.size())
+      return false;
+    const Index apex = ring.after(c.right);
+    const bool passes_left = next.left == c.left && next.right == apex;
+    const bool passes_right = next.left == apex && next.right == c.right;
+    if(!passes_left && !passes_right && !is_backtrack(c, next))
+      return false;
+  }
+  return true;
 }
 
 /// takes out pairs of consecutive crossings of one edge in opposite directions.

@@ -14,6 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Shorter_arc.h>
 
+#include <CGAL/assertions.h>
+#include <CGAL/use.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -31,12 +34,7 @@ public:
   /// remembers where the loop is and how long its left side is.
   void measure(const Flat_mesh& mesh, const Crossing_loop& loop) {
     loop_ = &loop;
-    along_.resize(loop.size() + 1);
-    along_[0] = 0.;
-    for(std::size_t i = 0; i < loop.size(); ++i) {
-      const Index u = loop[i].left, v = loop[i + 1 == loop.size() ? 0 : i + 1].left;
-      along_[i + 1] = along_[i] + mesh.edge_length(u, v);
-    }
+    measure_left_side(mesh, loop, along_);
   }
 
   /// appends the walk along one `side`, from the crossing of which `from` is the end `from_end` to
@@ -45,7 +43,9 @@ public:
   void
   append(End side, End from_end, Index from, End to_end, Index to, std::vector<Index>& walk) const {
     Shorter_arc way(loop_->data(), static_cast<Index>(loop_->size()), along_.data());
-    way.find(from_end, from, to_end, to);
+    const bool has_found = way.find(from_end, from, to_end, to);
+    CGAL_assertion_msg(has_found, "a way must begin and end beside its loop");
+    CGAL_USE(has_found);
     way.for_each([&](const Crossing& c) { walk.push_back(c.*side); });
   }
 
@@ -54,6 +54,7 @@ public:
   /// crossings.
   std::vector<Index> closed_walk(const std::vector<Index>& to_right,
                                  const std::vector<Index>& to_left) const {
+    CGAL_precondition(loop_ != nullptr && !to_right.empty() && !to_left.empty());
     std::vector<Index> walk(to_right.rbegin(), to_right.rend());
     walk.insert(walk.end(), to_left.begin(), to_left.end());
     append(left, left, walk.back(), right, walk.front(), walk);

@@ -20,6 +20,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -119,6 +120,7 @@ private:
     for_each_index(execution_, n, [&](std::size_t i) {
       const vertex_descriptor v = vertices_[order_[i]];
       const std::size_t c = caller_index(v);
+      CGAL_precondition_msg(flat_index_[c] == no_index, "the indices of vertices are unique");
       sorted[i] = v;
       mesh_.points[i] = box(points_[order_[i]]);
       mesh_.original[i] = static_cast<Index>(c);
@@ -133,10 +135,12 @@ private:
 
   void fill_rings() {
     First_index several_fans, parallel_edges;
+    CGAL_expensive_assertion(is_permutation(order_));
     for_each_index(execution_, order_.size(), [&](std::size_t i) {
       Index position = mesh_.row_begin[i];
       for(Index u : rings_[order_[i]])
         mesh_.neighbor[position++] = flat_index_[u];
+      CGAL_assertion(position == mesh_.row_begin[i + 1]);
       const Ring ring = mesh_.ring(static_cast<Index>(i));
       if(rings_.has_several_fans(order_[i]))
         several_fans.see(i);
@@ -151,6 +155,14 @@ private:
     if(parallel_edges.found())
       throw_vertex_defect(Mesh_defect::PARALLEL_EDGES, mesh_.original[parallel_edges.get()],
                           "two edges join a vertex to the same neighbour");
+  }
+
+  static bool is_permutation(std::vector<Index> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    for(std::size_t i = 0; i < numbers.size(); ++i)
+      if(numbers[i] != i)
+        return false;
+    return true;
   }
 
   static bool has_repetition(Ring ring) {
@@ -194,6 +206,8 @@ private:
 
     // V - E + F = 2 c - 2 g, with 2 E = 3 F halfedges.
     const std::size_t handles_twice = 2 * mesh_.seeds.size() + mesh_.number_of_faces() / 2 - n;
+    CGAL_assertion_msg(handles_twice % 2 == 0 && handles_twice / 2 <= mesh_.number_of_faces(),
+                       "an orientable surface has a genus");
     mesh_.genus = handles_twice / 2;
   }
 

@@ -14,6 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <atomic>
 #include <string>
@@ -47,6 +53,30 @@ inline void
 throw_edge_defect(Mesh_defect defect, std::size_t u, std::size_t v, const std::string& what) {
   throw Invalid_mesh_exception(defect, {u, v},
                                what + ": edge " + std::to_string(u) + " - " + std::to_string(v));
+}
+
+/// throws `Invalid_mesh_exception`, naming an edge, unless all faces are triangles and no edge has
+/// a face on one side only.
+template <typename TriangleMesh, typename VertexIndexMap>
+void check_closed_triangles(Execution execution, const TriangleMesh& tm, VertexIndexMap index) {
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  const auto is_good = [&](Halfedge h) {
+    return !is_border(h, tm) && next(next(next(h, tm), tm), tm) == h;
+  };
+  std::atomic<bool> are_good{true};
+  parts_of(halfedges(tm)).for_each(execution, [&](Halfedge h) {
+    if(!is_good(h))
+      are_good = false;
+  });
+  if(are_good)
+    return;
+  for(Halfedge h : halfedges(tm))
+    if(!is_good(h))
+      throw_edge_defect(is_border(h, tm) ? Mesh_defect::BOUNDARY_EDGE
+                                         : Mesh_defect::NOT_TRIANGULATED,
+                        get(index, source(h, tm)), get(index, target(h, tm)),
+                        is_border(h, tm) ? "the mesh is not closed, boundary edge"
+                                         : "a face is not a triangle, at its");
 }
 
 } // namespace internal

@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/radix_sort.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -46,8 +48,10 @@ std::vector<Index> space_filling_order(Execution execution, std::size_t n, const
   for_each_index(execution, n, [&](std::size_t i) {
     const Vector p = point(i);
     std::uint32_t cell = 0;
-    for(int d = 0; d < 3; ++d)
+    for(int d = 0; d < 3; ++d) {
+      CGAL_precondition(p[d] >= 0. && p[d] <= 1.);
       cell |= every_third_bit(static_cast<std::uint32_t>(p[d] * cells)) << d;
+    }
     numbered[i] = {cell, static_cast<Index>(i)};
   });
   radix_sort<30>(execution, numbered, [](const Numbered_cell& c) { return c.cell; });

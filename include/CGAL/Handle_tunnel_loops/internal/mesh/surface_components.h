@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -49,6 +51,7 @@ public:
     i = shorten(i);
     j = shorten(j);
     parent_[(std::max)(i, j)] = (std::min)(i, j);
+    CGAL_postcondition(parent_[i] <= i && parent_[j] <= j);
   }
 
 private:
@@ -87,6 +90,7 @@ inline Uninitialized_vector<Index> smallest_in_component(Execution execution,
   execution.for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
     for(Index v = static_cast<Index>(begin); v < end; ++v) {
       const Index parent = sets.parent(v);
+      CGAL_assertion(parent <= v);
       smallest[v] = parent == v ? v : parent < begin ? sets.find(parent) : smallest[parent];
     }
   });

@@ -14,6 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
@@ -58,6 +62,8 @@ public:
       crossed_handles_[i] = handle_index.intersections(tunnels[i]);
       for(const auto& [j, number] : crossed_handles_[i])
         crossing_tunnels_[j].emplace_back(i, number);
+      CGAL_precondition_msg(is_dual(crossed_handles_[i], i, Loops_from{i}),
+                            "a tunnel crosses its handle once, and none with a larger number");
     }
   }
 
@@ -77,6 +83,8 @@ public:
   /// whether handle `k` can be replaced by a loop with the given coefficients, besides those
   /// replaced before.
   bool accept(Index k, const Row& coefficients) {
+    CGAL_precondition_msg(place_[k] >= accepted_.size(), "a handle is replaced once");
+    CGAL_precondition(std::is_sorted(coefficients.begin(), coefficients.end()));
     bool is_unit = false;
     try {
       reduce(coefficients);
@@ -164,12 +172,15 @@ private:
       const Accepted& next = accepted_[places.top()];
       places.pop();
       const std::int64_t pivot = value_at(next.row, next.pivot);
+      CGAL_assertion_msg(std::abs(pivot) == 1, "pivots are units");
       subtract(next.row, value_[next.pivot] * pivot);
     }
   }
 
   static std::int64_t value_at(const Row& row, Index i) {
-    return std::lower_bound(row.begin(), row.end(), std::make_pair(i, INT64_MIN))->second;
+    const auto it = std::lower_bound(row.begin(), row.end(), std::make_pair(i, INT64_MIN));
+    CGAL_assertion(it != row.end() && it->first == i);
+    return it->second;
   }
 
   // Gathers what is spread out, and clears it.
@@ -182,6 +193,8 @@ private:
         value_[i] = 0;
       }
     touched_.clear();
+    CGAL_expensive_assertion(std::count(value_.begin(), value_.end(), 0) ==
+                             static_cast<std::ptrdiff_t>(value_.size()));
     return row;
   }
 

@@ -18,6 +18,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Dual_loop_query.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <tuple>
 #include <vector>
@@ -62,6 +64,7 @@ public:
   /// behind each of several branches of the surface, there is a walk for each; the search ends a
   /// third later than the first was found.
   Dual_walks dual_walks(const Dual_loop_query& query, Index number) {
+    CGAL_precondition(number < query.loops.size());
     const Crossing_loop& loop = query.loops[number];
     const Loop_set barred = {number};
     const Walls walls(index_, barred);
@@ -136,6 +139,7 @@ private:
   }
 
   void note_meetings(Index v, const Walls& walls) {
+    CGAL_precondition(band_.is_reached(v));
     const Side side = band_.side(v);
     band_.for_each_reached_neighbor(v, [&](Index u) {
       if(band_.side(u) == side || band_.is_wall(v, u, walls))
@@ -168,9 +172,13 @@ private:
   std::vector<Index> path_back(Index v, const Walls& walls) const {
     std::vector<Index> walk(1, v);
     while(band_.time(v) != 0) {
+      const Index from = v;
       v = steepest_descent(
-          mesh_, v, [&](Index u) { return band_.time(u); },
-          [&](Index u) { return band_.side(u) == band_.side(v) && !band_.is_wall(v, u, walls); });
+          mesh_, from, [&](Index u) { return band_.time(u); },
+          [&](Index u) {
+            return band_.side(u) == band_.side(from) && !band_.is_wall(from, u, walls);
+          });
+      CGAL_assertion_msg(band_.time(v) < band_.time(from), "the way back goes down in time");
       walk.push_back(v);
     }
     return walk;

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_regions.h>
 
+#include <CGAL/assertions.h>
+
 #include <functional>
 #include <limits>
 #include <queue>
@@ -109,6 +111,8 @@ private:
     std::vector<Step> steps;
     for(Region r = left_of(k); r != right_of(k);) {
       const Step step = last_step_[r];
+      CGAL_assertion_msg(best_[r] != infinite, "the path leads through regions that were reached");
+      CGAL_assertion(step == across || regions_.gate(step).to == r);
       steps.push_back(step);
       r = step == across ? other_side(r) : regions_.gate(step).from;
     }
@@ -137,6 +141,7 @@ private:
         walk.insert(walk.end(), down.begin(), down.end());
         foot = {Voronoi_regions::side_of(region), down.back()};
       }
+    CGAL_assertion_msg(!walk.empty(), "a path leads through a gate");
     append_along(region, foot, start, walk);
     remove_spurs(walk);
     return walk;

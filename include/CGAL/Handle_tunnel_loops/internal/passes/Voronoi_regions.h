@@ -18,6 +18,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <tuple>
 #include <vector>
@@ -113,6 +115,7 @@ private:
       if(times[v] != never && region_[v] == no_index)
         parent_[v] = steepest_descent(
             mesh_, v, [&](Index u) { return times[u]; }, [&](Index u) { return !is_wall(v, u); });
+      CGAL_assertion_msg(parent_[v] != v, "what is no source has an earlier neighbour");
     });
   }
 
@@ -124,6 +127,7 @@ private:
         path.push_back(u);
       for(; !path.empty(); path.pop_back()) {
         const Index u = path.back(), p = parent_[u];
+        CGAL_assertion(region_[p] != no_index);
         region_[u] = region_[p];
         distance_[u] = distance_[p] + static_cast<float>(mesh_.edge_length(u, p));
       }
@@ -141,6 +145,7 @@ private:
         });
     gates_.insert(gates_.end(), found.begin(), found.end());
     keep_shortest(gates_);
+    CGAL_expensive_assertion(std::is_sorted(gates_.begin(), gates_.end()));
     for(const Gate& gate : gates_)
       ++gates_begin_[gate.from + 1];
     for(std::size_t r = 0; r < number_of_regions(); ++r)

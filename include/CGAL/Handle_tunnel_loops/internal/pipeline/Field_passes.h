@@ -19,6 +19,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Gauss_reduction.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -56,6 +58,7 @@ public:
       progress.advance(part);
       return true;
     });
+    CGAL_postcondition_msg(candidates_.size() == mesh_.genus, "as many handles as the genus");
     if(options_.do_log_fronts)
       statistics.front_events = backend_->front_log().events;
     backend_->report(statistics);
@@ -72,6 +75,7 @@ public:
     const Pass_context context = context_with(progress);
     contour_index_ = std::make_unique<Crossing_index>(mesh_, contours_);
     tunnels_ = Tunnel_pass(context, contours_, *contour_index_).run();
+    CGAL_assertion(tunnels_.size() == handles_.size());
     std::vector<Time> times;
     for(std::size_t k = 0; k < tunnels_.size(); ++k)
       if(tunnels_[k].empty()) {
@@ -81,6 +85,7 @@ public:
         tunnels_[k] = descending_tunnel(mesh_, Arrival_order(times), candidates_[k]);
         context.tighten(tunnels_[k]);
       }
+    CGAL_expensive_postcondition(are_tunnels_of_contours());
     contours_ = {};
     backend_->report(statistics);
   }
@@ -105,6 +110,7 @@ public:
   }
 
   std::vector<Flat_pair> take_pairs() override {
+    CGAL_assertion(handles_.size() == tunnels_.size());
     std::vector<Flat_pair> pairs(handles_.size());
     for(std::size_t k = 0; k < pairs.size(); ++k)
       pairs[k] = {std::move(handles_[k]), std::move(tunnels_[k])};
@@ -115,6 +121,14 @@ private:
   // Most contours are replaced in the refinement pass; until then it is enough to know about how
   // long they will be.
   static constexpr std::size_t few_rounds = 3;
+
+  // Whether each tunnel crosses its contour once and none that was found later.
+  bool are_tunnels_of_contours() const {
+    for(Index k = 0; k < tunnels_.size(); ++k)
+      if(!is_dual(contour_index_->intersections(tunnels_[k]), k, Loops_from{k}))
+        return false;
+    return true;
+  }
 
   Pass_context context_with(Progress& progress) const {
     return {execution_,          mesh_,   *backend_, coefficients_for_searching(coefficients_),

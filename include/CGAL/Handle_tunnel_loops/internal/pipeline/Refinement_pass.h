@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/passes/Basis_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Pass_context.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -43,7 +45,9 @@ public:
       , index_(context.mesh, tunnels)
       , exchange_(tunnels, contours, index_)
       , candidates_(tunnels.size())
-      , is_refined_(tunnels.size(), 0) {}
+      , is_refined_(tunnels.size(), 0) {
+    CGAL_precondition(handles.size() == tunnels.size());
+  }
 
   /// refines the handles. Returns how many had to be kept although shorter ones were found.
   std::size_t run() {
@@ -75,6 +79,7 @@ private:
     for(const Crossing_loop& handle : handles_)
       query.numbers_of_steps.push_back(steps_along(handle));
     const std::vector<Dual_walks> found = context_.dual_walks(query);
+    CGAL_assertion(found.size() == handles_.size());
     context_.for_each(found.size(), [&](std::size_t k) {
       for(const auto& walk : found[k].walks)
         candidates_[k].push_back(pushed_left(context_.mesh, walk));
@@ -83,9 +88,9 @@ private:
   }
 
   // A number of steps in which two fronts together go farther than the loop is long: each passes an
-  // edge length in four steps, and a taut loop crosses two edges on it.
-  static Time steps_along(const Crossing_loop& loop) {
-    return static_cast<Time>(16 + loop.size() * 3 / 4);
+  // edge length in four of the largest steps, and a taut loop crosses two edges on it.
+  Time steps_along(const Crossing_loop& loop) const {
+    return steps_of(static_cast<Time>(16 + loop.size() * 3 / 4), context_.searching);
   }
 
   // Tightens candidate i of the given handles: after the first ones, which mostly do, as many of

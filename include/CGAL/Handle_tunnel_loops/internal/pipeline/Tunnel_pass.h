@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Pass_context.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -69,9 +71,9 @@ private:
     return open;
   }
 
-  // A field that covers the mesh once takes about 23 updates per vertex.
+  // A field that covers the mesh once takes about 23 updates per vertex, with the largest steps.
   std::size_t share_of_updates(std::size_t number_of_loops) const {
-    return 16 * 23 * context_.mesh.number_of_vertices() /
+    return steps_of(16 * 23, context_.searching) * context_.mesh.number_of_vertices() /
                (std::max)(number_of_loops, std::size_t(1)) +
            1;
   }
@@ -81,6 +83,7 @@ private:
     Dual_loop_query query = {contours_, index_, false, numbers};
     query.number_of_updates = number_of_updates;
     const std::vector<Dual_walks> found = context_.dual_walks(query);
+    CGAL_assertion(found.size() == numbers.size());
     context_.for_each(numbers.size(), [&](std::size_t i) {
       if(!found[i].walks.empty())
         set_tunnel(numbers[i], found[i].walks.front());
@@ -116,6 +119,7 @@ private:
   }
 
   void set_tunnel(Index k, const std::vector<Index>& walk) {
+    CGAL_assertion_msg(tunnels_[k].empty(), "a tunnel is looked for until it is found");
     tunnels_[k] = pushed_left(context_.mesh, walk);
     context_.tighten(tunnels_[k]);
     context_.progress.advance_one(tunnels_.size());

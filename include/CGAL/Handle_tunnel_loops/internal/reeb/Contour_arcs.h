@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_stars.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -65,7 +67,10 @@ public:
 
   /// the lower component whose counterclockwise end is \p v.
   Index lower_component_that_ends_at(Index v) const {
-    return std::lower_bound(ends_.begin(), ends_.end(), std::make_pair(v, Index(0)))->second;
+    const auto it = std::lower_bound(ends_.begin(), ends_.end(), std::make_pair(v, Index(0)));
+    CGAL_assertion_msg(it != ends_.end() && it->first == v,
+                       "a contour arrives at the end of a lower component");
+    return it->second;
   }
 
   /// calls `f(p)` for the positions of lower component i, counterclockwise.
@@ -123,7 +128,10 @@ public:
       , order_(&order)
       , level_(level)
       , left_(left)
-      , position_(mesh.ring(left).position(right)) {}
+      , position_(mesh.ring(left).position(right)) {
+    CGAL_precondition(position_ < mesh.ring(left).size());
+    CGAL_precondition(order.rank(left) < level && order.rank(right) >= level);
+  }
 
   Index left() const { return left_; }
   Index position() const { return position_; }
@@ -141,6 +149,7 @@ public:
       const Index right = ring[position_];
       left_ = apex;
       position_ = mesh_->ring(apex).position(right);
+      CGAL_assertion(position_ < mesh_->ring(apex).size());
     }
     return true;
   }

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Contour_arcs.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -116,6 +118,7 @@ private:
   };
 
   Index find(Index label) {
+    CGAL_precondition(label < next_.size());
     while(next_[label] != label)
       label = next_[label] = next_[next_[label]];
     return label;
@@ -187,11 +190,15 @@ private:
     for(auto i = group.begin; i != group.end; ++i)
       taken_[*i] = 0;
     for(auto i = group.begin; i != group.end; ++i)
-      if(*i != group.longest)
+      if(*i != group.longest) {
+        CGAL_assertion_msg(!taken_[contour_arcs[*i].arrival],
+                           "each arc arrives at a place of its own");
         taken_[contour_arcs[*i].arrival] = 1;
+      }
     for(auto i = group.begin; i != group.end; ++i)
       if(!taken_[*i])
         contour_arcs[group.longest].arrival = *i;
+    CGAL_assertion(contour_arcs[group.longest].arrival != no_index);
   }
 
   const Flat_mesh& mesh_;

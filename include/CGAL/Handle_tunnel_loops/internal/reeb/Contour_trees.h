@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Contour_labels.h>
 
+#include <CGAL/assertions.h>
+
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,7 @@ public:
   /// the contour around the maximum \p v ends; returns its arc.
   Index end(Index v) {
     const Ring ring = mesh_.ring(v);
+    CGAL_precondition(node_[slot_of(mesh_, ring[0], v)] != none);
     const Index arc = nodes_[splayed(node_[slot_of(mesh_, ring[0], v)])].arc;
     for(Index u : ring)
       forget(slot_of(mesh_, u, v));
@@ -155,7 +158,10 @@ private:
     return node;
   }
 
-  void forget(Index slot) { free_.push_back(std::exchange(node_[slot], none)); }
+  void forget(Index slot) {
+    CGAL_precondition_msg(node_[slot] != none, "a contour crosses the edge");
+    free_.push_back(std::exchange(node_[slot], none));
+  }
 
   Index last_of(Index root) {
     while(nodes_[root].right != none)
@@ -205,6 +211,7 @@ private:
     Index root = node;
     while(nodes_[root].up != none)
       root = nodes_[root].up;
+    CGAL_assertion(node != none);
     const Index arc = nodes_[root].arc;
     while(nodes_[node].up != none) {
       const Index parent = nodes_[node].up, above = nodes_[parent].up;

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/container/small_vector.hpp>
 
 namespace CGAL {
@@ -34,8 +36,10 @@ using Lower_link_components = boost::container::small_vector<Lower_component, 4>
 template <typename IsLower>
 Lower_link_components find_lower_components(Ring ring, const IsLower& is_lower) {
   Index start = 0;
-  while(is_lower(start) || !is_lower(ring.next(start)))
+  while(is_lower(start) || !is_lower(ring.next(start))) {
     ++start; // a higher vertex before a lower one
+    CGAL_precondition_msg(start < ring.size(), "some vertices are lower and some are higher");
+  }
   Lower_link_components lower_components;
   Index p = start;
   do {

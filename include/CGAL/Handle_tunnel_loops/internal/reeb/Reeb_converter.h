@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_finishing.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
@@ -70,6 +71,7 @@ private:
                const Point& lower,
                const Point& upper,
                Arc& arc) const {
+    CGAL_precondition(flat.line.size() >= 2);
     arc.length = mesh_.scale * length(flat.line);
     arc.polyline.reserve(flat.line.size());
     for(const Vector& p : flat.line)

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -226,6 +228,7 @@ private:
 inline Embedded_reeb_graph::Arc split_arc(Embedded_reeb_graph& graph, Index a, double where) {
   Embedded_reeb_graph::Arc& arc = graph.arcs[a];
   const Polyline& line = arc.line;
+  CGAL_precondition(line.size() >= 2 && where > 0. && where < 1.);
   const double last = double(line.size() - 1), place = rounded_product(where, last);
   const auto whole = static_cast<std::ptrdiff_t>((std::min)(place, last - 0.5));
   const Vector point = line[whole] + (place - double(whole)) * (line[whole + 1] - line[whole]);

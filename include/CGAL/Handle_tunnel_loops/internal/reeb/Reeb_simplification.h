@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -89,6 +91,7 @@ public:
       , extent_(std::move(extents))
       , arcs_at_(graph.nodes.size(), {no_index, no_index, no_index})
       , became_(graph.arcs.size()) {
+    CGAL_precondition(extent_.size() == graph.arcs.size());
     const std::size_t number = largest_number_of_paths(graph);
     extent_.reserve(number);
     paths_.reserve(number);
@@ -147,7 +150,9 @@ private:
   };
 
   void add_at(Index node, Index arc) {
-    *std::find(arcs_at_[node].begin(), arcs_at_[node].end(), no_index) = arc;
+    const auto place = std::find(arcs_at_[node].begin(), arcs_at_[node].end(), no_index);
+    CGAL_assertion_msg(place != arcs_at_[node].end(), "a node has three arcs at most");
+    *place = arc;
   }
 
   bool is_extremum(Index node) const { return graph_.nodes[node].kind != Node_kind::SADDLE; }
@@ -168,8 +173,11 @@ private:
   std::pair<Index, Index> others_at(Index saddle, Index leaf) {
     Index others[2], count = 0;
     for(Index a : arcs_at_[saddle])
-      if(find(a) != leaf)
+      if(find(a) != leaf) {
+        CGAL_assertion_msg(count < 2, "the leaf is at the saddle");
         others[count++] = find(a);
+      }
+    CGAL_assertion_msg(count == 2, "a saddle has three arcs");
     return {others[0], others[1]};
   }
 

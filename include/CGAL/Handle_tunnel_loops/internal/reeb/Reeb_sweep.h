@@ -18,6 +18,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Saddle_resolution.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_stars.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -70,6 +72,10 @@ public:
       for(; r < vertices.size(); ++r)
         pass_with_trees(vertices[r]);
     }
+    CGAL_postcondition_msg(graph_.nodes.size() == number_of_nodes_ &&
+                               graph_.arcs.size() == number_of_arcs_,
+                           "as many nodes and arcs as Euler's formula says");
+    CGAL_expensive_postcondition(are_degrees_right());
     return std::move(graph_);
   }
 
@@ -83,9 +89,27 @@ private:
     for(const Star& star : stars_)
       extrema += star.kind == Vertex_kind::MINIMUM || star.kind == Vertex_kind::MAXIMUM;
     const std::size_t saddles = extrema + 2 * mesh_.genus - 2 * mesh_.seeds.size();
-    graph_.nodes.reserve(extrema + saddles);
-    graph_.arcs.reserve((extrema + 3 * saddles) / 2);
-    front_.reserve((extrema + 3 * saddles) / 2);
+    CGAL_assertion((extrema + 3 * saddles) % 2 == 0);
+    number_of_nodes_ = extrema + saddles;
+    number_of_arcs_ = (extrema + 3 * saddles) / 2;
+    graph_.nodes.reserve(number_of_nodes_);
+    graph_.arcs.reserve(number_of_arcs_);
+    front_.reserve(number_of_arcs_);
+  }
+
+  // Whether extrema have one arc and saddles three, and all arcs go up.
+  bool are_degrees_right() const {
+    std::vector<Index> degree(graph_.nodes.size(), 0);
+    for(const Flat_reeb_graph::Arc& arc : graph_.arcs) {
+      if(arc.lower >= arc.upper || arc.upper >= degree.size())
+        return false;
+      ++degree[arc.lower];
+      ++degree[arc.upper];
+    }
+    for(std::size_t i = 0; i < degree.size(); ++i)
+      if(degree[i] != (graph_.nodes[i].kind == Node_kind::SADDLE ? 3u : 1u))
+        return false;
+    return true;
   }
 
   void pass_with_labels(Index v) {
@@ -150,6 +174,7 @@ private:
   }
 
   void end_arc(Index arc, Index upper) {
+    CGAL_precondition_msg(graph_.arcs[arc].upper == no_index, "an arc ends once");
     graph_.arcs[arc].upper = upper;
     graph_.arcs[arc].upper_girth = front_[arc].sum.girth();
   }
@@ -231,7 +256,8 @@ private:
   double squared_spacing_;
   Saddle_resolution resolution_;
   Flat_reeb_graph graph_;
-  std::vector<Running_front> front_; // by arc
+  std::size_t number_of_nodes_ = 0, number_of_arcs_ = 0; // that there will be
+  std::vector<Running_front> front_;                     // by arc
   Contour_arcs contour_arcs_;
 };
 

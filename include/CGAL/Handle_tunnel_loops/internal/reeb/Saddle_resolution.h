@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Contour_arcs.h>
 
+#include <CGAL/assertions.h>
+
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -62,6 +64,7 @@ private:
     next_.clear();
     arc_.clear();
     std::iota(leaving_.begin(), leaving_.end(), Index(0));
+    CGAL_expensive_precondition(is_permutation(contour_arcs));
     for(Index i = 0; i < k; ++i) {
       incoming_[contour_arcs[i].arrival] = i;
       if(contour_[i] != no_index)
@@ -70,6 +73,17 @@ private:
       for(Index j = i; contour_[j] == no_index; j = contour_arcs[j].arrival)
         contour_[j] = contour;
     }
+  }
+
+  // Whether one arc arrives at each lower component.
+  static bool is_permutation(const Contour_arcs& contour_arcs) {
+    std::vector<char> is_taken(contour_arcs.size(), 0);
+    for(const Contour_arc& arc : contour_arcs) {
+      if(arc.arrival >= is_taken.size() || is_taken[arc.arrival])
+        return false;
+      is_taken[arc.arrival] = 1;
+    }
+    return true;
   }
 
   Index new_contour(Index arc) {

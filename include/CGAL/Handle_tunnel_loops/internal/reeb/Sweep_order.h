@@ -15,12 +15,15 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -60,6 +63,10 @@ public:
       entries[i] = {key(v), mesh.original[v], v};
     });
     sort(entries);
+    CGAL_expensive_assertion(
+        std::adjacent_find(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+          return std::make_pair(a.key, a.original) >= std::make_pair(b.key, b.original);
+        }) == entries.end());
     for_each_index(execution, entries.size(), [&](std::size_t r) {
       vertices_[r] = entries[r].vertex;
       rank_[entries[r].vertex] = static_cast<Index>(r);

@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Front_mean.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
 
+#include <CGAL/assertions.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +36,7 @@ struct Star
 
 /// the slot of the edge from `u` to its neighbour `v`, among those of `u`.
 inline Index slot_of(const Flat_mesh& mesh, Index u, Index v) {
+  CGAL_precondition_msg(mesh.ring(u).position(v) < mesh.ring(u).size(), "they are neighbours");
   return mesh.row_begin[u] + mesh.ring(u).position(v);
 }
 

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -33,6 +35,7 @@ constexpr double threshold = 0.5;
 using Barred_edges = std::vector<char>;
 
 inline std::size_t slot(const Flat_mesh& mesh, Index u, Index w) {
+  CGAL_precondition_msg(mesh.ring(u).position(w) < mesh.ring(u).size(), "they are neighbors");
   return mesh.row_begin[u] + mesh.ring(u).position(w);
 }
 
@@ -133,6 +136,7 @@ private:
   }
 
   void reach(Index v, double time) {
+    CGAL_precondition_msg(!is_reached(v), "a vertex is reached once");
     time_[v] = time;
     rank_[v] = static_cast<Index>(count_++);
   }

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -93,6 +95,8 @@ private:
           to = j;
         }
       }
+    CGAL_assertion_msg(from < loop.size() && to < loop.size(),
+                       "a line begins and ends at the loop");
     const double forward = along[to] - along[from] + (to < from ? along.back() : 0.);
     const bool go_forward = forward <= along.back() - forward;
     const std::size_t n = loop.size();

@@ -12,9 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -47,8 +50,10 @@ public:
       : a_(std::move(with_handles))
       , t_(std::move(with_tunnels))
       , inverse_(a_.size(), Row(a_.size(), 0)) {
-    for(std::size_t i = 0; i < a_.size(); ++i)
+    for(std::size_t i = 0; i < a_.size(); ++i) {
+      CGAL_precondition_msg(std::abs(a_[i][i]) == 1, "a tunnel crosses its handle once");
       inverse_[i][i] = 1;
+    }
   }
 
   /// replaces handle `k` by the loop x with the given intersection numbers x . h_j and x . t_j if

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/laplacian.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
@@ -151,6 +153,7 @@ private:
       i.value = (std::min)(1., (std::max)(0., i.value + time_step_ * i.rate));
       sum += i.value;
     }
+    CGAL_assertion_msg(sum > 0., "some layer is present");
     for(Entry& i : column_)
       i.value /= sum;
   }

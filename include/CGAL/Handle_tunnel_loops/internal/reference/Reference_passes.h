@@ -22,6 +22,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
@@ -50,6 +52,7 @@ public:
     initial_pass_.run(progress);
     for(const Front_meeting& meeting : initial_pass_.tracker().meetings())
       handles_.push_back(meeting.loop);
+    CGAL_postcondition_msg(handles_.size() == mesh_.genus, "as many handles as the genus");
     statistics.backend = "reference";
     statistics.front_events = initial_pass_.tracker().events();
     statistics.resolution = initial_pass_.resolution();
@@ -138,12 +141,14 @@ private:
     const Arrivals& arrivals = initial_pass_.arrivals();
     std::vector<Index> next(mesh_.number_of_vertices(), no_index), queue(1, meeting.foot_b);
     next[meeting.foot_b] = meeting.foot_b;
-    for(std::size_t i = 0; next[meeting.foot_a] == no_index; ++i)
+    for(std::size_t i = 0; next[meeting.foot_a] == no_index; ++i) {
+      CGAL_assertion_msg(i < queue.size(), "what is covered hangs together");
       for(Index u : mesh_.ring(queue[i]))
         if(next[u] == no_index && arrivals.rank(u) < arrivals.rank(meeting.saddle)) {
           next[u] = queue[i];
           queue.push_back(u);
         }
+    }
     std::vector<Index> path(1, meeting.foot_a);
     while(path.back() != meeting.foot_b)
       path.push_back(next[path.back()]);

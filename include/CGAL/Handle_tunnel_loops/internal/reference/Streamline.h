@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Surface_point.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -121,6 +123,7 @@ private:
       if(is_open(v, i))
         consider(way_through(v, ring[i], ring[ring.next(i)]));
     }
+    CGAL_assertion_msg(best.slope >= 0., "a vertex that is no source has an earlier neighbor");
     append(best.p);
   }
 
@@ -149,6 +152,7 @@ private:
     Surface_point next = vertex_point(is_earlier(p.a, p.b) ? p.a : p.b);
     const Ring ring = mesh_.ring(apex);
     const Index i = ring.position(p.a);
+    CGAL_assertion(i < ring.size());
     if(is_open(apex, ring[ring.next(i)] == p.b ? i : ring.previous(i))) {
       const Surface_point through = way_out(p, apex);
       if(!through.is_vertex() && time(through) < time(p))

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -96,6 +98,7 @@ private:
     const Ring ring = mesh_.ring(v);
     const Index end = to.is_vertex() ? ring.position(to.a) : clockwise_end(ring, to);
     Index p = from.is_vertex() ? ring.previous(ring.position(from.a)) : clockwise_end(ring, from);
+    CGAL_precondition(p < ring.size() && end < ring.size());
     for(; p != end; p = ring.previous(p))
       loop.push_back({ring[p], v, 1.});
   }

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/saddles/Saddle_contours.h>
 
+#include <CGAL/assertions.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -53,6 +55,10 @@ inline Crossing_loop descending_tunnel(const Flat_mesh& mesh,
                                        const Handle_candidate& handle) {
   std::vector<Index> walk = descent(mesh, order, handle.foot_a);
   std::vector<Index> other = descent(mesh, order, handle.foot_b);
+  CGAL_assertion_msg(order.is_earlier(handle.foot_a, handle.saddle) &&
+                         order.is_earlier(handle.foot_b, handle.saddle),
+                     "the feet are below the saddle");
+  CGAL_assertion_msg(walk.back() == other.back(), "both ways go down to the one source");
   walk.insert(walk.end(), other.rbegin(), other.rend());
   walk.push_back(handle.saddle);
   remove_spurs(walk);

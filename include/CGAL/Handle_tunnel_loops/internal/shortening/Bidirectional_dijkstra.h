@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -53,6 +55,7 @@ public:
                                const Crossing_index& index,
                                double limit,
                                std::size_t number_of_visits) {
+    CGAL_precondition(!loop.empty());
     const Only_loop only = {k};
     const Loop_walls<Only_loop> walls(index, only);
     parallel_paths_.measure(mesh_, loop);
@@ -161,8 +164,13 @@ private:
   // From `v` to a source.
   std::vector<Index> path_back(Index v) const {
     std::vector<Index> way;
-    for(; v != no_index; v = labels_[v].parent)
+    for(; v != no_index; v = labels_[v].parent) {
+      CGAL_assertion(way.empty() || labels_[v].distance <= labels_[way.back()].distance);
+      CGAL_assertion(way.empty() || ((labels_[v].state ^ labels_[way.back()].state) & right) == 0);
       way.push_back(v);
+    }
+    CGAL_assertion_msg((labels_[way.back()].state & beside_loop) != 0,
+                       "a way ends beside the loop");
     return way;
   }
 

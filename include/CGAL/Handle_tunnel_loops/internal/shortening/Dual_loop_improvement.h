@@ -18,6 +18,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -55,6 +57,7 @@ public:
 
   /// improves the handles and the tunnels, which are pulled taut and a basis.
   void improve(std::vector<Crossing_loop>& handles, std::vector<Crossing_loop>& tunnels) {
+    CGAL_precondition(handles.size() == tunnels.size());
     std::vector<Index> numbers(handles.size());
     std::iota(numbers.begin(), numbers.end(), Index(0));
     look_for(tunnels, handles, numbers);

@@ -14,8 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -62,6 +66,7 @@ public:
     Chain& chain = chains_[side];
     const double sign = side == LEFT ? 1. : -1.;
     std::vector<Bend>& corners = chain.corners;
+    CGAL_precondition_msg(!bends_.empty(), "after `start()`");
     if(corner.point == (chain.is_empty() ? bends_ : corners).back().point)
       return;
     while(!chain.is_empty() &&
@@ -83,6 +88,9 @@ public:
                   chains_[LEFT].corners.end());
     if(bends_.back().portal != goal.portal)
       bends_.push_back(goal);
+    CGAL_expensive_postcondition(
+        std::is_sorted(bends_.begin(), bends_.end(),
+                       [](const Bend& a, const Bend& b) { return a.portal < b.portal; }));
   }
 
   /// the corners of the path, with its ends.

@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -102,6 +104,7 @@ private:
   // One loop followed by the other, as a walk along their left ends.
   static std::vector<Index> joined(const Crossing_loop& a, const Crossing_loop& b, bool forward) {
     const auto [i, j] = common_place(a, b);
+    CGAL_assertion_msg(i < a.size() && j < b.size(), "loops that cross have a left end in common");
     std::vector<Index> walk;
     for(std::size_t k = 0; k < a.size(); ++k)
       walk.push_back(a[(i + k) % a.size()].left);

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -58,6 +60,7 @@ public:
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
   /// latest after the given number of rounds.
   void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
+    CGAL_expensive_precondition(are_consecutive(mesh_, loop));
     remove_backtracks(loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
@@ -94,6 +97,7 @@ public:
       previous_length = current;
     }
     loop = std::move(best);
+    CGAL_expensive_postcondition(are_consecutive(mesh_, loop));
   }
 
 private:
@@ -221,6 +225,8 @@ private:
   Fan fan_of(const Bend& bend) const {
     const bool at_left = strip_.left()[bend.portal] == bend.point;
     const Index corner = at_left ? strip_[bend.portal].left : strip_[bend.portal].right;
+    CGAL_assertion_msg(at_left || strip_.right()[bend.portal] == bend.point,
+                       "a path bends at an end of a portal");
     const auto ends_there = [&](std::size_t i) {
       return (at_left ? strip_[i].left : strip_[i].right) == corner;
     };
@@ -274,6 +280,7 @@ private:
     const Index to = fan.at_left ? strip_[fan.last + 1].left : strip_[fan.last + 1].right;
     const Ring ring = mesh_.ring(v);
     const Index end = ring.position(to);
+    CGAL_assertion(end < ring.size() && ring.position(from) < ring.size());
     for(Index p = ring.position(from); p != end;) {
       const Index q = fan.at_left ? ring.previous(p) : ring.next(p);
       if(!add_corner(v, ring[p], ring[q], sum))
@@ -291,6 +298,7 @@ private:
       const Index corner = strip_[fan.first].left;
       const Ring ring = mesh_.ring(corner);
       const Index end = ring.position(after.left);
+      CGAL_assertion(end < ring.size() && ring.position(before.left) < ring.size());
       for(Index p = ring.position(before.left);; p = ring.previous(p)) {
         append({ring[p], corner, Strip::new_at_right});
         if(p == end)
@@ -300,6 +308,7 @@ private:
       const Index corner = strip_[fan.first].right;
       const Ring ring = mesh_.ring(corner);
       const Index end = ring.position(after.right);
+      CGAL_assertion(end < ring.size() && ring.position(before.right) < ring.size());
       for(Index p = ring.position(before.right);; p = ring.next(p)) {
         append({corner, ring[p], Strip::new_at_left});
         if(p == end)

@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Funnel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -48,6 +50,7 @@ public:
 
   /// lays out the given portals, beginning with number `start`.
   void assign(const std::vector<Portal>& portals, std::size_t start) {
+    CGAL_precondition(start < portals.size());
     portals_.assign(portals.begin() + start, portals.end());
     portals_.insert(portals_.end(), portals.begin(), portals.begin() + start);
     lay_out();
@@ -74,6 +77,7 @@ private:
       Portal& from = portals_[i];
       const Portal& to = portals_[i + 1 == n ? 0 : i + 1];
       const bool keeps_left = to.left == from.left;
+      CGAL_assertion_msg(keeps_left || to.right == from.right, "portals lie in one triangle");
       const Index apex = keeps_left ? to.right : to.left;
       from.place = static_cast<Index>(i);
       if(from.apex != apex)

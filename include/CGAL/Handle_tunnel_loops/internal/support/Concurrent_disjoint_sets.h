@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -66,6 +68,7 @@ public:
   Index root(Index i) {
     for(;;) {
       const Index up = parent(i);
+      CGAL_assertion_msg(up <= i, "parents are smaller than their children, and in a set");
       if(up == i)
         return i;
       const Index above = parent(up);
@@ -84,6 +87,7 @@ public:
         if(!contains(i))
           continue;
         const Index r = root(i);
+        CGAL_assertion(r <= i);
         if(r == i)
           roots.push_back(i);
         set_parent(i, r);

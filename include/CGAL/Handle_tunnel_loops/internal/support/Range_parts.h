@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -33,6 +35,7 @@ public:
   template <typename Range>
   explicit Range_parts(const Range& range, std::size_t part_size = 4096)
       : size_(static_cast<std::size_t>(std::distance(range.begin(), range.end()))) {
+    CGAL_precondition(part_size > 0);
     Iterator it = range.begin();
     bounds_.push_back(it);
     for(std::size_t left = size_; left > 0;) {

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -156,6 +158,7 @@ std::size_t sum_before_each(Execution execution, Numbers& numbers, std::size_t g
   std::size_t sum = 0;
   for(std::size_t& s : sums)
     sum += std::exchange(s, sum);
+  CGAL_postcondition(sum <= (std::numeric_limits<std::uint32_t>::max)());
   execution.for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::uint32_t before = static_cast<std::uint32_t>(sums[begin / grain]);
     for(std::size_t i = begin; i < end; ++i)

@@ -15,7 +15,10 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Uninitialized_vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,6 +35,8 @@ void sort_by_digit(Execution execution,
                    Uninitialized_vector<Item>& sorted,
                    const Digit& digit) {
   constexpr std::size_t grain = std::size_t(1) << 16;
+  CGAL_precondition(items.size() <= (std::numeric_limits<std::uint32_t>::max)());
+  CGAL_precondition(sorted.size() == items.size());
   const std::size_t ranges = (items.size() + grain - 1) / grain;
   std::vector<std::uint32_t> places(ranges * digits, 0); // by range and digit
   execution.for_ranges(items.size(), grain, [&](std::size_t begin, std::size_t end) {

@@ -28,13 +28,12 @@ protected:
   }
 };
 
-using Solvers = testing::Types<
-    Comparison<CGAL::Cuda_tag, CGAL::Sequential_tag, Cuda_agreement>
+using Solvers = testing::Types<Comparison<CGAL::Cuda_tag, CGAL::Sequential_tag, Cuda_agreement>
 #ifdef CGAL_EIGEN3_ENABLED
-    ,
-    Comparison<CGAL::Handle_tunnel_loops::Reference_tag, CGAL::Cuda_tag, Cuda_agreement>
+                               ,
+                               Comparison<CGAL::Reference_tag, CGAL::Cuda_tag, Cuda_agreement>
 #endif
-    >;
+                               >;
 INSTANTIATE_TYPED_TEST_SUITE_P(With_a_device, Solver, Solvers);
 
 // They are not only as good.

@@ -14,7 +14,7 @@ namespace {
 using Solvers = testing::Types<Comparison<CGAL::Parallel_if_available_tag>
 #ifdef CGAL_EIGEN3_ENABLED
                                ,
-                               Comparison<CGAL::Handle_tunnel_loops::Reference_tag>
+                               Comparison<CGAL::Reference_tag>
 #endif
                                >;
 INSTANTIATE_TYPED_TEST_SUITE_P(On_the_host, Solver, Solvers);
@@ -39,7 +39,7 @@ template <typename Loops_solver> void expect_log(const Mesh& mesh, const Loops_s
 TEST(Reference_tag, LogsAsManyMergesAsThereArePairs) {
   const Mesh mesh = mesh_of({"lattice", {4000, 8, 0}});
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
-  solver.find_loops<CGAL::Handle_tunnel_loops::Reference_tag>(CGAL::Emptyset_iterator());
+  solver.find_loops<CGAL::Reference_tag>(CGAL::Emptyset_iterator());
   expect_log(mesh, solver);
   solver.find_loops(CGAL::Emptyset_iterator());
   EXPECT_TRUE(solver.statistics().front_events.empty()) << "of an earlier run";
@@ -47,7 +47,7 @@ TEST(Reference_tag, LogsAsManyMergesAsThereArePairs) {
 
 // Each solver from its own arrival times: how often fronts meet is a matter of the surface alone.
 TEST(Front_events, HaveAsManyMergesInBothSolvers) {
-  using CGAL::Handle_tunnel_loops::Reference_tag;
+  using CGAL::Reference_tag;
   for(const Recipe& recipe : recipes_of_all_kinds({1, 4}, 1)) {
     SCOPED_TRACE(testing::Message() << recipe);
     const Mesh mesh = mesh_of(recipe);
@@ -60,7 +60,7 @@ TEST(Front_events, HaveAsManyMergesInBothSolvers) {
 }
 
 TEST(Reference_tag, KnowsWhatIsTooCoarse) {
-  using CGAL::Handle_tunnel_loops::Reference_tag;
+  using CGAL::Reference_tag;
   const auto is_resolved = [](const Mesh& mesh) {
     CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
     solver.find_loops<Reference_tag>(CGAL::Emptyset_iterator());

@@ -1,8 +1,8 @@
 // The solver for CUDA devices, to the last line: a stand-in for the CUDA runtime runs its kernels
 // on the processor, keeps the books, and fails wherever it is asked to.
 
-#include "../../cuda/src/Cuda_executor.cuh"
-#include "../../cuda/src/Stream.cuh"
+#include "../../../cuda/src/Cuda_executor.cuh"
+#include "../../../cuda/src/Stream.cuh"
 
 #include "Cuda_runtime_test.h"
 #include "Device_agreement.h"

@@ -6,6 +6,8 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -386,6 +388,38 @@ TEST(Certificate, RefusesNoLoopsOnATorus) {
   const Certificate c = certify_handle_tunnel_loops(mesh_of({"torus", {100, 1, 0}}), Pairs());
   EXPECT_FALSE(c.basis);
   EXPECT_EQ(c.failure, "there are 0 loops, but the genus asks for 2");
+}
+
+// Without a face there is a boundary, also where a loop runs.
+TEST(Certificate, RefusesAMeshThatIsNotClosed) {
+  Mesh mesh = mesh_of({"torus", {200, 1, 0}});
+  const Pairs pairs = find_loops(mesh);
+  const Mesh::Halfedge_index h = pairs[0].handle().steps()[0].halfedge;
+  CGAL::Euler::remove_face(h, mesh);
+  try {
+    certify_handle_tunnel_loops(mesh, pairs);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception& e) {
+    EXPECT_EQ(e.defect(), CGAL::Handle_tunnel_loops::Mesh_defect::BOUNDARY_EDGE);
+    EXPECT_EQ(e.vertices().size(), 2u);
+  }
+}
+
+TEST(Certificate, RefusesAMeshThatIsNotTriangulated) {
+  Mesh mesh = mesh_of({"torus", {200, 1, 0}});
+  const Pairs pairs = find_loops(mesh);
+  CGAL::Euler::join_face(*halfedges(mesh).begin(), mesh);
+  EXPECT_THROW(certify_handle_tunnel_loops(mesh, pairs),
+               CGAL::Handle_tunnel_loops::Invalid_mesh_exception);
+}
+
+TEST(Certificate, RefusesAStepOnNoEdge) {
+  const Mesh mesh = mesh_of({"torus", {200, 1, 0}});
+  std::vector<Steps> steps = steps_of(find_loops(mesh));
+  steps[1][0].halfedge = Mesh::null_halfedge();
+  const Certificate c = certify_handle_tunnel_loops(mesh, pairs_of(steps));
+  EXPECT_FALSE(c.closed_on_surface);
+  EXPECT_EQ(c.failure.find("pair 0, tunnel, step 0: this step or the next lies on no edge"), 0u);
 }
 
 TEST(Certificate, NeedsTheLoopsOfEveryComponent) {

@@ -242,6 +242,21 @@ TEST(Narrow_band, MovesAtConstantSpeed) {
   EXPECT_NEAR(second / first, 1., 0.05);
 }
 
+// Small steps are more of them: the front needs as much time, and does not count as being at rest.
+TEST(Narrow_band, MovesAsFastWithSmallSteps) {
+  const Flat_mesh mesh = flat_mesh_of({"torus", {20000, 1, 0}});
+  const std::vector<Time> times = Band_on_mesh(mesh, Field_constants()).sweep(0);
+  const Time last = *std::max_element(times.begin(), times.end());
+  for(const double step : {0.25, 1. / 32., 1. / 1024.}) {
+    Field_constants c;
+    c.step = step;
+    const std::vector<Time> slow = Band_on_mesh(mesh, c).sweep(0);
+    SCOPED_TRACE(testing::Message() << "step " << step);
+    expect_one_minimum(mesh, slow, 0);
+    EXPECT_NEAR(step * *std::max_element(slow.begin(), slow.end()) / last, 1., 0.15);
+  }
+}
+
 // ---- walls and sides
 
 // Between the vertices with z > 0 and the others.

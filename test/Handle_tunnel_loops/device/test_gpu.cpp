@@ -104,7 +104,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(On_a_device, Solver, Device_against_host);
 // The slow solver shares no algorithm with the device: as it agrees with the host, see
 // test_agreement, it agrees with the device.
 TEST_F(Gpu, AgreesWithTheReference) {
-  using CGAL::Handle_tunnel_loops::Reference_tag;
+  using CGAL::Reference_tag;
   for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 2, 7}, 1)) {
     SCOPED_TRACE(testing::Message() << recipe);
     const Mesh mesh = mesh_of(recipe);
