@@ -93,7 +93,8 @@ public:
     count_certified(first);
     if(number_of_seeds > 1)
       for(const auto seed : spaced_seeds(mesh, number_of_seeds))
-        count_certified(answer_of<CGAL::Reference_tag>(solver, CGAL::parameters::seed_vertex(seed)));
+        count_certified(
+            answer_of<CGAL::Reference_tag>(solver, CGAL::parameters::seed_vertex(seed)));
     if(first.error.empty())
       compare(mesh, host, first);
   }
