@@ -89,11 +89,12 @@ public:
   void add(const Mesh& mesh, Solver& solver, const Answer& host, std::size_t number_of_seeds) {
     ++meshes_;
     pairs_ += host.pairs.size();
-    Answer first = answer_of<HTL::Reference_tag>(solver, CGAL::parameters::default_values());
+    Answer first = answer_of<CGAL::Reference_tag>(solver, CGAL::parameters::default_values());
     count_certified(first);
     if(number_of_seeds > 1)
       for(const auto seed : spaced_seeds(mesh, number_of_seeds))
-        count_certified(answer_of<HTL::Reference_tag>(solver, CGAL::parameters::seed_vertex(seed)));
+        count_certified(
+            answer_of<CGAL::Reference_tag>(solver, CGAL::parameters::seed_vertex(seed)));
     if(first.error.empty())
       compare(mesh, host, first);
   }

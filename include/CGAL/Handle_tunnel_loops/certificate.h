@@ -92,6 +92,9 @@ loops to bound in.
 \cgalNamedParamsEnd
 
 \pre `tm` is a closed triangle mesh.
+
+\throws Handle_tunnel_loops::Invalid_mesh_exception if a face of `tm` is no triangle, or an edge has
+  a face on one side only
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,
