@@ -23,7 +23,8 @@ unit of the paper's equation, lengths in local edge lengths.
 
 The front is a cosine about \f$ \pi\,a/\sqrt{2w} \f$ edges wide and moves
 \f$ \mu e a / (2 \sqrt{2 w}) \f$ edges per unit of time. It needs `driving_force > 0` to move and a
-width of a few edges to be smooth: the defaults give five.
+width of a few edges to be smooth: the defaults give five. A smaller step takes as many more of
+them, and as much more time.
 */
 struct Field_constants
 {

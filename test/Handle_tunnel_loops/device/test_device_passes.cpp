@@ -57,6 +57,19 @@ TEST_P(Device_backend, AgreeWithTheHostOnRandomSurfaces) {
   }
 }
 
+// A field that is given more steps before it counts as being at rest.
+TEST_P(Device_backend, AgreeWithTheHostWithSmallSteps) {
+  Field_constants c;
+  c.step = 1. / 32.;
+  for(const Recipe& recipe : {Recipe{"torus", {300, 1, 0}}, Recipe{"random", {150, 3, 2}}}) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    Host_executor executor(GetParam());
+    Solver solver(executor, mesh);
+    expect_agreement(solver, mesh, 0, c);
+  }
+}
+
 // The handles of other times than those of a field.
 void expect_handles_of_host(Order run_order,
                             const Flat_mesh& mesh,

@@ -38,25 +38,25 @@ public:
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,
                                               const Callback& callback) override {
-    const auto scope = executor_.scope();
+    [[maybe_unused]] const auto scope = executor_.scope();
     initial_.run(seeds, k, callback);
     return initial_.handles();
   }
 
   std::vector<Time> arrival_times() override {
-    const auto scope = executor_.scope();
+    [[maybe_unused]] const auto scope = executor_.scope();
     return initial_.times();
   }
 
   Front_log front_log() override {
-    const auto scope = executor_.scope();
+    [[maybe_unused]] const auto scope = executor_.scope();
     return Front_layers<Executor>(executor_, host_mesh_, mesh_.view(), initial_.time_span()).run();
   }
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
                                      const Step_coefficients& k) override {
-    const auto scope = executor_.scope();
+    [[maybe_unused]] const auto scope = executor_.scope();
     Device_initial_pass<Executor> field(executor_, host_mesh_, mesh_, tuning_, costs_);
     field.run_from_loops(loops, index, k);
     return field.times();
@@ -65,7 +65,7 @@ public:
   std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
                                      const Step_coefficients& k,
                                      const Callback& callback) override {
-    const auto scope = executor_.scope();
+    [[maybe_unused]] const auto scope = executor_.scope();
     if(query.bars_only_own)
       return Device_search<Executor, Only_loop>(executor_, mesh_, host_mesh_, tuning_, costs_)
           .run(query, k, callback);
