@@ -16,6 +16,13 @@ install(TARGETS Handle_tunnel_loops EXPORT Handle_tunnel_loopsTargets
 install(EXPORT Handle_tunnel_loopsTargets
   NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
 
+if(HTL_CORE)
+  install(TARGETS htl_core EXPORT Handle_tunnel_loopsCoreTargets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(EXPORT Handle_tunnel_loopsCoreTargets
+    NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
+endif()
+
 if(TARGET Handle_tunnel_loops_cuda)
   set_target_properties(Handle_tunnel_loops_cuda PROPERTIES EXPORT_NAME cuda)
   install(TARGETS Handle_tunnel_loops_cuda htl_cuda EXPORT Handle_tunnel_loopsCudaTargets

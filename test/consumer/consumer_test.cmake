@@ -43,13 +43,14 @@ if(USE STREQUAL "find_package")
   run("${CMAKE_COMMAND}" -S "${PACKAGE_DIR}" -B "${WORK_DIR}/build_of_headers" -G "${GENERATOR}"
     "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" -DCMAKE_INSTALL_INCLUDEDIR=include/chosen
     -DHTL_BUILD_TOOL=OFF -DHTL_BUILD_TESTS=OFF -DHTL_BUILD_EXAMPLES=OFF -DHTL_BUILD_BENCHMARKS=OFF
-    -DHTL_CUDA=OFF)
+    -DHTL_CORE=OFF -DHTL_CUDA=OFF)
   run("${CMAKE_COMMAND}" --install "${WORK_DIR}/build_of_headers" --prefix "${prefix}")
   set(headers -B "${WORK_DIR}/build_with_headers" "-DCMAKE_PREFIX_PATH=${prefix}")
   run(${configure} ${headers})
 
   fails_with("the package was built without CUDA" ${headers} -DCOMPONENTS=CUDA)
-  fails_with("there is no component Cuda, only TBB and CUDA" ${headers} -DCOMPONENTS=Cuda)
+  fails_with("the component CORE was not installed" ${headers} -DCOMPONENTS=CORE)
+  fails_with("there is no component Cuda, only TBB, CUDA and CORE" ${headers} -DCOMPONENTS=Cuda)
   fails_with("TBB, which was not found"
     ${headers} -DCOMPONENTS=TBB -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
 else()
@@ -61,4 +62,7 @@ foreach(found_before IN ITEMS
     "CGAL TBB Threads" "CGAL TBB" "CGAL Threads" "TBB Threads" CGAL TBB Threads "")
   run(${configure} -B "${WORK_DIR}/build" ${where} "-DFOUND_BEFORE=${found_before}")
 endforeach()
-run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config ${CONFIG} --target run_consumer)
+foreach(library IN ITEMS Handle_tunnel_loops core)
+  run(${configure} -B "${WORK_DIR}/build" ${where} -DLIBRARY=${library})
+  run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config ${CONFIG} --target run_consumer)
+endforeach()

@@ -99,12 +99,8 @@ template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Parallel
                                       std::vector<Index> seeds,
                                       const Pass_options& options,
                                       const Device_options&) {
-    const Execution execution = execution_of<Cuda_if_available_tag>();
-    return std::make_unique<Field_passes>(
-        execution, mesh, std::move(seeds), options, [execution, &mesh] {
-          return std::make_unique<Host_backend>(
-              execution, mesh, "the program is not linked with Handle_tunnel_loops::cuda");
-        });
+    return make_host_passes(execution_of<Cuda_if_available_tag>(), mesh, std::move(seeds), options,
+                            "the program is not linked with Handle_tunnel_loops::cuda");
   }
 };
 

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Cut_components.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Integer_lattice.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -24,11 +24,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <iterator>
-#include <map>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,7 +51,6 @@ class Loop_certifier
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
-  using Row = Integer_lattice::Row;
 
 public:
   Loop_certifier(const TriangleMesh& tm, VertexIndexMap vertex_index, FaceIndexMap face_index)
@@ -87,18 +83,12 @@ public:
   /// in words, what failed.
   const std::vector<std::string>& failures() const { return failures_; }
 
-  /// the words for a loop: loops 2k and 2k + 1 are the handle and the tunnel loop of pair k.
-  static std::string name_of(std::size_t loop) {
-    return "pair " + std::to_string(loop / 2) + (loop % 2 == 0 ? ", handle" : ", tunnel");
-  }
-
   /// cuts the surface along the loops; to be called once, before what follows.
   void cut(Execution execution) {
-    prepare_chains(execution);
+    used_edges_ = add_up_chains(execution, chains_);
     find_pieces(execution);
-    keep_distinct_edges(execution);
+    keep_distinct_edges(execution, chains_, used_edges_);
     number_components(execution);
-    find_potentials();
   }
 
   std::size_t number_of_components() const { return number_of_components_; }
@@ -114,31 +104,12 @@ public:
     if(number_of_generators != number_of_loops_)
       return fail("there are " + std::to_string(number_of_loops_) +
                   " loops, but the genus asks for " + std::to_string(number_of_generators));
-    return span_everything();
+    const std::vector<std::string> reasons = why_no_basis(number_of_loops_, chains_, used_edges_);
+    failures_.insert(failures_.end(), reasons.begin(), reasons.end());
+    return reasons.empty();
   }
 
 private:
-  // The value of loop `loop` on the directed edge of the smaller to the larger vertex index.
-  struct Chain_entry
-  {
-    std::uint64_t edge;
-    std::uint32_t loop;
-    std::int32_t value;
-
-    bool operator<(const Chain_entry& other) const {
-      return edge != other.edge ? edge < other.edge : loop < other.loop;
-    }
-  };
-
-  // An edge that some loop runs along, and the pieces to its left and right.
-  struct Used_edge
-  {
-    std::uint64_t edge;
-    std::size_t first, last; // its entries in chains_
-    halfedge_descriptor halfedge;
-    Index left, right;
-  };
-
   // What one loop brings.
   struct Moved_loop
   {
@@ -161,10 +132,10 @@ private:
   void check(const Loop& loop, std::size_t number, std::vector<std::string>& failures) const {
     const auto& steps = loop.steps();
     const auto fails_at = [&](std::size_t i, const char* problem) {
-      failures.push_back(name_of(number) + ", step " + std::to_string(i) + ": " + problem);
+      failures.push_back(name_of_loop(number) + ", step " + std::to_string(i) + ": " + problem);
     };
     if(steps.size() < 2)
-      failures.push_back(name_of(number) + " has fewer than two steps");
+      failures.push_back(name_of_loop(number) + " has fewer than two steps");
     for(std::size_t i = 0; i < steps.size(); ++i) {
       const auto &a = steps[i], &b = steps[i + 1 == steps.size() ? 0 : i + 1];
       if(a.halfedge == Graph_traits::null_halfedge() || b.halfedge == Graph_traits::null_halfedge())
@@ -220,31 +191,13 @@ private:
     return u < v ? u << 32 | v : v << 32 | u;
   }
 
-  // Adds up the entries of one loop on one edge, and lists the edges that remain.
-  void prepare_chains(Execution execution) {
-    execution.sort(chains_.begin(), chains_.end(), std::less<Chain_entry>());
-    std::size_t kept = 0;
-    for(std::size_t i = 0; i < chains_.size();) {
-      Chain_entry sum = chains_[i];
-      for(++i; i < chains_.size() && chains_[i].edge == sum.edge && chains_[i].loop == sum.loop;
-          ++i)
-        sum.value += chains_[i].value;
-      if(sum.value != 0)
-        chains_[kept++] = sum;
-    }
-    chains_.resize(kept);
-    for(std::size_t i = 0; i < kept; ++i)
-      if(i == 0 || chains_[i].edge != chains_[i - 1].edge)
-        used_edges_.push_back({chains_[i].edge, i, i + 1, halfedge_descriptor(), 0, 0});
-      else
-        used_edges_.back().last = i + 1;
-  }
-
-  Used_edge* find_used_edge(std::uint64_t key) {
+  // The number of an edge, or that of edges if there is none.
+  std::size_t find_used_edge(std::uint64_t key) const {
     const auto it =
         std::lower_bound(used_edges_.begin(), used_edges_.end(), key,
                          [](const Used_edge& e, std::uint64_t k) { return e.edge < k; });
-    return it != used_edges_.end() && it->edge == key ? &*it : nullptr;
+    return it != used_edges_.end() && it->edge == key ? it - used_edges_.begin()
+                                                      : used_edges_.size();
   }
 
   // ---- the pieces into which the used edges cut the surface
@@ -257,46 +210,23 @@ private:
     for(const Used_edge& e : used_edges_)
       for(const std::uint64_t v : {e.edge >> 32, e.edge & 0xffffffffu})
         ends.push_back(static_cast<Index>(v));
-    pieces_.cut(execution, ends, [this](halfedge_descriptor h) {
-      Used_edge* used = find_used_edge(edge_key(index(source(h, tm_)), index(target(h, tm_))));
-      if(used != nullptr)
-        used->halfedge = h;
-      return used != nullptr;
+    std::vector<halfedge_descriptor> halfedges(used_edges_.size());
+    pieces_.cut(execution, ends, [&](halfedge_descriptor h) {
+      const std::size_t e = find_used_edge(edge_key(index(source(h, tm_)), index(target(h, tm_))));
+      if(e == halfedges.size())
+        return false;
+      halfedges[e] = h;
+      return true;
     });
-    for_each_index(execution, used_edges_.size(), [this](std::size_t i) {
+    for_each_index(execution, used_edges_.size(), [&](std::size_t i) {
       Used_edge& e = used_edges_[i];
-      CGAL_assertion_msg(e.halfedge != Graph_traits::null_halfedge(), "a step is along no edge");
-      e.left = pieces_.piece(face(e.halfedge, tm_));
-      e.right = pieces_.piece(face(opposite(e.halfedge, tm_), tm_));
+      CGAL_assertion_msg(halfedges[i] != Graph_traits::null_halfedge(), "a step is along no edge");
+      e.left = pieces_.piece(face(halfedges[i], tm_));
+      e.right = pieces_.piece(face(opposite(halfedges[i], tm_), tm_));
     });
   }
 
-  // Keeps one of the edges along which the same loops run between the same pieces: all that is
-  // asked for is the same. In the order of the number of loops.
-  void keep_distinct_edges(Execution execution) {
-    execution.sort(used_edges_.begin(), used_edges_.end(),
-                   [this](const Used_edge& a, const Used_edge& b) { return is_before(a, b); });
-    used_edges_.erase(std::unique(used_edges_.begin(), used_edges_.end(),
-                                  [this](const Used_edge& a, const Used_edge& b) {
-                                    return !is_before(a, b) && !is_before(b, a);
-                                  }),
-                      used_edges_.end());
-  }
-
-  bool is_before(const Used_edge& a, const Used_edge& b) const {
-    const auto sizes_and_pieces = [](const Used_edge& e) {
-      return std::make_tuple(e.last - e.first, e.left, e.right);
-    };
-    if(sizes_and_pieces(a) != sizes_and_pieces(b))
-      return sizes_and_pieces(a) < sizes_and_pieces(b);
-    return std::lexicographical_compare(
-        chains_.begin() + a.first, chains_.begin() + a.last, chains_.begin() + b.first,
-        chains_.begin() + b.last, [](const Chain_entry& x, const Chain_entry& y) {
-          return std::tie(x.loop, x.value) < std::tie(y.loop, y.value);
-        });
-  }
-
-  // ---- a tree over the pieces, and what a curve along it meets on its way to each of them
+  // ---- components
 
   // The pieces of a component hang together by used edges. A component without any is one piece.
   void number_components(Execution execution) {
@@ -320,43 +250,6 @@ private:
       pieces_.renumber(execution, [&](Index piece) { return number[position(piece)]; });
   }
 
-  // Breadth first, so that the ways are short.
-  void find_potentials() {
-    std::map<Index, std::vector<const Used_edge*>> edges_at;
-    for(const Used_edge& e : used_edges_) {
-      edges_at[e.left].push_back(&e);
-      edges_at[e.right].push_back(&e);
-    }
-    for(const auto& piece_and_edges : edges_at) {
-      if(!potential_.emplace(piece_and_edges.first, Row()).second)
-        continue;
-      std::vector<Index> queue(1, piece_and_edges.first);
-      for(std::size_t q = 0; q < queue.size(); ++q)
-        for(const Used_edge* e : edges_at[queue[q]]) {
-          const bool from_left = e->left == queue[q];
-          const Index to = from_left ? e->right : e->left;
-          if(potential_.count(to) != 0)
-            continue;
-          Row row = potential_[queue[q]];
-          add_edge(*e, from_left ? 1 : -1, row);
-          potential_.emplace(to, std::move(row));
-          queue.push_back(to);
-        }
-    }
-  }
-
-  void add_edge(const Used_edge& e, int sign, Row& row) const {
-    for(std::size_t i = e.first; i < e.last; ++i)
-      add(chains_[i].loop, sign * chains_[i].value, row);
-  }
-
-  static void add(std::size_t column, const Integer_lattice::Integer& value, Row& row) {
-    const auto it = row.emplace(column, 0).first;
-    it->second += value;
-    if(it->second == 0)
-      row.erase(it);
-  }
-
   // V - E + F = 2 c - 2 g, with 2 E = 3 F.
   std::size_t genus() const {
     CGAL_assertion(pieces_.number_of_faces() % 2 == 0);
@@ -366,79 +259,11 @@ private:
            2;
   }
 
-  // ---- the intersection numbers span all integer vectors
-
-  // The intersection numbers of the loops with the generators, short ones first; each vector once.
-  std::vector<Row> rows_of_generators() const {
-    std::vector<Row> rows;
-    for(const Used_edge& e : used_edges_) {
-      Row row;
-      add_edge(e, 1, row);
-      for(const auto& [column, value] : potential_.at(e.left))
-        add(column, value, row);
-      for(const auto& [column, value] : potential_.at(e.right))
-        add(column, -value, row);
-      if(!row.empty())
-        rows.push_back(std::move(row));
-    }
-    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-      return a.size() != b.size() ? a.size() < b.size() : a < b;
-    });
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    return rows;
-  }
-
-  bool span_everything() {
-    Integer_lattice lattice(number_of_loops_);
-    std::vector<Row> rows = rows_of_generators();
-    for(auto row = rows.begin(); row != rows.end() && !lattice.is_full(); ++row)
-      lattice.add(std::move(*row));
-    if(lattice.is_full())
-      return true;
-    fail("the loops are no basis of the first homology group: their classes have determinant " +
-         lattice.index().str() + "; " + name_of(lattice.first_defect()) + " depends on the others");
-    explain(rows_of_generators());
-    return false;
-  }
-
-  // The entries of a loop in all rows are the coordinates of its class, hence tell what it is.
-  void explain(const std::vector<Row>& rows) {
-    std::vector<Row> classes(number_of_loops_);
-    for(std::size_t i = 0; i < rows.size(); ++i)
-      for(const auto& [loop, value] : rows[i])
-        classes[loop].emplace(i, value);
-    std::map<Row, std::size_t> first_of_class;
-    for(std::size_t loop = 0; loop < number_of_loops_; ++loop) {
-      if(classes[loop].empty()) {
-        fail(name_of(loop) + ": the loop bounds a part of the surface");
-        continue;
-      }
-      const Integer_lattice::Integer factor = divide_by_common_factor(classes[loop]);
-      const auto [it, is_new] = first_of_class.emplace(classes[loop], loop);
-      if(factor != 1)
-        fail(name_of(loop) + ": the loop goes around " + factor.str() + " times, up to homology");
-      if(!is_new)
-        fail(name_of(loop) + ": up to multiples the loop is homologous to " + name_of(it->second));
-    }
-  }
-
-  // The first entry becomes positive.
-  static Integer_lattice::Integer divide_by_common_factor(Row& row) {
-    Integer_lattice::Integer factor = 0;
-    for(const auto& column_and_value : row)
-      factor = boost::multiprecision::gcd(factor, column_and_value.second);
-    const int sign = row.begin()->second < 0 ? -1 : 1;
-    for(auto& column_and_value : row)
-      column_and_value.second /= sign * factor;
-    return factor;
-  }
-
   const TriangleMesh& tm_;
   VertexIndexMap vertex_index_;
   Cut_components<TriangleMesh, VertexIndexMap, FaceIndexMap> pieces_;
   std::vector<Chain_entry> chains_;
   std::vector<Used_edge> used_edges_;
-  std::map<Index, Row> potential_; // by piece
   std::size_t number_of_components_ = 0;
   std::size_t number_of_loops_ = 0;
   bool are_closed_ = true;

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/solid_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
 
 #include <CGAL/assertions.h>
@@ -23,7 +23,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -88,8 +87,6 @@ public:
   }
 
 private:
-  using Triangle = std::array<Vector, 3>;
-
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // A box around points, and the first of them: as far as is known, in the given part of the faces.
@@ -235,15 +232,14 @@ private:
   }
 
   void find_exact_signs(const std::vector<char>& is_open) {
-    std::vector<Exact_rational> volumes(parts_.size());
-    for(face_descriptor f : faces(tm_))
-      if(is_open[component_(f)]) {
-        const Triangle t = triangle(f);
-        volumes[component_(f)] += dot(exact(t[0]), cross(exact(t[1]), exact(t[2])));
-      }
+    const std::vector<int> signs = signs_of_volumes(parts_.size(), [&](const auto& add) {
+      for(face_descriptor f : faces(tm_))
+        if(is_open[component_(f)])
+          add(component_(f), triangle(f));
+    });
     for(std::size_t i = 0; i < parts_.size(); ++i)
       if(is_open[i])
-        parts_[i].sign = sign_of(volumes[i]);
+        parts_[i].sign = signs[i];
   }
 
   // ---- components within components
@@ -294,18 +290,11 @@ private:
     });
   }
 
-  // The point is moved aside by an infinitesimal amount, so that it lies above no edge.
   static void count_face_above(const Triangle& t, Part& part) {
-    const std::vector<Vector> vertices = {t[0], t[1], t[2], part.extent.first};
-    const Projected_points points(vertices, {0., 0.});
-    const int sense = points.turn(0, 1, 2);
-    for(Index i = 0; i < 3; ++i)
-      if(sense == 0 || points.turn_to_moved(i, (i + 1) % 3, 3) != sense)
-        return;
-    const int height = points.side(0, 1, 2, 3) * sense;
-    if(height == 0)
+    const Seen_triangle seen = see_triangle(t, part.extent.first);
+    if(seen == Seen_triangle::HERE)
       part.is_touched = true;
-    if(height < 0)
+    if(seen == Seen_triangle::ABOVE)
       part.sign = -part.sign;
   }
 

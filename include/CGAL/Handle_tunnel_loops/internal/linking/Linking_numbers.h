@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Linking.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
@@ -84,18 +85,6 @@ public:
 
   /// V.
   const Sparse_matrix& linking() const { return linking_; }
-
-  /// A line of a copy and an edge of a walk that meet although they should be apart; or, where the
-  /// edge is one that the copy crosses, two faces that lie on each other.
-  struct Contact
-  {
-    static constexpr std::size_t no_corner = static_cast<std::size_t>(-1);
-    std::size_t corner, edge;
-
-    bool operator<(const Contact& c) const {
-      return edge != c.edge ? edge < c.edge : corner < c.corner;
-    }
-  };
 
   /// where the surface touches itself. The numbers of the loops that pass there mean nothing.
   const std::vector<Contact>& contacts() const { return contacts_; }

@@ -14,8 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 
 #include <CGAL/assertions.h>
 
@@ -70,7 +70,7 @@ public:
         [this](std::size_t i) { walks_[i] = walker_.straight(*loops_[i]); }, 1);
     Builder builder(tm_, point_, vertex_index_);
     const Surface_curves curves = builder.build(execution, walks_, outward_);
-    intersections_ = Linking_numbers(execution, curves).intersections();
+    intersections_ = internal::link(execution, curves, false).intersections;
   }
 
   /// computes the intersection and the linking numbers.
@@ -158,35 +158,33 @@ private:
   bool link_walks(Execution execution) {
     Builder builder(tm_, point_, vertex_index_);
     const Surface_curves curves = builder.build(execution, walks_, outward_);
-    Linking_numbers numbers(execution, curves);
-    intersections_ = numbers.intersections();
     problems_ = lasting_problems_;
-    if(problems_.size() == loops_.size())
+    const bool do_link = problems_.size() < loops_.size();
+    Linking numbers = internal::link(execution, curves, do_link);
+    intersections_ = std::move(numbers.intersections);
+    if(!do_link)
       return false;
-    numbers.link(execution);
-    linking_ = numbers.linking();
-    if(numbers.has_too_many_contacts()) {
+    linking_ = std::move(numbers.linking);
+    if(numbers.has_too_many_contacts) {
       for(std::size_t i = 0; i < loops_.size(); ++i)
         add_problem(i, "the surface touches itself in very many places");
       return false;
     }
-    for(const Linking_numbers::Contact& contact : numbers.contacts()) {
+    for(const Contact& contact : numbers.contacts) {
       note_contact(contact, curves, builder);
       avoid(contact, curves, builder);
     }
-    for(const Matrix_entry& e : numbers.defect())
+    for(const Matrix_entry& e : numbers.defect)
       for(const Index loop : {e.row, e.column})
         add_problem(loop, "the surface crosses itself near it");
-    return !numbers.contacts().empty();
+    return !numbers.contacts.empty();
   }
 
   // The vertices that the edge and the corner share are to be avoided, or all if they share none.
-  void avoid(const Linking_numbers::Contact& contact,
-             const Surface_curves& curves,
-             const Builder& builder) {
+  void avoid(const Contact& contact, const Surface_curves& curves, const Builder& builder) {
     const Surface_curves::Edge& edge = curves.edges[contact.edge];
     std::vector<Index> vertices = {edge.source, edge.target};
-    if(contact.corner != Linking_numbers::Contact::no_corner) {
+    if(contact.corner != Contact::no_corner) {
       const Surface_curves::Corner& corner = curves.corners[contact.corner];
       std::vector<Index> shared;
       for(Index v : {corner.apex, corner.from, corner.to})
@@ -200,16 +198,14 @@ private:
       walker_.avoid(builder.original(v));
   }
 
-  void note_contact(const Linking_numbers::Contact& contact,
-                    const Surface_curves& curves,
-                    const Builder& builder) {
+  void note_contact(const Contact& contact, const Surface_curves& curves, const Builder& builder) {
     const Surface_curves::Edge& edge = curves.edges[contact.edge];
     const std::string problem = "the surface touches itself at the edge " +
                                 std::to_string(builder.original(edge.source)) + " - " +
                                 std::to_string(builder.original(edge.target));
     for(const Chains::Term& walk : curves.walks.of(contact.edge))
       add_problem(walk.loop, problem);
-    if(contact.corner != Linking_numbers::Contact::no_corner)
+    if(contact.corner != Contact::no_corner)
       add_problem(curves.corners[contact.corner].loop, problem);
     else
       for(const Chains::Term& copy : curves.crossings.of(contact.edge))

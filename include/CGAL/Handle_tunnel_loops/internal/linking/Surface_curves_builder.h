@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_position.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -24,7 +25,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -80,17 +80,6 @@ private:
     std::vector<vertex_descriptor> vertices; // seen here first
     std::vector<Surface_curves::Corner> corners;
     std::vector<std::pair<Index, int>> crossings; // edges, and the sense
-  };
-
-  // An edge of a walk, and the place of that edge in the sequence of all walks.
-  struct Edge_position
-  {
-    std::uint64_t key;
-    std::size_t position;
-
-    bool operator<(const Edge_position& p) const {
-      return key != p.key ? key < p.key : position < p.position;
-    }
   };
 
   template <typename Function>
@@ -200,7 +189,7 @@ private:
       all.insert(all.end(), walk.begin(), walk.end());
     std::vector<Edge_position> places(all.size());
     for_each_index(execution, all.size(), [&](std::size_t i) { places[i] = {key(all[i]), i}; });
-    execution.sort(places.begin(), places.end(), std::less<Edge_position>());
+    sort_positions(execution, places);
     std::vector<Index> number(all.size(), no_index); // of edges, by the first place of each
     for(std::size_t i = 0; i < places.size(); ++i)
       if(i == 0 || places[i].key != places[i - 1].key)

@@ -13,8 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Device_options.h>
-#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Field_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/make_host_passes.h>
 
 #include <cstddef>
 #include <memory>
@@ -40,10 +39,7 @@ template <typename ConcurrencyTag> struct Passes_of_tag
                                       std::vector<Index> seeds,
                                       const Pass_options& options,
                                       const Device_options&) {
-    const Execution execution = execution_of<ConcurrencyTag>();
-    return std::make_unique<Field_passes>(
-        execution, mesh, std::move(seeds), options,
-        [execution, &mesh] { return std::make_unique<Host_backend>(execution, mesh); });
+    return make_host_passes(execution_of<ConcurrencyTag>(), mesh, std::move(seeds), options);
   }
 };
 

@@ -12,17 +12,25 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/classification/Offset_growth.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/Diffusion_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/core.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// The arrival times of a diffusion that starts from the sources and from the handle loops of the
+/// pairs; in components without any, from one vertex.
+CGAL_HTL_CORE std::vector<Time> diffusion_times(Execution execution,
+                                                const Flat_mesh& mesh,
+                                                const std::vector<Index>& sources,
+                                                const std::vector<Flat_pair>& pairs,
+                                                const Field_constants& constants,
+                                                Progress& progress);
 
 /// The arrival times of a diffusion that starts from the sources, if there are any; in components
 /// without one, from both sides of the handle loops, or else from one vertex.
@@ -41,21 +49,15 @@ std::vector<Time> diffusion_times(const Flat_mesh& mesh,
     Statistics statistics;
     pairs = Loop_pipeline(*passes, options, progress).run(statistics);
   }
-  progress.start(Stage::DIFFUSION);
-  Diffusion_field field(execution_of<ConcurrencyTag>(), mesh, constants);
-  for(Index v : sources)
-    field.add_source(v);
-  const Offset_growth growth(mesh);
-  for(const Flat_pair& pair : pairs)
-    field.add_source(growth(pair.handle) >= growth(pair.tunnel) ? pair.handle : pair.tunnel);
-  field.complete_sources(progress);
-  std::vector<Time> times = field.times(progress);
-  progress.end(Stage::DIFFUSION);
-  return times;
+  return diffusion_times(execution_of<ConcurrencyTag>(), mesh, sources, pairs, constants, progress);
 }
 
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/diffusion_times_impl.h>
+#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PIPELINE_DIFFUSION_TIMES_H

@@ -17,7 +17,6 @@
 #include <CGAL/Exact_rational.h>
 
 #include <array>
-#include <cmath>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -47,19 +46,6 @@ inline Exact_vector cross(const Exact_vector& a, const Exact_vector& b) {
 inline bool is_zero(const Exact_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
 inline int sign_of(const Exact_rational& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
-
-/// whether three points lie on a line: decided in floating point where that is beyond doubt.
-inline bool are_collinear(const Vector& a, const Vector& b, const Vector& c) {
-  const Vector u = b - a, v = c - a;
-  for(int d = 0; d < 3; ++d) {
-    const int e = (d + 1) % 3;
-    const double left = u[d] * v[e], right = u[e] * v[d];
-    // Also false where a product overflows. Below 1e-290 products may have lost their digits.
-    if(std::abs(left - right) > 1e-14 * (std::abs(left) + std::abs(right)) + 1e-290)
-      return false;
-  }
-  return is_zero(cross(exact(b) - exact(a), exact(c) - exact(a)));
-}
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -12,15 +12,11 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/assertions.h>
-#include <CGAL/tags.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/core.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-#include <tbb/task_arena.h>
-#endif
+#include <CGAL/assertions.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -54,13 +50,7 @@ public:
   constexpr bool is_parallel() const { return is_parallel_; }
 
   /// how many threads there may be.
-  std::size_t number_of_threads() const {
-#ifdef CGAL_LINKED_WITH_TBB
-    if(is_parallel_)
-      return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-#endif
-    return 1;
-  }
+  std::size_t number_of_threads() const;
 
   /// calls `f(begin, end)` on ranges that cover [0, n). They begin at multiples of `grain` and have
   /// that size, whatever the number of threads, so that sums kept per range are reproducible.
@@ -82,16 +72,6 @@ public:
     });
   }
 
-  /// sorts; not stable.
-  template <typename Iterator, typename Less>
-  void sort(Iterator first, Iterator last, const Less& less) const {
-#ifdef CGAL_LINKED_WITH_TBB
-    if(is_parallel_)
-      return tbb::parallel_sort(first, last, less);
-#endif
-    std::sort(first, last, less);
-  }
-
 private:
   // A function without its type: the library for threads is compiled for this one only.
   struct Range_function
@@ -100,15 +80,7 @@ private:
     void (*call)(const void*, std::size_t);
   };
 
-  void for_each_range(std::size_t number, const Range_function& f) const {
-#ifdef CGAL_LINKED_WITH_TBB
-    if(is_parallel_)
-      return tbb::parallel_for(std::size_t(0), number,
-                               [f](std::size_t i) { f.call(f.function, i); });
-#endif
-    for(std::size_t i = 0; i < number; ++i)
-      f.call(f.function, i);
-  }
+  void for_each_range(std::size_t number, const Range_function& f) const;
 
   bool is_parallel_ = false;
 };
@@ -170,5 +142,9 @@ std::size_t sum_before_each(Execution execution, Numbers& numbers, std::size_t g
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel_impl.h>
+#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_PARALLEL_H

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/classification/Loop_growth_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_position_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/solid_sides_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/diffusion_times_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/make_host_passes_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel_impl.h>

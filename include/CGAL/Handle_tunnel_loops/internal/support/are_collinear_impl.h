@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARE_COLLINEAR_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARE_COLLINEAR_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+CGAL_HTL_CORE bool are_exactly_collinear(const Vector& a, const Vector& b, const Vector& c) {
+  return is_zero(cross(exact(b) - exact(a), exact(c) - exact(a)));
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARE_COLLINEAR_IMPL_H

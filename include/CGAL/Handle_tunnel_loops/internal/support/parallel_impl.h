@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_PARALLEL_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_PARALLEL_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+CGAL_HTL_CORE std::size_t Execution::number_of_threads() const {
+#ifdef CGAL_LINKED_WITH_TBB
+  if(is_parallel_)
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#endif
+  return 1;
+}
+
+CGAL_HTL_CORE void Execution::for_each_range(std::size_t number, const Range_function& f) const {
+#ifdef CGAL_LINKED_WITH_TBB
+  if(is_parallel_)
+    return tbb::parallel_for(std::size_t(0), number, [f](std::size_t i) { f.call(f.function, i); });
+#endif
+  for(std::size_t i = 0; i < number; ++i)
+    f.call(f.function, i);
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_PARALLEL_IMPL_H
