@@ -113,7 +113,7 @@ public:
     time_ = uploaded(executor_, times);
   }
 
-  /// the handles, in the order in which the sweep finds them.
+  /// the handles, in the order of their saddles.
   std::vector<Handle_candidate> handles() {
     return Saddle_contours<Executor>(executor_, mesh_.view(), time_.span()).handles();
   }

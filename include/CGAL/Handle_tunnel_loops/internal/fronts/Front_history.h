@@ -53,7 +53,7 @@ struct Walked_fronts
   Maxima maxima;
 };
 
-/// Goes through the sweep from its beginning, numbers the layers and writes down what happens.
+/// Goes through the saddles from the first one on, numbers the layers and writes down what happens.
 class Front_history
 {
 public:

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The passes on arrival times: handles are read off them exactly, and loops are pulled taut. The
+/// The passes on arrival times: handles are read off them exactly, and loops are tightened. The
 /// fields are computed by a backend.
 class Field_passes : public Passes
 {

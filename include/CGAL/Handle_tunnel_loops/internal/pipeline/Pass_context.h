@@ -51,7 +51,7 @@ struct Pass_context
     progress.throw_if_interrupted();
   }
 
-  /// pulls a loop taut, if that is wanted; in the given number of rounds, if there is one.
+  /// tightens a loop, if that is wanted; in the given number of rounds, if there is one.
   template <typename... Rounds> void tighten(Crossing_loop& loop, Rounds... rounds) const {
     if(do_tighten)
       Loop_tightening(mesh).tighten(loop, rounds...);

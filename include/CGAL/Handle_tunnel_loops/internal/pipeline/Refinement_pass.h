@@ -88,7 +88,7 @@ private:
   }
 
   // A number of steps in which two fronts together go farther than the loop is long: each passes an
-  // edge length in four of the largest steps, and a taut loop crosses two edges on it.
+  // edge length in four of the largest steps, and a geodesic crosses two edges on it.
   Time steps_along(const Crossing_loop& loop) const {
     return steps_of(static_cast<Time>(16 + loop.size() * 3 / 4), context_.searching);
   }

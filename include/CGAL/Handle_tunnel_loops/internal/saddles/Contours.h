@@ -219,7 +219,7 @@ private:
   Span<Lower_component_arc> lower_components_;
 };
 
-/// The saddles in the order of the sweep, and their lower components, one saddle after the other.
+/// The saddles in the order of their times, and their lower components, one saddle after the other.
 struct Saddle_arrays
 {
   Mesh_view mesh;

@@ -35,7 +35,7 @@ find_handle_candidates(Execution execution, const Flat_mesh& mesh, const std::ve
   return Saddle_contours<Processor_executor>(executor, view_of(mesh), span).handles();
 }
 
-/// the walk from `v` down to the source of the sweep, each vertex followed by its earliest
+/// the walk from `v` down to the source of the field, each vertex followed by its earliest
 /// neighbour.
 inline std::vector<Index> descent(const Flat_mesh& mesh, const Arrival_order& order, Index v) {
   std::vector<Index> walk(1, v);
@@ -48,7 +48,7 @@ inline std::vector<Index> descent(const Flat_mesh& mesh, const Arrival_order& or
   return walk;
 }
 
-/// the tunnel of a handle that the sweep itself offers: from the saddle down on either side to the
+/// the tunnel of a handle that the field itself offers: from the saddle down on either side to the
 /// source. It crosses its own handle once and no handle that was found later, whatever the mesh.
 inline Crossing_loop descending_tunnel(const Flat_mesh& mesh,
                                        const Arrival_order& order,

@@ -35,7 +35,7 @@ namespace internal {
 /*!
 Looks once more for each loop of the pairs, this time by lengths. A field counts edges; where
 triangles are of very different sizes or long and thin, the way that it finds may be far from short,
-and a loop pulled taut comes to the nearest geodesic only, such as one around a knob.
+and a loop that is tightened comes to the nearest geodesic only, such as one around a knob.
 
 A loop is replaced by a shorter one x if x = e (loop) + m (partner) in homology, with e = 1 or -1:
 adding to an element of a basis a multiple of another one gives a basis again, whatever is replaced
@@ -55,7 +55,7 @@ public:
       , progress_(progress)
       , searches_([&] { return std::make_unique<Bidirectional_dijkstra>(mesh); }) {}
 
-  /// improves the handles and the tunnels, which are pulled taut and a basis.
+  /// improves the handles and the tunnels, which are geodesics and a basis.
   void improve(std::vector<Crossing_loop>& handles, std::vector<Crossing_loop>& tunnels) {
     CGAL_precondition(handles.size() == tunnels.size());
     std::vector<Index> numbers(handles.size());
@@ -82,7 +82,7 @@ private:
   std::size_t first_share() const { return mesh_.number_of_vertices() / 16 + (1 << 16); }
 
   // About the area within half the length of a loop on both sides of its partner, in vertices: a
-  // taut loop crosses two edges on an edge length.
+  // geodesic crosses two edges on an edge length.
   std::size_t expected_visits(const Crossing_loop& loop, const Crossing_loop& partner) const {
     return (std::min)(loop.size() * partner.size() / 4 + 16, mesh_.number_of_vertices());
   }

@@ -30,7 +30,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /*!
-Pulls a loop taut without changing its homotopy class, towards a closed geodesic.
+Tightens a loop without changing its homotopy class, towards a closed geodesic.
 
 Two moves alternate. The loop is replaced by the shortest path through the strip of triangles that
 it passes, from one of its places back to the same (the strip is laid out in the plane, the path
