@@ -8,6 +8,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 
 #include <gtest/gtest.h>
 
