@@ -34,8 +34,8 @@ struct Executor_on_stream
 class Cuda_solver : private Executor_on_stream, public Device_solver<htl_cuda::Cuda_executor>
 {
 public:
-  Cuda_solver(const Flat_mesh& mesh, int device, cudaStream_t stream, const Tuning& tuning)
-      : Executor_on_stream(device, stream, tuning)
+  Cuda_solver(const Flat_mesh& mesh, int device, cudaStream_t given, const Tuning& tuning)
+      : Executor_on_stream(device, given, tuning)
       , Device_solver(this->executor, mesh, tuning) {}
 };
 

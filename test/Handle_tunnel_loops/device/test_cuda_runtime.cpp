@@ -268,8 +268,9 @@ TEST_P(Cuda_launch, RefusesTheStreamOfAnotherDevice) {
   use_devices({Device_kind(), Device_kind()});
   const Flat_mesh mesh = flat_mesh_of(smallest_torus());
   const Stream_of_caller stream;
-  EXPECT_THROW(make_solver(mesh, {1, stream.get()})->sweep({0}, step_coefficients({}), go_on),
-               Device_exception);
+  EXPECT_THROW(
+      make_solver(mesh, {1, stream.get()})->initial_field({0}, step_coefficients({}), go_on),
+      Device_exception);
 }
 
 // Two on the same device and one on another, each with a thread of its own.

@@ -9,7 +9,6 @@
 namespace front_labels {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
-using namespace CGAL::Handle_tunnel_loops::internal::device;
 
 /*
 The connected components of a front: of the triangles that the isoline of the arrival times at one

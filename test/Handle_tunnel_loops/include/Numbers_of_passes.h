@@ -3,6 +3,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
 
+#include <numeric>
 #include <vector>
 
 // What a device and the host compute alike, in numbers.
@@ -37,8 +38,7 @@ numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::Flat_mesh& mesh) {
   const std::vector<Time> from_loops = backend.times_from_loops(contours, index, searching);
   numbers.times.insert(numbers.times.end(), from_loops.begin(), from_loops.end());
   std::vector<Index> all(contours.size());
-  for(Index k = 0; k < all.size(); ++k)
-    all[k] = k;
+  std::iota(all.begin(), all.end(), Index(0));
   for(const Dual_walks& found : backend.dual_walks({contours, index, false, all}, searching, go_on))
     for(const auto& walk : found.walks)
       numbers.walks.insert(numbers.walks.end(), walk.begin(), walk.end());

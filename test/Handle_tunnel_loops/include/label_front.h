@@ -40,7 +40,7 @@ label_front(Executor& executor, const Mesh_view& mesh, const Span<const Time>& t
 template <typename Executor>
 std::vector<Index>
 label_front(Executor& executor, const Flat_mesh& mesh, const std::vector<Time>& times, Time level) {
-  const Device_mesh<Executor> on_device(executor, view_of(mesh));
+  const device::Device_mesh<Executor> on_device(executor, view_of(mesh));
   const auto time = uploaded(executor, times);
   return label_front(executor, on_device.view(), time.span(), level);
 }
