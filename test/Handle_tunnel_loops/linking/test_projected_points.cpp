@@ -8,6 +8,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 
 #include <gtest/gtest.h>
 
@@ -414,7 +415,7 @@ TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
   curves.crossings.finish(1);
   curves.outward = {1, 1};
   Linking_numbers numbers(curves);
-  numbers.link(Sequential_execution());
+  numbers.link(Execution());
   EXPECT_TRUE(numbers.contacts().empty());
 }
 
