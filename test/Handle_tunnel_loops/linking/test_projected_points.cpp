@@ -415,7 +415,7 @@ TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
   curves.crossings.finish(1);
   curves.outward = {1, 1};
   Linking_numbers numbers(curves);
-  numbers.link(Sequential_execution());
+  numbers.link(Execution());
   EXPECT_TRUE(numbers.contacts().empty());
 }
 

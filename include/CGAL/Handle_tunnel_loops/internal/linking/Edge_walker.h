@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 
 #include <CGAL/assertions.h>
