@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <mutex>
 #include <set>
@@ -143,11 +144,14 @@ protected:
     return observer.threads();
   }
 
-  // A busy processor may let one thread do everything now and then, but not every time.
+  // A busy processor may let one thread do everything for a while, but not for half a minute.
   template <typename Function> static std::size_t most_threads_of(const Function& f) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point end = Clock::now() + std::chrono::seconds(30);
     std::size_t most = 0;
-    for(int i = 0; i < 20 && most < 2; ++i)
+    do {
       most = (std::max)(most, threads_of(f).size());
+    } while(most < 2 && Clock::now() < end);
     return most;
   }
 
