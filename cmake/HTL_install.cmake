@@ -33,10 +33,16 @@ endif()
 
 configure_package_config_file(cmake/Handle_tunnel_loopsConfig.cmake.in
   Handle_tunnel_loopsConfig.cmake INSTALL_DESTINATION "${_htl_config_dir}")
+# Headers are for all machines, libraries are not.
+set(_htl_for_all_machines ARCH_INDEPENDENT)
+if(HTL_CORE OR TARGET Handle_tunnel_loops_cuda)
+  set(_htl_for_all_machines)
+endif()
 write_basic_package_version_file(Handle_tunnel_loopsConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion ${_htl_for_all_machines})
 install(FILES
   "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfig.cmake"
   "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfigVersion.cmake"
   DESTINATION "${_htl_config_dir}")
 unset(_htl_config_dir)
+unset(_htl_for_all_machines)

@@ -79,8 +79,8 @@ __global__ void __launch_bounds__(most_threads_at_barrier, 1) run_kernel(Program
   CGAL::Handle_tunnel_loops::internal::run_steps(program, threads);
 }
 
-/// Runs on the current device, in the order of a stream. What it provides is what `Host_executor`
-/// provides. The stream must outlive it.
+/// Runs on the current device, in the order of a stream: what `Processor_executor` provides, and
+/// what is free. The stream must outlive it.
 class Cuda_executor
 {
 public:

@@ -33,8 +33,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,7 +48,8 @@ namespace CGAL {
 Keeps what can be prepared of a mesh once, for repeated computations of its handle and tunnel loops,
 say from several seeds. The mesh must outlive the object and must not change meanwhile.
 
-The preparation takes about 60 bytes per vertex and vertex descriptor.
+The preparation takes about 60 bytes per vertex and vertex descriptor, and the index maps of
+meshes that have none of their own.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and

@@ -47,7 +47,7 @@ both are moved along the normals (4.5). Several connected components are treated
 component of genus 0 contributes nothing.
 
 Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover;
-memory is 69 to 143 bytes per face (measured with two threads on meshes of a million to ten million
+memory is 69 to 114 bytes per face (measured with two threads on meshes of a million to ten million
 faces and genus 1 to 1500; the more the longer the loops are against the mesh), and 5 to 8 more for
 each further thread.
 

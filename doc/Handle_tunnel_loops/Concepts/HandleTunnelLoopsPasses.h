@@ -41,8 +41,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// finds handle loops, as many as the genus (paper, 4.1), and fills `front_events` and
-  /// `resolution` of the statistics if that was asked for.
+  /// finds handle loops, as many as the genus (paper, 4.1), and notes in the
+  /// statistics what it knows of the fronts, at least if that was asked for.
   void initial_pass(Progress& progress, CGAL::Handle_tunnel_loops::Statistics& statistics);
 
   /// finds a tunnel loop for each handle loop, such that all are a basis (paper, 4.2), and notes in

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// The stages of a computation, in order; none of them is in every computation.
+/// The stages of a computation, in order. What is left out by the parameters has none.
 enum class Stage {
   ADAPTOR,     ///< checks the mesh, and turns it into arrays
   INITIAL,     ///< the initial pass (paper, 4.1)
@@ -71,7 +71,8 @@ struct Statistics
   std::size_t genus = 0;                          ///< summed over the components
   std::array<double, number_of_stages> seconds{}; ///< by stage
   std::size_t kept_sweep_tunnels = 0; ///< tunnels for which the loop of the initial pass was kept
-  std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was kept
+  std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was
+  ///< kept although shorter ones were found (by `Reference_tag`: all that were kept)
   /// of the initial pass, if `do_log_fronts` asks for them; always by `Reference_tag`.
   std::vector<Front_event> front_events;
   Field_resolution resolution; ///< of the initial pass; by `Reference_tag` only

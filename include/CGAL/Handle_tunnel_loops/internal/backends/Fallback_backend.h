@@ -17,6 +17,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -51,7 +52,9 @@ public:
                                               const Step_coefficients& k,
                                               const Callback& callback) override {
     is_initial_field_of_device_ = false;
-    repeat_ = [this, seeds, k, callback] { host_->initial_field(seeds, k, callback); };
+    repeat_ = [this, seeds, k, callback] {
+      host_->initial_field(seeds, k, [&](double) { return callback(0.); });
+    };
     auto handles = run([&](Backend& backend) { return backend.initial_field(seeds, k, callback); });
     is_initial_field_of_device_ = device_ != nullptr;
     return handles;

@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
 
-#include <cstddef>
 #include <future>
 #include <system_error>
 

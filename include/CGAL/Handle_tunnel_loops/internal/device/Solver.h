@@ -14,11 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/backends/Backend.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {

@@ -26,8 +26,7 @@ namespace device {
 
 /// brings a mesh, which must outlive the solver, to a device. Defined in the library
 /// `Handle_tunnel_loops::cuda`. Throws `No_device_exception`, `Out_of_device_memory_exception` or
-/// `Device_exception`. The steps of the fields run in one kernel with barriers, or in a graph that
-/// repeats kernels, for comparison.
+/// `Device_exception`.
 std::unique_ptr<Solver>
 make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning& tuning = {});
 

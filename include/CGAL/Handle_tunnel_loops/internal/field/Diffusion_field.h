@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -45,9 +45,9 @@ struct Walk_list
 };
 
 /*!
-Closes walks at the meetings of a pass, for one thread per pass, as `Loop_pass` does: the best
-meeting of each step first, none that continues an earlier one, none whose walk crosses the loop
-other than once or another wall. From a meeting the way goes back to either side, as noted, and
+Closes walks at the meetings of a pass, for one thread per pass, as `Bidirectional_front` does: the
+best meeting of each step first, none that continues an earlier one, none whose walk crosses the
+loop other than once or another wall. From a meeting the way goes back to either side, as noted, and
 along the left side of the loop, the short way, to where it began.
 */
 template <typename Domain> class Close_walks

@@ -16,7 +16,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

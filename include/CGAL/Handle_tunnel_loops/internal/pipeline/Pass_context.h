@@ -34,9 +34,11 @@ struct Pass_context
   bool do_tighten;
   Progress& progress;
 
-  /// what is found for the loops of a query.
-  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query) const {
-    return backend.dual_walks(query, searching, [this](double) { return progress.goes_on(); });
+  /// what is found for the loops of a query, while the stage comes from one part of it to another.
+  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query, double from, double to) const {
+    return backend.dual_walks(query, searching, [this, from, to](double part) {
+      return progress.goes_on(from + part * (to - from));
+    });
   }
 
   /// calls `f(i)` for i in [0, n), each of which is much work, until somebody wants to stop.
@@ -44,7 +46,7 @@ struct Pass_context
     for_each_index(
         execution, n,
         [&](std::size_t i) {
-          if(!progress.is_interrupted())
+          if(progress.goes_on())
             f(i);
         },
         1);

@@ -78,12 +78,12 @@ private:
     Dual_loop_query query = {tunnels_, index_, true, all_loops(), number_of_candidates};
     for(const Crossing_loop& handle : handles_)
       query.numbers_of_steps.push_back(steps_along(handle));
-    const std::vector<Dual_walks> found = context_.dual_walks(query);
+    std::vector<Dual_walks> found = context_.dual_walks(query, 0., 0.6);
     CGAL_assertion(found.size() == handles_.size());
     context_.for_each(found.size(), [&](std::size_t k) {
-      for(const auto& walk : found[k].walks)
+      const std::vector<std::vector<Index>> walks = std::move(found[k].walks);
+      for(const std::vector<Index>& walk : walks)
         candidates_[k].push_back(pushed_left(context_.mesh, walk));
-      context_.progress.advance_one(tunnels_.size());
     });
   }
 

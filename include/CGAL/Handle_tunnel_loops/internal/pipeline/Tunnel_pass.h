@@ -20,11 +20,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -82,17 +81,25 @@ private:
   std::vector<Index> search(const std::vector<Index>& numbers, std::size_t number_of_updates) {
     Dual_loop_query query = {contours_, index_, false, numbers};
     query.number_of_updates = number_of_updates;
-    const std::vector<Dual_walks> found = context_.dual_walks(query);
+    const double done = part_done(), share = double(numbers.size()) / double(tunnels_.size());
+    std::vector<Dual_walks> found = context_.dual_walks(query, done, done + share / 2.);
     CGAL_assertion(found.size() == numbers.size());
-    context_.for_each(numbers.size(), [&](std::size_t i) {
-      if(!found[i].walks.empty())
-        set_tunnel(numbers[i], found[i].walks.front());
-    });
     std::vector<Index> open;
     for(std::size_t i = 0; i < numbers.size(); ++i)
       if(found[i].walks.empty() && found[i].has_given_up)
         open.push_back(numbers[i]);
+    context_.for_each(numbers.size(), [&](std::size_t i) {
+      const std::vector<std::vector<Index>> walks = std::move(found[i].walks);
+      if(!walks.empty())
+        set_tunnel(numbers[i], walks.front());
+    });
     return open;
+  }
+
+  double part_done() const {
+    const auto is_found = [](const Crossing_loop& tunnel) { return !tunnel.empty(); };
+    return double(std::count_if(tunnels_.begin(), tunnels_.end(), is_found)) /
+           double(tunnels_.size());
   }
 
   // One field for all loops together, where fronts of their own would cover the mesh again and

@@ -67,7 +67,9 @@ public:
     settle_longest();
   }
 
-  /// unfolds the saddle into simple ones, as `Saddle_unfolding`, and notes the handles.
+  /// unfolds the saddle into k - 1 simple ones, and notes the handles: in step i the contour around
+  /// lower components 0 .. i - 1 and the one around lower component i are cut and joined crosswise.
+  /// If they are different contours, these meet: a handle; if not, a contour parts.
   CGAL_HTL_HOST_DEVICE void find_handles() const {
     for(Index i = 1; i < number_of_lower_components(); ++i) {
       const Cycle a = cycle(i - 1, i), b = cycle(i, i);

@@ -108,7 +108,7 @@ private:
           execution_, end - begin,
           [&](std::size_t i) {
             const Index k = numbers[begin + i];
-            if(!progress_.is_interrupted())
+            if(progress_.goes_on())
               shorter[k] = shorter_loop(k, loops[k], partners[k], index, partner_index);
           },
           1);

@@ -21,7 +21,6 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -99,21 +98,13 @@ public:
   }
 
   /// tells that one of `number` equal parts of the stage is done; for many threads.
-  void advance_one(std::size_t number) {
-    const std::size_t done = ++done_;
-    if(!callback_)
-      return;
-    const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-    if(lock.owns_lock())
-      report(double(done) / double(number));
-  }
+  void advance_one(std::size_t number) { goes_on(double(++done_) / double(number)); }
 
-  /// asks whether to go on, without news; for many threads.
-  bool goes_on() {
-    if(callback_) {
-      const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-      if(lock.owns_lock())
-        report(0.);
+  /// tells how far the stage has come, at least, and asks whether to go on; for many threads.
+  bool goes_on(double part = 0.) {
+    if(callback_ && !is_reporting_.test_and_set(std::memory_order_acquire)) {
+      const Reset reset = {is_reporting_};
+      report(part);
     }
     return !is_interrupted_;
   }
@@ -127,6 +118,13 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
+
+  // No mutex: the callback may come back here, by a thread that helps with other work meanwhile.
+  struct Reset
+  {
+    std::atomic_flag& flag;
+    ~Reset() { flag.clear(std::memory_order_release); }
+  };
 
   void report(double part) {
     if(!callback_)
@@ -149,7 +147,7 @@ private:
   Clock::time_point began_;
   std::atomic<std::size_t> done_{0};
   std::atomic<bool> is_interrupted_{false};
-  std::mutex mutex_;
+  std::atomic_flag is_reporting_ = ATOMIC_FLAG_INIT; // in a thread
   double reported_ = 0.;
 };
 

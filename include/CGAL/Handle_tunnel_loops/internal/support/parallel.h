@@ -62,16 +62,6 @@ public:
                                              }});
   }
 
-  /// calls both, perhaps at the same time.
-  template <typename F, typename G> void invoke(const F& f, const G& g) const {
-    for_ranges(2, 1, [&](std::size_t i, std::size_t) {
-      if(i == 0)
-        f();
-      else
-        g();
-    });
-  }
-
 private:
   // A function without its type: the library for threads is compiled for this one only.
   struct Range_function

@@ -18,6 +18,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
