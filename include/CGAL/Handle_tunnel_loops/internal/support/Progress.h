@@ -102,9 +102,10 @@ public:
 
   /// tells how far the stage has come, at least, and asks whether to go on; for many threads.
   bool goes_on(double part = 0.) {
-    if(callback_ && !is_reporting_.test_and_set(std::memory_order_acquire)) {
+    if(callback_ && !is_interrupted_ && !is_reporting_.test_and_set(std::memory_order_acquire)) {
       const Reset reset = {is_reporting_};
-      report(part);
+      if(!is_interrupted_) // nobody is asked again who has said no
+        report(part);
     }
     return !is_interrupted_;
   }
