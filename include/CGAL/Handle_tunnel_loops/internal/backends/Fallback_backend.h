@@ -105,15 +105,11 @@ private:
   // The same of what rests on the last initial field.
   template <typename Function>
   std::invoke_result_t<Function, Backend&> run_on_times(const Function& f) {
-    if(device_)
-      try {
-        return f(*device_);
-      } catch(const Device_exception& e) {
-        leave_device(e);
-      }
-    if(!host_->has_arrival_times())
-      repeat_();
-    return f(static_cast<Backend&>(*host_));
+    return run([&](Backend& backend) {
+      if(!device_ && !host_->has_arrival_times())
+        repeat_();
+      return f(backend);
+    });
   }
 
   void leave_device(const Device_exception& e) {
