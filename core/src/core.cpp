@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/find_right_classes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/classification/Loop_growth_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_position_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/find_right_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/classification/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
@@ -35,6 +36,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -111,12 +113,18 @@ public:
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
     name_and_certify_ = [&tm, point = point_, vertex_index,
                          face_index = CGAL::get_initialized_face_index_map(tm, np)](
-                            impl::Execution execution, bool do_link, std::vector<Pair>& pairs,
+                            impl::Execution execution, const impl::Class_options& wanted,
+                            std::optional<impl::Loop_relations> relations, std::vector<Pair>& pairs,
                             impl::Progress& progress) {
-      return name_and_certify(execution,
-                              impl::certification<Pair>(tm, point, vertex_index, face_index),
-                              impl::Offset_classifier<TriangleMesh, Vertex_point_map>(tm, point),
-                              do_link, pairs, progress);
+      return name_and_certify(
+          execution, impl::certification<Pair>(tm, point, vertex_index, face_index, wanted.kind),
+          impl::Offset_classifier<TriangleMesh, Vertex_point_map>(tm, point), wanted.do_link,
+          std::move(relations), pairs, progress);
+    };
+    relate_ = [&tm, point = point_, vertex_index](impl::Execution execution,
+                                                  const std::vector<Pair>& pairs,
+                                                  const std::vector<std::size_t>& components) {
+      return relations(execution, tm, point, vertex_index, pairs, components);
     };
     impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
         builder(impl::execution_of<ConcurrencyTag>(), tm, vertex_index, point_);
@@ -219,17 +227,63 @@ private:
       flat_pairs = impl::Loop_pipeline(*passes, options, progress).run(statistics_);
     }
     const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+    impl::Class_options wanted;
+    wanted.kind = choose_parameter(get_parameter(np, internal_np::basis_kind), Basis_kind::PURE);
+    wanted.do_link = choose_parameter(get_parameter(np, internal_np::do_compute_linking), true);
+    wanted.do_shorten = options.do_tighten;
+    std::optional<impl::Loop_relations> relations;
+    if(!flat_pairs.empty()) {
+      progress.start(Stage::CLASSES);
+      relations = impl::find_right_classes(
+          execution, mesh_, wanted,
+          [&](const std::vector<impl::Flat_pair>& pairs) {
+            return relate_(execution, converted(execution, pairs), components());
+          },
+          flat_pairs, progress);
+      progress.end(Stage::CLASSES);
+    }
     progress.start(Stage::CONVERT);
     std::vector<Pair> pairs = converted(execution, flat_pairs);
     progress.end(Stage::CONVERT);
-    certificate_ = name_and_certify_(
-        execution, choose_parameter(get_parameter(np, internal_np::do_compute_linking), true),
-        pairs, progress);
+    certificate_ = name_and_certify_(execution, wanted, std::move(relations), pairs, progress);
     if(!certificate_)
       throw Uncertified_loops_exception("the loops found fail their certificate: " +
                                         certificate_.failure);
     progress.end(Stage::CLASSIFY);
     return pairs;
+  }
+
+  // By the caller's index of the vertices.
+  std::vector<std::size_t> components() const {
+    std::vector<std::size_t> components(num_vertices(tm_), 0);
+    if(mesh_.seeds.size() > 1)
+      for(std::size_t v = 0; v < mesh_.original.size(); ++v)
+        components[mesh_.original[v]] = mesh_.component[v];
+    return components;
+  }
+
+  template <typename Vertex_index_map>
+  static Handle_tunnel_loops::internal::Loop_relations
+  relations(Handle_tunnel_loops::internal::Execution execution,
+            const TriangleMesh& tm,
+            Vertex_point_map point,
+            Vertex_index_map vertex_index,
+            const std::vector<Pair>& pairs,
+            const std::vector<std::size_t>& components) {
+    namespace impl = Handle_tunnel_loops::internal;
+    using Loop = typename Pair::Loop;
+    std::vector<const Loop*> loops;
+    for(const Pair& pair : pairs)
+      loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
+    impl::Loop_linker<TriangleMesh, Loop, Vertex_point_map, Vertex_index_map> linker(tm, point,
+                                                                                     vertex_index);
+    const auto component = [&](const auto& f) {
+      return components[get(vertex_index, target(halfedge(f, tm), tm))];
+    };
+    linker.set_loops(execution, loops, component,
+                     1 + *std::max_element(components.begin(), components.end()));
+    linker.link(execution);
+    return linker.take_relations();
   }
 
   // The seed takes the place of its component's own one.
@@ -271,6 +325,7 @@ private:
                    Certification certification,
                    const Classifier& classifier,
                    bool do_link,
+                   std::optional<Handle_tunnel_loops::internal::Loop_relations> relations,
                    std::vector<Pair>& pairs,
                    Handle_tunnel_loops::internal::Progress& progress) {
     using Handle_tunnel_loops::Stage;
@@ -281,7 +336,10 @@ private:
     progress.end(Stage::CERTIFICATE);
     progress.start(Stage::CLASSIFY);
     if(are_closed) {
-      certification.relate(execution, do_link);
+      if(relations)
+        certification.relate(std::move(*relations));
+      else
+        certification.relate(execution, do_link);
       classify(execution, certification, classifier, pairs);
     }
     return certification.finish();
@@ -318,11 +376,18 @@ private:
   Handle_tunnel_loops::internal::Flat_mesh mesh_;
   std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
   // Knows the index maps, whose types are those of the constructor's parameters.
-  std::function<Handle_tunnel_loops::Certificate(Handle_tunnel_loops::internal::Execution,
-                                                 bool do_link,
-                                                 std::vector<Pair>&,
-                                                 Handle_tunnel_loops::internal::Progress&)>
+  std::function<Handle_tunnel_loops::Certificate(
+      Handle_tunnel_loops::internal::Execution,
+      const Handle_tunnel_loops::internal::Class_options&,
+      std::optional<Handle_tunnel_loops::internal::Loop_relations>,
+      std::vector<Pair>&,
+      Handle_tunnel_loops::internal::Progress&)>
       name_and_certify_;
+  std::function<Handle_tunnel_loops::internal::Loop_relations(
+      Handle_tunnel_loops::internal::Execution,
+      const std::vector<Pair>&,
+      const std::vector<std::size_t>&)>
+      relate_;
   Handle_tunnel_loops::Statistics statistics_;
   Handle_tunnel_loops::Certificate certificate_;
 };

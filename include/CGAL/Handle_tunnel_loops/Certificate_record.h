@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_linking.h>
 
 #include <cstddef>
@@ -50,11 +51,22 @@ struct Certificate
   /// the loops are a basis.
   std::optional<std::size_t> tunnels_bound_outside;
 
+  /// the same, each component as if the others were not there.
+  std::optional<std::size_t> handles_bound_inside_alone;
+
+  /// the same, each component as if the others were not there.
+  std::optional<std::size_t> tunnels_bound_outside_alone;
+
+  /// what the basis was meant to be. Of the shortest one, `pairing` and `types` are not required.
+  Basis_kind basis_kind = Basis_kind::PURE;
+
   /// in words, what failed, a line for each failure; empty if nothing did.
   std::string failure;
 
-  /// whether everything holds.
-  explicit operator bool() const { return closed_on_surface && basis && pairing && types; }
+  /// whether everything holds that is required.
+  explicit operator bool() const {
+    return closed_on_surface && basis && (basis_kind == Basis_kind::SHORTEST || (pairing && types));
+  }
 };
 
 } // namespace Handle_tunnel_loops

@@ -89,6 +89,12 @@ loops to bound in.
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{basis_kind}
+    \cgalParamDescription{what the loops are meant to be: of the shortest basis it is reported, and
+      not required, that pairs cross once and that names are right}
+    \cgalParamType{`Handle_tunnel_loops::Basis_kind`}
+    \cgalParamDefault{`Handle_tunnel_loops::Basis_kind::PURE`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \pre `tm` is a closed triangle mesh.
@@ -116,7 +122,9 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
       impl::certification<Pair>(tm,
                                 choose_parameter(get_parameter(np, internal_np::vertex_point),
                                                  get_const_property_map(vertex_point, tm)),
-                                vertex_index, CGAL::get_initialized_face_index_map(tm, np));
+                                vertex_index, CGAL::get_initialized_face_index_map(tm, np),
+                                choose_parameter(get_parameter(np, internal_np::basis_kind),
+                                                 Handle_tunnel_loops::Basis_kind::PURE));
   if(certification.are_closed(execution, pairs)) {
     certification.check_basis(execution);
     certification.relate(

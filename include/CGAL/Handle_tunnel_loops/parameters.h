@@ -34,6 +34,7 @@ enum simplification_threshold_t { simplification_threshold };
 enum vertex_arc_map_t { vertex_arc_map };
 enum allow_parallel_arcs_t { allow_parallel_arcs };
 enum device_options_t { device_options };
+enum basis_kind_t { basis_kind };
 
 } // namespace internal_np
 
@@ -64,6 +65,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(simplification_threshold)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(allow_parallel_arcs)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(device_options)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(basis_kind)
 
 #undef CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER
 

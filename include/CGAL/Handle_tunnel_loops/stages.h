@@ -30,6 +30,7 @@ enum class Stage {
   TUNNEL,      ///< the tunnel pass (paper, 4.2)
   REFINE,      ///< the handle refinement pass (paper, 4.3)
   SHORTEN,     ///< tightens all loops, and looks for shorter ones by length
+  CLASSES,     ///< makes the loops bound on their sides, and looks for shorter ones that do
   CONVERT,     ///< turns the loops into loops on the caller's mesh
   CERTIFICATE, ///< cuts the mesh along the loops, and checks that they are a basis
   CLASSIFY,    ///< counts linking numbers, and tells handles from tunnels (paper, 4.5)
@@ -37,13 +38,13 @@ enum class Stage {
 };
 
 /// the number of stages.
-constexpr std::size_t number_of_stages = 9;
+constexpr std::size_t number_of_stages = 10;
 
 /// the name of a stage, as it stands in reports.
 inline const char* stage_name(Stage stage) {
   constexpr std::array<const char*, number_of_stages> names = {
-      "adaptor", "initial",     "tunnel",   "refine",   "shorten",
-      "convert", "certificate", "classify", "diffusion"};
+      "adaptor", "initial", "tunnel",      "refine",   "shorten",
+      "classes", "convert", "certificate", "classify", "diffusion"};
   return names[static_cast<std::size_t>(stage)];
 }
 

@@ -36,6 +36,7 @@ struct Loops_options : Common_options
   std::optional<std::uint32_t> seed;
   bool do_not_refine = false;
   bool do_not_tighten = false;
+  std::string basis = "pure";
   std::string classifier = "linking";
   bool show_all = false;
   std::string colour = "auto";
@@ -48,6 +49,8 @@ Answer solve(const Backend& backend, const Mesh& mesh, const Loops_options& opti
   solve_options.do_refine_handles = !options.do_not_refine;
   solve_options.do_tighten = !options.do_not_tighten;
   solve_options.do_compute_linking = options.classifier == "linking";
+  using CGAL::Handle_tunnel_loops::Basis_kind;
+  solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
   solve_options.do_log_fronts = !options.events_file.empty();
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
@@ -115,6 +118,13 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       .add_option("--seed", options.seed,
                   "vertex to grow from, from 0 as in the file; default: the first")
       ->option_text("VERTEX")
+      ->group(group);
+  command
+      .add_option("--basis", options.basis,
+                  "pure (handles bound inside and tunnels outside; the default) or\n"
+                  "shortest (whatever side they bound on: for cutting and parametrisation)")
+      ->option_text("KIND")
+      ->check(CLI::IsMember({"pure", "shortest"}))
       ->group(group);
   command
       .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")

@@ -49,7 +49,8 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
   };
   const auto watched = parameters::callback(callback).visitor(std::ref(visitor));
   const auto logged = parameters::do_log_fronts(options.do_log_fronts, watched);
-  const auto linked = parameters::do_compute_linking(options.do_compute_linking, logged);
+  const auto kind = parameters::basis_kind(options.basis_kind, logged);
+  const auto linked = parameters::do_compute_linking(options.do_compute_linking, kind);
   const auto np = parameters::do_refine_handles(options.do_refine_handles,
                                                 parameters::do_tighten(options.do_tighten, linked));
 

@@ -40,6 +40,13 @@ const char* word_for_side(const Loop_linking& linking) {
                                     : "neither";
 }
 
+const char* word_for_side_alone(const Loop_linking& linking) {
+  return !linking.problem.empty()           ? "undecided"
+         : linking.bounds_inside_component  ? "inside"
+         : linking.bounds_outside_component ? "outside"
+                                            : "neither";
+}
+
 std::string summary_of_sides(const Certificate& certificate) {
   const std::size_t pairs = certificate.linking.size() / 2;
   if(pairs == 0)

@@ -20,6 +20,9 @@ namespace htloops {
 /// the word for the side on which a loop bounds: inside, outside, neither or undecided.
 const char* word_for_side(const CGAL::Handle_tunnel_loops::Loop_linking& linking);
 
+/// the same if the other components were not there.
+const char* word_for_side_alone(const CGAL::Handle_tunnel_loops::Loop_linking& linking);
+
 /// how many loops bound where; empty if linking numbers were not computed.
 std::string summary_of_sides(const CGAL::Handle_tunnel_loops::Certificate& certificate);
 

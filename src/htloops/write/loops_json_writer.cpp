@@ -40,7 +40,9 @@ Json json_of(const CGAL::Handle_tunnel_loops::Certificate& certificate) {
           {"pairing", certificate.pairing},
           {"types", certificate.types},
           {"handles_bound_inside", json_of(certificate.handles_bound_inside)},
-          {"tunnels_bound_outside", json_of(certificate.tunnels_bound_outside)}};
+          {"tunnels_bound_outside", json_of(certificate.tunnels_bound_outside)},
+          {"handles_bound_inside_alone", json_of(certificate.handles_bound_inside_alone)},
+          {"tunnels_bound_outside_alone", json_of(certificate.tunnels_bound_outside_alone)}};
 }
 
 // Row, column and value, where loop 2k is handle k and loop 2k + 1 is tunnel k.
@@ -54,8 +56,10 @@ Json json_of(const std::vector<Loop_linking>& linking) {
 
 Json json_of(const Loop& loop, const Mesh& mesh, const Loop_linking* linking) {
   Json json = {{"length", loop.length()}};
-  if(linking != nullptr)
+  if(linking != nullptr) {
     json["bounds"] = word_for_side(*linking);
+    json["bounds_alone"] = word_for_side_alone(*linking);
+  }
   Json locations = Json::array();
   for(const Loop::Step& step : loop.steps())
     locations.push_back(Json::array(
@@ -77,6 +81,7 @@ void write_loops_json(const std::string& target,
   out.member("mesh", json_of_mesh(mesh, answer.statistics));
   out.member("backend", answer.backend);
   out.member("threads", answer.number_of_threads);
+  out.member("basis", CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind));
   out.member("timings", timings(answer, read_seconds));
   out.member("certificate", json_of(answer.certificate));
   if(!linking.empty())

@@ -48,9 +48,14 @@ public:
   Certification(const TriangleMesh& tm,
                 VertexPointMap point,
                 VertexIndexMap vertex_index,
-                FaceIndexMap face_index)
-      : certifier_(tm, vertex_index, face_index)
-      , linker_(tm, point, vertex_index) {}
+                FaceIndexMap face_index,
+                Basis_kind kind = Basis_kind::PURE)
+      : tm_(tm)
+      , point_(point)
+      , vertex_index_(vertex_index)
+      , certifier_(tm, vertex_index, face_index) {
+    certificate_.basis_kind = kind;
+  }
 
   /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
   /// on the surface. What follows is for such loops only.
@@ -74,21 +79,30 @@ public:
   /// linking numbers as well. After `check_basis()`.
   void relate(Execution execution, bool do_link) {
     CGAL_precondition(certificate_.closed_on_surface);
-    linker_.set_loops(
+    Loop_linker<TriangleMesh, Loop, VertexPointMap, VertexIndexMap> linker(tm_, point_,
+                                                                           vertex_index_);
+    linker.set_loops(
         execution, loops_, [this](const auto& f) { return certifier_.component(f); },
         certifier_.number_of_components());
-    if(do_link) {
-      linker_.link(execution);
+    if(do_link)
+      linker.link(execution);
+    else
+      linker.intersect(execution);
+    relate(linker.take_relations());
+  }
+
+  /// the same if the relations of the loops are known.
+  void relate(Loop_relations relations) {
+    CGAL_precondition(relations.components.size() == loops_.size());
+    relations_ = std::move(relations);
+    if(relations_.is_linked)
       note_linking();
-    } else {
-      linker_.intersect(execution);
-    }
   }
 
   /// 1 if the linking numbers show that the first loop of a pair is the handle, -1 if the second,
   /// 0 if they do not tell.
   int handle_of_pair(std::size_t k) const {
-    if(!is_linked_)
+    if(!relations_.is_linked)
       return 0;
     CGAL_precondition(2 * k + 1 < certificate_.linking.size());
     const auto insideness = [](const Loop_linking& l) {
@@ -100,25 +114,18 @@ public:
   }
 
   /// 1 if the faces along the loops of a pair look out of the solid, -1 if they look into it.
-  int outward_of_pair(std::size_t k) const { return linker_.outward(2 * k) < 0 ? -1 : 1; }
+  int outward_of_pair(std::size_t k) const { return relations_.outward[2 * k] < 0 ? -1 : 1; }
 
   /// changes which loop is the handle and which the tunnel, in the pairs where `is_exchanged`.
   void exchange(const std::vector<char>& is_exchanged) {
     CGAL_precondition(2 * is_exchanged.size() == loops_.size());
-    if(!is_linked_)
+    if(!relations_.is_linked)
       return;
-    std::vector<Loop_linking>& linking = certificate_.linking;
-    for(std::size_t k = 0; k < is_exchanged.size(); ++k)
-      if(is_exchanged[k]) {
-        std::swap(linking[2 * k], linking[2 * k + 1]);
-        std::swap(components_[2 * k], components_[2 * k + 1]);
-      }
-    for(Loop_linking& l : linking)
-      for(auto* numbers : {&l.row, &l.column}) {
-        for(auto& number : *numbers)
-          number.first ^= is_exchanged[number.first / 2] ? 1 : 0;
-        std::sort(numbers->begin(), numbers->end());
-      }
+    std::vector<Index> before(loops_.size());
+    for(Index i = 0; i < before.size(); ++i)
+      before[i] = is_exchanged[i / 2] ? i ^ 1 : i;
+    relations_.renumber(before);
+    note_linking();
   }
 
   /// the certificate of all that has been computed, and of the basis.
@@ -129,8 +136,9 @@ public:
     std::vector<std::string> failures = certifier_.failures();
     check_pairing(failures);
     check_types(failures);
-    certificate_.failure = words(failures);
-    if(is_linked_ && certificate_.basis)
+    certificate_.failure =
+        words(certificate_.basis_kind == Basis_kind::PURE ? failures : certifier_.failures());
+    if(relations_.is_linked && certificate_.basis)
       count();
     return std::move(certificate_);
   }
@@ -138,23 +146,20 @@ public:
 private:
   void note_linking() {
     std::vector<Loop_linking>& linking = certificate_.linking;
-    linking.resize(loops_.size());
-    for(std::size_t i = 0; i < loops_.size(); ++i)
-      components_.push_back(linker_.component(i));
-    for(Loop_linking& l : linking)
-      l.bounds_inside_component = l.bounds_outside_component = true;
-    for(const Matrix_entry& e : linker_.linking()) {
+    linking.assign(loops_.size(), {});
+    const std::vector<char> inside = relations_.bounds_alone(true),
+                            outside = relations_.bounds_alone(false);
+    for(std::size_t i = 0; i < linking.size(); ++i) {
+      linking[i].bounds_inside_component = inside[i] != 0;
+      linking[i].bounds_outside_component = outside[i] != 0;
+    }
+    for(const Matrix_entry& e : relations_.linking) {
       CGAL_assertion(e.row < linking.size() && e.column < linking.size() && e.value != 0);
       linking[e.row].row.emplace_back(e.column, e.value);
       linking[e.column].column.emplace_back(e.row, e.value);
-      if(linker_.component(e.row) == linker_.component(e.column))
-        linking[e.row].bounds_inside_component = linking[e.column].bounds_outside_component = false;
     }
-    for(const auto& [loop, problem] : linker_.problems()) {
+    for(const auto& [loop, problem] : relations_.problems)
       linking[loop].problem = problem;
-      linking[loop].bounds_inside_component = linking[loop].bounds_outside_component = false;
-    }
-    is_linked_ = true;
   }
 
   static std::string words(const std::vector<std::string>& lines) {
@@ -166,7 +171,7 @@ private:
 
   void check_pairing(std::vector<std::string>& failures) {
     std::vector<std::int64_t> crossings(loops_.size() / 2, 0);
-    for(const Matrix_entry& e : linker_.intersections())
+    for(const Matrix_entry& e : relations_.intersections)
       if(e.row % 2 == 0 && e.column == e.row + 1)
         crossings[e.row / 2] = e.value;
     certificate_.pairing = true;
@@ -183,7 +188,8 @@ private:
   // no more may speak against the name of a handle than for it.
   void check_types(std::vector<std::string>& failures) {
     certificate_.types = true;
-    for(std::size_t k = 0; certificate_.basis && is_linked_ && k < loops_.size() / 2; ++k) {
+    for(std::size_t k = 0; certificate_.basis && relations_.is_linked && k < loops_.size() / 2; ++k)
+    {
       const auto [handle_inside, handle_outside] = sides_of(2 * k);
       const auto [tunnel_inside, tunnel_outside] = sides_of(2 * k + 1);
       const int in_favour = (handle_inside && !tunnel_inside) + (tunnel_outside && !handle_outside);
@@ -201,7 +207,7 @@ private:
     const Loop_linking& l = certificate_.linking[i];
     const auto is_zero = [&](const std::vector<Loop_linking::Number>& numbers) {
       return l.problem.empty() && std::none_of(numbers.begin(), numbers.end(), [&](const auto& n) {
-               return components_[n.first] == components_[i];
+               return relations_.components[n.first] == relations_.components[i];
              });
     };
     return {is_zero(l.row), is_zero(l.column)};
@@ -209,18 +215,23 @@ private:
 
   void count() {
     certificate_.handles_bound_inside = certificate_.tunnels_bound_outside = 0;
+    certificate_.handles_bound_inside_alone = certificate_.tunnels_bound_outside_alone = 0;
     for(std::size_t i = 0; i < loops_.size(); i += 2) {
-      *certificate_.handles_bound_inside += certificate_.linking[i].bounds_inside();
-      *certificate_.tunnels_bound_outside += certificate_.linking[i + 1].bounds_outside();
+      const Loop_linking &handle = certificate_.linking[i], &tunnel = certificate_.linking[i + 1];
+      *certificate_.handles_bound_inside += handle.bounds_inside();
+      *certificate_.tunnels_bound_outside += tunnel.bounds_outside();
+      *certificate_.handles_bound_inside_alone += handle.bounds_inside_component;
+      *certificate_.tunnels_bound_outside_alone += tunnel.bounds_outside_component;
     }
   }
 
+  const TriangleMesh& tm_;
+  VertexPointMap point_;
+  VertexIndexMap vertex_index_;
   Certificate certificate_;
   Certifier certifier_;
-  Loop_linker<TriangleMesh, Loop, VertexPointMap, VertexIndexMap> linker_;
+  Loop_relations relations_;
   std::vector<const Loop*> loops_;
-  std::vector<std::size_t> components_; // by loop, in the order of the linking numbers
-  bool is_linked_ = false;
 };
 
 /// whether all steps of the loops that are anywhere are on halfedges of the mesh.
@@ -249,8 +260,9 @@ Certification<TriangleMesh, Pair, VertexPointMap, VertexIndexMap, FaceIndexMap>
 certification(const TriangleMesh& tm,
               VertexPointMap point,
               VertexIndexMap vertex_index,
-              FaceIndexMap face_index) {
-  return {tm, point, vertex_index, face_index};
+              FaceIndexMap face_index,
+              Basis_kind kind) {
+  return {tm, point, vertex_index, face_index, kind};
 }
 
 } // namespace internal

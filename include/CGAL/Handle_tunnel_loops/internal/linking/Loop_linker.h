@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 
@@ -75,26 +76,17 @@ public:
 
   /// computes the intersection and the linking numbers.
   void link(Execution execution) {
+    is_linked_ = true;
     for(int round = 0; round < maximum_number_of_rounds; ++round)
       if(!find_walks(execution, round == 0) || !link_walks(execution))
         break;
   }
 
-  /// how often loop i crosses loop j from right to left, less the other way.
-  const Sparse_matrix& intersections() const { return intersections_; }
-
-  /// the linking number of loop i with loop j pushed out of the solid.
-  const Sparse_matrix& linking() const { return linking_; }
-
-  /// in words, by loop, why its linking numbers mean nothing.
-  const std::map<std::size_t, std::string>& problems() const { return problems_; }
-
-  /// 1 if the faces along a loop look out of the solid, -1 if they look into it, 0 if there is
-  /// none.
-  int outward(std::size_t loop) const { return outward_[loop]; }
-
-  /// the component on which a loop lies.
-  std::size_t component(std::size_t loop) const { return components_[loop]; }
+  /// what has been computed.
+  Loop_relations take_relations() {
+    return {std::move(intersections_), std::move(linking_), std::move(problems_),
+            std::move(components_),    std::move(outward_), is_linked_};
+  }
 
 private:
   static constexpr int maximum_number_of_rounds = 8;
@@ -221,6 +213,7 @@ private:
   std::vector<int> outward_;            // by loop
   std::vector<Walk> walks_;
   Sparse_matrix intersections_, linking_;
+  bool is_linked_ = false;
   std::map<std::size_t, std::string> lasting_problems_, problems_;
 };
 

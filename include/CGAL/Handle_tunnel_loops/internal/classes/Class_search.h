@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_CLASS_SEARCH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_CLASS_SEARCH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/classes/Class_vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Edge_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Search_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Search_targets.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Finds the shortest closed walks through a vertex, one of each class, that cross certain loops, the
+walls, not at all in net numbers.
+
+Dijkstra's algorithm on the covering surface on which the walls unroll: a label is a vertex together
+with the sum of the walls that the way to it has crossed. Where two ways come to one vertex with the
+same sum, they are a closed walk that crosses the walls as often forth as back, and all shortest
+such walks are of this form (two shortest ways and an edge, as Thomassen's condition on three paths
+holds on the cover; Erickson and Whittlesey 2005). Without walls these are a tree and an edge.
+*/
+class Class_search
+{
+public:
+  Class_search(const Search_mesh& mesh, const Edge_classes& classes)
+      : mesh_(mesh)
+      , classes_(classes)
+      , first_(mesh.number_of_vertices(), no_index)
+      , lower_bounds_(mesh.number_of_vertices(), 0.f) {}
+
+  /// before searches with other targets or walls. The walls are the loops of the sums `along` if
+  /// \p are_walls_along, else those of `across`.
+  void start(bool are_walls_along) {
+    are_walls_along_ = are_walls_along;
+    for(Index v : bounded_)
+      lower_bounds_[v] = 0.f;
+    bounded_.clear();
+  }
+
+  /// looks for closed walks through `root` that the targets want. Stops when there are no `visits`
+  /// left, of which it takes one for each label.
+  void search(Index root, Search_targets& targets, std::size_t& visits) {
+    targets_ = &targets;
+    shortest_ = targets.limit();
+    reach(root, {0.f, root, no_index, no_index, false, {}});
+    while(!queue_.empty() && visits > 0) {
+      const auto [distance, l] = queue_.top();
+      queue_.pop();
+      if(labels_[l].is_settled || distance > labels_[l].distance)
+        continue;
+      if(2. * distance >= targets.limit())
+        break;
+      --visits;
+      visit(l);
+    }
+    reset(visits > 0);
+  }
+
+  /// No walk through a vertex that the targets want can be shorter, by the searches since
+  /// `start()`.
+  double lower_bound(Index v) const { return lower_bounds_[v]; }
+
+private:
+  static constexpr int most_labels = 6; // of one vertex
+
+  struct Label
+  {
+    float distance;
+    Index vertex;
+    Index parent; // a label
+    Index next;   // of the same vertex
+    bool is_settled;
+    Class_sums sums;
+  };
+
+  using Entry = std::pair<float, Index>;
+
+  // A priority queue that keeps its memory.
+  struct Queue : std::priority_queue<Entry, std::vector<Entry>, std::greater<>>
+  {
+    void clear() { c.clear(); }
+  };
+
+  std::uint64_t wall(const Class_sums& s) const { return are_walls_along_ ? s.along : s.across; }
+  std::uint64_t kind(const Class_sums& s) const { return are_walls_along_ ? s.across : s.along; }
+
+  void reach(Index v, Label label) {
+    if(first_[v] == no_index)
+      reached_.push_back(v);
+    label.next = first_[v];
+    first_[v] = static_cast<Index>(labels_.size());
+    labels_.push_back(label);
+    queue_.push({label.distance, first_[v]});
+  }
+
+  void visit(Index l) {
+    labels_[l].is_settled = true;
+    const Label here = labels_[l];
+    const Index corner = mesh_.corner(here.vertex);
+    const bool may_cross = classes_.has_crossing(corner);
+    const Ring ring = mesh_.ring(here.vertex);
+    Label there = here;
+    there.parent = l;
+    there.is_settled = false;
+    for(Index p = 0; p < ring.size(); ++p) {
+      there.vertex = ring[p];
+      there.distance = here.distance + mesh_.edge_length(here.vertex, p);
+      if(may_cross) {
+        const Index step = mesh_.step(here.vertex, p);
+        there.sums = here.sums;
+        if(step != no_index)
+          there.sums.add(1, classes_.edge(corner, step).sums);
+      }
+      relax(there);
+    }
+  }
+
+  void relax(const Label& way) {
+    int number = 0;
+    for(Index m = first_[way.vertex]; m != no_index; m = labels_[m].next, ++number) {
+      Label& other = labels_[m];
+      if(wall(other.sums) != wall(way.sums))
+        continue;
+      if(kind(other.sums) != kind(way.sums))
+        note(way, other);
+      if(!other.is_settled && way.distance < other.distance) {
+        const Index next = other.next;
+        other = way;
+        other.next = next;
+        queue_.push({way.distance, m});
+      }
+      return;
+    }
+    if(number < most_labels && 2. * way.distance < targets_->limit())
+      reach(way.vertex, way);
+  }
+
+  // Two ways to one vertex.
+  void note(const Label& way, const Label& other) {
+    const double length = double(way.distance) + other.distance;
+    if(length >= targets_->limit())
+      return;
+    const std::uint64_t difference = kind(way.sums) - kind(other.sums);
+    const std::uint64_t key = (std::min)(difference, 0 - difference);
+    if(!targets_->is_known(key))
+      targets_->add_class(key, numbers(closed_walk(way, other)));
+    if(targets_->wants(key, length)) {
+      targets_->take(key, length, corners(closed_walk(way, other)));
+      shortest_ = (std::min)(shortest_, length);
+    }
+  }
+
+  // Vertices to the place where the ways meet, and back.
+  std::vector<Index> closed_walk(const Label& way, const Label& other) const {
+    std::vector<Index> walk;
+    for(Index l = way.parent; l != no_index; l = labels_[l].parent)
+      walk.push_back(labels_[l].vertex);
+    std::reverse(walk.begin(), walk.end());
+    walk.push_back(way.vertex);
+    for(Index l = other.parent; l != no_index; l = labels_[l].parent)
+      walk.push_back(labels_[l].vertex);
+    return walk;
+  }
+
+  std::vector<Index> corners(std::vector<Index> walk) const {
+    for(Index& v : walk)
+      v = mesh_.corner(v);
+    remove_spurs(walk);
+    return walk;
+  }
+
+  // How often a closed walk crosses the loops.
+  Class_vector numbers(const std::vector<Index>& walk) const {
+    Class_vector numbers;
+    for(std::size_t i = 0; i < walk.size(); ++i) {
+      const Index v = walk[i], u = walk[i + 1 == walk.size() ? 0 : i + 1];
+      if(u == v || !classes_.has_crossing(mesh_.corner(v)))
+        continue;
+      const Index step = mesh_.step(v, mesh_.ring(v).position(u));
+      if(step != no_index)
+        classes_.for_each_term(classes_.edge(mesh_.corner(v), step),
+                               [&](Index loop, int number) { numbers.emplace_back(loop, number); });
+    }
+    normalize(numbers);
+    return numbers;
+  }
+
+  // A walk through a vertex is by the way there and back shorter, at most, than the shortest
+  // through the root.
+  void reset(bool is_complete) {
+    for(Index v : reached_) {
+      double distance = shortest_;
+      for(Index l = first_[v]; l != no_index; l = labels_[l].next)
+        if(labels_[l].is_settled)
+          distance = (std::min)(distance, double(labels_[l].distance));
+      const float bound = static_cast<float>(shortest_ - 2. * distance);
+      if(is_complete && bound > lower_bounds_[v]) {
+        if(lower_bounds_[v] == 0.f)
+          bounded_.push_back(v);
+        lower_bounds_[v] = bound;
+      }
+      first_[v] = no_index;
+    }
+    reached_.clear();
+    labels_.clear();
+    queue_.clear();
+  }
+
+  const Search_mesh& mesh_;
+  const Edge_classes& classes_;
+  std::vector<Index> first_; // label, by vertex
+  std::vector<Label> labels_;
+  std::vector<Index> reached_, bounded_;
+  std::vector<float> lower_bounds_; // by vertex
+  Queue queue_;
+  bool are_walls_along_ = false;
+  double shortest_ = 0.;
+  Search_targets* targets_ = nullptr;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_CLASS_SEARCH_H

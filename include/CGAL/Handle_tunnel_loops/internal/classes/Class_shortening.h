@@ -1,0 +1,380 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_CLASS_SHORTENING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_CLASS_SHORTENING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/classes/Class_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Partner_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Search_plan.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Looks for shorter bases of L_in and of L_out, and of H1 where these are not known.
+
+Candidates for each loop are the shortest that cross its partner once and, if its pair is pure, no
+loop of its own kind but for a net number of zero: so they are of the same subgroup. All of them are
+pulled taut; then, the shortest first, each takes the place of the longest loop that can be replaced
+by it. That is the greedy algorithm for the lightest basis, but for what is not found, and for
+coordinates other than 1 and -1.
+*/
+class Class_shortening
+{
+public:
+  Class_shortening(Execution execution, const Flat_mesh& mesh, Progress& progress)
+      : execution_(execution)
+      , mesh_(mesh)
+      , search_mesh_(mesh)
+      , progress_(progress) {}
+
+  /// from now on the loops of pairs need not cross once.
+  void forget_pairs() { are_pairs_kept_ = false; }
+
+  /// \p loops are handles and tunnels in turn, of which \p is_pure says by pair whether they bound
+  /// on their sides, and \p is_new by loop which have not been made short at all. Returns by loop
+  /// the number that it had before, or `no_index` if it is new.
+  std::vector<Index> run(std::vector<Crossing_loop>& loops,
+                         const std::vector<char>& is_pure,
+                         const std::vector<char>& is_new) {
+    loops_ = &loops;
+    is_pure_ = &is_pure;
+    measure();
+    sources_.resize(loops.size());
+    std::iota(sources_.begin(), sources_.end(), Index(0));
+    const double n = double(mesh_.number_of_vertices());
+    const double visits = most_visits * (std::min)(1., small / n);
+    if(n <= small && density_ == 0.)
+      search_mesh_.refine(even);
+    if(visits > n && density_ == 0.) {
+      search_mesh_.measure();
+      density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
+    }
+    patience_.assign(loops.size(), 1.);
+    if(n > small) {
+      // A field has seen each loop, and they are not to wait long for this; but loops that have
+      // just been put together have been seen by nothing.
+      const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
+      is_open_ = is_new;
+      repeat((std::max)(visits, most_visits * number_of_new / (number_of_new + 8.)));
+    }
+    is_open_.assign(loops.size(), 1);
+    repeat(visits);
+    return std::move(sources_);
+  }
+
+private:
+  struct Candidate
+  {
+    double length;
+    Crossing_loop loop;
+    Class_vector numbers, coordinates; // with and in the loops before the round
+  };
+
+  static constexpr int most_rounds = 10;
+  // So much longer, at most, is a walk on the edges than the loop that it is pulled to.
+  static constexpr double poor_edges = 1.4;
+
+  static constexpr double gain_worth_having = 1. - 1e-7;
+
+  static constexpr double most_visits = 2.5e6;
+  static constexpr double small = 25000.;   // vertices
+  static constexpr std::size_t even = 8000; // vertices
+
+  // Looks for the open loops, and for those that are opened by it, as long as there are visits.
+  void repeat(double visits) {
+    part_ = 0.;
+    for(int round = 0; round < most_rounds && visits > 0. && find_candidates(visits); ++round)
+      exchange();
+  }
+
+  // About the vertices within half the length of a loop: by how densely they lie, or because a
+  // geodesic crosses two edges on an edge length.
+  double vertices_around(Index i) const {
+    const double by_density = density_ * lengths_[i] * lengths_[i];
+    const double size = double((*loops_)[i].size());
+    return (std::min)((std::max)(by_density, 0.3 * size * size),
+                      double(search_mesh_.number_of_vertices()));
+  }
+
+  void measure() {
+    lengths_.clear();
+    for(const Crossing_loop& loop : *loops_)
+      lengths_.push_back(length(mesh_, loop));
+  }
+
+  // A loop to search along, for loops of about the same length that have to cross it.
+  struct Task
+  {
+    Index partner;
+    double length; // of the longest target
+    std::vector<Index> targets;
+  };
+
+  // Every curve with a coordinate in a loop crosses one of the loops in the dual class.
+  std::vector<Task> tasks(const std::vector<Class_vector>& duals) const {
+    std::map<std::pair<Index, int>, Task> tasks; // by partner and size
+    for(Index i = 0; i < loops_->size(); ++i)
+      if(is_open_[i])
+        for(const auto& c : duals[i]) {
+          const int size = static_cast<int>(std::floor(2. * std::log2(lengths_[i])));
+          Task& task = tasks.try_emplace({c.first, size}, Task{c.first, 0., {}}).first->second;
+          task.length = (std::max)(task.length, lengths_[i]);
+          task.targets.push_back(i);
+        }
+    std::vector<Task> all;
+    for(auto& entry : tasks)
+      all.push_back(std::move(entry.second));
+    return all;
+  }
+
+  // Where loops are much longer than need be, there is not enough for all: then shorter ones are
+  // looked for first, since discs grow with the square.
+  Search_plan plan(const std::vector<Task>& tasks, double visits) {
+    constexpr double smallest_part = 0.1, factor = 3.;
+    const double least = (std::min)(1., factor * part_);
+    for(part_ = 1.;; part_ /= factor) {
+      const Search_plan plan = this->plan(tasks, visits, part_);
+      if(!plan.is_tight() || part_ / factor < (std::max)(least, smallest_part))
+        return plan;
+    }
+  }
+
+  Search_plan plan(const std::vector<Task>& tasks, double visits, double part) const {
+    std::vector<double> discs, places;
+    for(const Task& task : tasks) {
+      double disc = 0.;
+      for(Index i : task.targets)
+        disc = (std::max)(disc, patience_[i] * vertices_around(i));
+      discs.push_back(part * part * disc);
+      places.push_back(lengths_[task.partner] / (part * task.length));
+    }
+    return Search_plan(discs, places, visits);
+  }
+
+  // Returns whether anything was looked for; takes what was spent from the visits.
+  bool find_candidates(double& visits) {
+    if(std::find(is_open_.begin(), is_open_.end(), 1) == is_open_.end())
+      return false;
+    classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
+    const Edge_classes edge_classes(mesh_, classes_->index(), *is_pure_);
+    const std::vector<Class_vector> duals = dual_classes();
+    const std::vector<Task> tasks = this->tasks(duals);
+    const Search_plan efforts = plan(tasks, visits);
+    Workspace_pool<Partner_search> searches(
+        [&] { return std::make_unique<Partner_search>(mesh_, search_mesh_, edge_classes); });
+    std::vector<std::vector<Candidate>> found(tasks.size());
+    std::vector<std::size_t> left(tasks.size(), 0);
+    for_each_index(
+        execution_, tasks.size(),
+        [&](std::size_t n) {
+          left[n] = efforts.effort(n).visits;
+          if(left[n] > 0 && progress_.goes_on())
+            found[n] =
+                candidates(tasks[n], duals, efforts.effort(n).spacing, left[n], *searches.borrow());
+        },
+        1);
+    progress_.throw_if_interrupted();
+    std::vector<char> is_exhausted(loops_->size(), 0);
+    for(std::size_t n = 0; n < tasks.size(); ++n) {
+      visits -= double(efforts.effort(n).visits - left[n]);
+      if(efforts.effort(n).visits > 0 && left[n] == 0) // it takes more than was thought
+        for(Index i : tasks[n].targets)
+          is_exhausted[i] = 1;
+    }
+    for(Index i = 0; i < is_open_.size(); ++i) {
+      patience_[i] *= is_exhausted[i] ? 4. : 1.;
+      is_open_[i] = is_exhausted[i] || (is_open_[i] && part_ < 1.);
+    }
+    candidates_.clear();
+    for(std::vector<Candidate>& part : found)
+      std::move(part.begin(), part.end(), std::back_inserter(candidates_));
+    return true;
+  }
+
+  // Of the open loops. A loop whose class has numbers that are too large is closed.
+  std::vector<Class_vector> dual_classes() {
+    std::vector<Class_vector> duals(loops_->size());
+    for_each_index(
+        execution_, duals.size(),
+        [&](std::size_t i) {
+          if(is_open_[i])
+            if(std::optional<Class_vector> dual =
+                   classes_->class_with({{static_cast<Index>(i), 1}}))
+              duals[i] = std::move(*dual);
+        },
+        16);
+    return duals;
+  }
+
+  std::vector<Candidate> candidates(const Task& task,
+                                    const std::vector<Class_vector>& duals,
+                                    double spacing,
+                                    std::size_t& visits,
+                                    Partner_search& search) const {
+    const bool is_pure = (*is_pure_)[task.partner / 2], is_tunnel = task.partner % 2 == 0;
+    std::vector<Search_targets::Target> wanted;
+    for(Index i : task.targets)
+      wanted.push_back({part_ * poor_edges * lengths_[i], &duals[i]});
+    Search_targets targets(std::move(wanted));
+    search.run((*loops_)[task.partner], is_pure && is_tunnel, spacing, targets, visits);
+    std::vector<Candidate> candidates;
+    for(const Search_targets::Found& found : targets.take_found()) {
+      if(found.walk.size() < 3)
+        continue;
+      Candidate c;
+      c.loop = pushed_left(mesh_, found.walk);
+      if(c.loop.empty())
+        continue;
+      Loop_tightening(mesh_).tighten(c.loop);
+      c.length = length(mesh_, c.loop);
+      c.numbers = classes_->numbers(c.loop);
+      if(is_pure && !is_of_kind(c.numbers, is_tunnel))
+        continue;
+      if(std::optional<Class_vector> a = classes_->class_with(c.numbers)) {
+        c.coordinates = std::move(*a);
+        candidates.push_back(std::move(c));
+      }
+    }
+    return candidates;
+  }
+
+  // Whether a curve crosses only loops of the other kind.
+  static bool is_of_kind(const Class_vector& numbers, bool is_tunnel) {
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [&](const auto& c) { return (c.first % 2 == 1) != is_tunnel; });
+  }
+
+  void exchange() {
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+    Class_exchange exchange(*classes_);
+    Pairing pairing(loops_->size() / 2);
+    for(Index k = 0; k < loops_->size() / 2; ++k)
+      pairing.match(k, k);
+    std::vector<char> is_changed(loops_->size(), 0);
+    for(Candidate& c : candidates_)
+      try_candidate(c, exchange, pairing, is_changed);
+    apply(pairing, is_changed);
+  }
+
+  void try_candidate(Candidate& c,
+                     Class_exchange& exchange,
+                     Pairing& pairing,
+                     std::vector<char>& is_changed) {
+    const std::optional<Class_vector> x = exchange.coordinates(c.coordinates);
+    if(!x)
+      return;
+    std::vector<Index> places;
+    for(const auto& [i, value] : *x)
+      if(std::abs(value) == 1 && c.length < gain_worth_having * lengths_[i])
+        places.push_back(i);
+    std::stable_sort(places.begin(), places.end(),
+                     [this](Index a, Index b) { return lengths_[a] > lengths_[b]; });
+    for(Index i : places)
+      if(can_pair(c, i, exchange, pairing)) {
+        exchange.replace(i, c.coordinates, *x);
+        (*loops_)[i] = std::move(c.loop);
+        lengths_[i] = c.length;
+        is_changed[i] = 1;
+        sources_[i] = no_index;
+        return;
+      }
+  }
+
+  // Whether each pair still crosses once, perhaps with other partners, if loop `i` is replaced.
+  bool
+  can_pair(const Candidate& c, Index i, const Class_exchange& exchange, Pairing& pairing) const {
+    if(!are_pairs_kept_)
+      return true;
+    const Index k = i / 2;
+    const bool is_tunnel = i % 2 == 1;
+    const Index partner = is_tunnel ? 2 * pairing.row_of(k) : 2 * pairing.column_of(k) + 1;
+    if(std::abs(exchange.crossing(c.numbers, partner)) == 1)
+      return true;
+    if(!(*is_pure_)[k])
+      return false;
+    const auto columns = [&](Index row) {
+      const bool is_new = !is_tunnel && row == k;
+      const Class_vector numbers = is_new ? c.numbers : exchange.numbers(2 * row);
+      std::vector<Index> found;
+      for(Index j = 0; j < is_pure_->size(); ++j) {
+        const std::int64_t crossing = is_tunnel && j == k ? exchange.crossing(c.numbers, 2 * row)
+                                                          : exchange.crossing(numbers, 2 * j + 1);
+        if(std::abs(crossing) == 1)
+          found.push_back(j);
+      }
+      return found;
+    };
+    Pairing other = pairing;
+    const Index row = is_tunnel ? pairing.row_of(k) : k;
+    other.release(row);
+    if(!other.augment(row, columns))
+      return false;
+    pairing = other;
+    return true;
+  }
+
+  // Puts the tunnels into the order of their handles, and opens what has to be looked at again.
+  void apply(const Pairing& pairing, const std::vector<char>& is_changed) {
+    const std::vector<Crossing_loop> loops = *loops_;
+    const std::vector<Index> sources = sources_;
+    for(Index k = 0; k < loops.size() / 2; ++k) {
+      const Index from = 2 * pairing.column_of(k) + 1, to = 2 * k + 1;
+      (*loops_)[to] = loops[from];
+      sources_[to] = sources[from];
+      if(is_changed[2 * k] || is_changed[from] || from != to)
+        is_open_[2 * k] = is_open_[to] = 1;
+    }
+    measure();
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  Search_mesh search_mesh_;
+  Progress& progress_;
+  std::vector<Crossing_loop>* loops_ = nullptr;
+  const std::vector<char>* is_pure_ = nullptr;
+  bool are_pairs_kept_ = true;
+  double part_ = 0.;    // of the length of the loops, to look for
+  double density_ = 0.; // vertices by area, if many of them are visited
+  std::vector<double> lengths_;
+  std::vector<Index> sources_;
+  std::vector<char> is_open_;    // by loop, whether to look for candidates
+  std::vector<double> patience_; // by loop, how many more vertices than expected to cover
+  std::unique_ptr<Loop_classes> classes_;
+  std::vector<Candidate> candidates_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_CLASS_SHORTENING_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_PARTNER_SEARCH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_PARTNER_SEARCH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/classes/Class_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Finds short loops that cross a given one: `Class_search` from places along it, as close to each
+other as it takes.
+
+A loop through a place that is d away is longer by at most 2 d than one through this place. So
+places at a part of the length of what is looked for find a loop that is longer by that part at
+most, before it is pulled taut; and places near one through which there is no short loop can be left
+out.
+*/
+class Partner_search
+{
+public:
+  Partner_search(const Flat_mesh& mesh, const Search_mesh& search_mesh, const Edge_classes& classes)
+      : mesh_(mesh)
+      , search_mesh_(search_mesh)
+      , search_(search_mesh, classes) {}
+
+  /// looks for the targets along a loop that all of them have to cross; see `Class_search` for the
+  /// walls. The places are \p spacing times what is looked for apart.
+  void run(const Crossing_loop& partner,
+           bool are_walls_along,
+           double spacing,
+           Search_targets& targets,
+           std::size_t& visits) {
+    measure(partner);
+    search_.start(are_walls_along);
+    for(double s = 0.; s < along_.back() && visits > 0; s += spacing * targets.smallest_limit()) {
+      const Index root = place(partner, s);
+      if(search_.lower_bound(root) < (1. - 2. * spacing) * targets.limit())
+        search_.search(root, targets, visits);
+    }
+  }
+
+private:
+  void measure(const Crossing_loop& loop) {
+    along_.assign(1, 0.);
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      along_.push_back(
+          along_.back() +
+          norm(position(mesh_, loop[i + 1 == loop.size() ? 0 : i + 1]) - position(mesh_, loop[i])));
+  }
+
+  // A vertex to search from, near the place of the loop at a distance along it.
+  Index place(const Crossing_loop& loop, double s) const {
+    const std::size_t i = static_cast<std::size_t>(
+        std::upper_bound(along_.begin(), along_.end() - 1, s) - along_.begin() - 1);
+    const Crossing &c = loop[i], &next = loop[i + 1 == loop.size() ? 0 : i + 1];
+    const double part = along_[i + 1] - along_[i];
+    const Vector from = position(mesh_, c);
+    const Vector p =
+        part > 0. ? from + ((s - along_[i]) / part) * (position(mesh_, next) - from) : from;
+    return search_mesh_.vertex_near(p, c.ratio < 0.5 ? c.left : c.right);
+  }
+
+  const Flat_mesh& mesh_;
+  const Search_mesh& search_mesh_;
+  Class_search search_;
+  std::vector<double> along_; // the loop, by crossing
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_PARTNER_SEARCH_H

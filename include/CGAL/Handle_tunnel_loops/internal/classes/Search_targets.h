@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_SEARCH_TARGETS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_SEARCH_TARGETS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/classes/Class_vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Loops that are to be replaced by shorter ones, and what has been found for them.
+
+A curve can replace loop k of a basis if its coordinate in k is 1 or -1. That coordinate is, up to
+sign, the intersection number with the class that is dual to loop k: a sum of its numbers with the
+loops.
+*/
+class Search_targets
+{
+public:
+  struct Target
+  {
+    double limit;             ///< walks have to be shorter
+    const Class_vector* dual; ///< the coordinate, by the intersection numbers
+  };
+
+  /// A closed walk on the edges of the mesh, of a class of its own.
+  struct Found
+  {
+    double length; ///< on the mesh that is searched
+    std::vector<Index> walk;
+    std::vector<Index> targets; ///< what it can replace
+  };
+
+  explicit Search_targets(std::vector<Target> targets)
+      : targets_(std::move(targets)) {
+    update_limit();
+  }
+
+  /// No target wants a walk that is longer.
+  double limit() const { return limit_; }
+
+  /// the length of the shortest limit of a target.
+  double smallest_limit() const {
+    double smallest = limit_;
+    for(const Target& t : targets_)
+      smallest = (std::min)(smallest, t.limit);
+    return smallest;
+  }
+
+  bool is_known(std::uint64_t key) const { return classes_.count(key) != 0; }
+
+  /// says by intersection numbers what class a key stands for.
+  void add_class(std::uint64_t key, const Class_vector& numbers) {
+    Found& found = classes_[key];
+    for(Index t = 0; t < targets_.size(); ++t) {
+      std::int64_t x = 0;
+      for(const auto& [loop, factor] : *targets_[t].dual)
+        x += factor * coordinate(numbers, loop);
+      if(x == 1 || x == -1)
+        found.targets.push_back(t);
+    }
+    found.length = limit_;
+  }
+
+  bool wants(std::uint64_t key, double length) const {
+    const Found& found = classes_.at(key);
+    return length < found.length && is_wanted(found.targets, length);
+  }
+
+  void take(std::uint64_t key, double length, std::vector<Index> walk) {
+    Found& found = classes_.at(key);
+    found.length = length;
+    found.walk = std::move(walk);
+    for(Index t : found.targets)
+      targets_[t].limit = (std::min)(targets_[t].limit, slack * length);
+    update_limit();
+  }
+
+  /// what is still wanted, the shortest first.
+  std::vector<Found> take_found() {
+    std::vector<Found> all;
+    for(auto& entry : classes_)
+      if(!entry.second.walk.empty() && is_wanted(entry.second.targets, entry.second.length))
+        all.push_back(std::move(entry.second));
+    std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
+      return a.length != b.length ? a.length < b.length : a.walk < b.walk;
+    });
+    return all;
+  }
+
+private:
+  // Of walks more than so many times longer than the shortest, none is pulled to a shorter loop.
+  static constexpr double slack = 1.15;
+
+  bool is_wanted(const std::vector<Index>& targets, double length) const {
+    return std::any_of(targets.begin(), targets.end(),
+                       [&](Index t) { return length < targets_[t].limit; });
+  }
+
+  void update_limit() {
+    limit_ = 0.;
+    for(const Target& t : targets_)
+      limit_ = (std::max)(limit_, t.limit);
+  }
+
+  std::vector<Target> targets_;
+  double limit_ = 0.;
+  std::unordered_map<std::uint64_t, Found> classes_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_SEARCH_TARGETS_H
