@@ -9,6 +9,7 @@
 
 #include "mesh_of_field.h"
 
+#include "crosses_itself.h"
 #include "isosurface.h"
 #include "request_checks.h"
 #include "smoothing.h"
@@ -74,6 +75,14 @@ void fit_to_surface(Soup& soup, const Field& field, double spacing) {
   }
 }
 
+Soup interpolated(const Soup& from, const Soup& to, double part) {
+  Soup soup = to;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    for(int i = 0; i < 3; ++i)
+      soup.points[v][i] = from.points[v][i] + part * (to.points[v][i] - from.points[v][i]);
+  return soup;
+}
+
 } // namespace
 
 Soup mesh_of_field(const Field& field, const Request& request, const char* kind) {
@@ -90,6 +99,20 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
   throw std::invalid_argument(std::to_string(request.faces) +
                               " faces are too few for a mesh of the kind '" + kind + "' of genus " +
                               std::to_string(request.genus));
+}
+
+Soup mesh_of_field(const Field& field, std::size_t faces) {
+  Spacing_search search(field);
+  const Soup soup = search.mesh_with_faces(faces);
+  Soup fitted = soup;
+  fit_to_surface(fitted, field, search.spacing());
+  // What the lattice gives never crosses itself.
+  for(double part = 1.; part > 0.2; part /= 2.) {
+    const Soup between = interpolated(soup, fitted, part);
+    if(!crosses_itself(between))
+      return between;
+  }
+  return soup;
 }
 
 } // namespace generators
