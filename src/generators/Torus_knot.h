@@ -59,8 +59,17 @@ public:
     return (std::min)({2. / CGAL_PI * distance_along_torus(moved), radius, inner_radius});
   }
 
-  /// of a curve, counted the long way only.
-  double least_speed() const { return p_ * inner_radius; }
+  double least_speed() const { return std::hypot(p_ * inner_radius, q_ * radius); }
+
+  /// the number of points at equal distances along a curve of which the chords are closer to the
+  /// curve than `error`.
+  std::size_t least_samples(double error) const {
+    const double outer_radius = 1. + radius;
+    const double most_length = 2. * CGAL_PI * std::hypot(p_ * outer_radius, q_ * radius);
+    const double acceleration = p_ * p_ * outer_radius + (q_ + 2. * p_) * q_ * radius;
+    return static_cast<std::size_t>(
+        std::ceil(most_length / least_speed() * std::sqrt(acceleration / (8. * error))));
+  }
 
 private:
   static constexpr double radius = 0.4, inner_radius = 1. - radius;

@@ -45,7 +45,7 @@ public:
       return;
     add_side(moved_);
     for(std::size_t i = 0; i < rungs; ++i)
-      segments_.emplace_back(node(i * steps_ / rungs, 0.), node(i * steps_ / rungs, moved_));
+      add_rung(node(i * steps_ / rungs, 0.));
   }
 
   const std::vector<Tubes::Segment>& segments() const { return segments_; }
@@ -74,6 +74,17 @@ private:
   void add_side(double moved) {
     for(std::size_t i = 0; i < steps_; ++i)
       segments_.emplace_back(node(i, moved), node(i + 1, moved));
+  }
+
+  /// to the nearest node of the other side.
+  void add_rung(const Vector& from) {
+    Vector nearest = node(0, moved_);
+    for(std::size_t i = 1; i < steps_; ++i) {
+      const Vector to = node(i, moved_);
+      if((to - from).squared_length() < (nearest - from).squared_length())
+        nearest = to;
+    }
+    segments_.emplace_back(from, nearest);
   }
 
   const Torus_knot& knot_;

@@ -12,6 +12,9 @@
 #include "kinds.h"
 #include "request_checks.h"
 
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -19,16 +22,28 @@ namespace Handle_tunnel_loops {
 namespace generators {
 namespace {
 
+// A third of the room is for the tubes, and some of the rest for the difference to their chords.
+constexpr double tube_part = 0.3, error_part = 0.15;
+
+/// of one tube, so that it has rings enough to follow its curve; see `grid_size()`.
+std::size_t least_faces(const Torus_knot& knot, double room, double length) {
+  const auto rings = static_cast<double>(knot.least_samples(error_part * room));
+  const double aspect = length / (2. * CGAL_PI * tube_part * room);
+  return static_cast<std::size_t>((std::max)(6. * rings, 2. * rings * rings / aspect)) + 6;
+}
+
 Soup make_torus_link(const Request& request) {
   require_least_genus(request, "torus-link", 1);
   const Torus_knot knot(request.p, request.q);
   const std::size_t strands = request.genus;
-  require_faces(request, "torus-link", 100 * (request.p + request.q) * strands);
-  const double angle = knot.period() / strands;
+  const double angle = knot.period() / strands, room = knot.distance(angle);
   std::vector<Soup> tubes;
-  for(std::size_t i = 0; i < strands; ++i)
-    tubes.push_back(closed_tube(Curve_by_length([&](double t) { return knot.point(t, i * angle); }),
-                                0.4 * knot.distance(angle), request.faces / strands));
+  for(std::size_t i = 0; i < strands; ++i) {
+    const Curve_by_length curve([&](double t) { return knot.point(t, i * angle); });
+    if(i == 0)
+      require_faces(request, "torus-link", strands * least_faces(knot, room, curve.length()));
+    tubes.push_back(closed_tube(curve, tube_part * room, request.faces / strands));
+  }
   return joined(tubes);
 }
 
@@ -37,7 +52,7 @@ Soup make_torus_link(const Request& request) {
 const Kind torus_link_kind = {
     "torus-link",
     "tubes along parallel torus knots (p, q), one for each handle, each linked with all others if "
-    "there are several; any genus g from 1, from 100 (p + q) g faces",
+    "there are several; any genus g from 1, from some hundred faces for each",
     make_torus_link, GENUS | TORUS_KNOT};
 
 } // namespace generators

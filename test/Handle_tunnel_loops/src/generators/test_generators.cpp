@@ -158,7 +158,9 @@ INSTANTIATE_TEST_SUITE_P(Fixed_genus,
                                          Case{"torus", {1000, 1, 0}},
                                          Case{"torus", {20001, 1, 0}},
                                          Case{"knot", {150, 1, 0}},
-                                         Case{"knot", {20000, 1, 0}}),
+                                         Case{"knot", {20000, 1, 0}},
+                                         Case{"lattice", {5400, 20, 8}},
+                                         Case{"torus-link", {500, 1, 0}}),
                          name_of_case);
 
 std::vector<Case> cases_of_any_genus() {
@@ -200,8 +202,8 @@ std::vector<Case> cases_of_tubes() {
                                                                   {3, 2}, {5, 2}, {3, 7}};
   for(const auto& [p, q] : knots)
     for(std::size_t genus : {1, 2, 5}) {
-      cases.push_back({"torus-link", {100 * (p + q) * genus, genus, 0, 1, p, q}});
-      cases.push_back({"torus-link", {300 * (p + q) * genus, genus, 0, 1, p, q}});
+      cases.push_back({"torus-link", {5000 * genus, genus, 0, 1, p, q}});
+      cases.push_back({"torus-link", {15000 * genus, genus, 0, 1, p, q}});
       cases.push_back({"ladder", {60000, genus, 0, 1, p, q}});
     }
   return cases;
