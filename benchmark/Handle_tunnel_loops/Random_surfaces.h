@@ -62,7 +62,7 @@ struct Surface
 /// mostly small, up to a bound.
 inline std::size_t random_genus(const Recipe& recipe, Random& random) {
   const std::size_t dice = random.below(100);
-  const double most = dice < 90 ? 12. : dice < 99 ? 60. : 300.;
+  const double most = dice < 80 ? 12. : dice < 95 ? 60. : 300.;
   const auto genus = static_cast<std::size_t>(std::exp(random.uniform(0., std::log(most + 1.))));
   return std::clamp(dice < 4 ? 0 : genus, recipe.least_genus, recipe.most_genus);
 }
