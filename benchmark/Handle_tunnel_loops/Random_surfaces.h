@@ -77,7 +77,7 @@ inline Request random_request(const Recipe& recipe, Random& random) {
     request.p = 1 + random.below(4);
     request.q = 1 + random.below(5);
   } while(std::gcd(request.p, request.q) != 1);
-  request.frequency = 1 + random.below(4);
+  request.frequency = random.below(8) == 0 ? 6 : 1 + random.below(4);
   const std::size_t waves = std::string(recipe.kind) == "waves"
                                 ? 400 * request.frequency * request.frequency * request.frequency
                                 : 0;

@@ -94,7 +94,7 @@ private:
 };
 
 Soup make_ladder(const Request& request) {
-  constexpr double tube_radius = 0.22, faces_per_length = 150.;
+  constexpr double tube_radius = 0.22, faces_per_length = 200.;
   require_least_genus(request, "ladder", 1);
   const Torus_knot knot(request.p, request.q);
   const Knotted_ladder ladder(knot, request.genus - 1);
@@ -108,7 +108,7 @@ Soup make_ladder(const Request& request) {
 const Kind ladder_kind = {
     "ladder",
     "a ladder with g - 1 rungs along a torus knot (p, q), its ends joined, and for g = 1 one side "
-    "alone; any genus g from 1, from some thousand faces",
+    "alone; any genus g from 1, from some ten thousand faces",
     make_ladder, GENUS | TORUS_KNOT};
 
 } // namespace generators

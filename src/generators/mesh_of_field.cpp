@@ -27,7 +27,7 @@ namespace {
 
 /// Meshes with so many faces for each handle do not come to cross themselves when they are
 /// smoothed.
-constexpr std::size_t fine = 2000;
+constexpr std::size_t fine = 1200;
 
 /// Looks for the spacing of the lattice that gives a number of faces, which grows about as
 /// spacing^-2.

@@ -204,7 +204,7 @@ std::vector<Case> cases_of_tubes() {
     for(std::size_t genus : {1, 2, 5}) {
       cases.push_back({"torus-link", {5000 * genus, genus, 0, 1, p, q}});
       cases.push_back({"torus-link", {15000 * genus, genus, 0, 1, p, q}});
-      cases.push_back({"ladder", {60000, genus, 0, 1, p, q}});
+      cases.push_back({"ladder", {75000, genus, 0, 1, p, q}});
     }
   return cases;
 }
@@ -231,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(High_genus,
                                          Case{"sponge", {40000, 1000, 0}},
                                          Case{"plates", {10000, 500, 0, 7}},
                                          Case{"bars", {10000, 500, 0, 7}},
-                                         Case{"ladder", {200000, 200, 0}},
+                                         Case{"ladder", {150000, 150, 0}},
                                          Case{"shell", {200000, 300, 0}},
                                          Case{"foam", {200000, 300, 0}},
                                          Case{"interlaced", {150000, 300, 0}},
