@@ -10,6 +10,7 @@
 #include "Bored_box.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/number_type_config.h>
@@ -28,7 +29,7 @@ namespace {
 class Bored_box_surface
 {
 public:
-  Bored_box_surface(const Vector& size, const std::vector<Bore>& bores)
+  Bored_box_surface(const Vector& size, const std::vector<Bore>& bores, Cut cut)
       : size_(size)
       , bores_(bores) {
     for(int corner = 0; corner < 8; ++corner)
@@ -37,7 +38,10 @@ public:
     for(const Bore& bore : bores)
       add_bore(bore);
     for(int axis = 0; axis < 3; ++axis)
-      add_faces(axis);
+      if(cut == Cut::DELAUNAY)
+        add_faces<CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>>(axis);
+      else
+        add_faces<CGAL::Constrained_triangulation_2<Kernel, Structure>>(axis);
   }
 
   Soup take() { return std::move(soup_); }
@@ -55,9 +59,7 @@ private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Vertex, Kernel>;
   using Face_base = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-      Kernel,
-      CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>;
+  using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
 
   /// the vertices of a bore, those at the low and the high end in turn, and its wall.
   void add_bore(const Bore& bore) {
@@ -81,7 +83,7 @@ private:
   }
 
   /// the two faces of the box that an axis goes through.
-  void add_faces(int axis) {
+  template <typename Triangulation> void add_faces(int axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     Triangulation triangulation;
     const auto insert = [&](const Vertex& vertex) {
@@ -95,7 +97,7 @@ private:
     for(std::size_t b = 0; b < bores_.size(); ++b) {
       if(bores_[b].axis != axis)
         continue;
-      std::vector<Triangulation::Vertex_handle> polygon;
+      std::vector<typename Triangulation::Vertex_handle> polygon;
       for(Index i = 0; i < bores_[b].corners; ++i)
         polygon.push_back(insert({first_[b] + 2 * i, first_[b] + 2 * i + 1, static_cast<int>(b)}));
       for(std::size_t i = 0; i < polygon.size(); ++i)
@@ -121,8 +123,8 @@ private:
 
 } // namespace
 
-Soup bored_box(const Vector& size, const std::vector<Bore>& bores) {
-  return Bored_box_surface(size, bores).take();
+Soup bored_box(const Vector& size, const std::vector<Bore>& bores, Cut cut) {
+  return Bored_box_surface(size, bores, cut).take();
 }
 
 std::vector<std::size_t>

@@ -30,10 +30,19 @@ struct Bore
   double phase; ///< an angle
 };
 
+/// How the faces of a box with bores are cut into triangles.
+enum class Cut {
+  DELAUNAY, ///< as even as they can be without further vertices
+  ANY       ///< as vertices and constraints come, with slivers, as some programs export parts
+};
+
 /// the surface of a box from the origin to a corner, with bores that keep away from each other. It
 /// has no more vertices than the corners of the box and the polygons: its faces are constrained
-/// Delaunay triangulations, and the walls of the bores have two triangles for each side.
-Soup bored_box(const Vector& size, const std::vector<Bore>& bores);
+/// triangulations, and the walls of the bores have two triangles for each side.
+Soup bored_box(const Vector& size, const std::vector<Bore>& bores, Cut cut);
+
+/// one or the other.
+inline Cut random_cut(Random& random) { return random.below(2) == 0 ? Cut::DELAUNAY : Cut::ANY; }
 
 /// the number of faces of boxes with bores that have a number of corners, all together.
 inline std::size_t faces_of_bored_boxes(std::size_t boxes, std::size_t bores, std::size_t corners) {

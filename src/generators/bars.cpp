@@ -36,7 +36,7 @@ Soup make_bar(const std::vector<std::size_t>& corners,
     bores.push_back({axis, Vector(x, depth / 2., height / 2.), Vector(a, b * depth, b * height),
                      corners[i], random.uniform(0., 2. * CGAL_PI)});
   }
-  return bored_box(size, bores);
+  return bored_box(size, bores, random_cut(random));
 }
 
 Soup make_bars(const Request& request) {

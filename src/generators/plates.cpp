@@ -39,7 +39,7 @@ Soup make_plate(const std::vector<std::size_t>& corners, double thickness, Rando
   std::vector<Bore> bores;
   for(std::size_t i = 0; i < corners.size(); ++i)
     bores.push_back(bore_in_square(double(i / rows), double(i % rows), corners[i], random));
-  return bored_box(Vector(double(columns), double(rows), thickness), bores);
+  return bored_box(Vector(double(columns), double(rows), thickness), bores, random_cut(random));
 }
 
 Soup make_plates(const Request& request) {

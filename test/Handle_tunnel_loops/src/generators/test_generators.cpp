@@ -4,6 +4,8 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -327,6 +329,24 @@ TEST(Disjoint_union, PutsSurfacesBesideEachOther) {
   EXPECT_EQ(generators::euler_characteristic(both), 2);
   EXPECT_EQ(generators::genus(both), 1u);
   EXPECT_TRUE(generators::disjoint_union({}).points.empty());
+}
+
+TEST(Shell, HasItsHollowTurnedInwards) {
+  const Soup soup = kind("shell").make({5000, 2, 0});
+  boost::disjoint_sets_with_storage<> components(soup.points.size());
+  for(const auto& [a, b, c] : soup.triangles) {
+    components.union_set(a, b);
+    components.union_set(b, c);
+  }
+  Soup outer = soup, hollow = soup;
+  outer.triangles.clear();
+  hollow.triangles.clear();
+  for(const auto& triangle : soup.triangles) {
+    const bool is_outer = components.find_set(triangle[0]) == components.find_set(Index(0));
+    (is_outer ? outer : hollow).triangles.push_back(triangle);
+  }
+  EXPECT_GT(signed_volume(outer), -signed_volume(hollow));
+  EXPECT_LT(signed_volume(hollow), 0.);
 }
 
 TEST(Euler_characteristic, IgnoresIsolatedVertices) {
