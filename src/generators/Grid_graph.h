@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,23 +31,31 @@ namespace generators {
 class Grid_graph
 {
 public:
-  Grid_graph(std::size_t cycles, Random& random) {
+  Grid_graph(std::size_t cycles, Random& random, double jitter = 0.12) {
     choose_size(cycles);
-    place_nodes(random);
+    place_nodes(random, jitter);
     choose_edges(cycles, random);
   }
 
   /// the edges, as pairs of points.
   std::vector<std::pair<Vector, Vector>> segments() const {
+    return segments_with_cycles((std::numeric_limits<std::size_t>::max)());
+  }
+
+  /// those of a connected subgraph with all nodes and only so many cycles.
+  std::vector<std::pair<Vector, Vector>> segments_with_cycles(std::size_t cycles) const {
     std::vector<std::pair<Vector, Vector>> segments;
-    for(const auto& [a, b] : edges_)
-      segments.emplace_back(nodes_[a], nodes_[b]);
+    for(std::size_t i = 0; i < edges_.size(); ++i) {
+      if(closes_cycle_[i] && cycles == 0)
+        continue;
+      cycles -= closes_cycle_[i];
+      segments.emplace_back(nodes_[edges_[i].first], nodes_[edges_[i].second]);
+    }
     return segments;
   }
 
 private:
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
-  static constexpr double jitter = 0.12;
 
   std::size_t number_of_nodes() const { return std::size_t(size_[0]) * size_[1] * size_[2]; }
 
@@ -62,7 +71,7 @@ private:
       ++size_[i];
   }
 
-  void place_nodes(Random& random) {
+  void place_nodes(Random& random, double jitter) {
     const auto moved = [&](std::uint32_t i) { return i + random.uniform(-jitter, jitter); };
     for(std::uint32_t k = 0; k < size_[2]; ++k)
       for(std::uint32_t j = 0; j < size_[1]; ++j)
@@ -94,12 +103,14 @@ private:
       cycles -= closes_cycle;
       components.union_set(a, b);
       edges_.emplace_back(a, b);
+      closes_cycle_.push_back(closes_cycle);
     }
   }
 
   std::array<std::uint32_t, 3> size_; ///< in nodes
   std::vector<Vector> nodes_;
   std::vector<Edge> edges_;
+  std::vector<char> closes_cycle_; ///< with the edges before it
 };
 
 } // namespace generators

@@ -25,14 +25,22 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace generators {
 
-/// Tubes around segments, blended where they meet.
+/// Tubes around segments, blended where they meet. Their radii are at most 0.24; segments that do
+/// not meet are to be so far apart that the tubes do not either.
 class Tubes : public Field
 {
 public:
   using Segment = std::pair<Vector, Vector>;
 
-  explicit Tubes(std::vector<Segment> segments)
-      : segments_(std::move(segments)) {
+  explicit Tubes(const std::vector<Segment>& segments, double radius = 0.17)
+      : Tubes(segments, std::vector<double>(segments.size(), radius)) {}
+
+  /// with a radius for each segment.
+  Tubes(std::vector<Segment> segments, const std::vector<double>& radii)
+      : segments_(std::move(segments))
+      , radius_(*std::max_element(radii.begin(), radii.end())) {
+    for(const double radius : radii)
+      lacking_.push_back(radius_ - radius);
     box_ = {segments_.front().first, segments_.front().first};
     for(const Segment& segment : segments_)
       box_ = box_.with(segment.first).with(segment.second);
@@ -49,15 +57,17 @@ public:
       bin = bin * bins_[axis] + static_cast<std::size_t>(std::clamp(index, 0., bins_[axis] - 1.));
     }
     double sum = 0.;
-    for(std::uint32_t i = bin_start_[bin]; i < bin_start_[bin + 1]; ++i)
-      sum += std::exp(-distance(p, segments_[bin_segments_[i]]) / blend);
+    for(std::uint32_t i = bin_start_[bin]; i < bin_start_[bin + 1]; ++i) {
+      const std::uint32_t s = bin_segments_[i];
+      sum += std::exp(-(distance(p, segments_[s]) + lacking_[s]) / blend);
+    }
     // Further tubes are at least reach - radius away from all points of the bin.
-    constexpr double far = reach - radius;
-    return sum > 0. ? (std::min)(-blend * std::log(sum) - radius, far) : far;
+    const double far = reach - radius_;
+    return sum > 0. ? (std::min)(-blend * std::log(sum) - radius_, far) : far;
   }
 
 private:
-  static constexpr double radius = 0.17, blend = 0.035, reach = 0.42, bin_side = 1. / 3.;
+  static constexpr double blend = 0.035, reach = 0.42, bin_side = 1. / 3.;
 
   static double distance(const Vector& p, const Segment& segment) {
     const Vector along = segment.second - segment.first, from = p - segment.first;
@@ -104,6 +114,8 @@ private:
   }
 
   std::vector<Segment> segments_;
+  double radius_;               ///< the largest
+  std::vector<double> lacking_; ///< by segment: by how much its tube is thinner
   Box box_;
   std::array<std::size_t, 3> bins_;
   std::vector<std::uint32_t> bin_start_, bin_segments_;

@@ -11,10 +11,13 @@
 
 #include "Random.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -39,25 +42,65 @@ Soup permute_vertices(const Soup& soup, unsigned seed) {
 }
 
 Soup disjoint_union(const std::vector<Soup>& soups) {
-  Soup all;
+  std::vector<Soup> shifted = soups;
   double x = 0.;
-  for(const Soup& soup : soups) {
+  for(Soup& soup : shifted) {
     if(soup.points.empty())
       continue;
-    if(all.points.size() + soup.points.size() > std::numeric_limits<std::uint32_t>::max())
-      throw std::invalid_argument("too many vertices for one mesh");
     const auto [lowest, highest] =
         std::minmax_element(soup.points.begin(), soup.points.end(),
                             [](const auto& a, const auto& b) { return a[0] < b[0]; });
     const double width = (*highest)[0] - (*lowest)[0], shift = x - (*lowest)[0];
-    const auto first = static_cast<std::uint32_t>(all.points.size());
-    for(const auto& point : soup.points)
-      all.points.push_back({point[0] + shift, point[1], point[2]});
-    for(const auto& [a, b, c] : soup.triangles)
-      all.triangles.push_back({first + a, first + b, first + c});
+    for(auto& point : soup.points)
+      point[0] += shift;
     x += 1.1 * width;
   }
+  return joined(shifted);
+}
+
+Soup joined(const std::vector<Soup>& soups) {
+  Soup all;
+  for(const Soup& soup : soups) {
+    if(all.points.size() + soup.points.size() > std::numeric_limits<std::uint32_t>::max())
+      throw std::invalid_argument("too many vertices for one mesh");
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    all.points.insert(all.points.end(), soup.points.begin(), soup.points.end());
+    for(const auto& [a, b, c] : soup.triangles)
+      all.triangles.push_back({first + a, first + b, first + c});
+  }
   return all;
+}
+
+Soup translated(Soup soup, const std::array<double, 3>& by) {
+  for(auto& point : soup.points)
+    for(int i = 0; i < 3; ++i)
+      point[i] += by[i];
+  return soup;
+}
+
+Soup reversed(Soup soup) {
+  for(auto& triangle : soup.triangles)
+    std::swap(triangle[1], triangle[2]);
+  return soup;
+}
+
+std::size_t number_of_components(const Soup& soup) {
+  boost::disjoint_sets_with_storage<> sets(soup.points.size());
+  std::vector<char> is_used(soup.points.size(), 0);
+  for(const auto& [a, b, c] : soup.triangles) {
+    sets.union_set(a, b);
+    sets.union_set(b, c);
+    is_used[a] = is_used[b] = is_used[c] = 1;
+  }
+  std::size_t count = 0;
+  for(std::size_t v = 0; v < is_used.size(); ++v)
+    count += is_used[v] != 0 && sets.find_set(v) == v;
+  return count;
+}
+
+std::size_t genus(const Soup& soup) {
+  const auto components = static_cast<std::ptrdiff_t>(number_of_components(soup));
+  return static_cast<std::size_t>(components - euler_characteristic(soup) / 2);
 }
 
 std::ptrdiff_t euler_characteristic(const Soup& soup) {

@@ -16,7 +16,7 @@
 #include <vector>
 
 /// \file generators.h
-/// Meshes to test and measure with: closed, connected, oriented (outwards where the surface is
+/// Meshes to test and measure with: closed, oriented (out of the solid where the surface is
 /// embedded), each edge in two triangles, each vertex in one fan, no two edges with the same two
 /// vertices, and a genus that is known because the construction gives it.
 
@@ -31,13 +31,25 @@ struct Soup
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// What is wanted. The genus is met exactly, the number of faces within about 20% where the kind
-/// allows it; the same request gives the same mesh.
+/// What is wanted. The genus, summed over the components, is met exactly, the number of faces
+/// within about 20% where the kind allows it; the same request gives the same mesh.
 struct Request
 {
   std::size_t faces = 10000;
   std::size_t genus = 1;
   unsigned seed = 0;
+  // What few kinds look at, see `Kind::options`.
+  std::size_t parts = 1;
+  std::size_t p = 2, q = 3;
+  std::size_t frequency = 3;
+};
+
+/// What a kind looks at besides the number of faces and the seed, as bits.
+enum Request_option : unsigned {
+  GENUS = 1,
+  PARTS = 2,         ///< the number of components
+  TORUS_KNOT = 4,    ///< `p` and `q`, how often a curve goes around a torus the long and short way
+  WAVE_FREQUENCY = 8 ///< in waves per side of a box
 };
 
 /// A family of meshes.
@@ -48,6 +60,8 @@ struct Kind
 
   /// makes the mesh; throws `std::invalid_argument` if the request cannot be met.
   Soup (*make)(const Request&);
+
+  unsigned options = GENUS; ///< of `Request_option`
 };
 
 /// all families.
@@ -58,6 +72,21 @@ Soup permute_vertices(const Soup& soup, unsigned seed);
 
 /// one mesh of all the given ones, beside each other along the x axis.
 Soup disjoint_union(const std::vector<Soup>& soups);
+
+/// one mesh of all the given ones, where they are.
+Soup joined(const std::vector<Soup>& soups);
+
+/// the mesh moved by a vector.
+Soup translated(Soup soup, const std::array<double, 3>& by);
+
+/// the mesh with all triangles turned over.
+Soup reversed(Soup soup);
+
+/// the number of connected components, leaving out vertices without a triangle.
+std::size_t number_of_components(const Soup& soup);
+
+/// the genus of a closed surface, summed over its components.
+std::size_t genus(const Soup& soup);
 
 /// \f$ V - E + F \f$, counting the vertices that a triangle uses.
 std::ptrdiff_t euler_characteristic(const Soup& soup);

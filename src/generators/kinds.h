@@ -24,6 +24,15 @@ extern const Kind multi_torus_kind;
 extern const Kind lattice_kind;
 extern const Kind gyroid_kind;
 extern const Kind sponge_kind;
+extern const Kind plates_kind;
+extern const Kind bars_kind;
+extern const Kind chain_kind;
+extern const Kind torus_link_kind;
+extern const Kind ladder_kind;
+extern const Kind shell_kind;
+extern const Kind foam_kind;
+extern const Kind interlaced_kind;
+extern const Kind waves_kind;
 extern const Kind random_kind;
 
 } // namespace generators

@@ -9,6 +9,7 @@
 
 #include "mesh_of_field.h"
 
+#include "crosses_itself.h"
 #include "isosurface.h"
 #include "request_checks.h"
 #include "smoothing.h"
@@ -23,6 +24,10 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace generators {
 namespace {
+
+/// Meshes with so many faces for each handle do not come to cross themselves when they are
+/// smoothed.
+constexpr std::size_t fine = 1200;
 
 /// Looks for the spacing of the lattice that gives a number of faces, which grows about as
 /// spacing^-2.
@@ -74,6 +79,28 @@ void fit_to_surface(Soup& soup, const Field& field, double spacing) {
   }
 }
 
+Soup interpolated(const Soup& from, const Soup& to, double part) {
+  Soup soup = to;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    for(int i = 0; i < 3; ++i)
+      soup.points[v][i] = from.points[v][i] + part * (to.points[v][i] - from.points[v][i]);
+  return soup;
+}
+
+/// as much of this as does not make the mesh cross itself, as the one of the lattice never does.
+Soup fitted_without_crossing(const Soup& soup, const Field& field, double spacing) {
+  Soup fitted = soup;
+  fit_to_surface(fitted, field, spacing);
+  if(!crosses_itself(fitted))
+    return fitted;
+  for(const double part : {0.5, 0.25}) {
+    Soup between = interpolated(soup, fitted, part);
+    if(!crosses_itself(between))
+      return between;
+  }
+  return soup;
+}
+
 } // namespace
 
 Soup mesh_of_field(const Field& field, const Request& request, const char* kind) {
@@ -82,14 +109,21 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
   // ones.
   for(const double excess : {1., 1.07, 1.15}) {
     Soup soup = search.mesh_with_faces(static_cast<std::size_t>(excess * request.faces));
-    if(is_connected_of_genus(soup, request.genus)) {
-      fit_to_surface(soup, field, search.spacing());
-      return soup;
-    }
+    if(!is_connected_of_genus(soup, request.genus))
+      continue;
+    if(soup.triangles.size() < fine * (request.genus + 1))
+      return fitted_without_crossing(soup, field, search.spacing());
+    fit_to_surface(soup, field, search.spacing());
+    return soup;
   }
   throw std::invalid_argument(std::to_string(request.faces) +
                               " faces are too few for a mesh of the kind '" + kind + "' of genus " +
                               std::to_string(request.genus));
+}
+
+Soup mesh_of_field(const Field& field, std::size_t faces) {
+  Spacing_search search(field);
+  return fitted_without_crossing(search.mesh_with_faces(faces), field, search.spacing());
 }
 
 } // namespace generators

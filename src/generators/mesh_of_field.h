@@ -22,6 +22,10 @@ namespace generators {
 /// all handles.
 Soup mesh_of_field(const Field& field, const Request& request, const char* kind);
 
+/// meshes a solid with about as many faces as asked for, whatever their genus. The mesh is smoothed
+/// as far as it does not cross itself by that.
+Soup mesh_of_field(const Field& field, std::size_t faces);
+
 } // namespace generators
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -9,9 +9,6 @@
 
 #include "request_checks.h"
 
-#include <boost/iterator/counting_iterator.hpp>
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <stdexcept>
 #include <string>
 
@@ -37,18 +34,24 @@ void require_genus(const Request& request, const char* kind, std::size_t only) {
                                 std::to_string(only) + ", not " + std::to_string(request.genus));
 }
 
+void require_least_genus(const Request& request, const char* kind, std::size_t least) {
+  if(request.genus < least)
+    throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' has genus " +
+                                std::to_string(least) + " or more, not " +
+                                std::to_string(request.genus));
+}
+
+void require_parts(const Request& request, const char* kind) {
+  if(request.parts == 0)
+    throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' has a part");
+  require_least_genus(request, kind, request.parts);
+}
+
 bool is_connected_of_genus(const Soup& soup, std::size_t genus) {
   // Closed: E = 3 F / 2, so V - F / 2 = 2 - 2 g.
   if(2 * soup.points.size() + 4 * genus != soup.triangles.size() + 4)
     return false;
-  const std::size_t n = soup.points.size();
-  boost::disjoint_sets_with_storage<> components(n);
-  for(const auto& [a, b, c] : soup.triangles) {
-    components.union_set(a, b);
-    components.union_set(b, c);
-  }
-  const boost::counting_iterator<std::size_t> first(0), end(n);
-  return components.count_sets(first, end) == 1;
+  return number_of_components(soup) == 1;
 }
 
 } // namespace generators

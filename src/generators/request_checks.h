@@ -25,6 +25,12 @@ void require_faces(const Request& request, const char* kind, std::size_t least);
 /// throws `std::invalid_argument` if the kind has one genus only and another is asked for.
 void require_genus(const Request& request, const char* kind, std::size_t only);
 
+/// throws `std::invalid_argument` if a smaller genus is asked for.
+void require_least_genus(const Request& request, const char* kind, std::size_t least);
+
+/// throws `std::invalid_argument` unless there are parts, and each can have a handle.
+void require_parts(const Request& request, const char* kind);
+
 /// whether a closed manifold mesh is connected and has the given genus.
 bool is_connected_of_genus(const Soup& soup, std::size_t genus);
 

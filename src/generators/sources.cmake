@@ -1,19 +1,31 @@
 # The sources of the generators, relative to this folder.
 set(HTL_GENERATOR_SOURCES
+  Bored_box.cpp
+  bars.cpp
+  chain.cpp
+  closed_tube.cpp
+  crosses_itself.cpp
+  foam.cpp
   generators.cpp
+  interlaced.cpp
   kinds.cpp
   grid_surface.cpp
   gyroid.cpp
   isosurface.cpp
   knot.cpp
+  ladder.cpp
   lattice.cpp
   marching_table.cpp
   mesh_of_field.cpp
   multi_torus.cpp
+  plates.cpp
   random.cpp
   request_checks.cpp
+  shell.cpp
   smoothing.cpp
   sphere.cpp
   sponge.cpp
   Srs_net.cpp
-  torus.cpp)
+  torus.cpp
+  torus_link.cpp
+  waves.cpp)

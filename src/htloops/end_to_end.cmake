@@ -112,6 +112,16 @@ expect_match("${output}" "1 of 1 handle loop bounds inside, 0 of 1 tunnel loop o
 run(0 check knot.off knot.json)
 expect_match("${output}" "pair 0, tunnel: bounds on neither side")
 
+# Options that only some kinds have, and surfaces of several components.
+run(0 generate plates --faces 300 --genus 5 --parts 3 --seed 2 -o plates.off)
+expect_match("${output}" "genus 5 in 3 components")
+run(0 generate torus-link --faces 3000 --genus 2 --long-way 3 --short-way 2 -o link.off)
+expect_match("${output}" "genus 2 in 2 components")
+run(0 loops link.off -o link.json)
+run(0 generate waves --faces 3000 --frequency 1 -o waves.off)
+run(2 generate torus-link --long-way 2 --short-way 2 -o link.off)
+run(2 generate torus --parts 2 -o torus.off)
+
 # No handles, no loops, no error.
 run(0 generate sphere --genus 0 --faces 500 -o sphere.off)
 run(0 loops sphere.off -o sphere.json)

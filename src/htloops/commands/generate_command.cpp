@@ -12,6 +12,7 @@
 #include "failure.h"
 #include "generators/generators.h"
 #include "terminal/interrupt.h"
+#include "words.h"
 #include "write/atomic_file.h"
 #include "write/mesh_writer.h"
 
@@ -39,6 +40,13 @@ generators::Soup make(const generators::Kind& kind, const generators::Request& r
   }
 }
 
+/// of what a mesh is: "genus 3", "genus 3 in 2 components".
+std::string shape_of(const generators::Soup& mesh) {
+  const std::size_t components = generators::number_of_components(mesh);
+  const std::string genus = "genus " + std::to_string(generators::genus(mesh));
+  return components == 1 ? genus : genus + " in " + counted(components, "component", "components");
+}
+
 void run(const generators::Kind& kind, const Generate_options& options) {
   check_mesh_format(options.mesh_file);
   check_writable(options.mesh_file);
@@ -47,12 +55,26 @@ void run(const generators::Kind& kind, const Generate_options& options) {
   write_mesh(options.mesh_file, mesh);
   if(!options.is_quiet)
     std::cout << options.mesh_file << ": " << mesh.points.size() << " vertices, "
-              << mesh.triangles.size() << " faces, genus " << options.request.genus << std::endl;
+              << mesh.triangles.size() << " faces, " << shape_of(mesh) << std::endl;
+}
+
+std::string default_of(std::size_t value) { return "; default: " + std::to_string(value); }
+
+/// the options that only some kinds have.
+void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& request) {
+  const auto add = [&](unsigned option, const char* name, std::size_t& value, const char* what) {
+    if((options & option) != 0)
+      sub.add_option(name, value, what + default_of(value))->option_text("N");
+  };
+  add(generators::PARTS, "--parts", request.parts, "how many components");
+  add(generators::TORUS_KNOT, "--long-way", request.p,
+      "p: how often the long way around the torus");
+  add(generators::TORUS_KNOT, "--short-way", request.q, "q: how often the short way");
+  add(generators::WAVE_FREQUENCY, "--frequency", request.frequency, "waves per side of the box");
 }
 
 void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {
   const auto options = std::make_shared<Generate_options>();
-  const auto default_of = [](auto value) { return "; default: " + std::to_string(value); };
   CLI::App* sub =
       generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
   sub->add_option("-o,--output", options->mesh_file, "the mesh: .off .obj .ply .stl (required)")
@@ -61,24 +83,29 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
   sub->add_option("--faces", options->request.faces,
                   "about how many triangles" + default_of(options->request.faces))
       ->option_text("N");
-  sub->add_option("--genus", options->request.genus,
-                  "how many handles" + default_of(options->request.genus))
-      ->option_text("G");
+  if((kind.options & generators::GENUS) != 0)
+    sub->add_option("--genus", options->request.genus,
+                    "how many handles" + default_of(options->request.genus))
+        ->option_text("G");
   sub->add_option("--seed", options->request.seed,
                   "of the random numbers, if the kind uses any" + default_of(options->request.seed))
       ->option_text("N");
+  add_options_of_kind(*sub, kind.options, options->request);
   sub->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
   complete_help(*sub);
   sub->callback(
       [&kind, options, &command] { command = [&kind, options] { run(kind, *options); }; });
 }
 
-constexpr char description[] = "Makes a mesh of a known genus, to test and to measure with.\n";
+constexpr char description[] =
+    "Makes a mesh, most of a known genus, to test and to measure with.\n";
 
 constexpr char examples[] =
     "Examples:\n"
     "  htloops generate torus -o torus.off\n"
     "  htloops generate gyroid --faces 1000000 --genus 250 -o gyroid.off\n"
+    "  htloops generate plates --faces 1000 --genus 20 --parts 3 -o plates.off\n"
+    "  htloops generate torus-link --genus 2 --long-way 3 --short-way 4 -o link.off\n"
     "  htloops generate torus --help                   the options of a kind\n";
 
 } // namespace

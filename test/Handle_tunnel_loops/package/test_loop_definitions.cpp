@@ -42,6 +42,20 @@ INSTANTIATE_TEST_SUITE_P(All_kinds,
                          testing::ValuesIn(recipes_of_all_kinds({0, 1, 2, 3, 5, 12}, 2)),
                          name_of_recipe);
 
+INSTANTIATE_TEST_SUITE_P(Parts_and_tubes,
+                         Loops_of_mesh,
+                         testing::Values(Recipe{"plates", {200, 7, 0}},
+                                         Recipe{"plates", {3000, 12, 1, 4}},
+                                         Recipe{"bars", {200, 7, 0}},
+                                         Recipe{"bars", {3000, 12, 1, 4}},
+                                         Recipe{"chain", {1500, 5, 0}},
+                                         Recipe{"torus-link", {5000, 3, 0}},
+                                         Recipe{"ladder", {30000, 6, 0}},
+                                         Recipe{"shell", {5000, 4, 3}},
+                                         Recipe{"foam", {5000, 5, 0}},
+                                         Recipe{"interlaced", {5000, 6, 0}}),
+                         name_of_recipe);
+
 INSTANTIATE_TEST_SUITE_P(Smallest,
                          Loops_of_mesh,
                          testing::Values(Recipe{"sphere", {4, 0, 0}},

@@ -4,12 +4,13 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <numeric>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -70,32 +71,14 @@ void expect_one_fan_per_vertex(const Soup& soup, const Directed_edges& edges) {
   }
 }
 
-std::size_t number_of_components(const Soup& soup) {
-  std::vector<Index> root(soup.points.size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](Index v) {
-    while(root[v] != v)
-      v = root[v] = root[root[v]];
-    return v;
-  };
-  for(const auto& [a, b, c] : soup.triangles) {
-    root[find(a)] = find(b);
-    root[find(b)] = find(c);
-  }
-  std::size_t count = 0;
-  for(Index v = 0; v < root.size(); ++v)
-    count += root[v] == v;
-  return count;
-}
-
-void expect_closed_surface(const Soup& soup, std::size_t genus) {
+void expect_closed_surface(const Soup& soup, std::size_t genus, std::size_t components = 1) {
   const Directed_edges edges = directed_edges(soup);
   expect_closed_and_oriented(edges);
   if(testing::Test::HasFailure())
     return;
   expect_one_fan_per_vertex(soup, edges);
-  EXPECT_EQ(number_of_components(soup), 1u);
-  EXPECT_EQ(generators::euler_characteristic(soup), 2 - 2 * static_cast<std::ptrdiff_t>(genus));
+  EXPECT_EQ(generators::number_of_components(soup), components);
+  EXPECT_EQ(generators::genus(soup), genus);
   for(const auto& point : soup.points)
     for(double x : point)
       ASSERT_TRUE(std::isfinite(x));
@@ -129,16 +112,29 @@ struct Case
 
 std::ostream& operator<<(std::ostream& os, const Case& c) {
   return os << c.kind << " faces " << c.request.faces << " genus " << c.request.genus << " seed "
-            << c.request.seed;
+            << c.request.seed << " parts " << c.request.parts << " torus knot " << c.request.p
+            << ' ' << c.request.q;
 }
 
 std::string name_of_case(const testing::TestParamInfo<Case>& info) {
   std::string name = info.param.kind;
   name += "_f" + std::to_string(info.param.request.faces) + "_g" +
-          std::to_string(info.param.request.genus) + "_s" + std::to_string(info.param.request.seed);
+          std::to_string(info.param.request.genus) + "_s" +
+          std::to_string(info.param.request.seed) + "_n" +
+          std::to_string(info.param.request.parts) + "_p" + std::to_string(info.param.request.p) +
+          "_q" + std::to_string(info.param.request.q);
   for(char& c : name)
     c = c == '-' ? '_' : c;
   return name;
+}
+
+std::size_t components_of(const Case& c) {
+  const std::string name = c.kind;
+  if(name == "chain" || name == "torus-link")
+    return c.request.genus;
+  if(name == "shell" || name == "interlaced")
+    return 2;
+  return c.request.parts;
 }
 
 class Generated_mesh : public testing::TestWithParam<Case>
@@ -147,7 +143,7 @@ class Generated_mesh : public testing::TestWithParam<Case>
 TEST_P(Generated_mesh, IsAsAskedFor) {
   const auto& [name, request] = GetParam();
   const Soup soup = kind(name).make(request);
-  expect_closed_surface(soup, request.genus);
+  expect_closed_surface(soup, request.genus, components_of(GetParam()));
   EXPECT_NEAR(static_cast<double>(soup.triangles.size()) / request.faces, 1., 0.2);
   if(std::strcmp(name, "random") != 0) {
     EXPECT_GT(signed_volume(soup), 0.);
@@ -164,7 +160,9 @@ INSTANTIATE_TEST_SUITE_P(Fixed_genus,
                                          Case{"torus", {1000, 1, 0}},
                                          Case{"torus", {20001, 1, 0}},
                                          Case{"knot", {150, 1, 0}},
-                                         Case{"knot", {20000, 1, 0}}),
+                                         Case{"knot", {20000, 1, 0}},
+                                         Case{"lattice", {5400, 20, 8}},
+                                         Case{"torus-link", {500, 1, 0}}),
                          name_of_case);
 
 std::vector<Case> cases_of_any_genus() {
@@ -182,14 +180,79 @@ INSTANTIATE_TEST_SUITE_P(Any_genus,
                          testing::ValuesIn(cases_of_any_genus()),
                          name_of_case);
 
+std::vector<Case> cases_of_parts() {
+  std::vector<Case> cases;
+  for(const char* name : {"plates", "bars"})
+    for(std::size_t genus : {1, 2, 5, 30})
+      for(std::size_t parts : {1, 3, 5})
+        for(std::size_t faces : {16 * genus + 12 * parts, std::size_t(3000)})
+          for(unsigned seed : {0u, 1u, 2u})
+            if(parts <= genus)
+              cases.push_back({name, {faces, genus, seed, parts}});
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, Generated_mesh, testing::ValuesIn(cases_of_parts()), name_of_case);
+
+std::vector<Case> cases_of_tubes() {
+  std::vector<Case> cases;
+  for(std::size_t genus : {1, 2, 3, 7})
+    for(unsigned seed : {0u, 1u, 2u, 3u})
+      for(std::size_t faces : {72 * genus, std::size_t(3000)})
+        cases.push_back({"chain", {faces, genus, seed}});
+  const std::vector<std::pair<std::size_t, std::size_t>> knots = {{1, 1}, {2, 1}, {1, 5}, {2, 3},
+                                                                  {3, 2}, {5, 2}, {3, 7}};
+  for(const auto& [p, q] : knots)
+    for(std::size_t genus : {1, 2, 5}) {
+      cases.push_back({"torus-link", {5000 * genus, genus, 0, 1, p, q}});
+      cases.push_back({"torus-link", {15000 * genus, genus, 0, 1, p, q}});
+      cases.push_back({"ladder", {75000, genus, 0, 1, p, q}});
+    }
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Tubes, Generated_mesh, testing::ValuesIn(cases_of_tubes()), name_of_case);
+
+std::vector<Case> cases_of_grids() {
+  std::vector<Case> cases;
+  for(const char* name : {"shell", "foam", "interlaced"})
+    for(std::size_t genus : {0, 1, 2, 3, 5, 8, 13, 30})
+      for(std::size_t faces : {1000 + 600 * genus, std::size_t(20000)})
+        for(unsigned seed : {0u, 1u})
+          cases.push_back({name, {faces, genus, seed}});
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Grids, Generated_mesh, testing::ValuesIn(cases_of_grids()), name_of_case);
+
 INSTANTIATE_TEST_SUITE_P(High_genus,
                          Generated_mesh,
                          testing::Values(Case{"multi-torus", {150000, 500, 0}},
                                          Case{"lattice", {150000, 500, 0}},
                                          Case{"gyroid", {200000, 500, 0}},
                                          Case{"sponge", {40000, 1000, 0}},
+                                         Case{"plates", {10000, 500, 0, 7}},
+                                         Case{"bars", {10000, 500, 0, 7}},
+                                         Case{"ladder", {150000, 150, 0}},
+                                         Case{"shell", {200000, 300, 0}},
+                                         Case{"foam", {200000, 300, 0}},
+                                         Case{"interlaced", {150000, 300, 0}},
                                          Case{"random", {20000, 1000, 0}}),
                          name_of_case);
+
+TEST(Waves, AreEmbedded) {
+  for(std::size_t frequency : {1, 2, 4})
+    for(unsigned seed = 0; seed < 5; ++seed) {
+      Request request = {1000 + 400 * frequency * frequency * frequency, 0, seed};
+      request.frequency = frequency;
+      const Soup soup = kind("waves").make(request);
+      SCOPED_TRACE(testing::PrintToString(Case{"waves", request}));
+      expect_closed_surface(soup, generators::genus(soup), generators::number_of_components(soup));
+      EXPECT_NEAR(static_cast<double>(soup.triangles.size()) / request.faces, 1., 0.2);
+      EXPECT_GT(signed_volume(soup), 0.);
+      EXPECT_TRUE(is_embedded(soup));
+    }
+}
 
 TEST(Random_generator, MakesSurfacesOfAllSmallSizes) {
   for(std::size_t genus = 0; genus <= 6; ++genus)
@@ -213,6 +276,11 @@ TEST(Generators, RefuseWhatTheyCannotMake) {
   EXPECT_THROW(kind("sphere").make({1000, 1, 0}), std::invalid_argument);
   EXPECT_THROW(kind("torus").make({1000, 0, 0}), std::invalid_argument);
   EXPECT_THROW(kind("knot").make({1000, 2, 0}), std::invalid_argument);
+  EXPECT_THROW(kind("chain").make({1000, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(kind("plates").make({1000, 2, 0, 3}), std::invalid_argument);
+  EXPECT_THROW(kind("bars").make({1000, 2, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(kind("torus-link").make({100000, 1, 0, 1, 2, 4}), std::invalid_argument);
+  EXPECT_THROW(kind("ladder").make({100000, 1, 0, 1, 0, 1}), std::invalid_argument);
   for(const generators::Kind& k : generators::kinds()) {
     const std::size_t genus = std::strcmp(k.name, "sphere") == 0 ? 0 : 1;
     EXPECT_THROW(k.make({2, genus, 0}), std::invalid_argument) << k.name;
@@ -232,7 +300,7 @@ TEST(Generators, SayHowManyFacesTheyNeed) {
 
 TEST(Generators, RepeatThemselves) {
   for(const generators::Kind& k : generators::kinds()) {
-    const Request request = {3000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
+    const Request request = {20000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
     const Soup first = k.make(request), second = k.make(request);
     EXPECT_EQ(first.points, second.points) << k.name;
     EXPECT_EQ(first.triangles, second.triangles) << k.name;
@@ -240,8 +308,9 @@ TEST(Generators, RepeatThemselves) {
 }
 
 TEST(Generators, DependOnTheSeed) {
-  for(const char* name : {"lattice", "gyroid", "sponge", "random"})
-    EXPECT_NE(kind(name).make({9000, 4, 1}).triangles, kind(name).make({9000, 4, 2}).triangles)
+  for(const char* name : {"lattice", "gyroid", "sponge", "plates", "bars", "shell", "foam",
+                          "interlaced", "waves", "random"})
+    EXPECT_NE(kind(name).make({15000, 4, 1}).triangles, kind(name).make({15000, 4, 2}).triangles)
         << name;
 }
 
@@ -256,9 +325,28 @@ TEST(Permute_vertices, KeepsTheSurface) {
 TEST(Disjoint_union, PutsSurfacesBesideEachOther) {
   const Soup both = generators::disjoint_union(
       {kind("torus").make({500, 1, 0}), kind("sphere").make({500, 0, 0})});
-  EXPECT_EQ(number_of_components(both), 2u);
+  EXPECT_EQ(generators::number_of_components(both), 2u);
   EXPECT_EQ(generators::euler_characteristic(both), 2);
+  EXPECT_EQ(generators::genus(both), 1u);
   EXPECT_TRUE(generators::disjoint_union({}).points.empty());
+}
+
+TEST(Shell, HasItsHollowTurnedInwards) {
+  const Soup soup = kind("shell").make({5000, 2, 0});
+  boost::disjoint_sets_with_storage<> components(soup.points.size());
+  for(const auto& [a, b, c] : soup.triangles) {
+    components.union_set(a, b);
+    components.union_set(b, c);
+  }
+  Soup outer = soup, hollow = soup;
+  outer.triangles.clear();
+  hollow.triangles.clear();
+  for(const auto& triangle : soup.triangles) {
+    const bool is_outer = components.find_set(triangle[0]) == components.find_set(Index(0));
+    (is_outer ? outer : hollow).triangles.push_back(triangle);
+  }
+  EXPECT_GT(signed_volume(outer), -signed_volume(hollow));
+  EXPECT_LT(signed_volume(hollow), 0.);
 }
 
 TEST(Euler_characteristic, IgnoresIsolatedVertices) {
