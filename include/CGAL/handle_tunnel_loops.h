@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
+#include <CGAL/Handle_tunnel_loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>

@@ -6,7 +6,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/classification/Offset_classifier.h>
-#include <CGAL/Handle_tunnel_loops/internal/classification/Square_root_sum.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Square_root_sum.h>
 
 #include <gtest/gtest.h>
 

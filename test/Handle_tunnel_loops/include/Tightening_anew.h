@@ -2,6 +2,7 @@
 #define HTL_TEST_TIGHTENING_ANEW_H
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/remove_turns.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,7 @@ public:
   // latest after the given number of rounds.
   void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     remove_backtracks(loop);
+    remove_turns(mesh_, loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
     // On the mesh, not in the plane: on slivers rounding can make the two differ.
@@ -53,7 +55,8 @@ public:
         keep_if_best();
       previous_length = current;
     }
-    loop = std::move(best);
+    if(!loop.empty())
+      loop = std::move(best);
   }
 
 private:
@@ -246,7 +249,8 @@ private:
       const bool is_apart = fans.empty() || fan.first > fans.back().last + 1;
       // The strip cannot be led around a corner that lies where it is held.
       if(fan.first > 1 && fan.last + 2 < loop.size() && is_apart &&
-         is_shorter_on_other_side(loop, fan, bends_[b - 1].point, bends_[b + 1].point))
+         (portals_of_turns(loop, fan) > 0 ||
+          is_shorter_on_other_side(loop, fan, bends_[b - 1].point, bends_[b + 1].point)))
         fans.push_back(fan);
     }
     if(fans.empty())
@@ -255,12 +259,18 @@ private:
     std::size_t done = 0;
     for(const Fan& fan : fans) {
       changed.insert(changed.end(), loop.begin() + done, loop.begin() + fan.first);
-      append_other_side(loop, fan, changed);
+      const std::size_t turns = portals_of_turns(loop, fan);
+      if(turns > 0)
+        changed.insert(changed.end(), loop.begin() + fan.first + turns,
+                       loop.begin() + fan.last + 1);
+      else
+        append_other_side(loop, fan, changed);
       done = fan.last + 1;
     }
     changed.insert(changed.end(), loop.begin() + done, loop.end());
     loop = std::move(changed);
     remove_backtracks(loop);
+    remove_turns(mesh_, loop);
     return true;
   }
 
@@ -276,6 +286,13 @@ private:
     while(fan.last + 1 < loop.size() && ends_there(fan.last + 1))
       ++fan.last;
     return fan;
+  }
+
+  // Those of whole turns around the corner.
+  std::size_t portals_of_turns(const Crossing_loop& loop, const Fan& fan) const {
+    const Crossing& crossing = loop[fan.first];
+    const std::size_t turn = mesh_.ring(fan.at_left ? crossing.left : crossing.right).size();
+    return (fan.last + 1 - fan.first) / turn * turn;
   }
 
   // Adds up angles between 0 and a straight one, without trigonometric functions.

@@ -50,8 +50,8 @@ Crossing_loop taut(const Flat_mesh& mesh, Crossing_loop loop) {
   return loop;
 }
 
-// The tightening does not unwind a strip that goes once around a vertex, or around an edge, and on
-// over itself: a bend stays there. It happens to some of the loops below.
+// A few loops keep a bend: a small one on a plane, where nearly nothing is to be gained by it, and
+// where an edge is shorter than 1e-9 and rounding turns what is laid out behind it.
 constexpr double tolerance = 1e-6;
 
 TEST(Geodesic, OnAFlatTorusIsAStraightLine) {
@@ -76,16 +76,16 @@ TEST(Geodesic, OnAFlatTorusIsAStraightLine) {
       EXPECT_GE(length(mesh, once), (1. - 1e-9) * expected);
       const Crossing_loop geodesic = taut(mesh, once);
       ++all;
+      EXPECT_LE(length(mesh, once), 1.01 * expected);
+      EXPECT_LE(length(mesh, geodesic), (1. + 1e-3) * expected);
       if(Largest_bend(mesh, geodesic).at_vertices() > tolerance)
         ++bent;
-      else {
-        EXPECT_LE(length(mesh, once), 1.01 * expected);
+      else
         EXPECT_LE(length(mesh, geodesic), (1. + 1e-9) * expected);
-        ++count[turns];
-      }
+      ++count[turns];
     }
   }
-  EXPECT_LE(bent, 0.02 * all) << "of " << all;
+  EXPECT_LE(bent, 0.005 * all) << "of " << all;
 
   EXPECT_GE(count.size(), 8u) << "classes of loops";
 }
@@ -110,7 +110,7 @@ TEST(Geodesic, HasNoBendsThatCouldBeTakenOut) {
                                  [](const Crossing& c) { return c.ratio == 0. || c.ratio == 1.; });
     }
   }
-  EXPECT_LE(bent, 0.2 * all) << "of " << all;
+  EXPECT_LE(bent, 0.03 * all) << "of " << all;
 
   EXPECT_GT(at_vertices, 0.2 * all) << "pass a vertex";
 }

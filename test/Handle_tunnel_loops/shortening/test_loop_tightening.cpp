@@ -24,6 +24,17 @@ bool is_same(const Crossing& a, const Crossing& b) {
   return a.left == b.left && a.right == b.right && a.ratio == b.ratio;
 }
 
+// Goes on around the left end of the last crossing, and comes back to the same edge.
+void append_turns_around_left(const Flat_mesh& mesh, int turns, Crossing_loop& loop) {
+  const Crossing first = loop.back();
+  const auto ring = mesh.ring(first.left);
+  for(; turns > 0; --turns)
+    for(Index i = 0, p = ring.position(first.right); i < ring.size(); ++i) {
+      p = ring.next(p);
+      loop.push_back({first.left, ring[p], first.ratio});
+    }
+}
+
 // The class is seen through the intersection numbers with a fixed family.
 void expect_tightened(const Flat_mesh& mesh,
                       const Crossing_loop& loop,
@@ -126,6 +137,55 @@ TEST(Tightening, EndsWithAContractibleLoop) {
       ASSERT_TRUE(index.intersections(around).empty());
       expect_tightened(mesh, pushed_left(mesh, around), index);
       expect_tightened(mesh, pushed_left(mesh, {around.rbegin(), around.rend()}), index);
+    }
+  }
+}
+
+// However often it goes around the vertex.
+TEST(Tightening, MakesTurnsAroundAVertexAPoint) {
+  Random random(4);
+  int points = 0, all = 0;
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 3}, 1)) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    for(int i = 0; i < 50; ++i) {
+      const auto ring = mesh.ring(static_cast<Index>(random.below(mesh.number_of_vertices())));
+      Vertex_walk around;
+      for(std::size_t turns = 1 + random.below(4); turns > 0; --turns)
+        around.insert(around.end(), ring.begin(), ring.end());
+      Crossing_loop inside = pushed_left(mesh, around),
+                    outside = pushed_left(mesh, {around.rbegin(), around.rend()});
+      Loop_tightening(mesh).tighten(inside);
+      EXPECT_TRUE(inside.empty()) << inside.size() << " crossings";
+      Loop_tightening(mesh).tighten(outside);
+      points += outside.empty();
+      ++all;
+    }
+  }
+  EXPECT_GE(points, 0.9 * all) << points << " of " << all;
+}
+
+// A turn is put where a loop passes a vertex. Nothing of it is seen afterwards.
+TEST(Tightening, TakesOutTurns) {
+  using CGAL::Handle_tunnel_loops::internal::remove_turns;
+  Random random(5);
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 3}, 1)) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    for(Crossing_loop expected : random_loops(mesh, random, 20)) {
+      remove_turns(mesh, expected);
+      if(expected.empty())
+        continue;
+      Crossing_loop loop;
+      const std::size_t place = random.below(expected.size());
+      for(std::size_t i = 0; i < expected.size(); ++i) {
+        loop.push_back(expected[i]);
+        if(i == place)
+          append_turns_around_left(mesh, 1 + static_cast<int>(random.below(3)), loop);
+      }
+      expect_crossing_loop(mesh, loop);
+      remove_turns(mesh, loop);
+      EXPECT_TRUE(std::equal(loop.begin(), loop.end(), expected.begin(), expected.end(), is_same));
     }
   }
 }

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/classification/Loop_growth.h>
-#include <CGAL/Handle_tunnel_loops/internal/classification/Square_root_sum.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Square_root_sum.h>
 
 #include <CGAL/Exact_rational.h>
 

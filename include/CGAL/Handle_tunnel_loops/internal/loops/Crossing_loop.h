@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -105,6 +106,17 @@ inline bool are_consecutive(const Flat_mesh& mesh, const Crossing_loop& loop) {
   return true;
 }
 
+/// takes out where a loop comes back at its end on the way by which it began.
+template <typename Edge> void remove_backtracks_at_ends(std::vector<Edge>& edges) {
+  std::size_t first = 0, last = edges.size();
+  while(last - first >= 2 && is_backtrack(edges[last - 1], edges[first])) {
+    ++first;
+    --last;
+  }
+  edges.erase(edges.begin() + last, edges.end());
+  edges.erase(edges.begin(), edges.begin() + first);
+}
+
 /// takes out pairs of consecutive crossings of one edge in opposite directions.
 inline void remove_backtracks(Crossing_loop& loop) {
   Crossing_loop reduced;
@@ -114,12 +126,8 @@ inline void remove_backtracks(Crossing_loop& loop) {
       reduced.pop_back();
     else
       reduced.push_back(c);
-  std::size_t first = 0, last = reduced.size();
-  while(last - first >= 2 && is_backtrack(reduced[last - 1], reduced[first])) {
-    ++first;
-    --last;
-  }
-  loop.assign(reduced.begin() + first, reduced.begin() + last);
+  loop = std::move(reduced);
+  remove_backtracks_at_ends(loop);
 }
 
 /// takes out, from a closed walk on the vertices, each step there and back.

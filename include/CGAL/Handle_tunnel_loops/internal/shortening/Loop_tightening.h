@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Funnel.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/remove_turns.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <CGAL/assertions.h>
@@ -36,8 +37,8 @@ Two moves alternate. The loop is replaced by the shortest path through the strip
 it passes, from one of its places back to the same (the strip is laid out in the plane, the path
 found with a funnel; the place moves from round to round). And where that path bends at a vertex and
 the faces on the other side of the vertex span less than a straight angle, the strip is led around
-that other side. Both are homotopies whatever the numbers say: rounding can cost length, not the
-class.
+that other side; where the strip goes all around the vertex, the turn is left out. All are
+homotopies whatever the numbers say: rounding can cost length, not the class.
 */
 class Loop_tightening
 {
@@ -58,10 +59,11 @@ public:
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
-  /// latest after the given number of rounds.
+  /// latest after the given number of rounds. A loop that becomes a point is empty.
   void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     CGAL_expensive_precondition(are_consecutive(mesh_, loop));
     remove_backtracks(loop);
+    remove_turns(mesh_, loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
     set_next(loop);
@@ -96,6 +98,8 @@ public:
         keep_if_best();
       previous_length = current;
     }
+    if(next_.empty())
+      best.clear();
     loop = std::move(best);
     CGAL_expensive_postcondition(are_consecutive(mesh_, loop));
   }
@@ -184,16 +188,22 @@ private:
     for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
       const Fan fan = fan_of(bends[b]);
       // The strip cannot be led around a corner that lies where it is held.
-      if(fan.first > (std::max)(done, std::size_t(1)) && fan.last + 2 < strip_.size() &&
-         is_shorter_on_other_side(fan, bends[b - 1].point, bends[b + 1].point))
-      {
-        append_portals(done, fan.first);
+      if(fan.first <= (std::max)(done, std::size_t(1)) || fan.last + 2 >= strip_.size())
+        continue;
+      const std::size_t turns = portals_of_turns(fan);
+      if(turns == 0 && !is_shorter_on_other_side(fan, bends[b - 1].point, bends[b + 1].point))
+        continue;
+      append_portals(done, fan.first);
+      if(turns > 0)
+        append_portals(fan.first + turns, fan.last + 1);
+      else
         append_other_side(fan);
-        done = fan.last + 1;
-      }
+      done = fan.last + 1;
     }
     append_portals(done, strip_.size());
-    remove_backtrack_at_ends();
+    remove_backtracks_at_ends(next_);
+    if(done > 0)
+      remove_turns(mesh_, next_);
     return done > 0;
   }
 
@@ -212,16 +222,6 @@ private:
       next_.push_back(portal);
   }
 
-  void remove_backtrack_at_ends() {
-    std::size_t first = 0, last = next_.size();
-    while(last - first >= 2 && is_backtrack(next_[last - 1], next_[first])) {
-      ++first;
-      --last;
-    }
-    next_.erase(next_.begin() + last, next_.end());
-    next_.erase(next_.begin(), next_.begin() + first);
-  }
-
   Fan fan_of(const Bend& bend) const {
     const bool at_left = strip_.left()[bend.portal] == bend.point;
     const Index corner = at_left ? strip_[bend.portal].left : strip_[bend.portal].right;
@@ -236,6 +236,13 @@ private:
     while(fan.last + 1 < strip_.size() && ends_there(fan.last + 1))
       ++fan.last;
     return fan;
+  }
+
+  // Whole turns around the corner: the path goes through it, and does not need them.
+  std::size_t portals_of_turns(const Fan& fan) const {
+    const Portal& portal = strip_[fan.first];
+    const std::size_t turn = mesh_.ring(fan.at_left ? portal.left : portal.right).size();
+    return (fan.last + 1 - fan.first) / turn * turn;
   }
 
   /// Adds up angles between 0 and a straight one, without trigonometric functions.

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_COMPARE_LENGTHS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_COMPARE_LENGTHS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/enum.h>
+
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+compares the lengths of two loops on `tm`, exactly: as the closed polylines through the places
+`source(halfedge) + ratio * (target(halfedge) - source(halfedge))` of their steps, with ratios and
+coordinates taken as doubles (those of an exact kernel are rounded). Neither
+`Loop_on_surface::points()` nor `Loop_on_surface::length()` plays a part in it: these are rounded.
+
+The lengths are sums of square roots of rational numbers. They are computed with intervals first, in
+linear time; where these overlap, the sign of their difference is computed with as many digits as it
+needs. Segments of the same length in both loops cancel in time n log n. If the sums are equal
+nevertheless, that is found by comparing the remaining segments with each other, in quadratic time.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Point the point type of the loops
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param a the first loop
+\param b the second loop
+\param tm the mesh
+\param np named parameters
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `CGAL::SMALLER` if `a` is shorter than `b`, `CGAL::EQUAL` if they are equally long,
+  `CGAL::LARGER` if `a` is longer
+
+\pre the coordinates of `tm` are finite.
+*/
+template <typename TriangleMesh,
+          typename Point,
+          typename NamedParameters = parameters::Default_named_parameters>
+Comparison_result compare_lengths(const Loop_on_surface<TriangleMesh, Point>& a,
+                                  const Loop_on_surface<TriangleMesh, Point>& b,
+                                  const TriangleMesh& tm,
+                                  const NamedParameters& np = parameters::default_values()) {
+  namespace impl = Handle_tunnel_loops::internal;
+  const auto point =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(vertex_point, tm));
+  const auto places = [&](const Loop_on_surface<TriangleMesh, Point>& loop) {
+    std::vector<impl::Edge_place> result;
+    for(const auto& step : loop.steps())
+      result.push_back({impl::coordinates(point, source(step.halfedge, tm)),
+                        impl::coordinates(point, target(step.halfedge, tm)), step.ratio});
+    return result;
+  };
+  return impl::compare_lengths(places(a), places(b));
+}
+
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_COMPARE_LENGTHS_H
