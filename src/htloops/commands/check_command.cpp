@@ -80,7 +80,7 @@ std::string praise(const Certificate& certificate, bool is_boundary_of_solid) {
         "outside, and loops bound by their linking numbers alone");
   for(const auto& lines : {lines_of(certificate.failure), remarks_on_sides(certificate)})
     remarks.insert(remarks.end(), lines.begin(), lines.end());
-  return text + "; each tunnel loop crosses its handle loop once\n" +
+  return text + (certificate.pairing ? "; each tunnel loop crosses its handle loop once\n" : "\n") +
          summary_of_sides(certificate) + list(remarks);
 }
 
@@ -89,7 +89,8 @@ void run(const Check_options& options) {
   const Bound_loops loops = bind_loops(read_loops_json(options.loops_file), mesh);
   require_none(options.loops_file, loops.problems);
   const Certificate certificate =
-      CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(mesh, loops.pairs);
+      CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
+          mesh, loops.pairs, CGAL::parameters::basis_kind(loops.basis_kind));
   const bool is_boundary_of_solid = loops.pairs.empty() || !touches_itself(mesh);
   // Names mean nothing where there is no inside.
   if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
@@ -104,7 +105,8 @@ constexpr char description[] =
     "crosses its handle loop once, and which of them bound inside and outside the surface.\n"
     "\n"
     "The certificate is computed from the two files alone; what the JSON says of itself is "
-    "ignored.\n"
+    "ignored,\n"
+    "but for the kind of basis: of the shortest one it is not asked that pairs cross once.\n"
     "A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel\n"
     "loop that have each other's names are one.\n";
 

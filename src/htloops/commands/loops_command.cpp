@@ -77,7 +77,8 @@ void show(const Loops_options& options, const Answer& answer, double read_second
   const bool is_output_taken = options.json_file == "-";
   std::FILE* stream = is_output_taken ? stderr : stdout;
   const Table_options table{options.show_all, use_colour(options.colour, stream)};
-  const std::string text = table_of_pairs(answer.pairs, table) + summary(answer, read_seconds);
+  const std::string text =
+      table_of_pairs(answer.pairs, table) + summary(answer, read_seconds, table);
   show_text(text, is_output_taken);
 }
 

@@ -28,6 +28,7 @@ public:
       , mesh_(mesh) {}
 
   Bound_loops bind() {
+    result_.basis_kind = record_.basis_kind;
     if(!is_same_mesh())
       return std::move(result_);
     measure_mesh();

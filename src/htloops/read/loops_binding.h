@@ -21,8 +21,9 @@ namespace htloops {
 /// Loops from a file as loops on a mesh, as far as they are ones.
 struct Bound_loops
 {
-  Pairs pairs;                       ///< complete only if there is no problem
-  std::vector<std::string> problems; ///< in words, naming pair, kind and position
+  CGAL::Handle_tunnel_loops::Basis_kind basis_kind; ///< what they are meant to be
+  Pairs pairs;                                      ///< complete only if there is no problem
+  std::vector<std::string> problems;                ///< in words, naming pair, kind and position
 };
 
 /// finds the places that a file names on the mesh. A problem is an index or a ratio out of range,

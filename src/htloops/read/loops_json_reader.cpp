@@ -31,6 +31,8 @@ public:
   explicit Node(const Json& document)
       : value_(document) {}
 
+  bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
+
   Node member(const char* key) const {
     if(!value_.is_object())
       fail("is not an object");
@@ -134,6 +136,18 @@ Loop_record read_loop(const Node& node) {
   return loop;
 }
 
+// Files of before there were two kinds do not say.
+CGAL::Handle_tunnel_loops::Basis_kind basis_kind(const Node& document) {
+  using CGAL::Handle_tunnel_loops::Basis_kind;
+  if(!document.has("basis"))
+    return Basis_kind::PURE;
+  const Node basis = document.member("basis");
+  for(const Basis_kind kind : {Basis_kind::PURE, Basis_kind::SHORTEST})
+    if(basis.is(name_of(kind)))
+      return kind;
+  basis.fail("is neither pure nor shortest");
+}
+
 Loops_record read_document(const Node& document) {
   if(!document.member("format").is(format))
     document.fail("is not of the format " + std::string(format));
@@ -141,6 +155,7 @@ Loops_record read_document(const Node& document) {
   const Node mesh = document.member("mesh");
   record.number_of_vertices = mesh.member("vertices").count();
   record.number_of_faces = mesh.member("faces").count();
+  record.basis_kind = basis_kind(document);
   const Node pairs = document.member("pairs");
   record.pairs.reserve(pairs.size());
   pairs.for_each("pair", [&](const Node& pair) {

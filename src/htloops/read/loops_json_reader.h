@@ -12,6 +12,8 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -47,6 +49,7 @@ struct Loops_record
 {
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
+  CGAL::Handle_tunnel_loops::Basis_kind basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::PURE;
   std::vector<Pair_record> pairs;
 };
 

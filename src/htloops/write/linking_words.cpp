@@ -51,10 +51,18 @@ std::string summary_of_sides(const Certificate& certificate) {
   const std::size_t pairs = certificate.linking.size() / 2;
   if(pairs == 0)
     return "";
-  return std::to_string(*certificate.handles_bound_inside) + " of " +
+  const std::size_t handles = *certificate.handles_bound_inside,
+                    tunnels = *certificate.tunnels_bound_outside,
+                    handles_alone = *certificate.handles_bound_inside_alone,
+                    tunnels_alone = *certificate.tunnels_bound_outside_alone;
+  return std::to_string(handles) + " of " +
          counted(pairs, "handle loop bounds", "handle loops bound") + " inside, " +
-         std::to_string(*certificate.tunnels_bound_outside) + " of " +
-         counted(pairs, "tunnel loop", "tunnel loops") + " outside";
+         std::to_string(tunnels) + " of " + counted(pairs, "tunnel loop", "tunnel loops") +
+         " outside" +
+         (handles_alone == handles && tunnels_alone == tunnels
+              ? ""
+              : "; each component by itself " + std::to_string(handles_alone) + " and " +
+                    std::to_string(tunnels_alone));
 }
 
 std::vector<std::string> remarks_on_sides(const Certificate& certificate) {

@@ -15,6 +15,7 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -90,6 +91,21 @@ std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolutio
   return text + "\n";
 }
 
+// Why loops do not bound on their sides, where that was wanted.
+std::string reasons(const Answer& answer, bool show_all) {
+  if(answer.certificate.basis_kind != CGAL::Handle_tunnel_loops::Basis_kind::PURE)
+    return "";
+  const std::vector<std::string> lines = remarks_on_sides(answer.certificate);
+  constexpr std::size_t most_lines = 5;
+  const std::size_t shown = show_all ? lines.size() : (std::min)(lines.size(), most_lines);
+  std::string text;
+  for(std::size_t i = 0; i < shown; ++i)
+    text += "  " + lines[i] + "\n";
+  if(shown < lines.size())
+    text += "  ... " + std::to_string(lines.size() - shown) + " more (--all shows them)\n";
+  return text;
+}
+
 } // namespace
 
 std::string table_of_pairs(const Pairs& pairs, const Table_options& options) {
@@ -107,7 +123,7 @@ std::string table_of_pairs(const Pairs& pairs, const Table_options& options) {
   return table;
 }
 
-std::string summary(const Answer& answer, double read_seconds) {
+std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {
   const auto& statistics = answer.statistics;
   std::string text = "genus " + std::to_string(statistics.genus) + " in " +
                      counted(statistics.number_of_components, "component", "components") + ": ";
@@ -121,7 +137,7 @@ std::string summary(const Answer& answer, double read_seconds) {
                       total_length(answer.pairs, CGAL::Loop_type::TUNNEL));
   const std::string sides = summary_of_sides(answer.certificate);
   if(!sides.empty())
-    text += sides + "\n";
+    text += sides + "\n" + reasons(answer, options.show_all);
   return text + remarks(statistics.resolution) +
          formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
                    read_seconds, answer.backend.c_str()) +

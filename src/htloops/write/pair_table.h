@@ -25,8 +25,8 @@ struct Table_options
 /// a table of the pairs for a person: how long the loops are and where the handles are.
 std::string table_of_pairs(const Pairs& pairs, const Table_options& options);
 
-/// lines that sum up an answer and what it took.
-std::string summary(const Answer& answer, double read_seconds);
+/// lines that sum up an answer and what it took, and why loops do not bound, if there are such.
+std::string summary(const Answer& answer, double read_seconds, const Table_options& options);
 
 } // namespace htloops
 

@@ -167,10 +167,11 @@ private:
     const std::uint64_t key = (std::min)(difference, 0 - difference);
     if(!targets_->is_known(key))
       targets_->add_class(key, numbers(closed_walk(way, other)));
-    if(targets_->wants(key, length)) {
+    if(!targets_->wants(key, length))
+      return;
+    shortest_ = (std::min)(shortest_, length);
+    if(targets_->is_shortest(key, length))
       targets_->take(key, length, corners(closed_walk(way, other)));
-      shortest_ = (std::min)(shortest_, length);
-    }
   }
 
   // Vertices to the place where the ways meet, and back.

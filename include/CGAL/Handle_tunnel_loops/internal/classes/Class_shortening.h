@@ -69,24 +69,17 @@ public:
     measure();
     sources_.resize(loops.size());
     std::iota(sources_.begin(), sources_.end(), Index(0));
-    const double n = double(mesh_.number_of_vertices());
-    const double visits = most_visits * (std::min)(1., small / n);
-    if(n <= small && density_ == 0.)
-      search_mesh_.refine(even);
-    if(visits > n && density_ == 0.) {
-      search_mesh_.measure();
-      density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
-    }
+    prepare_search();
     patience_.assign(loops.size(), 1.);
-    if(n > small) {
-      // A field has seen each loop, and they are not to wait long for this; but loops that have
-      // just been put together have been seen by nothing.
-      const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
+    // Loops that have just been put together have been seen by nothing, the others by a field. On a
+    // small mesh there is enough for all of them at once.
+    const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
+    if(visits() < most_visits) {
       is_open_ = is_new;
-      repeat((std::max)(visits, most_visits * number_of_new / (number_of_new + 8.)));
+      repeat((std::max)(visits(), most_on_large_mesh * number_of_new / (number_of_new + 8.)));
     }
     is_open_.assign(loops.size(), 1);
-    repeat(visits);
+    repeat(visits());
     return std::move(sources_);
   }
 
@@ -104,16 +97,47 @@ private:
 
   static constexpr double gain_worth_having = 1. - 1e-7;
 
-  static constexpr double most_visits = 2.5e6;
+  static constexpr double most_visits = 6e6, most_on_large_mesh = 2.5e6;
   static constexpr double small = 25000.;   // vertices
   static constexpr std::size_t even = 8000; // vertices
+
+  // On a large mesh, less: its loops have cost more before, and are not to wait as long again.
+  double visits() const {
+    const double n = double(mesh_.number_of_vertices());
+    return n <= small ? most_visits : most_on_large_mesh * small / n;
+  }
+
+  void prepare_search() {
+    if(is_prepared_)
+      return;
+    is_prepared_ = true;
+    if(visits() == most_visits)
+      search_mesh_.refine(even);
+    if(visits() > double(mesh_.number_of_vertices())) {
+      search_mesh_.measure();
+      density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
+    }
+  }
 
   // Looks for the open loops, and for those that are opened by it, as long as there are visits.
   void repeat(double visits) {
     part_ = 0.;
-    for(int round = 0; round < most_rounds && visits > 0. && find_candidates(visits); ++round)
+    double spare = most_on_large_mesh - visits;
+    for(int round = 0; round < most_rounds && visits > 0.; ++round) {
+      const double before = total_length(), share = visits;
+      if(!find_candidates(visits))
+        break;
       exchange();
+      // It goes on as long as it pays.
+      if(total_length() < 0.995 * before) {
+        const double more = (std::max)(0., (std::min)(spare, share - visits));
+        visits += more;
+        spare -= more;
+      }
+    }
   }
+
+  double total_length() const { return std::accumulate(lengths_.begin(), lengths_.end(), 0.); }
 
   // About the vertices within half the length of a loop: by how densely they lie, or because a
   // geodesic crosses two edges on an edge length.
@@ -362,6 +386,7 @@ private:
   Progress& progress_;
   std::vector<Crossing_loop>* loops_ = nullptr;
   const std::vector<char>* is_pure_ = nullptr;
+  bool is_prepared_ = false; // the mesh to search on
   bool are_pairs_kept_ = true;
   double part_ = 0.;    // of the length of the loops, to look for
   double density_ = 0.; // vertices by area, if many of them are visited

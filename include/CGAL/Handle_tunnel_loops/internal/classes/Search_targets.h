@@ -80,9 +80,14 @@ public:
     found.length = limit_;
   }
 
+  /// whether walks of a class and of this length are of use.
   bool wants(std::uint64_t key, double length) const {
-    const Found& found = classes_.at(key);
-    return length < found.length && is_wanted(found.targets, length);
+    return is_wanted(classes_.at(key).targets, length);
+  }
+
+  /// whether none so short has been found of the class.
+  bool is_shortest(std::uint64_t key, double length) const {
+    return length < classes_.at(key).length;
   }
 
   void take(std::uint64_t key, double length, std::vector<Index> walk) {
