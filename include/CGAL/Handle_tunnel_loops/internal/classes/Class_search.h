@@ -65,7 +65,7 @@ public:
   void search(Index root, Search_targets& targets, std::size_t& visits) {
     targets_ = &targets;
     shortest_ = targets.limit();
-    reach(root, {0.f, root, no_index, no_index, false, {}});
+    reach(root, {0.f, root, no_index, no_index, no_index, false, {}});
     while(!queue_.empty() && visits > 0) {
       const auto [distance, l] = queue_.top();
       queue_.pop();
@@ -91,6 +91,7 @@ private:
     float distance;
     Index vertex;
     Index parent; // a label
+    Index step;   // from it
     Index next;   // of the same vertex
     bool is_settled;
     Class_sums sums;
@@ -119,21 +120,15 @@ private:
   void visit(Index l) {
     labels_[l].is_settled = true;
     const Label here = labels_[l];
-    const Index corner = mesh_.corner(here.vertex);
-    const bool may_cross = classes_.has_crossing(corner);
-    const Ring ring = mesh_.ring(here.vertex);
     Label there = here;
     there.parent = l;
     there.is_settled = false;
-    for(Index p = 0; p < ring.size(); ++p) {
-      there.vertex = ring[p];
-      there.distance = here.distance + mesh_.edge_length(here.vertex, p);
-      if(may_cross) {
-        const Index step = mesh_.step(here.vertex, p);
-        there.sums = here.sums;
-        if(step != no_index)
-          there.sums.add(1, classes_.edge(corner, step).sums);
-      }
+    for(Index step = mesh_.begin(here.vertex); step != mesh_.end(here.vertex); ++step) {
+      there.vertex = mesh_.head(step);
+      there.step = step;
+      there.distance = here.distance + mesh_.length(here.vertex, step);
+      there.sums = here.sums;
+      there.sums.add(1, mesh_.sums(here.vertex, step, classes_));
       relax(there);
     }
   }
@@ -171,40 +166,35 @@ private:
       return;
     shortest_ = (std::min)(shortest_, length);
     if(targets_->is_shortest(key, length))
-      targets_->take(key, length, corners(closed_walk(way, other)));
+      targets_->take(key, length, closed_walk(way, other));
   }
 
-  // Vertices to the place where the ways meet, and back.
+  // On the edges of the mesh, to the place where the ways meet, and back.
   std::vector<Index> closed_walk(const Label& way, const Label& other) const {
-    std::vector<Index> walk;
-    for(Index l = way.parent; l != no_index; l = labels_[l].parent)
-      walk.push_back(labels_[l].vertex);
-    std::reverse(walk.begin(), walk.end());
-    walk.push_back(way.vertex);
-    for(Index l = other.parent; l != no_index; l = labels_[l].parent)
-      walk.push_back(labels_[l].vertex);
-    return walk;
-  }
-
-  std::vector<Index> corners(std::vector<Index> walk) const {
-    for(Index& v : walk)
-      v = mesh_.corner(v);
+    std::vector<Index> walk = corners_along(way), back = corners_along(other);
+    walk.insert(walk.end(), back.rbegin(), back.rend());
     remove_spurs(walk);
     return walk;
   }
 
-  // How often a closed walk crosses the loops.
+  // From that of the root.
+  std::vector<Index> corners_along(const Label& way) const {
+    std::vector<const Label*> labels(1, &way);
+    while(labels.back()->parent != no_index)
+      labels.push_back(&labels_[labels.back()->parent]);
+    std::vector<Index> walk(1, mesh_.corner(labels.back()->vertex));
+    for(std::size_t i = labels.size() - 1; i-- > 0;)
+      mesh_.for_each_edge(labels[i + 1]->vertex, labels[i]->step,
+                          [&](Index, Index to) { walk.push_back(to); });
+    return walk;
+  }
+
+  // How often a closed walk on the edges of the mesh crosses the loops.
   Class_vector numbers(const std::vector<Index>& walk) const {
     Class_vector numbers;
-    for(std::size_t i = 0; i < walk.size(); ++i) {
-      const Index v = walk[i], u = walk[i + 1 == walk.size() ? 0 : i + 1];
-      if(u == v || !classes_.has_crossing(mesh_.corner(v)))
-        continue;
-      const Index step = mesh_.step(v, mesh_.ring(v).position(u));
-      if(step != no_index)
-        classes_.for_each_term(classes_.edge(mesh_.corner(v), step),
-                               [&](Index loop, int number) { numbers.emplace_back(loop, number); });
-    }
+    for(std::size_t i = 0; i < walk.size(); ++i)
+      classes_.for_each_term(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1],
+                             [&](Index loop, int number) { numbers.emplace_back(loop, number); });
     normalize(numbers);
     return numbers;
   }

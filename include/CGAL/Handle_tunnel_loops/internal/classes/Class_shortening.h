@@ -97,14 +97,14 @@ private:
 
   static constexpr double gain_worth_having = 1. - 1e-7;
 
-  static constexpr double most_visits = 6e6, most_on_large_mesh = 2.5e6;
-  static constexpr double small = 25000.;   // vertices
-  static constexpr std::size_t even = 8000; // vertices
+  static constexpr double most_visits = 4.5e6, most_on_large_mesh = 2.5e6;
+  static constexpr double small = 40000.;   // vertices
+  static constexpr std::size_t even = 5000; // vertices
 
   // On a large mesh, less: its loops have cost more before, and are not to wait as long again.
   double visits() const {
-    const double n = double(mesh_.number_of_vertices());
-    return n <= small ? most_visits : most_on_large_mesh * small / n;
+    const double part = (std::min)(1., small / double(mesh_.number_of_vertices()));
+    return most_visits * part * part;
   }
 
   void prepare_search() {
@@ -122,7 +122,7 @@ private:
   // Looks for the open loops, and for those that are opened by it, as long as there are visits.
   void repeat(double visits) {
     part_ = 0.;
-    double spare = most_on_large_mesh - visits;
+    double spare = (std::max)(0., most_on_large_mesh - visits);
     for(int round = 0; round < most_rounds && visits > 0.; ++round) {
       const double before = total_length(), share = visits;
       if(!find_candidates(visits))
@@ -209,6 +209,7 @@ private:
       return false;
     classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
     const Edge_classes edge_classes(mesh_, classes_->index(), *is_pure_);
+    search_mesh_.count(edge_classes);
     const std::vector<Class_vector> duals = dual_classes();
     const std::vector<Task> tasks = this->tasks(duals);
     const Search_plan efforts = plan(tasks, visits);

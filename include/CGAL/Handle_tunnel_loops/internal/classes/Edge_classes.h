@@ -79,9 +79,12 @@ public:
   /// `v`.
   const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
 
-  /// calls `f(loop, number)` for the loops that cross an edge.
-  template <typename Function> void for_each_term(const Edge& e, const Function& f) const {
-    for(Index i = e.first; i != (&e + 1)->first; ++i)
+  /// calls `f(loop, number)` for the loops that cross the edge from `u` to `v`.
+  template <typename Function> void for_each_term(Index u, Index v, const Function& f) const {
+    if(!has_crossing(u) || u == v)
+      return;
+    const Edge* e = &edge(u, mesh_.ring(u).position(v));
+    for(Index i = e->first; i != (e + 1)->first; ++i)
       f(terms_[i].loop, terms_[i].number);
   }
 

@@ -12,7 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/classes/Edge_splitting.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Edge_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Intrinsic_triangulation.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -26,63 +27,86 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/*!
-A mesh to search for loops on: that of the caller, or one on the same surface with shorter edges.
-
-Each vertex has a corner of the mesh that stands for it: of all faces of the mesh that it lies on.
-So an edge of the finer mesh, which lies on a face, leads to an edge of that face or to nothing, and
-a closed walk on the finer mesh to one on the edges of the mesh, in the same class.
-*/
+/// A graph to search for loops on: the edges of the mesh, or of a better triangulation of the same
+/// surface. Its steps from a vertex have consecutive numbers. For each vertex stands a corner, a
+/// vertex of the mesh, and for each step a walk on the edges of the mesh between corners.
 class Search_mesh
 {
 public:
   explicit Search_mesh(const Flat_mesh& mesh)
-      : mesh_(&mesh) {}
+      : mesh_(mesh) {}
 
   Search_mesh(const Search_mesh&) = delete;
   Search_mesh& operator=(const Search_mesh&) = delete;
 
-  /// refines the mesh to one of about so many vertices where that is more, with even edges: the
-  /// ways along edges are poor where triangles are long and thin.
+  /// replaces the edges of the mesh by those of a triangulation with at least about so many
+  /// vertices: ways along edges are poor where triangles are long and thin.
   void refine(std::size_t number_of_vertices) {
-    const std::size_t n = (std::max)(number_of_vertices, mesh_->number_of_vertices());
+    const std::size_t n = (std::max)(number_of_vertices, mesh_.number_of_vertices());
     // An even mesh of n vertices has 2n triangles of area s^2 sqrt(3) / 4.
     const double longest = std::sqrt(1.5 * 2.31 * area() / double(2 * n));
-    Edge_splitting splitting(*mesh_);
-    splitting.split(longest, 2 * n);
-    if(splitting.corners().size() == mesh_->number_of_vertices())
-      return;
-    finer_ = splitting.mesh();
-    corners_ = splitting.corners();
-    find_steps();
-    mesh_ = &finer_;
+    Intrinsic_triangulation triangulation(mesh_);
+    triangulation.split(longest, 2 * n);
+    triangulation.make_delaunay();
+    points_ = triangulation.points();
+    corners_ = triangulation.corners();
+    take_steps(triangulation);
   }
 
   /// computes the lengths of all edges once: it pays if many searches follow.
   void measure() {
-    lengths_.resize(mesh_->neighbor.size());
+    if(is_refined())
+      return;
+    lengths_.resize(mesh_.neighbor.size());
     for(Index v = 0; v < number_of_vertices(); ++v)
-      for(Index p = 0; p < ring(v).size(); ++p)
-        lengths_[mesh_->row_begin[v] + p] = static_cast<float>(mesh_->edge_length(v, ring(v)[p]));
+      for(Index s = begin(v); s != end(v); ++s)
+        lengths_[s] = static_cast<float>(mesh_.edge_length(v, head(s)));
   }
 
-  std::size_t number_of_vertices() const { return mesh_->number_of_vertices(); }
-  const Vector& point(Index v) const { return mesh_->points[v]; }
-  Ring ring(Index v) const { return mesh_->ring(v); }
+  /// counts what the steps cross.
+  void count(const Edge_classes& classes) {
+    sums_.assign(heads_.size(), {});
+    for(Index v = 0; is_refined() && v < number_of_vertices(); ++v)
+      for(Index s = begin(v); s != end(v); ++s)
+        for_each_edge(v, s, [&](Index from, Index to) {
+          if(classes.has_crossing(from))
+            sums_[s].add(1, classes.edge(from, mesh_.ring(from).position(to)).sums);
+        });
+  }
 
-  /// the length of the edge to the neighbour in a position of the ring.
-  float edge_length(Index v, Index position) const {
-    return lengths_.empty() ? static_cast<float>(mesh_->edge_length(v, ring(v)[position]))
-                            : lengths_[mesh_->row_begin[v] + position];
+  std::size_t number_of_vertices() const {
+    return is_refined() ? points_.size() : mesh_.number_of_vertices();
+  }
+  const Vector& point(Index v) const { return is_refined() ? points_[v] : mesh_.points[v]; }
+
+  /// the steps from a vertex are those from `begin()` to `end()`.
+  Index begin(Index v) const { return is_refined() ? begin_[v] : mesh_.row_begin[v]; }
+  Index end(Index v) const { return is_refined() ? begin_[v + 1] : mesh_.row_begin[v + 1]; }
+  Index head(Index step) const { return is_refined() ? heads_[step] : mesh_.neighbor[step]; }
+
+  float length(Index v, Index step) const {
+    return lengths_.empty() ? static_cast<float>(mesh_.edge_length(v, head(step))) : lengths_[step];
+  }
+
+  /// what a step from `v` crosses, by the edge classes that were last counted.
+  Class_sums sums(Index v, Index step, const Edge_classes& classes) const {
+    if(is_refined())
+      return sums_[step];
+    return classes.has_crossing(v) ? classes.edge(v, step - begin(v)).sums : Class_sums();
   }
 
   /// the corner of the mesh that stands for a vertex.
-  Index corner(Index v) const { return corners_.empty() ? v : corners_[v]; }
+  Index corner(Index v) const { return is_refined() ? corners_[v] : v; }
 
-  /// of the edge to the neighbour in a position of the ring: the position of the neighbour's corner
-  /// in the ring of the corner of `v`, `no_index` if it is the same corner.
-  Index step(Index v, Index position) const {
-    return corners_.empty() ? position : steps_[mesh_->row_begin[v] + position];
+  /// calls `f(from, to)` for the edges of the mesh along which a step from `v` leads.
+  template <typename Function> void for_each_edge(Index v, Index step, const Function& f) const {
+    if(!is_refined())
+      return f(v, head(step));
+    Index from = corners_[v];
+    for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
+      f(from, walks_[i]);
+      from = walks_[i];
+    }
   }
 
   /// a vertex near a place, by steps towards it from a corner near it.
@@ -90,10 +114,10 @@ public:
     Index v = corner;
     for(double best = squared_distance(v, place);;) {
       const Index from = v;
-      for(Index u : ring(from))
-        if(const double d = squared_distance(u, place); d < best) {
+      for(Index s = begin(from); s != end(from); ++s)
+        if(const double d = squared_distance(head(s), place); d < best) {
           best = d;
-          v = u;
+          v = head(s);
         }
       if(v == from)
         return v;
@@ -103,35 +127,52 @@ public:
   /// of the surface.
   double area() const {
     double sum = 0.;
-    for(Index v = 0; v < number_of_vertices(); ++v)
-      for(Index p = 0; p < ring(v).size(); ++p) {
-        const Index a = ring(v)[p], b = ring(v)[ring(v).next(p)];
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
+      const Ring ring = mesh_.ring(v);
+      for(Index p = 0; p < ring.size(); ++p) {
+        const Index a = ring[p], b = ring[ring.next(p)];
         if(v < a && v < b)
-          sum += 0.5 * norm(cross(point(a) - point(v), point(b) - point(v)));
+          sum += 0.5 *
+                 norm(cross(mesh_.points[a] - mesh_.points[v], mesh_.points[b] - mesh_.points[v]));
       }
+    }
     return sum;
   }
 
 private:
+  bool is_refined() const { return !points_.empty(); }
+
   double squared_distance(Index v, const Vector& place) const {
     const Vector to = place - point(v);
     return dot(to, to);
   }
 
-  void find_steps() {
-    steps_.resize(finer_.neighbor.size());
-    for(Index v = 0; v < finer_.number_of_vertices(); ++v)
-      for(Index p = 0; p < finer_.ring(v).size(); ++p) {
-        const Index from = corners_[v], to = corners_[finer_.ring(v)[p]];
-        steps_[finer_.row_begin[v] + p] = from == to ? no_index : mesh_->ring(from).position(to);
-        CGAL_assertion(from == to || mesh_->ring(from).position(to) < mesh_->ring(from).size());
-      }
+  void take_steps(const Intrinsic_triangulation& triangulation) {
+    const Index n = static_cast<Index>(triangulation.number_of_halfedges());
+    begin_.assign(points_.size() + 1, 0);
+    for(Index h = 0; h < n; ++h)
+      ++begin_[triangulation.source(h) + 1];
+    for(std::size_t v = 0; v < points_.size(); ++v)
+      begin_[v + 1] += begin_[v];
+    std::vector<Index> halfedges(n), place(begin_.begin(), begin_.end() - 1);
+    for(Index h = 0; h < n; ++h)
+      halfedges[place[triangulation.source(h)]++] = h;
+    for(Index h : halfedges) {
+      heads_.push_back(triangulation.target(h));
+      lengths_.push_back(static_cast<float>(triangulation.length(h)));
+      walk_begin_.push_back(static_cast<Index>(walks_.size()));
+      walks_.insert(walks_.end(), triangulation.walk(h).begin(), triangulation.walk(h).end());
+    }
+    walk_begin_.push_back(static_cast<Index>(walks_.size()));
   }
 
-  const Flat_mesh* mesh_; // to search on
-  Flat_mesh finer_;
-  std::vector<Index> corners_, steps_; // of the finer mesh, by vertex and by place in the rings
-  std::vector<float> lengths_;         // of the edges in the rings, or empty
+  const Flat_mesh& mesh_;
+  // Of the finer triangulation, if there is one.
+  std::vector<Vector> points_;
+  std::vector<Index> corners_, begin_;            // by vertex
+  std::vector<Index> heads_, walk_begin_, walks_; // by step, and what the walks lead to
+  std::vector<Class_sums> sums_;                  // by step
+  std::vector<float> lengths_;                    // by step, of the mesh as well if measured
 };
 
 } // namespace internal

@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_INTRINSIC_TRIANGULATION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+A triangulation of the surface of a mesh with more vertices and better triangles, whose edges are
+straight lines across its faces: known by their lengths alone (an intrinsic triangulation, Sharp,
+Soliman and Crane 2019). First the longest edges are split at their midpoints; then edges are
+flipped until they are Delaunay, but for rounding. It serves to measure ways, so that nothing has to
+be exact.
+
+What has to be right is the class of a way. Each vertex has a *corner*, a vertex of the mesh that
+belongs to all faces that it lies on, and each edge a walk on the edges of the mesh from the corner
+of one end to that of the other, which can be pulled to it over the surface: an edge on a face leads
+to an edge of that face or to nothing, and a flipped edge goes along two others.
+*/
+class Intrinsic_triangulation
+{
+public:
+  explicit Intrinsic_triangulation(const Flat_mesh& mesh)
+      : points_(mesh.points.begin(), mesh.points.end())
+      , corners_(mesh.number_of_vertices()) {
+    for(Index v = 0; v < corners_.size(); ++v)
+      corners_[v] = v;
+    add_faces(mesh);
+  }
+
+  /// splits edges until none is longer, or until there are so many vertices.
+  void split(double longest, std::size_t number_of_vertices) {
+    for(Index h = 0; h < targets_.size(); ++h)
+      push(h, longest);
+    while(!queue_.empty() && points_.size() < number_of_vertices) {
+      const auto [length, h] = queue_.top();
+      queue_.pop();
+      if(length == distance(h))
+        split_edge(h, longest);
+    }
+  }
+
+  /// flips edges, after all splits.
+  void make_delaunay() {
+    start_walks();
+    std::vector<Index> open;
+    for(Index h = 0; h < targets_.size(); ++h)
+      if(h < twins_[h])
+        open.push_back(h);
+    // The angles become larger with each flip; rounding is not to go on for ever.
+    for(std::size_t left = targets_.size(); !open.empty() && left > 0;) {
+      const Index h = open.back();
+      open.pop_back();
+      if(!is_to_be_flipped(h))
+        continue;
+      flip(h);
+      --left;
+      const Index g = twins_[h];
+      open.insert(open.end(), {next(h), previous(h), next(g), previous(g)});
+    }
+  }
+
+  const std::vector<Vector>& points() const { return points_; }
+
+  /// by vertex, a corner of all faces of the mesh on which it lies.
+  const std::vector<Index>& corners() const { return corners_; }
+
+  // Of the halfedges, numbered from 0.
+  std::size_t number_of_halfedges() const { return targets_.size(); }
+  Index source(Index h) const { return targets_[previous(h)]; }
+  Index target(Index h) const { return targets_[h]; }
+  double length(Index h) const { return lengths_[h]; }
+
+  /// the corners that follow that of the source, to that of the target.
+  const std::vector<Index>& walk(Index h) const { return walks_[h]; }
+
+private:
+  // Halfedges 3f, 3f + 1, 3f + 2 lead around face f.
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+  void add_faces(const Flat_mesh& mesh) {
+    std::vector<Index> halfedges(mesh.neighbor.size()); // by place in the rings
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+      const Ring ring = mesh.ring(v);
+      for(Index p = 0; p < ring.size(); ++p) {
+        const Index a = ring[p], b = ring[ring.next(p)];
+        if(a < v || b < v)
+          continue;
+        halfedges[mesh.row_begin[v] + p] = static_cast<Index>(targets_.size());
+        halfedges[place(mesh, a, b)] = static_cast<Index>(targets_.size() + 1);
+        halfedges[place(mesh, b, v)] = static_cast<Index>(targets_.size() + 2);
+        targets_.insert(targets_.end(), {a, b, v});
+      }
+    }
+    twins_.resize(targets_.size());
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      for(Index p = 0; p < mesh.ring(v).size(); ++p)
+        twins_[halfedges[mesh.row_begin[v] + p]] = halfedges[place(mesh, mesh.ring(v)[p], v)];
+  }
+
+  static std::size_t place(const Flat_mesh& mesh, Index u, Index v) {
+    return mesh.row_begin[u] + mesh.ring(u).position(v);
+  }
+
+  // ---- splits
+
+  double distance(Index h) const { return norm(points_[targets_[h]] - points_[source(h)]); }
+
+  // One of the two halfedges stands for the edge.
+  void push(Index h, double longest) {
+    if(h < twins_[h] && distance(h) > longest)
+      queue_.push({distance(h), h});
+  }
+
+  // The midpoint takes over the corner of an end: it lies on no face on which the end does not.
+  void split_edge(Index h, double longest) {
+    const Index g = twins_[h], m = static_cast<Index>(points_.size());
+    points_.push_back(0.5 * (points_[source(h)] + points_[targets_[h]]));
+    corners_.push_back(corners_[source(h)]);
+    const Index n = cut_face(h, m), k = cut_face(g, m);
+    join(h, k);
+    join(g, n);
+    // The edges across from h and g have other halfedges now, and so perhaps other names.
+    for(Index e : {h, next(h), n, next(n), g, next(g), k, next(k)})
+      push((std::min)(e, twins_[e]), longest);
+  }
+
+  // Face a b c with halfedge `h` from a to b becomes a m c, and m b c is added. Returns the
+  // halfedge from m to b.
+  Index cut_face(Index h, Index m) {
+    const Index n = static_cast<Index>(targets_.size()), across = next(h);
+    const Index b = targets_[h], c = targets_[across];
+    targets_.insert(targets_.end(), {b, c, m});
+    twins_.insert(twins_.end(), {no_index, no_index, no_index});
+    targets_[h] = m;
+    join(n + 1, twins_[across]);
+    join(n + 2, across);
+    return n;
+  }
+
+  void join(Index h, Index g) {
+    twins_[h] = g;
+    twins_[g] = h;
+  }
+
+  // ---- flips
+
+  void start_walks() {
+    walks_.resize(targets_.size());
+    for(Index h = 0; h < targets_.size(); ++h) {
+      lengths_.push_back(distance(h));
+      if(corners_[source(h)] != corners_[targets_[h]])
+        walks_[h] = {corners_[targets_[h]]};
+    }
+  }
+
+  // Where the apex of a face lies, if the edge leads from the origin along the x-axis.
+  std::pair<double, double> apex(Index h) const {
+    const double base = lengths_[h], from_source = lengths_[previous(h)],
+                 from_target = lengths_[next(h)];
+    const double x =
+        base > 0.
+            ? (from_source * from_source - from_target * from_target + base * base) / (2. * base)
+            : 0.;
+    return {x, std::sqrt((std::max)(0., from_source * from_source - x * x))};
+  }
+
+  // Whether the angles opposite to an edge are together larger than a straight one, by their
+  // cotangents. Faces without an area say nothing, unless there is one on the other side.
+  bool is_to_be_flipped(Index h) const {
+    constexpr double rounding = 1e-7;
+    const Index g = twins_[h];
+    const auto [x1, y1] = apex(h);
+    const auto [x2, y2] = apex(g);
+    const double base = lengths_[h];
+    if(h / 3 == g / 3 || !(y1 + y2 > rounding * base) ||
+       (y1 < rounding * base && (x1 < rounding * base || x1 > (1. - rounding) * base)) ||
+       (y2 < rounding * base && (x2 < rounding * base || x2 > (1. - rounding) * base)))
+      return false;
+    // cot = dot / (base y), both sides times the heights
+    const double dot1 = x1 * (x1 - base) + y1 * y1, dot2 = x2 * (x2 - base) + y2 * y2;
+    return dot1 * y2 + dot2 * y1 < -rounding * base * base * (std::max)(y1, y2);
+  }
+
+  // Faces a b c and b a d with halfedge `h` from a to b become d c a and c d b.
+  void flip(Index h) {
+    const Index g = twins_[h];
+    const Index bc = next(h), ca = previous(h), ad = next(g), db = previous(g);
+    const auto [x1, y1] = apex(h);
+    const auto [x2, y2] = apex(g);
+    const double across = std::hypot(x1 - (lengths_[h] - x2), y1 + y2);
+    const std::vector<Index> walk =
+        joined(corners_[targets_[ad]], reversed(ad), reversed(ca)); // d to a to c
+    struct Side
+    {
+      Index target, twin;
+      double length;
+      std::vector<Index> walk;
+    };
+    const auto side = [&](Index e) {
+      return Side{targets_[e], twins_[e], lengths_[e], std::move(walks_[e])};
+    };
+    const auto set = [&](Index e, Side s) {
+      targets_[e] = s.target;
+      lengths_[e] = s.length;
+      walks_[e] = std::move(s.walk);
+      join(e, s.twin);
+    };
+    const Index c = targets_[bc], d = targets_[ad];
+    std::vector<Index> back = reversed_walk(walk, corners_[d]);
+    const Side of_bc = side(bc), of_ca = side(ca), of_ad = side(ad), of_db = side(db);
+    targets_[h] = c;
+    targets_[g] = d;
+    lengths_[h] = lengths_[g] = across;
+    walks_[h] = walk;
+    walks_[g] = std::move(back);
+    // The places of the other sides change; two of them may be one edge.
+    const auto moved = [&](Side s, Index from_bc, Index from_ca, Index from_ad, Index from_db) {
+      s.twin = s.twin == bc   ? from_bc
+               : s.twin == ca ? from_ca
+               : s.twin == ad ? from_ad
+               : s.twin == db ? from_db
+                              : s.twin;
+      return s;
+    };
+    const Index h1 = next(h), h2 = previous(h), g1 = next(g), g2 = previous(g);
+    set(h1, moved(of_ca, g2, h1, h2, g1));
+    set(h2, moved(of_ad, g2, h1, h2, g1));
+    set(g1, moved(of_db, g2, h1, h2, g1));
+    set(g2, moved(of_bc, g2, h1, h2, g1));
+  }
+
+  std::vector<Index> reversed(Index h) const { return walks_[twins_[h]]; }
+
+  // The same corners the other way, without the first.
+  static std::vector<Index> reversed_walk(const std::vector<Index>& walk, Index first) {
+    std::vector<Index> back;
+    for(std::size_t i = walk.size(); i-- > 1;)
+      back.push_back(walk[i - 1]);
+    if(!walk.empty())
+      back.push_back(first);
+    return back;
+  }
+
+  // Without steps there and back.
+  static std::vector<Index>
+  joined(Index first, const std::vector<Index>& a, const std::vector<Index>& b) {
+    std::vector<Index> walk;
+    for(const std::vector<Index>* part : {&a, &b})
+      for(Index c : *part) {
+        const Index before = walk.empty()       ? no_index
+                             : walk.size() == 1 ? first
+                                                : walk[walk.size() - 2];
+        if(before == c)
+          walk.pop_back();
+        else
+          walk.push_back(c);
+      }
+    return walk;
+  }
+
+  std::vector<Vector> points_;
+  std::vector<Index> corners_;            // by vertex
+  std::vector<Index> targets_, twins_;    // by halfedge
+  std::vector<double> lengths_;           // by halfedge, once they are flipped
+  std::vector<std::vector<Index>> walks_; // by halfedge, once they are flipped
+  std::priority_queue<std::pair<double, Index>> queue_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CLASSES_INTRINSIC_TRIANGULATION_H
