@@ -151,7 +151,8 @@ public:
   const Handle_tunnel_loops::Certificate& certificate() const { return certificate_; }
 
   /*!
-  computes the loops.
+  computes the loops, see `CGAL::handle_tunnel_loops()`. `certificate()` says afterwards what has
+  been proved of them, among it where each bounds.
 
   \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
     `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and

@@ -37,20 +37,29 @@ that form a basis of the first homology group over the integers, in pairs that c
 proved for every answer, by a method of its own, before it is returned
 (`certify_handle_tunnel_loops()`, which says what is independent of what).
 
+On components that neither touch nor cross themselves or others, each handle loop bounds a surface
+inside its component, and each tunnel loop one outside of it, as if there were no other component
+(`Handle_tunnel_loops::Loop_linking::bounds_inside_component`). With the others there, a loop bounds
+exactly if it is linked with none of them. The parameter `basis_kind` asks for the shortest basis
+instead, whatever sides its loops bound on, if on any.
+
 The method follows \cgalCite{weinrauch2023variational}: a phase field grows from one vertex over the
 surface; where two of its fronts meet there is a handle (section 4.1). A field from one side of that
 front to the other finds the tunnel (4.2), a field from one side of the tunnel to the other a better
 handle (4.3). The loops are then tightened in their homotopy classes, and looked for once more by
-lengths of edges, since the fields only count these. Which loop of a pair is the handle is decided
-by linking numbers: it bounds in the solid, or the other one bounds outside of it
+lengths of edges, since the fields only count these. By their linking numbers, and in integers,
+those that bound on neither side are replaced by others that do; then shorter loops are looked for
+in all classes that bound, from places along the loops that they have to cross, with a bounded
+effort. Loops are short in the end, not shortest. Which loop of a pair is the handle is decided by
+linking numbers: it bounds in the solid, or the other one bounds outside of it
 (`Handle_tunnel_loops::Loop_linking`). Where these do not tell, it is the loop that grows more when
 both are moved along the normals (4.5). Several connected components are treated at once; a
 component of genus 0 contributes nothing.
 
-Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover;
-memory is 69 to 114 bytes per face (measured with two threads on meshes of a million to ten million
-faces and genus 1 to 1500; the more the longer the loops are against the mesh), and 5 to 8 more for
-each further thread.
+Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover,
+plus a fraction of a second at most for the search in classes; memory is FIGURE[69 to 114] bytes per
+face (measured with two threads on meshes of a million to ten million faces and genus 1 to 1500; the
+more the longer the loops are against the mesh), and 5 to 8 more for each further thread.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag`, and
@@ -115,15 +124,27 @@ each further thread.
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{do_tighten}
-    \cgalParamDescription{whether to tighten the loops in their homotopy classes}
+    \cgalParamDescription{whether to tighten the loops in their homotopy classes, and to look for
+      shorter ones}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{do_compute_linking}
     \cgalParamDescription{whether linking numbers tell handles from tunnels; otherwise the growth
-      along the normals does, and it is not known which loops bound inside and outside}
+      along the normals does, it is not known which loops bound inside and outside, and none are
+      replaced by others that do}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{basis_kind}
+    \cgalParamDescription{which basis is looked for: `PURE`, of handle loops that bound inside and
+      tunnel loops that bound outside of their component; or `SHORTEST`, the shortest loops that are
+      a basis, for cutting and parametrization, where sides do not matter. The latter are never
+      longer in total than the former. They are paired so that each pair crosses once if that can
+      be, or else an odd number of times, counted with sign; that is stated in the certificate, as
+      are names and sides, and not required}
+    \cgalParamType{`Handle_tunnel_loops::Basis_kind`}
+    \cgalParamDefault{`Handle_tunnel_loops::Basis_kind::PURE`}
   \cgalParamNEnd
   \cgalParamNBegin{do_log_fronts}
     \cgalParamDescription{whether `Handle_tunnel_loops::Statistics::front_events` is filled, which
@@ -151,6 +172,7 @@ each further thread.
 
 \sa `Handle_tunnel_loops_solver`
 \sa `certify_handle_tunnel_loops()`
+\sa `compare_lengths()`
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,

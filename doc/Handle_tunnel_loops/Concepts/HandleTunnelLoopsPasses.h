@@ -5,7 +5,8 @@
 The concept `HandleTunnelLoopsPasses` describes the passes of a method (paper, section 4). The
 pipeline calls them in the order in which they stand here, each at most once: `refinement_pass()`
 only if `do_refine_handles` is set, `shorten()` only if `do_tighten` is. They are not called for a
-surface of genus 0. In the package it is the abstract class
+surface of genus 0. What they find need not bound on any side: the stage `CLASSES`, which follows,
+is the same for all models. In the package it is the abstract class
 `CGAL::Handle_tunnel_loops::internal::Passes`, from which models derive (see \ref HTLDesign); names
 of it may change.
 

@@ -19,10 +19,12 @@ namespace Handle_tunnel_loops {
 /// Which basis of the first homology group is looked for.
 enum class Basis_kind {
   /// Handle loops that bound in the solid and tunnel loops that bound outside of it, each component
-  /// as if the others were not there, and of these short ones. Each pair crosses once.
+  /// as if the others were not there, and of these short ones. Each pair crosses once. On
+  /// components that touch or cross themselves or others it is any basis in such pairs.
   PURE,
-  /// The shortest loops that are a basis, whatever side they bound on, if any: for cutting and
-  /// parametrisation. Each pair crosses an odd number of times, counted with sign.
+  /// The shortest loops found that are a basis, whatever side they bound on, if any: for cutting
+  /// and parametrization. Each pair crosses once if they can be paired so, or else an odd number of
+  /// times, counted with sign.
   SHORTEST
 };
 

@@ -28,12 +28,14 @@ As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()` and of
 
 All fields of the initial pass are the rows of a sparse matrix, and obey the equation of the paper's
 section 3 with all its terms; the fields of the other two passes cover the whole mesh; tunnels, and
-handles after the refinement, are streamlines across the triangles. Nothing is tightened:
-`do_tighten` has no effect. It shares no algorithm that finds loops with the other solvers; it
-shares with them the adaptor and its arrays, the sequences of crossed edges that loops are, the
-order of the passes, the conversion of the answer, the linking numbers and the offset criterion that
-tell handles from tunnels, and the certificate. `Handle_tunnel_loops::Statistics::front_events`
-holds the splits, merges and closings of the initial pass afterwards, and
+handles after the refinement, are streamlines across the triangles. These passes tighten nothing,
+and share no algorithm that finds loops with the other solvers; they share with them the adaptor and
+its arrays, the sequences of crossed edges that loops are, the order of the passes, the conversion
+of the answer, the linking numbers and the offset criterion that tell handles from tunnels, and the
+certificate. The stage `CLASSES` that follows is that of the other solvers too: it replaces loops
+that do not bound, unless `do_compute_linking` is switched off, and looks for shorter ones, which
+are tightened, unless `do_tighten` is. `Handle_tunnel_loops::Statistics::front_events` holds the
+splits, merges and closings of the initial pass afterwards, and
 `Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for what the paper takes
 for granted.
 
