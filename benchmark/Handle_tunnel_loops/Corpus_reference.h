@@ -75,7 +75,8 @@ inline bool do_not_cross(const Mesh& mesh, const Pairs& a, const Pairs& b, CGAL:
   linker.set_loops(
       impl::Execution(), loops, [](const auto&) { return std::size_t(0); }, 1);
   linker.intersect(impl::Execution());
-  for(const auto& e : linker.intersections())
+  const impl::Loop_relations relations = linker.take_relations();
+  for(const auto& e : relations.intersections)
     if((e.row < a.size()) != (e.column < a.size()) && e.value != 0)
       return false;
   return true;
