@@ -84,7 +84,7 @@ public:
   double lower_bound(Index v) const { return lower_bounds_[v]; }
 
 private:
-  static constexpr int most_labels = 6; // of one vertex
+  static constexpr int most_labels = 16; // of one vertex
 
   struct Label
   {

@@ -203,7 +203,7 @@ private:
     return Search_plan(discs, places, visits);
   }
 
-  // Returns whether anything was looked for; takes what was spent from the visits.
+  // Returns whether anything was looked for.
   bool find_candidates(double& visits) {
     if(std::find(is_open_.begin(), is_open_.end(), 1) == is_open_.end())
       return false;
@@ -227,21 +227,33 @@ private:
         },
         1);
     progress_.throw_if_interrupted();
-    std::vector<char> is_exhausted(loops_->size(), 0);
-    for(std::size_t n = 0; n < tasks.size(); ++n) {
-      visits -= double(efforts.effort(n).visits - left[n]);
-      if(efforts.effort(n).visits > 0 && left[n] == 0) // it takes more than was thought
-        for(Index i : tasks[n].targets)
-          is_exhausted[i] = 1;
-    }
-    for(Index i = 0; i < is_open_.size(); ++i) {
-      patience_[i] *= is_exhausted[i] ? 4. : 1.;
-      is_open_[i] = is_exhausted[i] || (is_open_[i] && part_ < 1.);
-    }
+    close_loops(tasks, efforts, left, visits);
     candidates_.clear();
     for(std::vector<Candidate>& part : found)
       std::move(part.begin(), part.end(), std::back_inserter(candidates_));
-    return true;
+    return std::any_of(tasks.begin(), tasks.end(),
+                       [&](const Task& t) { return efforts.effort(&t - tasks.data()).visits > 0; });
+  }
+
+  // What has been searched to its end is closed. Takes what was spent from the visits.
+  void close_loops(const std::vector<Task>& tasks,
+                   const Search_plan& efforts,
+                   const std::vector<std::size_t>& left,
+                   double& visits) {
+    std::vector<char> is_exhausted(loops_->size(), 0), is_left_out(loops_->size(), 0);
+    for(std::size_t n = 0; n < tasks.size(); ++n) {
+      const std::size_t planned = efforts.effort(n).visits;
+      visits -= double(planned - left[n]);
+      for(Index i : tasks[n].targets)
+        if(planned == 0)
+          is_left_out[i] = 1; // the others may leave something
+        else if(left[n] == 0)
+          is_exhausted[i] = 1; // it takes more than was thought
+    }
+    for(Index i = 0; i < is_open_.size(); ++i) {
+      patience_[i] *= is_exhausted[i] ? 4. : 1.;
+      is_open_[i] = is_exhausted[i] || is_left_out[i] || (is_open_[i] && part_ < 1.);
+    }
   }
 
   // Of the open loops. A loop whose class has numbers that are too large is closed.

@@ -39,14 +39,15 @@ public:
   Search_mesh(const Search_mesh&) = delete;
   Search_mesh& operator=(const Search_mesh&) = delete;
 
-  /// replaces the edges of the mesh by those of a triangulation with at least about so many
-  /// vertices: ways along edges are poor where triangles are long and thin.
+  /// replaces the edges of the mesh by those of a triangulation with up to so many more vertices,
+  /// or about twice as many in all if the mesh has few: ways along edges are poor where triangles
+  /// are long and thin.
   void refine(std::size_t number_of_vertices) {
     const std::size_t n = (std::max)(number_of_vertices, mesh_.number_of_vertices());
     // An even mesh of n vertices has 2n triangles of area s^2 sqrt(3) / 4.
     const double longest = std::sqrt(1.5 * 2.31 * area() / double(2 * n));
     Intrinsic_triangulation triangulation(mesh_);
-    triangulation.split(longest, 2 * n);
+    triangulation.split(longest, n + number_of_vertices);
     triangulation.make_delaunay();
     points_ = triangulation.points();
     corners_ = triangulation.corners();
