@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace {
@@ -91,7 +92,7 @@ TEST_P(Shortest_bases, AreFoundByAnyNumberOfThreads) {
 // Nothing shortens them then.
 TEST_P(Shortest_bases, AreBasesWithoutTightening) {
   const Certified_pairs answer =
-      certified_pairs(mesh, params::basis_kind(Basis_kind::SHORTEST).do_tighten(false));
+      certified_pairs(mesh, params::do_tighten(false, params::basis_kind(Basis_kind::SHORTEST)));
   expect_basis_in_odd_pairs(mesh, answer.pairs, genus);
   expect_certified(mesh, answer);
 }
@@ -101,7 +102,7 @@ TEST_P(Shortest_bases, AreBasesWithoutLinkingNumbers) {
   for(const Basis_kind kind : {Basis_kind::PURE, Basis_kind::SHORTEST}) {
     SCOPED_TRACE(name_of(kind));
     const Certified_pairs answer =
-        certified_pairs(mesh, params::basis_kind(kind).do_compute_linking(false));
+        certified_pairs(mesh, params::do_compute_linking(false, params::basis_kind(kind)));
     expect_basis_in_odd_pairs(mesh, answer.pairs, genus);
     const Certificate& c = answer.certificate;
     EXPECT_TRUE(bool(c)) << c.failure;
@@ -110,8 +111,8 @@ TEST_P(Shortest_bases, AreBasesWithoutLinkingNumbers) {
     EXPECT_FALSE(c.handles_bound_inside || c.tunnels_bound_outside);
     EXPECT_FALSE(c.handles_bound_inside_alone || c.tunnels_bound_outside_alone);
     expect_same_certificates(
-        c, certify_handle_tunnel_loops(mesh, answer.pairs,
-                                       params::basis_kind(kind).do_compute_linking(false)));
+        c, certify_handle_tunnel_loops(
+               mesh, answer.pairs, params::do_compute_linking(false, params::basis_kind(kind))));
   }
 }
 
@@ -120,7 +121,7 @@ TEST_P(Shortest_bases, AreFoundFromEverySeed) {
   for(int i = 0; i < 2; ++i) {
     const Mesh::Vertex_index v(static_cast<Mesh::size_type>(random.below(mesh.num_vertices())));
     const Certified_pairs answer =
-        certified_pairs(mesh, params::basis_kind(Basis_kind::SHORTEST).seed_vertex(v));
+        certified_pairs(mesh, params::seed_vertex(v, params::basis_kind(Basis_kind::SHORTEST)));
     expect_basis_in_odd_pairs(mesh, answer.pairs, genus);
     expect_certified(mesh, answer);
   }

@@ -25,13 +25,14 @@ namespace {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
-const std::vector<Recipe> embedded = {
-    {"torus", {160, 1, 0}},    {"multi-torus", {600, 2, 0}}, {"sponge", {120, 2, 0}},
-    {"sponge", {160, 3, 0}},   {"lattice", {1200, 3, 1}},    {"plates", {1200, 2, 0}},
-    {"gyroid", {2000, 3, 0}}};
+// Not a knot: ways that wind around its tube are more than a vertex has labels for.
+const std::vector<Recipe> embedded = {{"torus", {160, 1, 0}},    {"multi-torus", {600, 2, 0}},
+                                      {"sponge", {120, 2, 0}},   {"sponge", {160, 3, 0}},
+                                      {"lattice", {1200, 3, 1}}, {"plates", {1200, 2, 0}},
+                                      {"gyroid", {2000, 3, 0}}};
 
 const std::vector<Recipe> at_random = {
-    {"random", {60, 1, 0}}, {"random", {100, 2, 1}}, {"random", {200, 3, 2}}};
+    {"random", {60, 1, 0}}, {"random", {80, 2, 1}}, {"random", {120, 3, 2}}};
 
 std::vector<Recipe> all_recipes() {
   std::vector<Recipe> recipes = embedded;
@@ -356,8 +357,7 @@ private:
     EXPECT_TRUE(is_unit(numbers, t));
   }
 
-  void
-  expect_lower_bounds(Index root, Index t, double limit, const Class_search& search) const {
+  void expect_lower_bounds(Index root, Index t, double limit, const Class_search& search) const {
     EXPECT_GT(search.lower_bound(root), 0.);
     Random random(root);
     for(int i = 0; i < 3; ++i) {
@@ -400,7 +400,7 @@ TEST(Class_search, FindsShortestWalksThatCrossNoWall) {
 
 TEST(Class_search, FindsShortestWalksWithoutWalls) {
   for(const Recipe& recipe : all_recipes())
-    if(recipe.request.faces < 1000)
+    if(recipe.request.faces < 200 && recipe.request.genus < 3)
       expect_shortest_walks(recipe, false, 0);
 }
 

@@ -137,8 +137,8 @@ TEST(Search_plan, PlansNoMoreThanThereIsButForSlack) {
   }
 }
 
-// What takes no more than an equal share is done in full, whatever the others take; and what is done
-// in full is no dearer than what is not, but for what is given up.
+// What takes no more than an equal share is done in full, whatever the others take; and what is
+// done in full is no dearer than what is not, but for what is given up.
 TEST(Search_plan, HasCheapSearchesFirst) {
   Random random(3);
   for(int round = 0; round < 1000; ++round) {

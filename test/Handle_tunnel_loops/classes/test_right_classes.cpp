@@ -138,9 +138,9 @@ bool are_equal(const Crossing_loop& a, const Crossing_loop& b) {
 }
 
 const std::vector<Recipe> connected = {
-    {"torus", {200, 1, 0}},        {"knot", {300, 1, 0}},    {"multi-torus", {800, 2, 0}},
+    {"torus", {200, 1, 0}},        {"knot", {300, 1, 0}},     {"multi-torus", {800, 2, 0}},
     {"multi-torus", {1000, 4, 0}}, {"lattice", {1600, 4, 1}}, {"sponge", {300, 5, 0}},
-    {"plates", {2000, 3, 0}},      {"bars", {2000, 3, 0}},   {"foam", {3000, 4, 0}}};
+    {"plates", {2000, 3, 0}},      {"bars", {2000, 3, 0}},    {"foam", {3000, 4, 0}}};
 
 TEST(Purification, MakesAnyBasisPure) {
   Random random(2);

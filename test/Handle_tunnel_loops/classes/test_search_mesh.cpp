@@ -134,11 +134,10 @@ private:
 };
 
 std::vector<Recipe> recipes() {
-  std::vector<Recipe> recipes = {{"torus", {100, 1, 0}},        {"knot", {200, 1, 0}},
-                                 {"multi-torus", {600, 2, 0}},  {"lattice", {1200, 3, 1}},
-                                 {"sponge", {100, 1, 0}},       {"sponge", {200, 4, 0}},
-                                 {"random", {200, 2, 0}},       {"random", {60, 3, 1}},
-                                 {"torus-link", {800, 1, 0}}};
+  std::vector<Recipe> recipes = {
+      {"torus", {100, 1, 0}},    {"knot", {200, 1, 0}},   {"multi-torus", {600, 2, 0}},
+      {"lattice", {1200, 3, 1}}, {"sponge", {100, 1, 0}}, {"sponge", {200, 4, 0}},
+      {"random", {200, 2, 0}},   {"random", {60, 3, 1}},  {"torus-link", {800, 1, 0}}};
   recipes.back().request.p = 1; // one component
   return recipes;
 }
@@ -165,9 +164,9 @@ void expect_same_classes(const Flat_mesh& mesh,
     loops_of_corners.push_back(of_corners.size() < 3 ? Crossing_loop()
                                                      : pushed_left(mesh, of_corners));
   }
-  EXPECT_EQ(intersection_matrix(loops, Crossing_index(finer, loops), loops.size()),
-            intersection_matrix(loops_of_corners, Crossing_index(mesh, loops_of_corners),
-                                loops.size()));
+  EXPECT_EQ(
+      intersection_matrix(loops, Crossing_index(finer, loops), loops.size()),
+      intersection_matrix(loops_of_corners, Crossing_index(mesh, loops_of_corners), loops.size()));
 }
 
 TEST(Edge_splitting, FitsTheSameSurface) {
@@ -259,8 +258,7 @@ void expect_steps(const Flat_mesh& mesh, const Search_mesh& search_mesh) {
       }
       ASSERT_LT(step, mesh.ring(from).size());
       EXPECT_EQ(mesh.ring(from)[step], to);
-      EXPECT_NEAR(search_mesh.edge_length(v, p),
-                  norm(search_mesh.point(u) - search_mesh.point(v)),
+      EXPECT_NEAR(search_mesh.edge_length(v, p), norm(search_mesh.point(u) - search_mesh.point(v)),
                   1e-6 * search_mesh.edge_length(v, p));
     }
 }
@@ -286,8 +284,7 @@ TEST(Search_mesh, CanBeRefined) {
       Search_mesh search_mesh(mesh);
       const double area = search_mesh.area();
       search_mesh.refine(n);
-      EXPECT_LE(search_mesh.number_of_vertices(),
-                2 * (std::max)(n, mesh.number_of_vertices()) + 1);
+      EXPECT_LE(search_mesh.number_of_vertices(), 2 * (std::max)(n, mesh.number_of_vertices()) + 1);
       EXPECT_GE(2 * search_mesh.number_of_vertices(), n);
       EXPECT_NEAR(search_mesh.area(), area, 1e-9 * area);
       expect_steps(mesh, search_mesh);

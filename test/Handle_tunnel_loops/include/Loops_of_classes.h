@@ -70,9 +70,8 @@ wound_up(Random& random, std::size_t n, std::size_t operations, std::int64_t lar
     Class_coordinates row = rows[i];
     if(i == j || !CGAL::Handle_tunnel_loops::internal::add_multiple(row, factor, rows[j]))
       continue;
-    if(std::all_of(row.begin(), row.end(), [&](const auto& c) {
-         return c.second <= largest && -c.second <= largest;
-       }))
+    if(std::all_of(row.begin(), row.end(),
+                   [&](const auto& c) { return c.second <= largest && -c.second <= largest; }))
       rows[i] = std::move(row);
   }
   return rows;
