@@ -146,10 +146,10 @@ public:
     const Crossing_index index(mesh, loops);
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
       numbers_.emplace_back();
-      for(const Index u : mesh_.ring(v)) {
+      for(Index step = mesh_.begin(v); step != mesh_.end(v); ++step) {
         Sparse_numbers sparse;
-        if(mesh_.corner(u) != mesh_.corner(v))
-          index.add_crossings(mesh_.corner(v), mesh_.corner(u), sparse);
+        mesh_.for_each_edge(v, step,
+                            [&](Index from, Index to) { index.add_crossings(from, to, sparse); });
         Numbers numbers(size_, 0);
         for(const auto& [loop, number] : sparse)
           numbers[loop] = static_cast<int>(number);
@@ -170,10 +170,10 @@ public:
       queue.pop();
       if(d > distance[v])
         continue;
-      for(Index p = 0; p < mesh_.ring(v).size(); ++p)
-        if(const double e = d + length(v, p); e < distance[mesh_.ring(v)[p]]) {
-          distance[mesh_.ring(v)[p]] = e;
-          queue.emplace(e, mesh_.ring(v)[p]);
+      for(Index p = 0; p < size(v); ++p)
+        if(const double e = d + length(v, p); e < distance[head(v, p)]) {
+          distance[head(v, p)] = e;
+          queue.emplace(e, head(v, p));
         }
     }
     return distance;
@@ -204,22 +204,24 @@ public:
       const auto& [sum, v] = place;
       if(v == root)
         found.emplace(sum, d);
-      for(Index p = 0; p < mesh_.ring(v).size(); ++p) {
+      for(Index p = 0; p < size(v); ++p) {
         Numbers next = sum;
         for(std::size_t i = 0; i < size_; ++i)
           next[i] += numbers_[v][p][i];
-        reach(d + length(v, p), {std::move(next), mesh_.ring(v)[p]});
+        reach(d + length(v, p), {std::move(next), head(v, p)});
       }
     }
     return found;
   }
 
 private:
-  double length(Index v, Index p) const { return mesh_.edge_length(v, p); }
+  Index size(Index v) const { return mesh_.end(v) - mesh_.begin(v); }
+  Index head(Index v, Index p) const { return mesh_.head(mesh_.begin(v) + p); }
+  double length(Index v, Index p) const { return mesh_.length(v, mesh_.begin(v) + p); }
 
   const Search_mesh& mesh_;
   std::size_t size_;
-  std::vector<std::vector<Numbers>> numbers_; // by vertex and place in its ring
+  std::vector<std::vector<Numbers>> numbers_; // by vertex and step from it
 };
 
 // ---- searches
@@ -239,6 +241,7 @@ public:
       , edge_classes_(mesh_, classes_.index(), is_pure_) {
     if(finer > 0)
       search_mesh_.refine(finer);
+    search_mesh_.count(edge_classes_);
     oracle_.emplace(mesh_, search_mesh_, loops_);
     for(Index t = 0; t < loops_.size(); ++t)
       duals_.push_back(classes_.class_with({{t, 1}}).value());
