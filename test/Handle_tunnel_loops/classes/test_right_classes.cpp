@@ -212,7 +212,7 @@ TEST(Right_classes, AreFoundFromAnyBasis) {
       double sum = 0.;
       for(const Crossing_loop& loop : Purification::loops_of(pairs))
         sum += length(surface.flat(), loop);
-      EXPECT_LE(sum, 1.5 * surface.length_of_answer());
+      EXPECT_LE(sum, 1.1 * surface.length_of_answer());
     }
   }
 }

@@ -84,7 +84,7 @@ public:
   double lower_bound(Index v) const { return lower_bounds_[v]; }
 
 private:
-  static constexpr int most_labels = 16; // of one vertex
+  static constexpr int most_labels = 8; // of one vertex
 
   struct Label
   {
@@ -169,31 +169,31 @@ private:
       targets_->take(key, length, closed_walk(way, other));
   }
 
-  // On the edges of the mesh, to the place where the ways meet, and back.
+  // On the edges behind the steps, to the place where the ways meet, and back.
   std::vector<Index> closed_walk(const Label& way, const Label& other) const {
-    std::vector<Index> walk = corners_along(way), back = corners_along(other);
+    std::vector<Index> walk = way_from_root(way), back = way_from_root(other);
     walk.insert(walk.end(), back.rbegin(), back.rend());
     remove_spurs(walk);
     return walk;
   }
 
-  // From that of the root.
-  std::vector<Index> corners_along(const Label& way) const {
+  std::vector<Index> way_from_root(const Label& way) const {
     std::vector<const Label*> labels(1, &way);
     while(labels.back()->parent != no_index)
       labels.push_back(&labels_[labels.back()->parent]);
-    std::vector<Index> walk(1, mesh_.corner(labels.back()->vertex));
+    std::vector<Index> walk(1, labels.back()->vertex);
     for(std::size_t i = labels.size() - 1; i-- > 0;)
       mesh_.for_each_edge(labels[i + 1]->vertex, labels[i]->step,
                           [&](Index, Index to) { walk.push_back(to); });
     return walk;
   }
 
-  // How often a closed walk on the edges of the mesh crosses the loops.
+  // How often a closed walk crosses the loops.
   Class_vector numbers(const std::vector<Index>& walk) const {
     Class_vector numbers;
     for(std::size_t i = 0; i < walk.size(); ++i)
-      classes_.for_each_term(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1],
+      classes_.for_each_term(mesh_.corner(walk[i]),
+                             mesh_.corner(walk[i + 1 == walk.size() ? 0 : i + 1]),
                              [&](Index loop, int number) { numbers.emplace_back(loop, number); });
     normalize(numbers);
     return numbers;

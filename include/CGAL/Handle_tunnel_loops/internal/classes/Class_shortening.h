@@ -97,7 +97,7 @@ private:
 
   static constexpr double gain_worth_having = 1. - 1e-7;
 
-  static constexpr double most_visits = 4.5e6, most_on_large_mesh = 2.5e6;
+  static constexpr double most_visits = 4e6, most_on_large_mesh = 2.5e6;
   static constexpr double small = 40000.;   // vertices
   static constexpr std::size_t even = 5000; // vertices
 
@@ -287,7 +287,7 @@ private:
       if(found.walk.size() < 3)
         continue;
       Candidate c;
-      c.loop = pushed_left(mesh_, found.walk);
+      c.loop = search_mesh_.loop_along(found.walk);
       if(c.loop.empty())
         continue;
       Loop_tightening(mesh_).tighten(c.loop);

@@ -34,19 +34,29 @@ Soliman and Crane 2019). First the longest edges are split at their midpoints; t
 flipped until they are Delaunay, but for rounding. It serves to measure ways, so that nothing has to
 be exact.
 
-What has to be right is the class of a way. Each vertex has a *corner*, a vertex of the mesh that
-belongs to all faces that it lies on, and each edge a walk on the edges of the mesh from the corner
-of one end to that of the other, which can be pulled to it over the surface: an edge on a face leads
-to an edge of that face or to nothing, and a flipped edge goes along two others.
+What has to be right is the class of a way. The triangulation after the splits subdivides the faces
+of the mesh: each vertex has a *corner*, a vertex of the mesh that belongs to all faces that it lies
+on, so that a walk on this subdivision can be pulled to one on the edges of the mesh. And each
+flipped edge has a walk on the subdivision that can be pulled to it.
 */
 class Intrinsic_triangulation
 {
 public:
+  /// Where a vertex lies on the mesh: on the edge from `source` to `target`, or at a vertex, which
+  /// is both; in a face if there is none.
+  struct Place
+  {
+    Index source, target;
+    double ratio;
+  };
+
   explicit Intrinsic_triangulation(const Flat_mesh& mesh)
       : points_(mesh.points.begin(), mesh.points.end())
       , corners_(mesh.number_of_vertices()) {
-    for(Index v = 0; v < corners_.size(); ++v)
+    for(Index v = 0; v < corners_.size(); ++v) {
       corners_[v] = v;
+      places_.push_back({v, v, 0.});
+    }
     add_faces(mesh);
   }
 
@@ -60,6 +70,31 @@ public:
       if(length == distance(h))
         split_edge(h, longest);
     }
+  }
+
+  /// the subdivision of the mesh, after all splits: points and rings.
+  Flat_mesh subdivision() const {
+    CGAL_precondition(lengths_.empty());
+    Flat_mesh mesh;
+    mesh.points.resize(points_.size());
+    std::copy(points_.begin(), points_.end(), mesh.points.begin());
+    std::vector<Index> first(points_.size(), no_index); // halfedge from a vertex
+    for(Index h = 0; h < targets_.size(); ++h)
+      first[source(h)] = h;
+    mesh.row_begin.resize(points_.size() + 1);
+    mesh.neighbor.resize(targets_.size());
+    Index size = 0;
+    for(Index v = 0; v < points_.size(); ++v) {
+      mesh.row_begin[v] = size;
+      Index h = first[v];
+      do {
+        mesh.neighbor[size++] = targets_[h];
+        h = twins_[previous(h)];
+      } while(h != first[v]);
+    }
+    mesh.row_begin[points_.size()] = size;
+    CGAL_postcondition(size == targets_.size());
+    return mesh;
   }
 
   /// flips edges, after all splits.
@@ -82,7 +117,10 @@ public:
     }
   }
 
-  const std::vector<Vector>& points() const { return points_; }
+  std::size_t number_of_vertices() const { return points_.size(); }
+
+  /// by vertex, where it lies.
+  const std::vector<Place>& places() const { return places_; }
 
   /// by vertex, a corner of all faces of the mesh on which it lies.
   const std::vector<Index>& corners() const { return corners_; }
@@ -93,7 +131,7 @@ public:
   Index target(Index h) const { return targets_[h]; }
   double length(Index h) const { return lengths_[h]; }
 
-  /// the corners that follow that of the source, to that of the target.
+  /// the vertices that follow the source on a walk on the subdivision, to the target.
   const std::vector<Index>& walk(Index h) const { return walks_[h]; }
 
 private:
@@ -113,6 +151,7 @@ private:
         halfedges[place(mesh, a, b)] = static_cast<Index>(targets_.size() + 1);
         halfedges[place(mesh, b, v)] = static_cast<Index>(targets_.size() + 2);
         targets_.insert(targets_.end(), {a, b, v});
+        is_on_edge_.insert(is_on_edge_.end(), {1, 1, 1});
       }
     }
     twins_.resize(targets_.size());
@@ -140,12 +179,24 @@ private:
     const Index g = twins_[h], m = static_cast<Index>(points_.size());
     points_.push_back(0.5 * (points_[source(h)] + points_[targets_[h]]));
     corners_.push_back(corners_[source(h)]);
+    places_.push_back(is_on_edge_[h] ? midpoint(places_[source(h)], places_[targets_[h]])
+                                     : Place{no_index, no_index, 0.});
     const Index n = cut_face(h, m), k = cut_face(g, m);
     join(h, k);
     join(g, n);
     // The edges across from h and g have other halfedges now, and so perhaps other names.
     for(Index e : {h, next(h), n, next(n), g, next(g), k, next(k)})
       push((std::min)(e, twins_[e]), longest);
+  }
+
+  // Of two places on one edge.
+  static Place midpoint(const Place& p, const Place& q) {
+    Place m = p.source != p.target ? p : q.source != q.target ? q : Place{p.source, q.source, 0.};
+    const auto ratio = [&m](const Place& at) {
+      return at.source != at.target ? at.ratio : at.source == m.source ? 0. : 1.;
+    };
+    m.ratio = 0.5 * (ratio(p) + ratio(q));
+    return m;
   }
 
   // Face a b c with halfedge `h` from a to b becomes a m c, and m b c is added. Returns the
@@ -155,6 +206,8 @@ private:
     const Index b = targets_[h], c = targets_[across];
     targets_.insert(targets_.end(), {b, c, m});
     twins_.insert(twins_.end(), {no_index, no_index, no_index});
+    is_on_edge_.insert(is_on_edge_.end(), {is_on_edge_[h], is_on_edge_[across], 0});
+    is_on_edge_[across] = 0;
     targets_[h] = m;
     join(n + 1, twins_[across]);
     join(n + 2, across);
@@ -172,8 +225,7 @@ private:
     walks_.resize(targets_.size());
     for(Index h = 0; h < targets_.size(); ++h) {
       lengths_.push_back(distance(h));
-      if(corners_[source(h)] != corners_[targets_[h]])
-        walks_[h] = {corners_[targets_[h]]};
+      walks_[h] = {targets_[h]};
     }
   }
 
@@ -212,8 +264,7 @@ private:
     const auto [x1, y1] = apex(h);
     const auto [x2, y2] = apex(g);
     const double across = std::hypot(x1 - (lengths_[h] - x2), y1 + y2);
-    const std::vector<Index> walk =
-        joined(corners_[targets_[ad]], reversed(ad), reversed(ca)); // d to a to c
+    const std::vector<Index> walk = joined(targets_[ad], reversed(ad), reversed(ca)); // d to a to c
     struct Side
     {
       Index target, twin;
@@ -230,7 +281,7 @@ private:
       join(e, s.twin);
     };
     const Index c = targets_[bc], d = targets_[ad];
-    std::vector<Index> back = reversed_walk(walk, corners_[d]);
+    std::vector<Index> back = reversed_walk(walk, d);
     const Side of_bc = side(bc), of_ca = side(ca), of_ad = side(ad), of_db = side(db);
     targets_[h] = c;
     targets_[g] = d;
@@ -255,7 +306,7 @@ private:
 
   std::vector<Index> reversed(Index h) const { return walks_[twins_[h]]; }
 
-  // The same corners the other way, without the first.
+  // The same vertices the other way, without the first.
   static std::vector<Index> reversed_walk(const std::vector<Index>& walk, Index first) {
     std::vector<Index> back;
     for(std::size_t i = walk.size(); i-- > 1;)
@@ -284,7 +335,9 @@ private:
 
   std::vector<Vector> points_;
   std::vector<Index> corners_;            // by vertex
+  std::vector<Place> places_;             // by vertex
   std::vector<Index> targets_, twins_;    // by halfedge
+  std::vector<char> is_on_edge_;          // by halfedge, of the mesh; before flips
   std::vector<double> lengths_;           // by halfedge, once they are flipped
   std::vector<std::vector<Index>> walks_; // by halfedge, once they are flipped
   std::priority_queue<std::pair<double, Index>> queue_;

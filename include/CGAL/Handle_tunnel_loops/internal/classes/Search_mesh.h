@@ -14,13 +14,16 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/classes/Edge_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Intrinsic_triangulation.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +31,8 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// A graph to search for loops on: the edges of the mesh, or of a better triangulation of the same
-/// surface. Its steps from a vertex have consecutive numbers. For each vertex stands a corner, a
-/// vertex of the mesh, and for each step a walk on the edges of the mesh between corners.
+/// surface. Its steps from a vertex have consecutive numbers; for each stands a walk on the edges
+/// of the mesh, or of a subdivision of it.
 class Search_mesh
 {
 public:
@@ -48,9 +51,10 @@ public:
     const double longest = std::sqrt(1.5 * 2.31 * area() / double(2 * n));
     Intrinsic_triangulation triangulation(mesh_);
     triangulation.split(longest, n + number_of_vertices);
-    triangulation.make_delaunay();
-    points_ = triangulation.points();
+    subdivision_ = triangulation.subdivision();
     corners_ = triangulation.corners();
+    places_ = triangulation.places();
+    triangulation.make_delaunay();
     take_steps(triangulation);
   }
 
@@ -70,15 +74,18 @@ public:
     for(Index v = 0; is_refined() && v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s)
         for_each_edge(v, s, [&](Index from, Index to) {
-          if(classes.has_crossing(from))
-            sums_[s].add(1, classes.edge(from, mesh_.ring(from).position(to)).sums);
+          const Index u = corners_[from], w = corners_[to];
+          if(u != w && classes.has_crossing(u))
+            sums_[s].add(1, classes.edge(u, mesh_.ring(u).position(w)).sums);
         });
   }
 
   std::size_t number_of_vertices() const {
-    return is_refined() ? points_.size() : mesh_.number_of_vertices();
+    return is_refined() ? subdivision_.number_of_vertices() : mesh_.number_of_vertices();
   }
-  const Vector& point(Index v) const { return is_refined() ? points_[v] : mesh_.points[v]; }
+  const Vector& point(Index v) const {
+    return is_refined() ? subdivision_.points[v] : mesh_.points[v];
+  }
 
   /// the steps from a vertex are those from `begin()` to `end()`.
   Index begin(Index v) const { return is_refined() ? begin_[v] : mesh_.row_begin[v]; }
@@ -99,15 +106,30 @@ public:
   /// the corner of the mesh that stands for a vertex.
   Index corner(Index v) const { return is_refined() ? corners_[v] : v; }
 
-  /// calls `f(from, to)` for the edges of the mesh along which a step from `v` leads.
+  /// calls `f(from, to)` for the edges along which a step from `v` leads.
   template <typename Function> void for_each_edge(Index v, Index step, const Function& f) const {
     if(!is_refined())
       return f(v, head(step));
-    Index from = corners_[v];
+    Index from = v;
     for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
       f(from, walks_[i]);
       from = walks_[i];
     }
+  }
+
+  /// the loop on the mesh along a closed walk on these edges without spurs. It crosses the edges of
+  /// the mesh where it crosses those of the subdivision that lie on them.
+  Crossing_loop loop_along(const std::vector<Index>& walk) const {
+    if(!is_refined())
+      return pushed_left(mesh_, walk);
+    Crossing_loop loop;
+    for(const Crossing& c : pushed_left(subdivision_, walk)) {
+      const auto &left = places_[c.left], &right = places_[c.right];
+      if(const std::optional<Crossing> crossing = crossing_between(left, right, c.ratio))
+        loop.push_back(*crossing);
+    }
+    remove_backtracks(loop);
+    return loop;
   }
 
   /// a vertex near a place, by steps towards it from a corner near it.
@@ -141,7 +163,29 @@ public:
   }
 
 private:
-  bool is_refined() const { return !points_.empty(); }
+  using Place = Intrinsic_triangulation::Place;
+
+  bool is_refined() const { return !corners_.empty(); }
+
+  // Of an edge of the subdivision, if it lies on one of the mesh.
+  static std::optional<Crossing> crossing_between(const Place& left, const Place& right, double r) {
+    const auto is_vertex = [](const Place& p) { return p.source == p.target; };
+    const Place edge = !is_vertex(left)    ? left
+                       : !is_vertex(right) ? right
+                                           : Place{left.source, right.source, 0.};
+    const auto ratio = [&](const Place& p) {
+      return !is_vertex(p) ? (p.source == edge.source && p.target == edge.target ? p.ratio : -1.)
+             : p.source == edge.source ? 0.
+             : p.source == edge.target ? 1.
+                                       : -1.;
+    };
+    const double from = ratio(left), to = ratio(right);
+    if(left.source == no_index || right.source == no_index || from < 0. || to < 0.)
+      return std::nullopt;
+    const double at = rounded_product(1. - r, from) + rounded_product(r, to);
+    return from < to ? Crossing{edge.source, edge.target, at}
+                     : Crossing{edge.target, edge.source, 1. - at};
+  }
 
   double squared_distance(Index v, const Vector& place) const {
     const Vector to = place - point(v);
@@ -150,10 +194,11 @@ private:
 
   void take_steps(const Intrinsic_triangulation& triangulation) {
     const Index n = static_cast<Index>(triangulation.number_of_halfedges());
-    begin_.assign(points_.size() + 1, 0);
+    const std::size_t number_of_vertices = triangulation.number_of_vertices();
+    begin_.assign(number_of_vertices + 1, 0);
     for(Index h = 0; h < n; ++h)
       ++begin_[triangulation.source(h) + 1];
-    for(std::size_t v = 0; v < points_.size(); ++v)
+    for(std::size_t v = 0; v < number_of_vertices; ++v)
       begin_[v + 1] += begin_[v];
     std::vector<Index> halfedges(n), place(begin_.begin(), begin_.end() - 1);
     for(Index h = 0; h < n; ++h)
@@ -169,7 +214,8 @@ private:
 
   const Flat_mesh& mesh_;
   // Of the finer triangulation, if there is one.
-  std::vector<Vector> points_;
+  Flat_mesh subdivision_;                         // points and rings
+  std::vector<Place> places_;                     // by vertex
   std::vector<Index> corners_, begin_;            // by vertex
   std::vector<Index> heads_, walk_begin_, walks_; // by step, and what the walks lead to
   std::vector<Class_sums> sums_;                  // by step

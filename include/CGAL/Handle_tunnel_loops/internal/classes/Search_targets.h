@@ -41,7 +41,7 @@ public:
     const Class_vector* dual; ///< the coordinate, by the intersection numbers
   };
 
-  /// A closed walk on the edges of the mesh, of a class of its own.
+  /// A closed walk, of a class of its own.
   struct Found
   {
     double length; ///< on the mesh that is searched
