@@ -148,8 +148,11 @@ public:
       numbers_.emplace_back();
       for(Index step = mesh_.begin(v); step != mesh_.end(v); ++step) {
         Sparse_numbers sparse;
-        mesh_.for_each_edge(v, step,
-                            [&](Index from, Index to) { index.add_crossings(from, to, sparse); });
+        mesh_.for_each_edge(v, step, [&](Index from, Index to) {
+          const Index u = mesh_.corner(from), w = mesh_.corner(to);
+          if(u != w)
+            index.add_crossings(u, w, sparse);
+        });
         Numbers numbers(size_, 0);
         for(const auto& [loop, number] : sparse)
           numbers[loop] = static_cast<int>(number);
@@ -350,12 +353,10 @@ private:
   // On the edges of the mesh, in a class that is right by its crossings.
   void expect_walk(const Search_targets::Found& f, Index t) const {
     Numbers numbers(loops_.size(), 0);
-    for(std::size_t i = 0; i < f.walk.size(); ++i) {
-      const Index v = f.walk[i], u = f.walk[(i + 1) % f.walk.size()];
-      ASSERT_LT(mesh_.ring(v).position(u), mesh_.ring(v).size());
-    }
-    for(const auto& [loop, number] : classes_.index().intersections(f.walk))
-      numbers[loop] = static_cast<int>(number);
+    const Crossing_loop loop = search_mesh_.loop_along(f.walk);
+    ASSERT_TRUE(are_consecutive(mesh_, loop));
+    for(const auto& [other, number] : classes_.index().intersections(loop))
+      numbers[other] = static_cast<int>(number);
     EXPECT_TRUE(crosses_no_wall(numbers, t));
     EXPECT_TRUE(is_unit(numbers, t));
   }

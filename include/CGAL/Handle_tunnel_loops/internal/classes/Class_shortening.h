@@ -78,8 +78,10 @@ public:
       is_open_ = is_new;
       repeat((std::max)(visits(), most_on_large_mesh * number_of_new / (number_of_new + 8.)));
     }
-    is_open_.assign(loops.size(), 1);
-    repeat(visits());
+    if(visits() > least_visits * double(loops.size())) {
+      is_open_.assign(loops.size(), 1);
+      repeat(visits());
+    }
     return std::move(sources_);
   }
 
@@ -98,8 +100,9 @@ private:
   static constexpr double gain_worth_having = 1. - 1e-7;
 
   static constexpr double most_visits = 4e6, most_on_large_mesh = 2.5e6;
-  static constexpr double small = 40000.;   // vertices
-  static constexpr std::size_t even = 5000; // vertices
+  static constexpr double least_visits = 200.; // of a loop, that could find anything
+  static constexpr double small = 40000.;      // vertices
+  static constexpr std::size_t even = 5000;    // vertices
 
   // On a large mesh, less: its loops have cost more before, and are not to wait as long again.
   double visits() const {

@@ -21,9 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -32,7 +29,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// Closed walks of given classes: loops one after the other, each as often as it is asked for,
-/// joined by shortest paths on the edges, there and back. A workspace that can be used again.
+/// joined by paths with few edges, there and back. A workspace that can be used again.
 class Loop_sum
 {
 public:
@@ -44,25 +41,16 @@ public:
   /// a closed walk of the class with these coordinates in the loops, which lie on one component.
   std::vector<Index> walk(const Class_vector& coordinates) {
     CGAL_precondition(!coordinates.empty());
-    std::vector<Term> open;
+    std::vector<std::vector<Index>> walks;
     for(const auto& [i, factor] : coordinates)
-      open.push_back(
-          {left_side(loops_[i], factor > 0), static_cast<std::size_t>(std::abs(factor))});
-    std::vector<Index> sum = repeated(open.back(), 0);
-    open.pop_back();
-    while(!open.empty())
-      join(sum, open);
-    remove_spurs(sum);
-    return sum;
+      walks.push_back(repeated(left_side(loops_[i], factor > 0), std::abs(factor)));
+    while(walks.size() > 1)
+      join_nearest(walks);
+    remove_spurs(walks.front());
+    return std::move(walks.front());
   }
 
 private:
-  struct Term
-  {
-    std::vector<Index> walk;
-    std::size_t number;
-  };
-
   static std::vector<Index> left_side(const Crossing_loop& loop, bool forward) {
     std::vector<Index> walk;
     for(const Crossing& c : loop)
@@ -75,58 +63,77 @@ private:
     return walk;
   }
 
-  // From place `first` back to it, without the last vertex.
-  static std::vector<Index> repeated(const Term& term, std::size_t first) {
-    std::vector<Index> walk;
-    for(std::size_t i = 0; i < term.number * term.walk.size(); ++i)
-      walk.push_back(term.walk[(first + i) % term.walk.size()]);
-    return walk;
+  static std::vector<Index> repeated(const std::vector<Index>& walk, std::int64_t number) {
+    std::vector<Index> result;
+    for(std::int64_t i = 0; i < number; ++i)
+      result.insert(result.end(), walk.begin(), walk.end());
+    return result;
   }
 
-  // Leads the walk around one of the open ones, the nearest.
-  void join(std::vector<Index>& sum, std::vector<Term>& open) {
-    for(std::size_t t = 0; t < open.size(); ++t)
-      for(std::size_t i = 0; i < open[t].walk.size(); ++i)
-        if(Label& label = touched(open[t].walk[i]); label.term == no_index) {
-          label.term = static_cast<Index>(t);
-          label.place = static_cast<Index>(i);
-        }
-    const std::vector<Index> way = shortest_way(sum); // from the goal to the walk
-    const Index t = labels_[way.front()].term, place = labels_[way.front()].place;
+  // How a vertex is reached, and from which walk.
+  struct Label
+  {
+    Index parent = no_index;
+    Index walk = no_index;
+  };
+
+  // Where two walks meet: an edge, or a vertex that both pass.
+  struct Meeting
+  {
+    Index u, v;
+  };
+
+  // Two walks that are nearest to each other become one, the last of them goes.
+  void join_nearest(std::vector<std::vector<Index>>& walks) {
+    const Meeting meeting = nearest(walks);
+    std::vector<Index> way = way_back(meeting.u); // from u to a walk
+    std::reverse(way.begin(), way.end());
+    const std::vector<Index> other_way = way_back(meeting.v);
+    if(meeting.u != meeting.v)
+      way.insert(way.end(), other_way.begin(), other_way.end());
+    const Index a = labels_[meeting.u].walk;
+    const Index b = meeting.u != meeting.v ? labels_[meeting.v].walk : second_walk_;
     reset();
-    std::vector<Index> detour(way.rbegin(), way.rend() - 1);
-    const std::vector<Index> around = repeated(open[t], place);
-    detour.insert(detour.end(), around.begin(), around.end());
-    detour.insert(detour.end(), way.begin(), way.end() - 1);
-    sum.insert(std::find(sum.begin(), sum.end(), way.back()), detour.begin(), detour.end());
-    open.erase(open.begin() + t);
+    splice(walks[a], way, walks[b]);
+    walks.erase(walks.begin() + b);
   }
 
-  std::vector<Index> shortest_way(const std::vector<Index>& from) {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for(Index v : from) {
-      touched(v).distance = 0.;
-      queue.push({0., v});
-    }
-    for(;;) {
-      CGAL_assertion_msg(!queue.empty(), "loops of one component");
-      const auto [distance, v] = queue.top();
-      queue.pop();
-      if(distance > labels_[v].distance)
-        continue;
-      if(labels_[v].term != no_index)
-        return way_back(v);
-      for(Index u : mesh_.ring(v)) {
-        const double d = distance + mesh_.edge_length(u, v);
-        if(d < labels_[u].distance) {
-          Label& label = touched(u);
-          label.distance = d;
-          label.parent = v;
-          queue.push({d, u});
+  // Leads a walk along a way that begins on it, around another walk at its end, and back.
+  static void
+  splice(std::vector<Index>& walk, const std::vector<Index>& way, std::vector<Index>& around) {
+    std::rotate(around.begin(), std::find(around.begin(), around.end(), way.back()), around.end());
+    std::vector<Index> detour(way.begin(), way.end() - 1);
+    detour.insert(detour.end(), around.begin(), around.end());
+    detour.insert(detour.end(), way.rbegin(), way.rend() - 1);
+    walk.insert(std::find(walk.begin(), walk.end(), way.front()), detour.begin(), detour.end());
+  }
+
+  // By the number of edges: what is joined is pulled taut anyway.
+  Meeting nearest(const std::vector<std::vector<Index>>& walks) {
+    for(Index w = 0; w < walks.size(); ++w)
+      for(Index v : walks[w]) {
+        if(labels_[v].walk != no_index && labels_[v].walk != w) {
+          second_walk_ = w;
+          return {v, v};
         }
+        if(labels_[v].walk == no_index)
+          reach(v, {no_index, w});
       }
+    for(std::size_t i = 0; i < reached_.size(); ++i) {
+      const Index v = reached_[i];
+      for(Index u : mesh_.ring(v))
+        if(labels_[u].walk == no_index)
+          reach(u, {v, labels_[v].walk});
+        else if(labels_[u].walk != labels_[v].walk)
+          return {u, v};
     }
+    CGAL_assertion_msg(false, "the loops of a class lie on one component");
+    return {no_index, no_index};
+  }
+
+  void reach(Index v, const Label& label) {
+    reached_.push_back(v);
+    labels_[v] = label;
   }
 
   std::vector<Index> way_back(Index v) const {
@@ -136,31 +143,17 @@ private:
     return way;
   }
 
-  struct Label
-  {
-    double distance = std::numeric_limits<double>::infinity();
-    Index parent = no_index;
-    Index term = no_index, place = no_index; // of an open walk that passes here
-    bool is_touched = false;
-  };
-
-  Label& touched(Index v) {
-    if(!labels_[v].is_touched)
-      touched_.push_back(v);
-    labels_[v].is_touched = true;
-    return labels_[v];
-  }
-
   void reset() {
-    for(Index v : touched_)
+    for(Index v : reached_)
       labels_[v] = Label();
-    touched_.clear();
+    reached_.clear();
   }
 
   const Flat_mesh& mesh_;
   const std::vector<Crossing_loop>& loops_;
   std::vector<Label> labels_; // by vertex
-  std::vector<Index> touched_;
+  std::vector<Index> reached_;
+  Index second_walk_ = no_index; // of two that have a vertex in common
 };
 
 } // namespace internal
