@@ -1,20 +1,24 @@
 // Finds the loops of all closed meshes in a folder, prints a line for each mesh, and ends with the
 // sums that the manual and the design notes quote.
 //
-//   benchmark_corpus [--seeds N] [--reference LIMIT] [--self-intersections] FOLDER | FILE...
+//   benchmark_corpus [--seeds N] [--reference LIMIT] [--self-intersections]
+//                    [--lengths TABLE:COLUMN+COLUMN...]... FOLDER | FILE...
 //
 // Each mesh is computed by all threads from the first vertex; with --seeds also from N
 // vertices, evenly spaced, the first among them, and with --reference by the reference solver too,
-// where it has at most LIMIT faces.
+// where it has at most LIMIT faces. --lengths compares total lengths with those of a table, on
+// meshes that do not cross themselves if that is tested.
 
 #include "Corpus_answer.h"
 #include "Counting_allocation.h"
+#include "Known_lengths.h"
 #ifdef CGAL_EIGEN3_ENABLED
 #include "Corpus_reference.h"
 #endif
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -36,6 +40,7 @@ struct Options
   std::size_t number_of_seeds = 0;
   std::size_t reference_limit = 0;
   bool do_test_crossing = false;
+  std::vector<std::string> lengths;
   std::vector<std::filesystem::path> files;
 };
 
@@ -47,6 +52,8 @@ Options parse(int argc, char* argv[]) {
       options.number_of_seeds = std::stoul(argv[++i]);
     else if(word == "--reference" && i + 1 < argc)
       options.reference_limit = std::stoul(argv[++i]);
+    else if(word == "--lengths" && i + 1 < argc)
+      options.lengths.push_back(argv[++i]);
     else if(word == "--self-intersections")
       options.do_test_crossing = true;
     else if(std::filesystem::is_directory(word))
@@ -72,7 +79,8 @@ double diagonal(const Mesh& mesh) {
 struct Seed_sums
 {
   std::size_t meshes = 0, answers = 0, certified = 0;
-  std::size_t meshes_that_differ = 0; // by more than a thousandth
+  std::size_t meshes_that_differ = 0;    // by more than a thousandth
+  std::size_t meshes_that_are_close = 0; // to a hundredth
   std::vector<double> most_over_least;
 
   void add(const Mesh& mesh, Solver& solver, std::size_t number_of_seeds) {
@@ -92,6 +100,7 @@ struct Seed_sums
       least = most = 1.; // no answer
     most_over_least.push_back(most / least);
     meshes_that_differ += most > 1.001 * least;
+    meshes_that_are_close += most < 1.01 * least;
   }
 
   // The longest over the shortest of the last mesh, 1 if there is none.
@@ -99,9 +108,10 @@ struct Seed_sums
 
   void print(std::size_t number_of_seeds) const {
     std::printf("\n%zu seeds: certified answers %zu of %zu; total lengths differ by more than a "
-                "thousandth on %zu of %zu meshes; longest over shortest: median %.3f, 90%% %.3f, "
-                "most %.2f\n",
+                "thousandth on %zu of %zu meshes, by less than a hundredth on %.1f%%; longest over "
+                "shortest: median %.4f, 90%% %.3f, most %.2f\n",
                 number_of_seeds, certified, answers, meshes_that_differ, meshes,
+                100. * double(meshes_that_are_close) / double(meshes),
                 quantile(most_over_least, 0.5), quantile(most_over_least, 0.9),
                 quantile(most_over_least, 1.));
   }
@@ -111,7 +121,8 @@ class Corpus
 {
 public:
   explicit Corpus(const Options& options)
-      : options_(options) {}
+      : options_(options)
+      , known_(options.lengths.begin(), options.lengths.end()) {}
 
   void run() {
     std::printf(
@@ -144,6 +155,7 @@ private:
         answer_of<Tag>(again, params::default_values());
       }));
       count(mesh, solver, answer);
+      compare_lengths(mesh, answer, std::filesystem::path(name).stem().string());
       report(name, mesh, answer, t1 - t0, t2 - t1, bytes / double(mesh.number_of_faces()));
     } catch(const HTL::Invalid_mesh_exception& e) {
       std::printf("| %s | refused: %s |\n", name.c_str(), e.what());
@@ -182,12 +194,17 @@ private:
     inside_ += answer.handles_inside();
     outside_ += answer.tunnels_outside();
     pure_ += answer.is_pure();
+    const std::size_t inside = answer.certificate.handles_bound_inside_alone.value_or(0),
+                      outside = answer.certificate.tunnels_bound_outside_alone.value_or(0);
+    inside_alone_ += inside;
+    outside_alone_ += outside;
+    pure_alone_ += inside == answer.pairs.size() && outside == answer.pairs.size();
     if(answer.undecided() != 0) {
       ++meshes_undecided_;
       undecided_ += answer.undecided();
       loops_of_undecided_ += 2 * answer.pairs.size();
     }
-    compare_with_offsets(solver, answer);
+    compare_with_offsets(mesh, answer);
     if(options_.do_test_crossing)
       crossing_ += PMP::does_self_intersect<Tag>(mesh);
     if(options_.number_of_seeds != 0)
@@ -198,15 +215,28 @@ private:
 #endif
   }
 
-  // The same loops, named by their growth along the normals.
-  void compare_with_offsets(Solver& solver, const Answer& answer) {
-    const Answer other =
-        answer_of<Tag>(solver, params::do_compute_linking(false, params::default_values()));
-    for(std::size_t k = 0; k < answer.pairs.size() && k < other.pairs.size(); ++k)
+  // Whether the growth along the normals gives loops the same names; the faces of most meshes look
+  // outwards.
+  void compare_with_offsets(const Mesh& mesh, const Answer& answer) {
+    const auto point = get(CGAL::vertex_point, mesh);
+    const HTL::internal::Offset_classifier<Mesh, std::decay_t<decltype(point)>> classifier(mesh,
+                                                                                           point);
+    const int sign = PMP::is_outward_oriented(mesh) ? 1 : -1;
+    for(std::size_t k = 0; k < answer.pairs.size(); ++k)
       if(answer.tells_handle(k)) {
         ++told_;
-        agree_ += answer.pairs[k].handle().points() == other.pairs[k].handle().points();
+        agree_ +=
+            sign * classifier.compare_growth(answer.pairs[k].handle(), answer.pairs[k].tunnel()) >
+            0;
       }
+  }
+
+  void compare_lengths(const Mesh& mesh, const Answer& answer, const std::string& name) {
+    if(known_.empty() || (options_.do_test_crossing && PMP::does_self_intersect<Tag>(mesh)))
+      return;
+    const auto lengths = answer.lengths();
+    for(Known_lengths& known : known_)
+      known.compare(name, lengths[0] + lengths[1]);
   }
 
   void print() const {
@@ -218,6 +248,8 @@ private:
     std::printf("handles that bound inside: %zu; tunnels that bound outside: %zu; all of both on "
                 "%zu meshes\n",
                 inside_, outside_, pure_);
+    std::printf("each component by itself: handles %zu, tunnels %zu, all of both on %zu meshes\n",
+                inside_alone_, outside_alone_, pure_alone_);
     std::printf("undecided: %zu of %zu loops on %zu meshes\n", undecided_, loops_of_undecided_,
                 meshes_undecided_);
     if(options_.do_test_crossing)
@@ -230,6 +262,8 @@ private:
                 quantile(bytes_, 0.5), quantile(bytes_, 1.));
     if(options_.number_of_seeds != 0)
       seeds_.print(options_.number_of_seeds);
+    for(const Known_lengths& known : known_)
+      known.print();
 #ifdef CGAL_EIGEN3_ENABLED
     if(options_.reference_limit != 0)
       reference_.print();
@@ -241,9 +275,11 @@ private:
   std::size_t least_genus_ = std::size_t(-1), most_genus_ = 0;
   std::size_t inside_ = 0, outside_ = 0, pure_ = 0, crossing_ = 0;
   std::size_t meshes_undecided_ = 0, undecided_ = 0, loops_of_undecided_ = 0;
+  std::size_t inside_alone_ = 0, outside_alone_ = 0, pure_alone_ = 0;
   double handle_length_ = 0., tunnel_length_ = 0.;
   std::vector<double> ratios_, bytes_; // of the larger meshes
   Seed_sums seeds_;
+  std::vector<Known_lengths> known_;
 #ifdef CGAL_EIGEN3_ENABLED
   Reference_sums reference_;
 #endif
@@ -255,8 +291,9 @@ int main(int argc, char* argv[]) {
   try {
     const Options options = parse(argc, argv);
     if(options.files.empty()) {
-      std::cerr << "usage: benchmark_corpus [--seeds N] [--reference LIMIT] "
-                   "[--self-intersections] FOLDER | FILE...\n";
+      std::cerr
+          << "usage: benchmark_corpus [--seeds N] [--reference LIMIT] "
+             "[--self-intersections] [--lengths TABLE:COLUMN+COLUMN...]... FOLDER | FILE...\n";
       return EXIT_FAILURE;
     }
     Corpus(options).run();
