@@ -265,16 +265,16 @@ private:
     const auto [x2, y2] = apex(g);
     const double across = std::hypot(x1 - (lengths_[h] - x2), y1 + y2);
     const std::vector<Index> walk = joined(targets_[ad], reversed(ad), reversed(ca)); // d to a to c
-    struct Side
+    struct Outer
     {
       Index target, twin;
       double length;
       std::vector<Index> walk;
     };
     const auto side = [&](Index e) {
-      return Side{targets_[e], twins_[e], lengths_[e], std::move(walks_[e])};
+      return Outer{targets_[e], twins_[e], lengths_[e], std::move(walks_[e])};
     };
-    const auto set = [&](Index e, Side s) {
+    const auto set = [&](Index e, Outer s) {
       targets_[e] = s.target;
       lengths_[e] = s.length;
       walks_[e] = std::move(s.walk);
@@ -282,14 +282,14 @@ private:
     };
     const Index c = targets_[bc], d = targets_[ad];
     std::vector<Index> back = reversed_walk(walk, d);
-    const Side of_bc = side(bc), of_ca = side(ca), of_ad = side(ad), of_db = side(db);
+    const Outer of_bc = side(bc), of_ca = side(ca), of_ad = side(ad), of_db = side(db);
     targets_[h] = c;
     targets_[g] = d;
     lengths_[h] = lengths_[g] = across;
     walks_[h] = walk;
     walks_[g] = std::move(back);
     // The places of the other sides change; two of them may be one edge.
-    const auto moved = [&](Side s, Index from_bc, Index from_ca, Index from_ad, Index from_db) {
+    const auto moved = [&](Outer s, Index from_bc, Index from_ca, Index from_ad, Index from_db) {
       s.twin = s.twin == bc   ? from_bc
                : s.twin == ca ? from_ca
                : s.twin == ad ? from_ad
