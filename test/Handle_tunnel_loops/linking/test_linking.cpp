@@ -73,10 +73,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Known_solid{"ball_with_ring_cavity", ball_with_ring_cavity, 1, 1, 1, true},
                     Known_solid{"ring_within_shells", ring_within_shells, 1, 1, 1, true},
                     // The short way along the knot winds around it.
-                    Known_solid{"trefoil_tube", trefoil_tube, 1, 1, 0, false},
+                    Known_solid{"trefoil_tube", trefoil_tube, 1, 1, 1, true},
                     // The short way along the tunnel is no boundary either.
-                    Known_solid{"ball_with_knotted_tunnel", ball_with_knotted_tunnel, 1, 0, 1,
-                                false}),
+                    Known_solid{"ball_with_knotted_tunnel", ball_with_knotted_tunnel, 1, 1, 1,
+                                true}),
     [](const auto& test) { return test.param.name; });
 
 TEST_P(Solids, AreToldInsideFromOutside) { expect_answer(GetParam().make()); }

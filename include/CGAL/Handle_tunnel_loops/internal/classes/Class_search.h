@@ -61,9 +61,11 @@ public:
   }
 
   /// looks for closed walks through `root` that the targets want. Stops when there are no `visits`
-  /// left, of which it takes one for each label.
+  /// left, of which it takes one for each label, and one for each few steps of a walk that it goes
+  /// along.
   void search(Index root, Search_targets& targets, std::size_t& visits) {
     targets_ = &targets;
+    visits_ = &visits;
     shortest_ = targets.limit();
     reach(root, {0.f, root, no_index, no_index, no_index, false, {}});
     while(!queue_.empty() && visits > 0) {
@@ -174,6 +176,7 @@ private:
     std::vector<Index> walk = way_from_root(way), back = way_from_root(other);
     walk.insert(walk.end(), back.rbegin(), back.rend());
     remove_spurs(walk);
+    *visits_ -= (std::min)(*visits_, walk.size() / 4);
     return walk;
   }
 
@@ -230,6 +233,7 @@ private:
   bool are_walls_along_ = false;
   double shortest_ = 0.;
   Search_targets* targets_ = nullptr;
+  std::size_t* visits_ = nullptr;
 };
 
 } // namespace internal

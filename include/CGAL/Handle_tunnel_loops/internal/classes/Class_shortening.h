@@ -115,7 +115,7 @@ private:
       return;
     is_prepared_ = true;
     if(visits() == most_visits)
-      search_mesh_.refine(even);
+      search_mesh_.refine((std::min)(even, 16 * mesh_.number_of_vertices()));
     if(visits() > double(mesh_.number_of_vertices())) {
       search_mesh_.measure();
       density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();

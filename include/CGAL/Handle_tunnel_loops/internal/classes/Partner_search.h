@@ -50,14 +50,18 @@ public:
            std::size_t& visits) {
     measure(partner);
     search_.start(are_walls_along);
-    for(double s = 0.; s < along_.back() && visits > 0; s += spacing * targets.smallest_limit()) {
+    for(double s = 0.; s < along_.back() && visits > 0;) {
       const Index root = place(partner, s);
       if(search_.lower_bound(root) < (1. - 2. * spacing) * targets.limit())
         search_.search(root, targets, visits);
+      s += (std::max)(spacing * targets.smallest_limit(), along_.back() / most_places);
     }
   }
 
 private:
+  // However short the loops are that are looked for: lengths may be zero.
+  static constexpr double most_places = 1000.;
+
   void measure(const Crossing_loop& loop) {
     along_.assign(1, 0.);
     for(std::size_t i = 0; i < loop.size(); ++i)
