@@ -4,6 +4,8 @@
 #include "Loop_definitions.h"
 #include "Meshes_of_soups.h"
 
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,8 +101,9 @@ void expect_agreement(const Mesh& mesh, std::size_t genus, Compared* compared = 
   SCOPED_TRACE("the solver under test");
   expect_handle_tunnel_pairs(mesh, answer.pairs, genus);
   const bool are_pure = expected.is_pure() && answer.is_pure();
-  if(are_pure) {
-    EXPECT_TRUE(have_same_classes(mesh, answer.pairs, expected.pairs));
+  if(are_pure && !have_same_classes(mesh, answer.pairs, expected.pairs)) {
+    EXPECT_TRUE(CGAL::Polygon_mesh_processing::does_self_intersect(mesh))
+        << "only there may all loops bound by their numbers in several classes";
   }
   if(compared != nullptr && genus > 0) {
     ++compared->meshes;
