@@ -53,8 +53,8 @@ std::string summary_of_sides(const Certificate& certificate) {
     return "";
   const std::size_t handles = *certificate.handles_bound_inside,
                     tunnels = *certificate.tunnels_bound_outside,
-                    handles_alone = *certificate.handles_bound_inside_alone,
-                    tunnels_alone = *certificate.tunnels_bound_outside_alone;
+                    handles_alone = certificate.handles_bound_inside_alone.value_or(handles),
+                    tunnels_alone = certificate.tunnels_bound_outside_alone.value_or(tunnels);
   return std::to_string(handles) + " of " +
          counted(pairs, "handle loop bounds", "handle loops bound") + " inside, " +
          std::to_string(tunnels) + " of " + counted(pairs, "tunnel loop", "tunnel loops") +

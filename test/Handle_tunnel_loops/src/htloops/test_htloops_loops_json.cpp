@@ -71,17 +71,20 @@ TEST_F(Loops_json, has_the_fields_of_the_format) {
   EXPECT_EQ(document_["backend"], "host");
   EXPECT_EQ(document_["threads"], 3);
   // Of all stages but that of Reeb graphs.
-  const json timings = {{"read", 0.125},  {"adaptor", 0.}, {"initial", 0.25}, {"tunnel", 0.},
-                        {"refine", 0.},   {"shorten", 0.}, {"convert", 0.},   {"certificate", 0.},
-                        {"classify", 0.}, {"total", 0.5}};
+  const json timings = {{"read", 0.125},     {"adaptor", 0.},  {"initial", 0.25}, {"tunnel", 0.},
+                        {"refine", 0.},      {"shorten", 0.},  {"classes", 0.},   {"convert", 0.},
+                        {"certificate", 0.}, {"classify", 0.}, {"total", 0.5}};
   EXPECT_EQ(document_["timings"], timings);
   const json certificate = {{"closed_on_surface", true},
                             {"basis", true},
                             {"pairing", false},
                             {"types", false},
                             {"handles_bound_inside", nullptr},
-                            {"tunnels_bound_outside", nullptr}};
+                            {"tunnels_bound_outside", nullptr},
+                            {"handles_bound_inside_alone", nullptr},
+                            {"tunnels_bound_outside_alone", nullptr}};
   EXPECT_EQ(document_["certificate"], certificate);
+  EXPECT_EQ(document_["basis"], "pure");
   EXPECT_EQ(document_["pairs"].size(), 2u);
   EXPECT_FALSE(document_.contains("linking"));
   EXPECT_FALSE(document_["pairs"][0]["handle"].contains("bounds"));

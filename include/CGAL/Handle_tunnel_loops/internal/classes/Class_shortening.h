@@ -79,7 +79,10 @@ public:
       repeat((std::max)(visits(), most_on_large_mesh * number_of_new / (number_of_new + 8.)));
     }
     if(visits() > least_visits * double(loops.size())) {
+      // Where it is not known what bounds, no class is better than another.
       is_open_.assign(loops.size(), 1);
+      for(std::size_t i = 0; i < loops.size(); ++i)
+        is_open_[i] = is_pure[i / 2] || !are_pairs_kept_;
       repeat(visits());
     }
     return std::move(sources_);
