@@ -40,7 +40,8 @@ class Class_exchange
 {
 public:
   explicit Class_exchange(const Loop_classes& classes)
-      : classes_(classes) {
+      : classes_(classes)
+      , is_replaced_(classes.size(), 0) {
     for(Index i = 0; i < classes.size(); ++i)
       members_.push_back({{i, 1}});
   }
@@ -66,6 +67,9 @@ public:
     const std::int64_t unit = coordinate(present, k);
     CGAL_precondition(std::abs(unit) == 1);
     members_[k] = first;
+    if(is_replaced_[k] == 0)
+      replaced_.push_back(k);
+    is_replaced_[k] = 1;
     if(present.size() > 1 || unit != 1)
       exchanges_.push_back({k, unit, present});
   }
@@ -76,6 +80,19 @@ public:
     for(const auto& [i, value] : members_[member])
       sum += value * coordinate(numbers, i);
     return sum;
+  }
+
+  /// the pairs whose tunnel a class crosses once, given by its numbers with the first basis.
+  std::vector<Index> tunnels_crossed_once(const Class_vector& numbers) const {
+    std::vector<Index> found;
+    for(const auto& [i, value] : numbers)
+      if(i % 2 == 1 && is_replaced_[i] == 0 && std::abs(value) == 1)
+        found.push_back(i / 2);
+    for(Index i : replaced_)
+      if(i % 2 == 1 && std::abs(crossing(numbers, i)) == 1)
+        found.push_back(i / 2);
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
   /// the intersection numbers of a member with the first basis.
@@ -91,6 +108,8 @@ private:
 
   const Loop_classes& classes_;
   std::vector<Class_vector> members_; // in the first basis
+  std::vector<Index> replaced_;
+  std::vector<char> is_replaced_; // by member
   std::vector<Exchange> exchanges_;
 };
 

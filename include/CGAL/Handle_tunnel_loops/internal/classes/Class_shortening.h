@@ -102,15 +102,17 @@ private:
 
   static constexpr double gain_worth_having = 1. - 1e-7;
 
-  static constexpr double most_visits = 4e6, most_on_large_mesh = 2.5e6;
-  static constexpr double least_visits = 200.; // of a loop, that could find anything
-  static constexpr double small = 40000.;      // vertices
-  static constexpr std::size_t even = 5000;    // vertices
+  static constexpr double most_visits = 4e6, most_on_large_mesh = 1.6e6;
+  static constexpr double most_overestimate = 4.; // that is made use of
+  static constexpr double least_visits = 200.;    // of a loop, that could find anything
+  static constexpr double larger_part = 3.;       // of a part before
+  static constexpr double small = 40000.;         // vertices
+  static constexpr std::size_t even = 5000;       // vertices
 
   // On a large mesh, less: its loops have cost more before, and are not to wait as long again.
   double visits() const {
     const double part = (std::min)(1., small / double(mesh_.number_of_vertices()));
-    return most_visits * part * part;
+    return most_visits * part * std::sqrt(part);
   }
 
   void prepare_search() {
@@ -128,10 +130,12 @@ private:
   // Looks for the open loops, and for those that are opened by it, as long as there are visits.
   void repeat(double visits) {
     part_ = 0.;
+    overestimate_ = 1.;
     double spare = (std::max)(0., most_on_large_mesh - visits);
     for(int round = 0; round < most_rounds && visits > 0.; ++round) {
       const double before = total_length(), share = visits;
-      if(!find_candidates(visits))
+      visits -= double(size_of_loops());
+      if(visits <= 0. || !find_candidates(visits))
         break;
       exchange();
       // It goes on as long as it pays.
@@ -141,6 +145,12 @@ private:
         spare -= more;
       }
     }
+  }
+
+  // What it takes to find out about classes, before anything is visited.
+  std::size_t size_of_loops() const {
+    return std::accumulate(loops_->begin(), loops_->end(), std::size_t(0),
+                           [](std::size_t sum, const Crossing_loop& l) { return sum + l.size(); });
   }
 
   double total_length() const { return std::accumulate(lengths_.begin(), lengths_.end(), 0.); }
@@ -168,12 +178,15 @@ private:
     std::vector<Index> targets;
   };
 
-  // Every curve with a coordinate in a loop crosses one of the loops in the dual class.
-  std::vector<Task> tasks(const std::vector<Class_vector>& duals) const {
+  // Every curve with a coordinate in a loop crosses one of the loops in the dual class. Those among
+  // them that the loop crosses itself are the likely ones: it lies there.
+  std::vector<Task> tasks(const std::vector<Class_vector>& duals, bool are_all_likely) const {
     std::map<std::pair<Index, int>, Task> tasks; // by partner and size
     for(Index i = 0; i < loops_->size(); ++i)
       if(is_open_[i])
         for(const auto& c : duals[i]) {
+          if(are_all_likely && coordinate(classes_->row(i), c.first) == 0)
+            continue;
           const int size = static_cast<int>(std::floor(2. * std::log2(lengths_[i])));
           Task& task = tasks.try_emplace({c.first, size}, Task{c.first, 0., {}}).first->second;
           task.length = (std::max)(task.length, lengths_[i]);
@@ -185,19 +198,32 @@ private:
     return all;
   }
 
+  // All tasks if there are visits enough, else the likely ones; and what is spent on each.
+  std::pair<std::vector<Task>, Search_plan> tasks_within(double visits,
+                                                         const std::vector<Class_vector>& duals) {
+    const double least_part = (std::min)(1., larger_part * part_);
+    const double expected = overestimate_ * visits;
+    std::vector<Task> all = tasks(duals, false);
+    Search_plan plan_of_all = plan(all, expected, least_part);
+    if(!plan_of_all.is_tight())
+      return {std::move(all), std::move(plan_of_all)};
+    std::vector<Task> likely = tasks(duals, true);
+    Search_plan plan_of_likely = plan(likely, expected, least_part);
+    return {std::move(likely), std::move(plan_of_likely)};
+  }
+
   // Where loops are much longer than need be, there is not enough for all: then shorter ones are
   // looked for first, since discs grow with the square.
-  Search_plan plan(const std::vector<Task>& tasks, double visits) {
-    constexpr double smallest_part = 0.1, factor = 3.;
-    const double least = (std::min)(1., factor * part_);
-    for(part_ = 1.;; part_ /= factor) {
-      const Search_plan plan = this->plan(tasks, visits, part_);
-      if(!plan.is_tight() || part_ / factor < (std::max)(least, smallest_part))
+  Search_plan plan(const std::vector<Task>& tasks, double visits, double least_part) {
+    constexpr double smallest_part = 0.1;
+    for(part_ = 1.;; part_ /= larger_part) {
+      const Search_plan plan = plan_of_part(tasks, visits, part_);
+      if(!plan.is_tight() || part_ < larger_part * (std::max)(least_part, smallest_part))
         return plan;
     }
   }
 
-  Search_plan plan(const std::vector<Task>& tasks, double visits, double part) const {
+  Search_plan plan_of_part(const std::vector<Task>& tasks, double visits, double part) const {
     std::vector<double> discs, places;
     for(const Task& task : tasks) {
       double disc = 0.;
@@ -214,11 +240,12 @@ private:
     if(std::find(is_open_.begin(), is_open_.end(), 1) == is_open_.end())
       return false;
     classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
+    const std::vector<Class_vector> duals = dual_classes();
+    const std::pair<std::vector<Task>, Search_plan> planned = tasks_within(visits, duals);
+    const std::vector<Task>& tasks = planned.first;
+    const Search_plan& efforts = planned.second;
     const Edge_classes edge_classes(mesh_, classes_->index(), *is_pure_);
     search_mesh_.count(edge_classes);
-    const std::vector<Class_vector> duals = dual_classes();
-    const std::vector<Task> tasks = this->tasks(duals);
-    const Search_plan efforts = plan(tasks, visits);
     Workspace_pool<Partner_search> searches(
         [&] { return std::make_unique<Partner_search>(mesh_, search_mesh_, edge_classes); });
     std::vector<std::vector<Candidate>> found(tasks.size());
@@ -247,15 +274,19 @@ private:
                    const std::vector<std::size_t>& left,
                    double& visits) {
     std::vector<char> is_exhausted(loops_->size(), 0), is_left_out(loops_->size(), 0);
+    double planned_for_all = 0., spent = 0.;
     for(std::size_t n = 0; n < tasks.size(); ++n) {
       const std::size_t planned = efforts.effort(n).visits;
-      visits -= double(planned - left[n]);
+      planned_for_all += double(planned);
+      spent += double(planned - left[n]);
       for(Index i : tasks[n].targets)
         if(planned == 0)
           is_left_out[i] = 1; // the others may leave something
         else if(left[n] == 0)
           is_exhausted[i] = 1; // it takes more than was thought
     }
+    visits -= spent;
+    overestimate_ = (std::min)(most_overestimate, planned_for_all / (std::max)(1., spent));
     for(Index i = 0; i < is_open_.size(); ++i) {
       patience_[i] *= is_exhausted[i] ? 4. : 1.;
       is_open_[i] = is_exhausted[i] || is_left_out[i] || (is_open_[i] && part_ < 1.);
@@ -365,14 +396,12 @@ private:
     if(!(*is_pure_)[k])
       return false;
     const auto columns = [&](Index row) {
-      const bool is_new = !is_tunnel && row == k;
-      const Class_vector numbers = is_new ? c.numbers : exchange.numbers(2 * row);
-      std::vector<Index> found;
-      for(Index j = 0; j < is_pure_->size(); ++j) {
-        const std::int64_t crossing = is_tunnel && j == k ? exchange.crossing(c.numbers, 2 * row)
-                                                          : exchange.crossing(numbers, 2 * j + 1);
-        if(std::abs(crossing) == 1)
-          found.push_back(j);
+      std::vector<Index> found = exchange.tunnels_crossed_once(
+          !is_tunnel && row == k ? c.numbers : exchange.numbers(2 * row));
+      if(is_tunnel) {
+        found.erase(std::remove(found.begin(), found.end(), k), found.end());
+        if(std::abs(exchange.crossing(c.numbers, 2 * row)) == 1)
+          found.insert(std::lower_bound(found.begin(), found.end(), k), k);
       }
       return found;
     };
@@ -407,8 +436,9 @@ private:
   const std::vector<char>* is_pure_ = nullptr;
   bool is_prepared_ = false; // the mesh to search on
   bool are_pairs_kept_ = true;
-  double part_ = 0.;    // of the length of the loops, to look for
-  double density_ = 0.; // vertices by area, if many of them are visited
+  double part_ = 0.;         // of the length of the loops, to look for
+  double overestimate_ = 1.; // visits planned over visits needed, in the last round
+  double density_ = 0.;      // vertices by area, if many of them are visited
   std::vector<double> lengths_;
   std::vector<Index> sources_;
   std::vector<char> is_open_;    // by loop, whether to look for candidates

@@ -103,14 +103,22 @@ private:
   void add_edges(Index v, const Crossing_index& index, const std::vector<Class_sums>& weights) {
     first_[v] = static_cast<Index>(edges_.size());
     for(Index u : mesh_.ring(v)) {
-      edges_.push_back({{}, static_cast<Index>(terms_.size())});
-      Sparse_numbers numbers;
-      index.add_crossings(v, u, numbers);
-      for(const auto& [loop, number] : numbers)
-        if(number != 0) {
-          terms_.push_back({loop, static_cast<int>(number)});
-          edges_.back().sums.add(number, weights[loop]);
-        }
+      const std::size_t first = terms_.size();
+      edges_.push_back({{}, static_cast<Index>(first)});
+      // The entries of a vertex are sorted by loop.
+      for(Index i = index.begins()[v]; i != index.begins()[v + 1]; ++i) {
+        const Crossing_entry& e = index.entries()[i];
+        if(e.other != u)
+          continue;
+        if(terms_.size() == first || terms_.back().loop != e.loop)
+          terms_.push_back({e.loop, 0});
+        terms_.back().number += e.sign;
+      }
+      terms_.erase(std::remove_if(terms_.begin() + first, terms_.end(),
+                                  [](const Term& t) { return t.number == 0; }),
+                   terms_.end());
+      for(auto t = terms_.begin() + first; t != terms_.end(); ++t)
+        edges_.back().sums.add(t->number, weights[t->loop]);
     }
   }
 

@@ -17,6 +17,9 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -41,13 +44,13 @@ public:
   /// a closed walk of the class with these coordinates in the loops, which lie on one component.
   std::vector<Index> walk(const Class_vector& coordinates) {
     CGAL_precondition(!coordinates.empty());
-    std::vector<std::vector<Index>> walks;
+    walks_.clear();
     for(const auto& [i, factor] : coordinates)
-      walks.push_back(repeated(left_side(loops_[i], factor > 0), std::abs(factor)));
-    while(walks.size() > 1)
-      join_nearest(walks);
-    remove_spurs(walks.front());
-    return std::move(walks.front());
+      walks_.push_back(repeated(left_side(loops_[i], factor > 0), std::abs(factor)));
+    join_all();
+    std::vector<Index> all = std::move(walks_[joined_.find_set(Index(0))]);
+    remove_spurs(all);
+    return all;
   }
 
 private:
@@ -77,25 +80,53 @@ private:
     Index walk = no_index;
   };
 
-  // Where two walks meet: an edge, or a vertex that both pass.
-  struct Meeting
-  {
-    Index u, v;
-  };
+  using Disjoint_sets =
+      boost::disjoint_sets_with_storage<boost::identity_property_map, boost::identity_property_map>;
 
-  // Two walks that are nearest to each other become one, the last of them goes.
-  void join_nearest(std::vector<std::vector<Index>>& walks) {
-    const Meeting meeting = nearest(walks);
-    std::vector<Index> way = way_back(meeting.u); // from u to a walk
+  // Joins walks where the regions meet that grow around them, the nearest to each other first: by
+  // the number of edges, since what is joined is pulled taut anyway.
+  void join_all() {
+    joined_ = Disjoint_sets(walks_.size());
+    std::size_t parts = walks_.size();
+    for(Index w = 0; w < walks_.size(); ++w)
+      for(Index v : std::vector<Index>(walks_[w]))
+        if(labels_[v].walk == no_index)
+          reach(v, {no_index, w});
+        else
+          parts -= join(v, v, labels_[v].walk, w);
+    for(std::size_t i = 0; parts > 1; ++i) {
+      CGAL_assertion_msg(i < reached_.size(), "the loops of a class lie on one component");
+      const Index v = reached_[i];
+      for(Index u : mesh_.ring(v))
+        if(labels_[u].walk == no_index)
+          reach(u, {v, labels_[v].walk});
+        else
+          parts -= join(v, u, labels_[v].walk, labels_[u].walk);
+    }
+    for(Index v : reached_)
+      labels_[v] = Label();
+    reached_.clear();
+  }
+
+  // Joins the walks of which `a` and `b` have become parts, where `u` and `v` have been reached
+  // from these. Returns whether they were two.
+  bool join(Index u, Index v, Index a, Index b) {
+    a = joined_.find_set(a);
+    b = joined_.find_set(b);
+    if(a == b)
+      return false;
+    std::vector<Index> way = way_back(u); // to a walk
     std::reverse(way.begin(), way.end());
-    const std::vector<Index> other_way = way_back(meeting.v);
-    if(meeting.u != meeting.v)
+    if(u != v) {
+      const std::vector<Index> other_way = way_back(v);
       way.insert(way.end(), other_way.begin(), other_way.end());
-    const Index a = labels_[meeting.u].walk;
-    const Index b = meeting.u != meeting.v ? labels_[meeting.v].walk : second_walk_;
-    reset();
-    splice(walks[a], way, walks[b]);
-    walks.erase(walks.begin() + b);
+    }
+    joined_.link(a, b);
+    const Index kept = joined_.find_set(a);
+    if(kept == b)
+      std::reverse(way.begin(), way.end());
+    splice(walks_[kept], way, walks_[kept == a ? b : a]);
+    return true;
   }
 
   // Leads a walk along a way that begins on it, around another walk at its end, and back.
@@ -106,29 +137,6 @@ private:
     detour.insert(detour.end(), around.begin(), around.end());
     detour.insert(detour.end(), way.rbegin(), way.rend() - 1);
     walk.insert(std::find(walk.begin(), walk.end(), way.front()), detour.begin(), detour.end());
-  }
-
-  // By the number of edges: what is joined is pulled taut anyway.
-  Meeting nearest(const std::vector<std::vector<Index>>& walks) {
-    for(Index w = 0; w < walks.size(); ++w)
-      for(Index v : walks[w]) {
-        if(labels_[v].walk != no_index && labels_[v].walk != w) {
-          second_walk_ = w;
-          return {v, v};
-        }
-        if(labels_[v].walk == no_index)
-          reach(v, {no_index, w});
-      }
-    for(std::size_t i = 0; i < reached_.size(); ++i) {
-      const Index v = reached_[i];
-      for(Index u : mesh_.ring(v))
-        if(labels_[u].walk == no_index)
-          reach(u, {v, labels_[v].walk});
-        else if(labels_[u].walk != labels_[v].walk)
-          return {u, v};
-    }
-    CGAL_assertion_msg(false, "the loops of a class lie on one component");
-    return {no_index, no_index};
   }
 
   void reach(Index v, const Label& label) {
@@ -143,17 +151,12 @@ private:
     return way;
   }
 
-  void reset() {
-    for(Index v : reached_)
-      labels_[v] = Label();
-    reached_.clear();
-  }
-
   const Flat_mesh& mesh_;
   const std::vector<Crossing_loop>& loops_;
   std::vector<Label> labels_; // by vertex
   std::vector<Index> reached_;
-  Index second_walk_ = no_index; // of two that have a vertex in common
+  std::vector<std::vector<Index>> walks_; // those that have been joined are at the representative
+  Disjoint_sets joined_{0};
 };
 
 } // namespace internal

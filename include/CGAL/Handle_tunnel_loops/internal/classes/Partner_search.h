@@ -52,7 +52,7 @@ public:
     search_.start(are_walls_along);
     for(double s = 0.; s < along_.back() && visits > 0;) {
       const Index root = place(partner, s);
-      if(search_.lower_bound(root) < (1. - 2. * spacing) * targets.limit())
+      if(search_.lower_bound(root) < worth_a_search * targets.limit())
         search_.search(root, targets, visits);
       s += (std::max)(spacing * targets.smallest_limit(), along_.back() / most_places);
     }
@@ -61,6 +61,9 @@ public:
 private:
   // However short the loops are that are looked for: lengths may be zero.
   static constexpr double most_places = 1000.;
+
+  // Of the length that is looked for, unless no loop through a place can be so short.
+  static constexpr double worth_a_search = 0.8;
 
   void measure(const Crossing_loop& loop) {
     along_.assign(1, 0.);
