@@ -123,19 +123,21 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
   command
       .add_option("--basis", options.basis,
                   "pure (handles bound inside and tunnels outside; the default) or\n"
-                  "shortest (whatever side they bound on: for cutting and parametrisation)")
+                  "shortest (whatever side they bound on: for cutting and parametrization)")
       ->option_text("KIND")
       ->check(CLI::IsMember({"pure", "shortest"}))
       ->group(group);
   command
       .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")
       ->group(group);
-  command.add_flag("--no-tighten", options.do_not_tighten, "do not shorten the loops: faster")
+  command
+      .add_flag("--no-tighten", options.do_not_tighten,
+                "do not shorten the loops, nor look for shorter ones: faster")
       ->group(group);
   command
       .add_option("--classify", options.classifier,
                   "what tells handles from tunnels: linking (numbers, exact; the default)\n"
-                  "or offset (change of length: faster)")
+                  "or offset (change of length: faster, but no loop is made to bound)")
       ->option_text("HOW")
       ->check(CLI::IsMember({"linking", "offset"}))
       ->group(group);
@@ -158,6 +160,8 @@ constexpr char description[] =
     "the\n"
     "surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop "
     "once.\n"
+    "With --basis shortest loops are short instead, whatever side they bound on, and those of a\n"
+    "pair cross an odd number of times.\n"
     "They are checked to be a basis of H1(S; Z) before they are written.\n";
 
 constexpr char examples[] =

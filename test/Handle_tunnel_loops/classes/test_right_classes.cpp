@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
@@ -153,7 +154,8 @@ TEST(Purification, MakesAnyBasisPure) {
         const std::vector<Crossing_loop> loops = Purification::loops_of(before);
         const Loop_relations relations = surface.relate(before);
         std::vector<Flat_pair> pairs = before;
-        Purification purification(Execution(), surface.flat(), do_tighten);
+        Quiet_progress progress;
+        Purification purification(Execution(), surface.flat(), do_tighten, progress);
         const std::vector<Index> sources = purification.run(pairs, relations);
         EXPECT_EQ(purification.is_pure(), std::vector<char>(pairs.size(), 1));
         surface.expect_pure(pairs);
@@ -181,10 +183,11 @@ TEST(Purification, ChangesNothingThatIsPure) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Wound_up_surface surface(recipe);
     std::vector<Flat_pair> pairs = surface.wound_up_pairs(random, 20);
-    Purification(Execution(), surface.flat(), true).run(pairs, surface.relate(pairs));
+    Quiet_progress progress;
+    Purification(Execution(), surface.flat(), true, progress).run(pairs, surface.relate(pairs));
     const std::vector<Crossing_loop> before = Purification::loops_of(pairs);
     const std::vector<Index> sources =
-        Purification(Execution(), surface.flat(), true).run(pairs, surface.relate(pairs));
+        Purification(Execution(), surface.flat(), true, progress).run(pairs, surface.relate(pairs));
     const std::vector<Crossing_loop> after = Purification::loops_of(pairs);
     for(Index i = 0; i < sources.size(); ++i) {
       EXPECT_EQ(sources[i], i);
@@ -237,6 +240,58 @@ TEST(Right_classes, AreABasisWithoutSides) {
         EXPECT_EQ(abs(numbers[2 * k][2 * k + 1]) % 2, 1);
     }
   }
+}
+
+// A tube around a circle whose cross section is a figure eight, which turns about itself so many
+// times on its way: it crosses itself along a closed curve, and no linking number tells that. The
+// more it turns, the fewer classes bound.
+Soup turning_figure_eight(int turns) {
+  constexpr Index around = 24, along = 60;
+  constexpr double pi = 3.14159265358979323846;
+  Soup soup;
+  for(Index j = 0; j < along; ++j)
+    for(Index i = 0; i < around; ++i) {
+      const double u = 2. * pi * (i + 0.37) / around, v = 2. * pi * j / along, a = turns * v + 0.3;
+      const double x = std::sin(u) + 0.01 * std::cos(u), y = 0.7 * std::sin(2. * u);
+      const double r = 3. + x * std::cos(a) - y * std::sin(a);
+      soup.points.push_back({r * std::cos(v), r * std::sin(v), x * std::sin(a) + y * std::cos(a)});
+      const Index p = j * around + i, q = j * around + (i + 1) % around;
+      const Index r_next = (p + around) % (around * along),
+                  s_next = (q + around) % (around * along);
+      soup.triangles.push_back({p, q, s_next});
+      soup.triangles.push_back({p, s_next, r_next});
+    }
+  return soup;
+}
+
+Soup side_by_side(Soup soup, const Soup& other, double distance) {
+  const Index first = static_cast<Index>(soup.points.size());
+  for(const auto& [x, y, z] : other.points)
+    soup.points.push_back({x + distance, y, z});
+  for(const auto& [a, b, c] : other.triangles)
+    soup.triangles.push_back({a + first, b + first, c + first});
+  return soup;
+}
+
+TEST(Right_classes, AreNotForcedUponSurfacesThatCrossThemselves) {
+  for(const int turns : {0, 1, 2, 3, -2}) {
+    SCOPED_TRACE(turns);
+    const Mesh mesh = mesh_of(turning_figure_eight(turns));
+    const Certified_pairs answer = certified_pairs(mesh);
+    EXPECT_EQ(answer.pairs.size(), 1u);
+    EXPECT_TRUE(answer.certificate);
+  }
+}
+
+// What crosses itself is no reason to give up on another component.
+TEST(Right_classes, AreFoundBesideSurfacesThatCrossThemselves) {
+  const Soup torus = soup_of(Recipe{"multi-torus", {800, 2, 0}});
+  const Certified_pairs answer =
+      certified_pairs(mesh_of(side_by_side(turning_figure_eight(1), torus, 40.)));
+  EXPECT_TRUE(answer.certificate);
+  ASSERT_EQ(answer.pairs.size(), 3u);
+  EXPECT_GE(answer.certificate.handles_bound_inside_alone, 2u);
+  EXPECT_GE(answer.certificate.tunnels_bound_outside_alone, 2u);
 }
 
 } // namespace

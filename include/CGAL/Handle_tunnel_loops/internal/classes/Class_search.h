@@ -40,7 +40,8 @@ Dijkstra's algorithm on the covering surface on which the walls unroll: a label 
 with the sum of the walls that the way to it has crossed. Where two ways come to one vertex with the
 same sum, they are a closed walk that crosses the walls as often forth as back, and all shortest
 such walks are of this form (two shortest ways and an edge, as Thomassen's condition on three paths
-holds on the cover; Erickson and Whittlesey 2005). Without walls these are a tree and an edge.
+holds on the cover; Erickson and Whittlesey 2005). Without walls these are a tree and an edge. No
+vertex is visited with more than eight sums: on knots something may be missed.
 */
 class Class_search
 {
@@ -67,6 +68,7 @@ public:
     targets_ = &targets;
     visits_ = &visits;
     shortest_ = targets.limit();
+    is_cut_off_ = false;
     reach(root, {0.f, root, no_index, no_index, no_index, false, {}});
     while(!queue_.empty() && visits > 0) {
       const auto [distance, l] = queue_.top();
@@ -78,7 +80,7 @@ public:
       --visits;
       visit(l);
     }
-    reset(visits > 0);
+    reset(visits > 0 && !is_cut_off_);
   }
 
   /// No walk through a vertex that the targets want can be shorter, by the searches since
@@ -151,8 +153,12 @@ private:
       }
       return;
     }
-    if(number < most_labels && 2. * way.distance < targets_->limit())
+    if(2. * way.distance >= targets_->limit())
+      return;
+    if(number < most_labels)
       reach(way.vertex, way);
+    else
+      is_cut_off_ = true;
   }
 
   // Two ways to one vertex.
@@ -231,6 +237,7 @@ private:
   std::vector<float> lower_bounds_; // by vertex
   Queue queue_;
   bool are_walls_along_ = false;
+  bool is_cut_off_ = false; // at a vertex that has been reached with too many sums
   double shortest_ = 0.;
   Search_targets* targets_ = nullptr;
   std::size_t* visits_ = nullptr;

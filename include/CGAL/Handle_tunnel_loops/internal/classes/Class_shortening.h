@@ -123,7 +123,8 @@ private:
       search_mesh_.refine((std::min)(even, 16 * mesh_.number_of_vertices()));
     if(visits() > double(mesh_.number_of_vertices())) {
       search_mesh_.measure();
-      density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
+      if(search_mesh_.area() > 0.)
+        density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
     }
   }
 
@@ -183,7 +184,7 @@ private:
   std::vector<Task> tasks(const std::vector<Class_vector>& duals, bool are_all_likely) const {
     std::map<std::pair<Index, int>, Task> tasks; // by partner and size
     for(Index i = 0; i < loops_->size(); ++i)
-      if(is_open_[i])
+      if(is_open_[i] && lengths_[i] > 0.)
         for(const auto& c : duals[i]) {
           if(are_all_likely && coordinate(classes_->row(i), c.first) == 0)
             continue;
@@ -264,8 +265,7 @@ private:
     candidates_.clear();
     for(std::vector<Candidate>& part : found)
       std::move(part.begin(), part.end(), std::back_inserter(candidates_));
-    return std::any_of(tasks.begin(), tasks.end(),
-                       [&](const Task& t) { return efforts.effort(&t - tasks.data()).visits > 0; });
+    return !efforts.is_empty();
   }
 
   // What has been searched to its end is closed. Takes what was spent from the visits.
@@ -293,7 +293,7 @@ private:
     }
   }
 
-  // Of the open loops. A loop whose class has numbers that are too large is closed.
+  // Of the open loops; none where numbers are too large, for which nothing is looked for then.
   std::vector<Class_vector> dual_classes() {
     std::vector<Class_vector> duals(loops_->size());
     for_each_index(

@@ -28,7 +28,8 @@ namespace internal {
 /// or intersection numbers with one.
 using Class_vector = std::vector<std::pair<Index, std::int64_t>>;
 
-/// No coordinate is ever larger, so that products fit and sums of them do.
+/// No factor and no coordinate of a sum of multiples is larger, so that products fit and sums of
+/// them do.
 constexpr std::int64_t largest_coordinate = std::int64_t(1) << 30;
 
 inline bool is_too_large(std::int64_t x) {
@@ -60,6 +61,8 @@ inline void normalize(Class_vector& v) {
 inline bool add_multiple(Class_vector& v, std::int64_t factor, const Class_vector& w) {
   if(factor == 0)
     return true;
+  if(is_too_large(factor))
+    return false;
   Class_vector sum;
   sum.reserve(v.size() + w.size());
   auto a = v.begin();
@@ -68,7 +71,7 @@ inline bool add_multiple(Class_vector& v, std::int64_t factor, const Class_vecto
       sum.push_back(*a);
     const std::int64_t before = a != v.end() && a->first == index ? (a++)->second : 0;
     const std::int64_t x = before + factor * value;
-    if(is_too_large(x) || is_too_large(factor))
+    if(is_too_large(x))
       return false;
     if(x != 0)
       sum.emplace_back(index, x);

@@ -102,23 +102,26 @@ private:
 
   void add_edges(Index v, const Crossing_index& index, const std::vector<Class_sums>& weights) {
     first_[v] = static_cast<Index>(edges_.size());
+    // By neighbor, and there by loop.
+    entries_.assign(index.entries().begin() + index.begins()[v],
+                    index.entries().begin() + index.begins()[v + 1]);
+    const auto is_before = [](const Crossing_entry& a, const Crossing_entry& b) {
+      return a.other < b.other;
+    };
+    std::stable_sort(entries_.begin(), entries_.end(), is_before);
     for(Index u : mesh_.ring(v)) {
-      const std::size_t first = terms_.size();
-      edges_.push_back({{}, static_cast<Index>(first)});
-      // The entries of a vertex are sorted by loop.
-      for(Index i = index.begins()[v]; i != index.begins()[v + 1]; ++i) {
-        const Crossing_entry& e = index.entries()[i];
-        if(e.other != u)
+      edges_.push_back({{}, static_cast<Index>(terms_.size())});
+      const auto [begin, end] =
+          std::equal_range(entries_.begin(), entries_.end(), Crossing_entry{u, 0, 0}, is_before);
+      for(auto e = begin; e != end;) {
+        Term term{e->loop, 0};
+        for(; e != end && e->loop == term.loop; ++e)
+          term.number += e->sign;
+        if(term.number == 0)
           continue;
-        if(terms_.size() == first || terms_.back().loop != e.loop)
-          terms_.push_back({e.loop, 0});
-        terms_.back().number += e.sign;
+        terms_.push_back(term);
+        edges_.back().sums.add(term.number, weights[term.loop]);
       }
-      terms_.erase(std::remove_if(terms_.begin() + first, terms_.end(),
-                                  [](const Term& t) { return t.number == 0; }),
-                   terms_.end());
-      for(auto t = terms_.begin() + first; t != terms_.end(); ++t)
-        edges_.back().sums.add(t->number, weights[t->loop]);
     }
   }
 
@@ -126,6 +129,7 @@ private:
   std::vector<Index> first_; // edge, by vertex
   std::vector<Edge> edges_;
   std::vector<Term> terms_;
+  std::vector<Crossing_entry> entries_; // of a vertex
 };
 
 } // namespace internal

@@ -50,12 +50,13 @@ public:
            std::size_t& visits) {
     measure(partner);
     search_.start(are_walls_along);
-    for(double s = 0.; s < along_.back() && visits > 0;) {
+    double s = 0.;
+    do {
       const Index root = place(partner, s);
       if(search_.lower_bound(root) < worth_a_search * targets.limit())
         search_.search(root, targets, visits);
       s += (std::max)(spacing * targets.smallest_limit(), along_.back() / most_places);
-    }
+    } while(s < along_.back() && visits > 0);
   }
 
 private:

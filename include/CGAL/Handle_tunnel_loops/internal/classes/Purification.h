@@ -18,7 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/classes/Pairing.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
-
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -51,10 +51,11 @@ which unimodularity alone does not exclude, the tunnels become the dual basis of
 class Purification
 {
 public:
-  Purification(Execution execution, const Flat_mesh& mesh, bool do_tighten)
+  Purification(Execution execution, const Flat_mesh& mesh, bool do_tighten, Progress& progress)
       : execution_(execution)
       , mesh_(mesh)
-      , do_tighten_(do_tighten) {}
+      , do_tighten_(do_tighten)
+      , progress_(progress) {}
 
   /// changes the pairs. Returns, for each handle and tunnel in turn, the number that the loop had
   /// before, or `no_index` if it is new.
@@ -114,6 +115,8 @@ private:
     for_each_index(
         execution_, numbers.size(),
         [&](std::size_t n) {
+          if(!progress_.goes_on())
+            return;
           const Index k = numbers[n];
           const Member &handle = (*handles)[n], &tunnel = (*tunnels)[n];
           pairs[k] = {loop_of(handle, sums), loop_of(tunnel, sums)};
@@ -121,10 +124,11 @@ private:
           sources[2 * k + 1] = tunnel.loop;
         },
         1);
+    progress_.throw_if_interrupted();
   }
 
-  // A basis of L_in or of L_out of a component; nothing if a number became too large. In the places
-  // of their pairs are the loops that bound.
+  // A basis of L_in or of L_out of a component, first of all the loops that bound; nothing if a
+  // number became too large.
   std::optional<std::vector<Member>>
   basis(const std::vector<Index>& numbers, const Loop_sides& sides, bool inside) const {
     std::vector<Member> members;
@@ -152,8 +156,21 @@ private:
       return std::nullopt;
     for(Class_vector& a : *others)
       members.push_back({no_index, std::move(a)});
-    CGAL_postcondition_msg(members.size() == numbers.size(), "the rank of L_in and L_out is g");
+    // The rank is g, but for surfaces that cross themselves in such a way that no loop shows it.
+    if(members.size() != numbers.size() || !can_be_made(members))
+      return std::nullopt;
     return members;
+  }
+
+  // Whether the loops that are to be put together are of a size that any computer can hold.
+  bool can_be_made(const std::vector<Member>& members) const {
+    constexpr double most_crossings = 5e7;
+    double sum = 0.;
+    for(const Member& m : members)
+      if(m.loop == no_index)
+        for(const auto& [i, factor] : m.coordinates)
+          sum += std::abs(double(factor)) * double(loops_[i].size());
+    return sum <= most_crossings;
   }
 
   // Puts the tunnels into the order of the handles. Returns `false` if a number became too large.
@@ -196,6 +213,8 @@ private:
   // Replaces the tunnels by classes that cross one handle each, and that once.
   bool make_dual(std::vector<Class_vector> crossings, std::vector<Member>& tunnels) const {
     const Unimodular_system system(std::move(crossings));
+    if(!system.is_regular())
+      return false;
     std::vector<Member> duals;
     for(Index i = 0; i < tunnels.size(); ++i) {
       const std::optional<Class_vector> solution = system.solve({{i, 1}});
@@ -207,7 +226,7 @@ private:
           return false;
     }
     tunnels = std::move(duals);
-    return true;
+    return can_be_made(tunnels);
   }
 
   Crossing_loop loop_of(const Member& m, Workspace_pool<Loop_sum>& sums) const {
@@ -229,6 +248,7 @@ private:
   Execution execution_;
   const Flat_mesh& mesh_;
   bool do_tighten_;
+  Progress& progress_;
   std::vector<Crossing_loop> loops_; // before
   std::unique_ptr<Loop_classes> classes_;
   std::vector<char> is_pure_;

@@ -42,8 +42,13 @@ class Search_plan
 public:
   /// \p discs and \p places by search: vertices in the disc around a place, and the length of the
   /// partner over that of the loop.
-  Search_plan(const std::vector<double>& discs, const std::vector<double>& places, double visits)
+  Search_plan(std::vector<double> discs, std::vector<double> places, double visits)
       : efforts_(discs.size(), {closest, 0}) {
+    // Lengths may be as small as numbers get.
+    for(double& disc : discs)
+      disc = std::clamp(disc, 1., 1e12);
+    for(double& number : places)
+      number = std::clamp(number, 0., 1e6);
     std::vector<Index> order(discs.size());
     std::iota(order.begin(), order.end(), Index(0));
     const auto expected = [&](Index i) { return discs[i] * (1. + places[i] / closest); };
@@ -62,6 +67,12 @@ public:
                      static_cast<std::size_t>(discs[i] * (1. + places[i] / spacing)) + 200};
       planned += double(efforts_[i].visits);
     }
+  }
+
+  /// whether there is nothing to search.
+  bool is_empty() const {
+    return std::none_of(efforts_.begin(), efforts_.end(),
+                        [](const Search_effort& e) { return e.visits > 0; });
   }
 
   /// whether there was not enough for all.

@@ -77,15 +77,19 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
                                                                const Relate_pairs& relate,
                                                                std::vector<Flat_pair>& pairs,
                                                                Progress& progress) {
+  // Parts of the time, about, when they begin or end.
+  constexpr double first_linking = 0.25, second_linking = 0.75;
   std::optional<Loop_relations> relations;
   Class_shortening shortening(execution, mesh, progress);
   if(options.do_link) {
     relations = relate(pairs);
     const std::vector<Flat_pair> first = pairs;
-    Purification purification(execution, mesh, options.do_shorten);
+    progress.advance(first_linking);
+    Purification purification(execution, mesh, options.do_shorten, progress);
     std::vector<Index> before = purification.run(pairs, *relations);
     if(options.do_shorten)
       right_classes::shorten(shortening, pairs, purification.is_pure(), before);
+    progress.advance(second_linking);
     if(!right_classes::is_any_new(before))
       relations->renumber(before);
     else {

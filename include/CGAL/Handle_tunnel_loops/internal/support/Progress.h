@@ -58,9 +58,9 @@ public:
 
   /// the stages on the way to loops.
   static std::vector<Weighted_stage> stages_of_loops() {
-    return {{Stage::ADAPTOR, 0.09}, {Stage::INITIAL, 0.15},     {Stage::TUNNEL, 0.32},
-            {Stage::REFINE, 0.23},  {Stage::SHORTEN, 0.10},     {Stage::CLASSES, 0.10},
-            {Stage::CONVERT, 0.01}, {Stage::CERTIFICATE, 0.03}, {Stage::CLASSIFY, 0.06}};
+    return {{Stage::ADAPTOR, 0.09}, {Stage::INITIAL, 0.18},     {Stage::TUNNEL, 0.28},
+            {Stage::REFINE, 0.25},  {Stage::SHORTEN, 0.06},     {Stage::CLASSES, 0.09},
+            {Stage::CONVERT, 0.01}, {Stage::CERTIFICATE, 0.03}, {Stage::CLASSIFY, 0.01}};
   }
 
   /// the stages on the way to a diffusion that starts from loops.
