@@ -14,6 +14,7 @@
 
 namespace {
 
+using CGAL::Handle_tunnel_loops::internal::Index;
 using generators::Random;
 
 // As many small ones as large ones.
@@ -95,6 +96,48 @@ TEST(Random_surfaces, MayHaveManyComponents) {
     Pairs pairs;
     ASSERT_NO_THROW(solver.find_loops(std::back_inserter(pairs)));
     EXPECT_EQ(pairs.size(), genus);
+  }
+}
+
+// ---- vertices with many edges
+
+// A washer whose hole has three corners, each with a third of the edges of either side.
+Soup washer(Index corners) {
+  Soup soup;
+  const auto ring = [&](Index number, double radius, double height) {
+    const Index first = static_cast<Index>(soup.points.size());
+    for(Index i = 0; i < number; ++i) {
+      const double angle = 2. * 3.14159265358979323846 * i / number;
+      soup.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+    }
+    return first;
+  };
+  const Index upper = ring(corners, 3., 0.5), upper_hole = ring(3, 1., 0.5),
+              lower = ring(corners, 3., 0.), lower_hole = ring(3, 1., 0.);
+  const auto add = [&](Index a, Index b, Index c) { soup.triangles.push_back({a, b, c}); };
+  for(Index k = 0; k < corners; ++k) {
+    const Index l = (k + 1) % corners, c = 3 * k / corners, d = 3 * l / corners;
+    add(upper + k, upper + l, upper_hole + c);
+    add(lower + l, lower + k, lower_hole + c);
+    add(lower + k, lower + l, upper + l);
+    add(lower + k, upper + l, upper + k);
+    if(c == d)
+      continue;
+    add(upper_hole + c, upper + l, upper_hole + d);
+    add(lower_hole + d, lower + l, lower_hole + c);
+    add(lower_hole + d, lower_hole + c, upper_hole + c);
+    add(lower_hole + d, upper_hole + c, upper_hole + d);
+  }
+  return soup;
+}
+
+// It would take hours if the time grew with the square of the number of edges, many times over.
+TEST(Vertices_with_many_edges, AreLikeOthers) {
+  for(const Index corners : {300, 24000}) {
+    const Mesh mesh = mesh_of(washer(corners));
+    const Pairs pairs = find_loops(mesh);
+    expect_handle_tunnel_pairs(mesh, pairs, 1);
+    EXPECT_NEAR(total_length(pairs), 5. + 3. * std::sqrt(3.), 0.01);
   }
 }
 

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -132,8 +133,10 @@ private:
         meetings_.push_back({0, c.right, c.right});
       else
         band_.add_source(c.right, 0, Side::RIGHT);
+    // A vertex with many edges may be beside as many crossings, one after the other.
+    Index last = no_index;
     for(const Crossing& c : loop)
-      if(band_.side(c.right) == Side::RIGHT)
+      if(std::exchange(last, c.right) != c.right && band_.side(c.right) == Side::RIGHT)
         note_meetings(c.right, walls);
     band_.start(walls);
   }
