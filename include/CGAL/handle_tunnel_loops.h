@@ -57,7 +57,7 @@ both are moved along the normals (4.5). Several connected components are treated
 component of genus 0 contributes nothing.
 
 Time is proportional to the size of the mesh, plus the regions that the fields of the handles cover,
-plus a fraction of a second at most for the search in classes; memory is 69 to 132 bytes per
+plus about a second at most for the search in classes; memory is 69 to 122 bytes per
 face (measured with two threads on meshes of a million to ten million faces and genus 1 to 1500; the
 more the longer the loops are against the mesh), and 5 to 8 more for each further thread.
 

@@ -264,15 +264,6 @@ Soup turning_figure_eight(int turns) {
   return soup;
 }
 
-Soup side_by_side(Soup soup, const Soup& other, double distance) {
-  const Index first = static_cast<Index>(soup.points.size());
-  for(const auto& [x, y, z] : other.points)
-    soup.points.push_back({x + distance, y, z});
-  for(const auto& [a, b, c] : other.triangles)
-    soup.triangles.push_back({a + first, b + first, c + first});
-  return soup;
-}
-
 TEST(Right_classes, AreNotForcedUponSurfacesThatCrossThemselves) {
   for(const int turns : {0, 1, 2, 3, -2}) {
     SCOPED_TRACE(turns);
@@ -287,7 +278,7 @@ TEST(Right_classes, AreNotForcedUponSurfacesThatCrossThemselves) {
 TEST(Right_classes, AreFoundBesideSurfacesThatCrossThemselves) {
   const Soup torus = soup_of(Recipe{"multi-torus", {800, 2, 0}});
   const Certified_pairs answer =
-      certified_pairs(mesh_of(side_by_side(turning_figure_eight(1), torus, 40.)));
+      certified_pairs(mesh_of(generators::disjoint_union({turning_figure_eight(1), torus})));
   EXPECT_TRUE(answer.certificate);
   ASSERT_EQ(answer.pairs.size(), 3u);
   EXPECT_GE(answer.certificate.handles_bound_inside_alone, 2u);

@@ -80,7 +80,7 @@ public:
     }
     if(visits() > least_visits * double(loops.size())) {
       // Where it is not known what bounds, no class is better than another.
-      is_open_.assign(loops.size(), 1);
+      is_open_.resize(loops.size());
       for(std::size_t i = 0; i < loops.size(); ++i)
         is_open_[i] = is_pure[i / 2] || !are_pairs_kept_;
       repeat(visits());
