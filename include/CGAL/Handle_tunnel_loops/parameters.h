@@ -35,6 +35,16 @@ enum vertex_arc_map_t { vertex_arc_map };
 enum allow_parallel_arcs_t { allow_parallel_arcs };
 enum device_options_t { device_options };
 enum basis_kind_t { basis_kind };
+enum removal_method_t { removal_method };
+enum target_genus_t { target_genus };
+enum maximal_length_t { maximal_length };
+enum handle_filter_t { handle_filter };
+enum removal_box_t { removal_box };
+enum known_pairs_t { known_pairs };
+enum do_dry_run_t { do_dry_run };
+enum added_faces_t { added_faces };
+enum added_vertices_t { added_vertices };
+enum remaining_pairs_t { remaining_pairs };
 
 } // namespace internal_np
 
@@ -66,6 +76,16 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(allow_parallel_arcs)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(device_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(basis_kind)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(removal_method)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(target_genus)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(maximal_length)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(handle_filter)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(removal_box)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(known_pairs)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_dry_run)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(added_faces)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(added_vertices)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(remaining_pairs)
 
 #undef CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER
 

@@ -3,11 +3,11 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 
 #include <gtest/gtest.h>
@@ -420,23 +420,25 @@ TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
 }
 
 TEST(Boxes, AreFoundWhereTheyMeet) {
+  using Rectangle = Box<2>;
   Random random(3);
   for(int round = 0; round < 50; ++round) {
     const auto random_box = [&] {
       const double x = static_cast<double>(random.below(20)),
                    y = static_cast<double>(random.below(20));
-      return Box{x, y, x + static_cast<double>(random.below(4)),
-                 y + static_cast<double>(random.below(4))};
+      return Rectangle{
+          {x, y},
+          {x + static_cast<double>(random.below(4)), y + static_cast<double>(random.below(4))}};
     };
-    std::vector<Box> boxes(random.below(100));
-    for(Box& b : boxes)
+    std::vector<Rectangle> boxes(random.below(100));
+    for(Rectangle& b : boxes)
       b = random_box();
-    const Box_tree tree(boxes);
+    const Box_tree<2> tree(boxes);
     for(int i = 0; i < 20; ++i) {
-      const Box box = random_box();
+      const Rectangle box = random_box();
       std::set<Index> found, expected;
-      tree.for_each_meeting(box, [&](Index j, const Box& b) {
-        EXPECT_EQ(b.xmin, boxes[j].xmin);
+      tree.for_each_meeting(box, [&](Index j, const Rectangle& b) {
+        EXPECT_EQ(b.low, boxes[j].low);
         EXPECT_TRUE(found.insert(j).second) << "found twice";
       });
       for(Index j = 0; j < boxes.size(); ++j)

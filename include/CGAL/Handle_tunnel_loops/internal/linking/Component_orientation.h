@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/solid_sides.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
 
 #include <CGAL/assertions.h>
@@ -270,18 +270,18 @@ private:
     const std::vector<std::size_t> open = open_components();
     if(open.empty())
       return;
-    std::vector<Box> boxes;
+    std::vector<Box<2>> boxes;
     for(std::size_t i : open) {
       const Vector& p = parts_[i].extent.first;
-      boxes.push_back({p[0], p[1], p[0], p[1]});
+      boxes.push_back({{p[0], p[1]}, {p[0], p[1]}});
     }
-    const Box_tree tree(std::move(boxes));
+    const Box_tree<2> tree(std::move(boxes));
     std::mutex mutex;
     all.for_each(execution, [&](face_descriptor f) {
       const Triangle t = triangle(f);
       const auto [x1, x2] = std::minmax({t[0][0], t[1][0], t[2][0]});
       const auto [y1, y2] = std::minmax({t[0][1], t[1][1], t[2][1]});
-      tree.for_each_meeting({x1, y1, x2, y2}, [&](Index i, const Box&) {
+      tree.for_each_meeting({{x1, y1}, {x2, y2}}, [&](Index i, const Box<2>&) {
         if(!may_contain(component_(f), open[i]))
           return;
         const std::lock_guard<std::mutex> lock(mutex);

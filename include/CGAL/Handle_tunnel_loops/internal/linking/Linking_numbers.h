@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Linking.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -59,6 +59,8 @@ linear in the number of lines and of places where one passes over another.
 */
 class Linking_numbers
 {
+  using Rectangle = Box<2>;
+
 public:
   explicit Linking_numbers(const Surface_curves& curves)
       : Linking_numbers(Execution(), curves) {}
@@ -206,25 +208,25 @@ private:
     });
   }
 
-  Box box(Index p, Index q) const {
+  Rectangle box(Index p, Index q) const {
     const auto [x1, y1] = points_.position(p);
     const auto [x2, y2] = points_.position(q);
     constexpr double e = Projected_points::position_error;
-    return {(std::min)(x1, x2) - e, (std::min)(y1, y2) - e, (std::max)(x1, x2) + e,
-            (std::max)(y1, y2) + e};
+    return {{(std::min)(x1, x2) - e, (std::min)(y1, y2) - e},
+            {(std::max)(x1, x2) + e, (std::max)(y1, y2) + e}};
   }
 
   // The order of rectangles along a space-filling curve.
-  static std::vector<Index> order(Execution execution, const std::vector<Box>& boxes) {
-    Box all = boxes.empty() ? Box{0., 0., 0., 0.} : boxes.front();
-    for(const Box& b : boxes)
+  static std::vector<Index> order(Execution execution, const std::vector<Rectangle>& boxes) {
+    Rectangle all = boxes.empty() ? Rectangle{{0., 0.}, {0., 0.}} : boxes.front();
+    for(const Rectangle& b : boxes)
       all.extend(b);
-    const auto relative = [](double x, double low, double high) {
-      return high > low ? (x - low) / (high - low) : 0.;
+    const auto relative = [&all](const Rectangle& b, std::size_t i) {
+      const double size = all.high[i] - all.low[i];
+      return size > 0. ? (b.low[i] - all.low[i]) / size : 0.;
     };
     return space_filling_order(execution, boxes.size(), [&](std::size_t i) {
-      return Vector{relative(boxes[i].xmin, all.xmin, all.xmax),
-                    relative(boxes[i].ymin, all.ymin, all.ymax), 0.};
+      return Vector{relative(boxes[i], 0), relative(boxes[i], 1), 0.};
     });
   }
 
@@ -232,17 +234,17 @@ private:
   struct Sorted_boxes
   {
     std::vector<Index> numbers;
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
   };
 
   template <typename Ends>
   Sorted_boxes sorted_boxes(Execution execution, std::size_t n, const Ends& ends) const {
-    std::vector<Box> boxes(n);
+    std::vector<Rectangle> boxes(n);
     for_each_index(execution, n, [&](std::size_t i) {
       const auto [p, q] = ends(i);
       boxes[i] = box(p, q);
     });
-    Sorted_boxes sorted{order(execution, boxes), std::vector<Box>(n)};
+    Sorted_boxes sorted{order(execution, boxes), std::vector<Rectangle>(n)};
     for_each_index(execution, n,
                    [&](std::size_t i) { sorted.boxes[i] = boxes[sorted.numbers[i]]; });
     return sorted;
@@ -257,7 +259,7 @@ private:
     const Sorted_boxes corners =
         sorted_boxes(execution, curves_.corners.size(),
                      [this](std::size_t c) { return Ends(first_end(c), first_end(c) + 1); });
-    const Box_tree tree(std::move(edges.boxes));
+    const Box_tree<2> tree(std::move(edges.boxes));
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
         execution, corners.boxes.size(),
         [&](std::size_t begin, std::size_t end) {
@@ -273,16 +275,16 @@ private:
   }
 
   // Of corners that follow each other in their order, hence lie near each other.
-  void add_crossings(const Box_tree& tree,
+  void add_crossings(const Box_tree<2>& tree,
                      const std::vector<Index>& edges,
                      const Sorted_boxes& corners,
                      std::size_t begin,
                      std::size_t end,
                      std::vector<Matrix_entry>& entries) {
-    Box all = corners.boxes[begin];
+    Rectangle all = corners.boxes[begin];
     for(std::size_t i = begin; i < end; ++i)
       all.extend(corners.boxes[i]);
-    tree.for_each_meeting(all, [&](Index i, const Box& box_of_edge) {
+    tree.for_each_meeting(all, [&](Index i, const Rectangle& box_of_edge) {
       for(std::size_t j = begin; j < end; ++j)
         if(corners.boxes[j].meets(box_of_edge))
           add_terms(corners.numbers[j], edges[i], entries);

@@ -7,15 +7,17 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_BOX_TREE_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_BOX_TREE_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_BOX_TREE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_BOX_TREE_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,27 +25,41 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// An axis-parallel rectangle, its boundary included.
-struct Box
+/// An axis-parallel box of dimension d, its boundary included.
+template <std::size_t d> struct Box
 {
-  double xmin, ymin, xmax, ymax;
+  std::array<double, d> low, high;
+
+  /// the box that holds nothing.
+  static Box empty() {
+    constexpr double infinite = (std::numeric_limits<double>::infinity)();
+    Box box;
+    box.low.fill(infinite);
+    box.high.fill(-infinite);
+    return box;
+  }
 
   bool meets(const Box& b) const {
-    return xmin <= b.xmax && b.xmin <= xmax && ymin <= b.ymax && b.ymin <= ymax;
+    for(std::size_t i = 0; i < d; ++i)
+      if(low[i] > b.high[i] || b.low[i] > high[i])
+        return false;
+    return true;
   }
   void extend(const Box& b) {
-    xmin = (std::min)(xmin, b.xmin);
-    ymin = (std::min)(ymin, b.ymin);
-    xmax = (std::max)(xmax, b.xmax);
-    ymax = (std::max)(ymax, b.ymax);
+    for(std::size_t i = 0; i < d; ++i) {
+      low[i] = (std::min)(low[i], b.low[i]);
+      high[i] = (std::max)(high[i], b.high[i]);
+    }
   }
 };
 
 /// Finds those of many boxes that meet a given one. The boxes are grouped in the order in which
-/// they come, so that neighbours in that order should be neighbours in the plane.
-class Box_tree
+/// they come, so that neighbours in that order should be neighbours in space.
+template <std::size_t d> class Box_tree
 {
 public:
+  using Box = internal::Box<d>;
+
   explicit Box_tree(std::vector<Box> boxes)
       : levels_(1, std::move(boxes)) {
     while(levels_.back().size() > 1)
@@ -90,4 +106,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_BOX_TREE_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_BOX_TREE_H

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_LOOPS_ANEW_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_LOOPS_ANEW_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops_solver.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Finds the loops of a surface from which some handles were removed, and which of them are those
+/// of handles that are still there: they lie where these had theirs.
+class Loops_anew
+{
+  using Point = Surgery_mesh::Point;
+  using Mesh = Surface_mesh<Point>;
+  using Pair = Handle_tunnel_pair<Mesh>;
+
+public:
+  Loops_anew(Execution execution, const Surgery_mesh& mesh)
+      : mesh_(mesh) {
+    Mesh_link<Mesh, std::decay_t<decltype(copy_.points())>> link(copy_, copy_.points());
+    link.write_back(
+        mesh, [this](Index number, Mesh::Vertex_index) { numbers_.push_back(number); },
+        [](Index, Mesh::Face_index) {});
+    find(execution);
+  }
+
+  /// gives new loops to those that are damaged. Those that are not found stay as they are.
+  void give_to(std::vector<Removal_task>& tasks) const {
+    std::vector<std::tuple<double, std::size_t, std::size_t>> distances;
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      if(tasks[i].state != Removal_task::State::REMOVED && tasks[i].pair != Removal_task::is_neck)
+        for(std::size_t k = 0; k < pairs_.size(); ++k) {
+          const double d = distance(tasks[i], pairs_[k]);
+          if(d < 1.)
+            distances.push_back({d, i, k});
+        }
+    std::sort(distances.begin(), distances.end());
+    std::vector<char> is_named(tasks.size(), 0), is_taken(pairs_.size(), 0);
+    for(const auto& [d, i, k] : distances)
+      if(!is_named[i] && !is_taken[k]) {
+        is_named[i] = is_taken[k] = 1;
+        if(tasks[i].state == Removal_task::State::DAMAGED)
+          give(pairs_[k], tasks[i]);
+      }
+  }
+
+private:
+  void find(Execution execution) {
+    Handle_tunnel_loops_solver<Mesh> solver(copy_);
+#ifdef CGAL_LINKED_WITH_TBB
+    if(execution.is_parallel()) {
+      solver.find_loops<Parallel_tag>(std::back_inserter(pairs_));
+      return;
+    }
+#endif
+    solver.find_loops(std::back_inserter(pairs_));
+  }
+
+  // How far a loop of a pair is from where a task has one of the same kind, against its length.
+  double distance(const Removal_task& task, const Pair& pair) const {
+    double least = (std::numeric_limits<double>::infinity)();
+    for(const Loop_choice& choice : task.choices)
+      least = (std::min)(least, distance(choice, pair.loop(choice.type)));
+    return least;
+  }
+
+  double distance(const Loop_choice& choice, const Pair::Loop& loop) const {
+    // A few points tell as much as all.
+    constexpr std::size_t number_of_points = 32;
+    const std::size_t step = 1 + loop.size() / number_of_points;
+    const std::size_t old_step = 1 + choice.places.size() / (4 * number_of_points);
+    double sum = 0.;
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < loop.size(); i += step, ++number) {
+      double least = (std::numeric_limits<double>::infinity)();
+      for(std::size_t j = 0; j < choice.places.size(); j += old_step)
+        least =
+            (std::min)(least, CGAL::squared_distance(loop.points()[i], point_at(choice.places[j])));
+      sum += std::sqrt(least);
+    }
+    return sum / (static_cast<double>(number) * loop.length() / 4.);
+  }
+
+  Point point_at(const Edge_place& place) const {
+    return CGAL::barycenter(mesh_.point(place.source), 1. - place.ratio, mesh_.point(place.target),
+                            place.ratio);
+  }
+
+  void give(const Pair& pair, Removal_task& task) const {
+    for(Loop_choice& choice : task.choices) {
+      const Pair::Loop& loop = pair.loop(choice.type);
+      choice.length = loop.length();
+      choice.places.clear();
+      for(const Pair::Loop::Step& step : loop.steps())
+        choice.places.push_back({numbers_[source(step.halfedge, copy_)],
+                                 numbers_[target(step.halfedge, copy_)], step.ratio});
+    }
+    std::stable_sort(
+        task.choices.begin(), task.choices.end(),
+        [](const Loop_choice& a, const Loop_choice& b) { return a.length < b.length; });
+    task.state = Removal_task::State::OPEN;
+  }
+
+  const Surgery_mesh& mesh_;
+  Mesh copy_;
+  std::vector<Index> numbers_; // by vertex of the copy
+  std::vector<Pair> pairs_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_LOOPS_ANEW_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_TASK_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_TASK_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A loop that a handle may be removed along.
+struct Loop_choice
+{
+  Loop_type type;
+  double length;
+  std::vector<Edge_place> places;
+};
+
+/// A handle to be removed, or a neck, and what has become of it.
+struct Removal_task
+{
+  static constexpr std::size_t is_neck = (std::numeric_limits<std::size_t>::max)();
+
+  enum class State {
+    OPEN,
+    REMOVED,
+    REFUSED,
+    DAMAGED, ///< its loops cross where others have been removed
+    KEPT     ///< a handle that is not to be removed
+  };
+
+  std::size_t pair = is_neck;       ///< the number of the pair
+  std::vector<Loop_choice> choices; ///< the one that is to be tried first comes first
+
+  State state = State::OPEN;
+  std::vector<std::string> reasons; ///< by choice, why not along this one
+
+  // Of a handle that was removed.
+  std::size_t choice = 0;
+  double area = 0.;   ///< of the caps
+  double volume = 0.; ///< of what was taken away, or put in if negative
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_TASK_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SEPARATION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SEPARATION_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/triangle_contacts.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What a surface is without a strip.
+enum class Rest {
+  ONE_PIECE,
+  TWO_PIECES,
+  SMALL_PIECE ///< two, one of which has less than a given area
+};
+
+/// Finds whether a surface falls apart when a strip is taken out: the faces beyond both of its
+/// sides are gone through in turn, until they meet or one side has no more. Takes no longer than
+/// the smaller piece or the way around.
+class Separation
+{
+public:
+  Rest operator()(const Surgery_mesh& mesh, const Cut_strip& strip, double least_area = 0.) {
+    side_of_.resize(mesh.face_bound(), 0);
+    sides_ = {};
+    for(Index f : strip.faces())
+      side_of_[f] = in_strip;
+    const Rest rest = find_rest(mesh, strip, least_area);
+    for(Index f : strip.faces())
+      side_of_[f] = 0;
+    for(const Side& side : sides_)
+      for(Index f : side.reached)
+        side_of_[f] = 0;
+    return rest;
+  }
+
+private:
+  static constexpr char in_strip = 3;
+
+  struct Side
+  {
+    std::vector<Index> reached;
+    std::size_t done = 0;
+    double area = 0.; // of those that are done
+
+    bool is_complete() const { return done == reached.size(); }
+  };
+
+  Rest find_rest(const Surgery_mesh& mesh, const Cut_strip& strip, double least_area) {
+    for(std::size_t side : {0, 1})
+      for(Index h : strip.border(side))
+        if(visit(mesh.face(mesh.twin(h)), side))
+          return Rest::ONE_PIECE;
+    std::size_t side = 0;
+    for(; !sides_[side].is_complete(); side = 1 - side)
+      if(meets_other(mesh, side))
+        return Rest::ONE_PIECE;
+    Side& other = sides_[1 - side];
+    while(other.area < least_area && !other.is_complete())
+      meets_other(mesh, 1 - side);
+    return (std::min)(sides_[side].area, other.area) < least_area ? Rest::SMALL_PIECE
+                                                                  : Rest::TWO_PIECES;
+  }
+
+  // Goes from the next face of a side to its neighbours.
+  bool meets_other(const Surgery_mesh& mesh, std::size_t side) {
+    const Index f = sides_[side].reached[sides_[side].done++];
+    sides_[side].area += placed_triangle(mesh, f).area();
+    bool meets = false;
+    for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
+      meets = visit(mesh.face(mesh.twin(h)), side) || meets;
+    return meets;
+  }
+
+  // Whether the other side was here.
+  bool visit(Index f, std::size_t side) {
+    const char mark = static_cast<char>(side + 1);
+    if(side_of_[f] == 0) {
+      side_of_[f] = mark;
+      sides_[side].reached.push_back(f);
+    }
+    return side_of_[f] != mark && side_of_[f] != in_strip;
+  }
+
+  std::vector<char> side_of_; // by face
+  std::array<Side, 2> sides_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SEPARATION_H

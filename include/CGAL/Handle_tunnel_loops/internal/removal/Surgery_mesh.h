@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SURGERY_MESH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SURGERY_MESH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+A closed oriented triangle mesh whose patches can be exchanged for others. Halfedges 3f, 3f + 1 and
+3f + 2 lead around face f. Faces and vertices are numbered once and for all: what is taken out
+leaves a gap, what is put in comes at the end, so that whatever is not touched keeps its number.
+*/
+class Surgery_mesh
+{
+public:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Point = Kernel::Point_3;
+  using Face = std::array<Index, 3>;
+
+  Surgery_mesh() = default;
+
+  /// \p corners may leave gaps, faces with corners no_index; \p twins are those of halfedges.
+  Surgery_mesh(std::vector<Point> points, std::vector<Face> corners, std::vector<Index> twins)
+      : points_(std::move(points))
+      , faces_(std::move(corners))
+      , twins_(std::move(twins))
+      , first_(points_.size(), no_index) {
+    for(Index h = 0; h < twins_.size(); ++h)
+      if(is_alive(face(h))) {
+        first_[source(h)] = h;
+        number_of_faces_ += h % 3 == 0;
+      }
+  }
+
+  // ---- numbers, gaps included
+
+  Index vertex_bound() const { return static_cast<Index>(points_.size()); }
+  Index face_bound() const { return static_cast<Index>(faces_.size()); }
+  std::size_t number_of_faces() const { return number_of_faces_; }
+
+  // ---- connectivity
+
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static Index face(Index h) { return h / 3; }
+
+  Index source(Index h) const { return faces_[h / 3][h % 3]; }
+  Index target(Index h) const { return source(next(h)); }
+  Index twin(Index h) const { return twins_[h]; }
+
+  const Face& corners(Index f) const { return faces_[f]; }
+  const Point& point(Index v) const { return points_[v]; }
+
+  bool is_alive(Index f) const { return faces_[f][0] != no_index; }
+
+  /// a halfedge from a vertex, if it has any.
+  Index outgoing(Index v) const { return first_[v]; }
+
+  /// calls `f(h)` for each halfedge from a vertex, clockwise.
+  template <typename Function> void for_each_outgoing(Index v, const Function& f) const {
+    const Index begin = first_[v];
+    if(begin == no_index)
+      return;
+    Index h = begin;
+    do {
+      f(h);
+      h = next(twins_[h]);
+    } while(h != begin);
+  }
+
+  /// the halfedge from one vertex to another, if there is one.
+  Index halfedge(Index from, Index to) const {
+    Index found = no_index;
+    for_each_outgoing(from, [&](Index h) {
+      if(target(h) == to)
+        found = h;
+    });
+    return found;
+  }
+
+  // ---- surgery
+
+  Index add_vertex(const Point& p) {
+    points_.push_back(p);
+    first_.push_back(no_index);
+    return vertex_bound() - 1;
+  }
+
+  /// takes out faces and puts others in their place, which have the same boundary. Returns the
+  /// number of the first of these; they follow each other.
+  Index replace(const std::vector<Index>& out, const std::vector<Face>& in) {
+    std::vector<Open_side> open;
+    for(Index f : out)
+      open_neighbors(f, out, open);
+    for(Index f : out)
+      take_out(f);
+    const Index first_face = face_bound();
+    for(const Face& f : in)
+      put_in(f, open);
+    glue(open);
+    for(const Open_side& side : open)
+      first_[source(side.halfedge)] = side.halfedge;
+    return first_face;
+  }
+
+private:
+  // A side of a patch, or of what is around it, by its ends in ascending order.
+  struct Open_side
+  {
+    std::pair<Index, Index> ends;
+    Index halfedge;
+  };
+
+  void add_side(Index h, std::vector<Open_side>& open) const {
+    open.push_back({std::minmax({source(h), target(h)}), h});
+  }
+
+  void open_neighbors(Index f, const std::vector<Index>& out, std::vector<Open_side>& open) const {
+    CGAL_precondition(std::is_sorted(out.begin(), out.end()));
+    for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
+      if(!std::binary_search(out.begin(), out.end(), face(twins_[h])))
+        add_side(twins_[h], open);
+  }
+
+  void take_out(Index f) {
+    for(Index v : faces_[f])
+      first_[v] = no_index;
+    faces_[f].fill(no_index);
+    --number_of_faces_;
+  }
+
+  void put_in(const Face& corners, std::vector<Open_side>& open) {
+    const Index f = face_bound();
+    faces_.push_back(corners);
+    twins_.insert(twins_.end(), 3, no_index);
+    for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
+      add_side(h, open);
+    ++number_of_faces_;
+  }
+
+  void glue(std::vector<Open_side>& open) {
+    std::sort(open.begin(), open.end(),
+              [](const Open_side& a, const Open_side& b) { return a.ends < b.ends; });
+    CGAL_assertion(open.size() % 2 == 0);
+    for(std::size_t i = 0; i < open.size(); i += 2) {
+      const Index g = open[i].halfedge, h = open[i + 1].halfedge;
+      CGAL_assertion_msg(source(g) == target(h) && target(g) == source(h),
+                         "a patch does not fit its place");
+      twins_[g] = h;
+      twins_[h] = g;
+    }
+  }
+
+  std::vector<Point> points_;
+  std::vector<Face> faces_;  // corners, or no_index
+  std::vector<Index> twins_; // by halfedge
+  std::vector<Index> first_; // a halfedge from each vertex
+  std::size_t number_of_faces_ = 0;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SURGERY_MESH_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/caps.h>
+
+#include <CGAL/Polygon_mesh_processing/fair.h>
+#include <CGAL/Polygon_mesh_processing/refine.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A copy of what is around a strip, in which its holes are filled.
+class Holes_of_strip
+{
+  using Mesh = Surface_mesh<Surgery_mesh::Point>;
+  using Vertex = Mesh::Vertex_index;
+  using Halfedge = Mesh::Halfedge_index;
+
+public:
+  Holes_of_strip(const Surgery_mesh& mesh, const Cut_strip& strip)
+      : mesh_(mesh) {
+    is_good_ = copy_surroundings(strip);
+    number_around_ = static_cast<Index>(copy_.number_of_vertices());
+    first_cap_face_ = static_cast<Index>(copy_.number_of_faces());
+    for(std::size_t side : {0, 1})
+      is_good_ = is_good_ && triangulate(strip.border(side));
+  }
+
+  bool are_triangulated() const { return is_good_; }
+
+  /// inserts vertices, as dense as those around.
+  void refine() {
+    std::vector<Mesh::Face_index> caps;
+    for(Index f = first_cap_face_; f < copy_.number_of_faces(); ++f)
+      caps.push_back(Mesh::Face_index(f));
+    std::vector<Mesh::Face_index> new_faces;
+    Polygon_mesh_processing::refine(copy_, caps, std::back_inserter(new_faces),
+                                    std::back_inserter(own_));
+  }
+
+  /// makes them smooth, if there are any.
+  bool fair() {
+#ifdef CGAL_EIGEN3_ENABLED
+    return !own_.empty() && Polygon_mesh_processing::fair(copy_, own_);
+#else
+    return false;
+#endif
+  }
+
+  Patch caps() const {
+    Patch patch;
+    for(Index v = number_around_; v < copy_.number_of_vertices(); ++v)
+      patch.points.push_back(copy_.point(Vertex(v)));
+    for(Index f = first_cap_face_; f < copy_.number_of_faces(); ++f) {
+      Surgery_mesh::Face face;
+      std::size_t i = 0;
+      for(Vertex v : vertices_around_face(copy_.halfedge(Mesh::Face_index(f)), copy_))
+        face[i++] =
+            v < Vertex(number_around_) ? originals_[v] : Patch::first_own + v - number_around_;
+      patch.faces.push_back(face);
+    }
+    return patch;
+  }
+
+private:
+  Vertex copied(Index v) {
+    const auto [it, is_new] = copies_.insert({v, Vertex()});
+    if(is_new) {
+      it->second = copy_.add_vertex(mesh_.point(v));
+      originals_.push_back(v);
+    }
+    return it->second;
+  }
+
+  // All faces at the holes, so that each edge there is known, and those around them where they fit.
+  bool copy_surroundings(const Cut_strip& strip) {
+    std::vector<Index> ring;
+    for(std::size_t side : {0, 1})
+      for(Index h : strip.border(side))
+        ring.push_back(mesh_.source(h));
+    bool is_complete = true;
+    for(Index v : ring)
+      is_complete = copy_faces_at(v, strip) && is_complete;
+    const std::size_t number_of_vertices = originals_.size();
+    for(std::size_t i = 0; i < number_of_vertices; ++i)
+      copy_faces_at(originals_[i], strip);
+    return is_complete;
+  }
+
+  bool copy_faces_at(Index v, const Cut_strip& strip) {
+    bool is_complete = true;
+    mesh_.for_each_outgoing(v, [&](Index h) {
+      const Index f = mesh_.face(h);
+      if(strip.contains(f) || !copied_faces_.insert(f).second)
+        return;
+      const Surgery_mesh::Face& c = mesh_.corners(f);
+      is_complete = copy_.add_face(copied(c[0]), copied(c[1]), copied(c[2])) != Mesh::null_face() &&
+                    is_complete;
+    });
+    return is_complete;
+  }
+
+  bool triangulate(const std::vector<Index>& border) {
+    const Index h = border.front();
+    const Halfedge side = copy_.halfedge(copies_.at(mesh_.source(h)), copies_.at(mesh_.target(h)));
+    const std::size_t before = copy_.number_of_faces();
+    if(side == Mesh::null_halfedge() || !copy_.is_border(side))
+      return false;
+    Polygon_mesh_processing::triangulate_hole(copy_, side, Emptyset_iterator());
+    return copy_.number_of_faces() == before + border.size() - 2;
+  }
+
+  const Surgery_mesh& mesh_;
+  Mesh copy_;
+  std::unordered_map<Index, Vertex> copies_;
+  std::unordered_set<Index> copied_faces_;
+  std::vector<Index> originals_; // by vertex of the copy
+  std::vector<Vertex> own_;      // put in by `refine()`
+  Index number_around_ = 0, first_cap_face_ = 0;
+  bool is_good_ = false;
+};
+
+CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_strip& strip) {
+  std::vector<Patch> ways;
+  Holes_of_strip holes(mesh, strip);
+  if(!holes.are_triangulated())
+    return ways;
+  ways.push_back(holes.caps());
+  holes.refine();
+  ways.push_back(holes.caps());
+  if(holes.fair())
+    ways.push_back(holes.caps());
+  std::reverse(ways.begin(), ways.end());
+  return ways;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_IMPL_H

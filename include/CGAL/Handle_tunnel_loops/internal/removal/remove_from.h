@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/core.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
+/// none is open at the end. Loops that cross where another handle was removed are found anew on the
+/// surface as it is by then. \p ask is told what part is done, and throws to stop.
+CGAL_HTL_CORE void remove_from(Execution execution,
+                               Surgery_mesh& mesh,
+                               std::vector<Removal_task>& tasks,
+                               const std::function<void(double)>& ask);
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from_impl.h>
+#endif
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H

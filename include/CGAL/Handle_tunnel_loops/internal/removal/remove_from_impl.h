@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/Handle_removal.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Loops_anew.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+CGAL_HTL_CORE void remove_from(Execution execution,
+                               Surgery_mesh& mesh,
+                               std::vector<Removal_task>& tasks,
+                               const std::function<void(double)>& ask) {
+  using State = Removal_task::State;
+  const auto number_with = [&](State state) {
+    return static_cast<std::size_t>(std::count_if(
+        tasks.begin(), tasks.end(), [&](const Removal_task& task) { return task.state == state; }));
+  };
+  Handle_removal remove(execution, mesh);
+  for(std::size_t before = 0;; before = number_with(State::REMOVED)) {
+    remove(tasks, [&](std::size_t done) { ask(double(done) / double(tasks.size())); });
+    if(number_with(State::DAMAGED) == 0 || number_with(State::REMOVED) == before)
+      break;
+    Loops_anew(execution, mesh).give_to(tasks);
+  }
+  for(Removal_task& task : tasks)
+    if(task.state == State::DAMAGED)
+      task.state = State::REFUSED;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_IMPL_H

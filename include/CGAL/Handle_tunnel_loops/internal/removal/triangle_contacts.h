@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_TRIANGLE_CONTACTS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_TRIANGLE_CONTACTS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A triangle by its corners: the numbers tell which corners two triangles share.
+struct Placed_triangle
+{
+  using Kernel = Surgery_mesh::Kernel;
+
+  std::array<Index, 3> vertices;
+  std::array<Kernel::Point_3, 3> points;
+
+  bool is_degenerate() const { return CGAL::collinear(points[0], points[1], points[2]); }
+  Kernel::Triangle_3 triangle() const { return {points[0], points[1], points[2]}; }
+  double area() const { return std::sqrt(triangle().squared_area()); }
+  Box<3> box() const {
+    Box<3> box{{points[0].x(), points[0].y(), points[0].z()},
+               {points[0].x(), points[0].y(), points[0].z()}};
+    for(std::size_t i : {1, 2}) {
+      const std::array<double, 3> p{points[i].x(), points[i].y(), points[i].z()};
+      box.extend({p, p});
+    }
+    return box;
+  }
+};
+
+inline Placed_triangle placed_triangle(const Surgery_mesh& mesh, Index face) {
+  const Surgery_mesh::Face& v = mesh.corners(face);
+  return {v, {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])}};
+}
+
+/// Whether two triangles of a mesh meet elsewhere than in the vertices and the edge that they
+/// share; by exact predicates (as for `Polygon_mesh_processing::self_intersections()`).
+class Triangle_contact
+{
+  using Kernel = Surgery_mesh::Kernel;
+  using Segment = Kernel::Segment_3;
+
+public:
+  /// \p a must have an area.
+  Triangle_contact(const Placed_triangle& a, const Placed_triangle& b)
+      : a_(a)
+      , b_(b) {
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        if(a.vertices[i] == b.vertices[j]) {
+          shared_in_a_[number_shared_] = i;
+          shared_in_b_[number_shared_++] = j;
+        }
+  }
+
+  bool operator()() const {
+    if(b_.is_degenerate())
+      return meets_degenerate();
+    switch(number_shared_) {
+    case 0:
+      return CGAL::do_intersect(a_.triangle(), b_.triangle());
+    case 1:
+      return CGAL::do_intersect(opposite_side(a_, shared_in_a_[0]), b_.triangle()) ||
+             CGAL::do_intersect(opposite_side(b_, shared_in_b_[0]), a_.triangle());
+    case 2:
+      return overlap_at_edge();
+    default:
+      return true;
+    }
+  }
+
+private:
+  static Segment opposite_side(const Placed_triangle& t, std::size_t corner) {
+    return {t.points[(corner + 1) % 3], t.points[(corner + 2) % 3]};
+  }
+
+  bool overlap_at_edge() const {
+    const auto &p = a_.points[shared_in_a_[0]], &q = a_.points[shared_in_a_[1]];
+    const auto& apex_a = a_.points[3 - shared_in_a_[0] - shared_in_a_[1]];
+    const auto& apex_b = b_.points[3 - shared_in_b_[0] - shared_in_b_[1]];
+    return CGAL::coplanar(p, q, apex_a, apex_b) &&
+           CGAL::coplanar_orientation(p, q, apex_a, apex_b) == CGAL::POSITIVE;
+  }
+
+  // A triangle without area is the union of its sides. Those at a corner that is shared are left
+  // out: they begin on the other triangle.
+  bool meets_degenerate() const {
+    for(std::size_t i = 0; i < 3; ++i) {
+      const bool is_shared = is_shared_in_b((i + 1) % 3) || is_shared_in_b((i + 2) % 3);
+      const Segment side = opposite_side(b_, i);
+      if(!is_shared && (side.is_degenerate() ? a_.triangle().has_on(side.source())
+                                             : CGAL::do_intersect(side, a_.triangle())))
+        return true;
+    }
+    return false;
+  }
+
+  bool is_shared_in_b(std::size_t corner) const {
+    return std::find(shared_in_b_.begin(), shared_in_b_.begin() + number_shared_, corner) !=
+           shared_in_b_.begin() + number_shared_;
+  }
+
+  const Placed_triangle &a_, &b_;
+  std::array<std::size_t, 9> shared_in_a_, shared_in_b_; // nine: for faces without area
+  std::size_t number_shared_ = 0;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_TRIANGLE_CONTACTS_H

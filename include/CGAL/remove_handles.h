@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_REMOVE_HANDLES_H
+#define CGAL_REMOVE_HANDLES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Handle_selection.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/surface_count.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops_solver.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/iterator.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// `CGAL::remove_handles()`, step by step.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+class Handle_remover
+{
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
+  using Const_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  using Solver = Handle_tunnel_loops_solver<TriangleMesh, Const_point_map, Geom_traits>;
+  using Pair = typename Solver::Pair;
+  using Ask = std::function<bool(double)>;
+
+public:
+  Handle_remover(TriangleMesh& tm, const NamedParameters& np)
+      : tm_(tm)
+      , np_(np)
+      , ask_(get(internal_np::callback, Ask())) {}
+
+  Removal_report operator()() {
+    const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm_, np_);
+    const auto face_index = CGAL::get_initialized_face_index_map(tm_, np_);
+    find_pairs(vertex_index, face_index);
+    std::vector<Removal_task> tasks =
+        Task_list<TriangleMesh, Pair, std::decay_t<decltype(vertex_index)>>(
+            tm_, vertex_index, selection())(pairs_, report_.genus_before);
+    Mesh_link<TriangleMesh, Vertex_point_map> link(
+        tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
+                                          get_property_map(vertex_point, tm_)));
+    Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
+    remove_from(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.3 * done); });
+    count(mesh);
+    describe(tasks);
+    if(!get(internal_np::do_dry_run, false))
+      write_back(mesh, tasks, link);
+    return std::move(report_);
+  }
+
+private:
+  static constexpr Execution execution = execution_of<ConcurrencyTag>();
+
+  template <typename Tag, typename Default> auto get(Tag tag, const Default& value) const {
+    return parameters::choose_parameter(parameters::get_parameter(np_, tag), value);
+  }
+  template <typename Tag>
+  static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+  // Asks no more once it was told to stop.
+  void ask(double done) {
+    if(ask_ && !ask_(done)) {
+      ask_ = nullptr;
+      throw Interrupted_exception();
+    }
+  }
+
+  // The solver checks the mesh, whoever finds the loops.
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  void find_pairs(VertexIndexMap vertex_index, FaceIndexMap face_index) {
+    Solver solver(ConcurrencyTag(), tm_, np_);
+    report_.genus_before = solver.genus();
+    report_.components_before = solver.number_of_components();
+    if constexpr(is_given<internal_np::known_pairs_t>) {
+      const auto& known = parameters::get_parameter(np_, internal_np::known_pairs);
+      pairs_.assign(known.begin(), known.end());
+      check_pairs(vertex_index, face_index);
+    } else
+      solver.template find_loops<ConcurrencyTag>(
+          std::back_inserter(pairs_),
+          parameters::callback(Ask([this](double done) { return !ask_ || ask_(0.7 * done); })));
+  }
+
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  void check_pairs(VertexIndexMap vertex_index, FaceIndexMap face_index) const {
+    using Loop = typename Pair::Loop;
+    std::vector<const Loop*> loops;
+    for(const Pair& pair : pairs_)
+      loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
+    Loop_certifier<TriangleMesh, VertexIndexMap, FaceIndexMap> certifier(tm_, vertex_index,
+                                                                         face_index);
+    certifier.set_loops(execution, loops);
+    if(!certifier.are_closed_on_surface())
+      throw std::invalid_argument("the loops are not of this mesh: " +
+                                  certifier.failures().front());
+  }
+
+  Handle_selection<Pair> selection() const {
+    Handle_selection<Pair> wanted;
+    wanted.method = get(internal_np::removal_method, Removal_method::CHEAPEST);
+    wanted.maximal_length = get(internal_np::maximal_length, wanted.maximal_length);
+    if constexpr(is_given<internal_np::target_genus_t>)
+      wanted.target_genus = parameters::get_parameter(np_, internal_np::target_genus);
+    if constexpr(is_given<internal_np::removal_box_t>)
+      wanted.box = parameters::get_parameter(np_, internal_np::removal_box);
+    if constexpr(is_given<internal_np::handle_filter_t>)
+      wanted.filter = parameters::get_parameter(np_, internal_np::handle_filter);
+    return wanted;
+  }
+
+  void count(const Surgery_mesh& mesh) {
+    const Surface_count count = count_surface(execution, mesh);
+    report_.genus_after = count.genus;
+    report_.components_after = count.components;
+  }
+
+  void describe(const std::vector<Removal_task>& tasks) {
+    for(const Removal_task& task : tasks)
+      if(task.state == Removal_task::State::REMOVED) {
+        const Loop_choice& choice = task.choices[task.choice];
+        report_.removed.push_back({task.pair, choice.type, choice.length, task.area, task.volume});
+      } else if(task.state == Removal_task::State::REFUSED)
+        report_.refused.push_back({task.pair, why_refused(task)});
+    if(report_.genus_after + report_.removed.size() != report_.genus_before ||
+       report_.components_after != report_.components_before)
+      throw std::logic_error("handles were removed, but the genus does not say so");
+  }
+
+  static std::string why_refused(const Removal_task& task) {
+    std::string why;
+    for(std::size_t i = 0; i < task.choices.size(); ++i)
+      why += std::string(i == 0 ? "" : "; ") +
+             (task.choices[i].type == Loop_type::HANDLE ? "cut: " : "fill: ") + task.reasons[i];
+    return why;
+  }
+
+  void write_back(const Surgery_mesh& mesh,
+                  const std::vector<Removal_task>& tasks,
+                  Mesh_link<TriangleMesh, Vertex_point_map>& link) {
+    auto vertices = get(internal_np::added_vertices, Emptyset_iterator());
+    auto faces = get(internal_np::added_faces, Emptyset_iterator());
+    link.write_back(
+        mesh, [&](Index, auto v) { *vertices++ = v; }, [&](Index, auto f) { *faces++ = f; });
+  }
+
+  TriangleMesh& tm_;
+  const NamedParameters& np_;
+  Ask ask_;
+  std::vector<Pair> pairs_;
+  Removal_report report_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
+Handle_tunnel_loops::Removal_report
+remove_handles(TriangleMesh& tm, const NamedParameters& np = parameters::default_values()) {
+  return Handle_tunnel_loops::internal::Handle_remover<ConcurrencyTag, TriangleMesh,
+                                                       NamedParameters>(tm, np)();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_REMOVE_HANDLES_H
