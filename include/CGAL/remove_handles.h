@@ -146,13 +146,20 @@ private:
   void describe(const std::vector<Removal_task>& tasks) {
     for(const Removal_task& task : tasks)
       if(task.state == Removal_task::State::REMOVED) {
-        const Loop_choice& choice = task.choices[task.choice];
-        report_.removed.push_back({task.pair, choice.type, choice.length, task.area, task.volume});
+        report_.removed.push_back(
+            {task.pair, way(task), task.choices[task.choice].length, task.area, task.volume});
       } else if(task.state == Removal_task::State::REFUSED)
-        report_.refused.push_back({task.pair, why_refused(task)});
+        report_.refused.push_back({task.pair, task.choices.front().length, why_refused(task)});
     if(report_.genus_after + report_.removed.size() != report_.genus_before ||
        report_.components_after != report_.components_before)
       throw std::logic_error("handles were removed, but the genus does not say so");
+  }
+
+  static Removal_way way(const Removal_task& task) {
+    if(task.is_whole)
+      return Removal_way::WHOLE;
+    return task.choices[task.choice].type == Loop_type::HANDLE ? Removal_way::CUT
+                                                               : Removal_way::FILL;
   }
 
   static std::string why_refused(const Removal_task& task) {

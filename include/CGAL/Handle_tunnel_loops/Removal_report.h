@@ -12,8 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,29 +20,39 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// How handles are removed.
+/// Which ways of removing a handle are allowed.
 enum class Removal_method {
   CUT,     ///< cut along the handle loop, and both ends closed in the solid
   FILL,    ///< cut along the tunnel loop, and its hole closed on both sides
-  CHEAPEST ///< along the shorter of the two, or along the other one if that cannot be
+  CHEAPEST ///< along the shorter of the two, or along the other one if that cannot be, or whole
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// A handle that was removed.
+/// How a handle was removed.
+enum class Removal_way {
+  CUT,  ///< cut along the handle loop, and both ends closed in the solid
+  FILL, ///< cut along the tunnel loop, and its hole closed on both sides
+  WHOLE ///< the surroundings of both loops taken out, and replaced by one disc
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// A handle that was removed, or a neck. Of handles that were taken out together as a whole, area
+/// and volume are shared out equally.
 struct Removed_handle
 {
-  std::size_t pair; ///< the position of its pair among all
-  Loop_type along;  ///< the loop that it was removed along: the handle cut, or the tunnel filled
-  double length;    ///< of that loop
+  std::size_t pair; ///< the position of its pair among all; of no meaning for a neck
+  Removal_way by;   ///< how it was removed
+  double length;    ///< of the loop that it was removed along
   double area;      ///< of the caps that took the place of a strip along the loop
   double volume;    ///< of the solid taken away; negative if solid was put in
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// A handle that was to be removed and was not.
+/// A handle that was to be removed and was not, or a neck.
 struct Refused_handle
 {
-  std::size_t pair;   ///< the position of its pair among all
+  std::size_t pair;   ///< the position of its pair among all; of no meaning for a neck
+  double length;      ///< of the loop that was tried first
   std::string reason; ///< in words, for each loop that was tried
 };
 
@@ -54,8 +62,10 @@ struct Removal_report
 {
   std::size_t genus_before = 0, genus_after = 0;
   std::size_t components_before = 0, components_after = 0;
-  std::vector<Removed_handle> removed;
+  std::vector<Removed_handle> removed; ///< handles
   std::vector<Refused_handle> refused;
+  std::vector<Removed_handle> removed_necks; ///< where a piece came off
+  std::vector<Refused_handle> refused_necks;
 };
 
 } // namespace Handle_tunnel_loops

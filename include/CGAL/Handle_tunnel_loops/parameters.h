@@ -42,6 +42,8 @@ enum handle_filter_t { handle_filter };
 enum removal_box_t { removal_box };
 enum known_pairs_t { known_pairs };
 enum do_dry_run_t { do_dry_run };
+enum maximal_neck_length_t { maximal_neck_length };
+enum minimal_piece_share_t { minimal_piece_share };
 enum added_faces_t { added_faces };
 enum added_vertices_t { added_vertices };
 enum remaining_pairs_t { remaining_pairs };
@@ -83,6 +85,8 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(handle_filter)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(removal_box)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(known_pairs)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_dry_run)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(maximal_neck_length)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(minimal_piece_share)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(added_faces)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(added_vertices)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(remaining_pairs)

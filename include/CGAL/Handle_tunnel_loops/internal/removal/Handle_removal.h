@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_strip.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Region_layout.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_proposal.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/patch_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
@@ -35,14 +35,14 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /*!
-Removes handles from a mesh: takes out a strip along a simple loop that does not separate the
-surface, and closes the two holes by caps, which lowers the genus by one and leaves the rest of the
-surface as it is, in one piece. That all this is so is decided on the mesh as it is by then: simple,
-an annulus, in one piece by counting; that the caps meet nothing by exact predicates.
+Removes handles from a mesh: takes out a region and closes its holes by caps, which lowers the genus
+by one and leaves the rest of the surface as it is, in one piece. That all this is so is decided on
+the mesh as it is by then: what the region is and that the rest is in one piece by counting, that
+the caps meet nothing by exact predicates.
 
 Handles far from each other are removed in the same round, caps being made by all threads; what is
 taken is decided in the order of the tasks. A handle that cannot be removed in one way is tried in
-the next one in the next round: with a narrower strip, along a loop beside, along another loop.
+the next one in the next round.
 */
 class Handle_removal
 {
@@ -59,33 +59,31 @@ public:
     for(std::vector<Attempt> attempts; !(attempts = choose(tasks)).empty();) {
       make_caps(attempts);
       find_good_caps(attempts);
-      std::vector<Placed_patch> put_in;
+      put_in_.clear();
       for(const Attempt& attempt : attempts)
-        carry_out(attempt, tasks[attempt.task], put_in);
+        carry_out(attempt, tasks);
       ask(std::count_if(tasks.begin(), tasks.end(), is_done));
     }
   }
 
 private:
-  // How a strip is laid along a loop.
-  enum Style { WIDE, NARROW, TO_ONE_SIDE, TO_THE_OTHER_SIDE, END };
-
   // What is tried next of a task.
   struct Course
   {
-    std::size_t choice = 0;
-    int style = WIDE;
     std::vector<Closed_walk> walks; // by choice
+    std::vector<Way_of_removal> ways;
+    std::size_t next = 0;
     bool is_damaged = false;
   };
 
   struct Attempt
   {
     std::size_t task;
-    Cut_strip strip;
-    std::vector<Patch> ways = {}; // the first one does not meet itself
+    Removal_proposal proposal;
+    std::vector<std::size_t> companions; // tasks that are done with it
+    std::vector<Patch> patches = {};     // the first one does not meet itself
     bool are_triangulated = false;
-    bool is_good = false; // the first way meets no face that stays
+    bool is_good = false; // the first patch meets no face that stays
   };
 
   static bool is_done(const Removal_task& task) { return task.state != Removal_task::State::OPEN; }
@@ -97,9 +95,11 @@ private:
         [&](std::size_t i) {
           if(is_done(tasks[i]))
             return;
+          Course& course = courses_[i];
           tasks[i].reasons.assign(tasks[i].choices.size(), std::string());
+          course.ways = ways_of_removal(tasks[i].choices.size());
           for(const Loop_choice& choice : tasks[i].choices)
-            courses_[i].walks.push_back(simple_part(Walk_beside_loop(mesh_, choice.places)()));
+            course.walks.push_back(simple_part(Walk_beside_loop(mesh_, choice.places)()));
         },
         16);
   }
@@ -108,97 +108,80 @@ private:
 
   std::vector<Attempt> choose(std::vector<Removal_task>& tasks) {
     std::vector<Attempt> attempts;
-    is_claimed_.assign(mesh_.vertex_bound(), 0);
-    reserve_walks(tasks);
+    Region_layout layout(mesh_);
     for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(tasks[i].state == Removal_task::State::OPEN)
-        if(std::optional<Cut_strip> strip = next_strip(tasks[i], courses_[i]))
-          if(claim(*strip))
-            attempts.push_back({i, std::move(*strip)});
+      if(!is_done(tasks[i]))
+        layout.reserve(walk_of_next(courses_[i]), 1);
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      if(!is_done(tasks[i])) {
+        layout.reserve(walk_of_next(courses_[i]), -1);
+        if(std::optional<Attempt> attempt = next_attempt(tasks, i, layout))
+          if(layout.claim(attempt->proposal))
+            attempts.push_back(std::move(*attempt));
+      }
     return attempts;
   }
 
-  // Where others are to be removed along, wide strips do not go.
-  void reserve_walks(const std::vector<Removal_task>& tasks) {
-    number_of_walks_at_.assign(mesh_.vertex_bound(), 0);
-    for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(tasks[i].state == Removal_task::State::OPEN)
-        reserve(courses_[i].walks[courses_[i].choice], 1);
-  }
-
-  void reserve(const Closed_walk& walk, int by) {
-    for(Index v : walk)
-      number_of_walks_at_[v] += by;
+  static const Closed_walk& walk_of_next(const Course& course) {
+    return course.walks[course.ways[course.next].choice];
   }
 
   // The next one that there is, or what becomes of the task if there is none.
-  std::optional<Cut_strip> next_strip(Removal_task& task, Course& course) {
-    while(course.choice < task.choices.size()) {
-      std::string& reason = task.reasons[course.choice];
-      const Closed_walk& walk = course.walks[course.choice];
-      if(walk.size() < 3)
-        reason = "the loop is not simple";
-      else if(!is_intact(mesh_, walk)) {
-        reason = "another handle was removed across the loop";
-        course.is_damaged = true;
-      } else
-        for(; course.style != END; ++course.style) {
-          if(std::optional<Cut_strip> strip = strip_of(walk, course.style))
-            return strip;
-          if(reason.empty())
-            reason = "the mesh is too coarse along the loop";
-        }
-      ++course.choice;
-      course.style = WIDE;
+  std::optional<Attempt>
+  next_attempt(std::vector<Removal_task>& tasks, std::size_t i, const Region_layout& layout) {
+    Course& course = courses_[i];
+    for(; course.next < course.ways.size(); ++course.next) {
+      const Way_of_removal& way = course.ways[course.next];
+      std::string& reason = tasks[i].reasons[way.choice];
+      if(const char* why = why_not_at_all(course, way))
+        reason = why;
+      else if(std::optional<Removal_proposal> proposal = layout.proposal(way, course.walks)) {
+        Attempt attempt{i, std::move(*proposal), {}};
+        if(find_companions(tasks, attempt))
+          return attempt;
+      } else if(reason.empty())
+        reason = "the mesh is too coarse along the loop";
     }
-    task.state = course.is_damaged ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
+    give_up_at_end(tasks[i], course);
     return std::nullopt;
   }
 
-  std::optional<Cut_strip> strip_of(const Closed_walk& walk, int style) {
-    std::optional<Cut_strip> strip = Cut_strip::around(mesh_, walk);
-    if(!strip || style == NARROW)
-      return strip;
-    reserve(walk, -1);
-    const Cut_strip wide = widened(*strip, 2 * walk.size(), style == WIDE ? 2 : 4);
-    reserve(walk, 1);
-    if(style == WIDE)
-      return wide;
-    // The loop along a border of the wide strip, and what is at it.
-    const std::size_t side = style == TO_ONE_SIDE ? 0 : 1;
-    Closed_walk beside;
-    for(Index h : wide.border(side))
-      beside.push_back(mesh_.source(h));
-    return Cut_strip::around(mesh_, beside);
+  // Whether a region holds no other handles than those of tasks.
+  bool find_companions(const std::vector<Removal_task>& tasks, Attempt& attempt) const {
+    const std::size_t number = attempt.proposal.region().number_of_handles() - 1;
+    if(number == 0)
+      return true;
+    const std::vector<Index> inside = attempt.proposal.vertices(mesh_);
+    const auto is_inside = [&](const Closed_walk& walk) {
+      return walk.size() >= 3 && std::all_of(walk.begin(), walk.end(), [&](Index v) {
+               return std::binary_search(inside.begin(), inside.end(), v);
+             });
+    };
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      if(i != attempt.task && !is_done(tasks[i]) &&
+         std::all_of(courses_[i].walks.begin(), courses_[i].walks.end(), is_inside))
+        attempt.companions.push_back(i);
+    return attempt.companions.size() == number;
   }
 
-  Cut_strip widened(Cut_strip strip, std::size_t longest_border, int rings) const {
-    for(int ring = 0; ring < rings; ++ring)
-      for(std::size_t side : {0, 1})
-        if(std::optional<Cut_strip> wider = strip.wider(mesh_, side))
-          if(wider->border(side).size() <= longest_border && !has_vertex(*wider, [this](Index v) {
-               return is_claimed_[v] || number_of_walks_at_[v] > 0;
-             }))
-            strip = std::move(*wider);
-    return strip;
+  static void give_up_at_end(Removal_task& task, const Course& course) {
+    if(course.next == course.ways.size())
+      task.state = course.is_damaged ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
   }
 
-  template <typename Predicate>
-  bool has_vertex(const Cut_strip& strip, const Predicate& predicate) const {
-    return std::any_of(strip.faces().begin(), strip.faces().end(), [&](Index f) {
-      const Surgery_mesh::Face& c = mesh_.corners(f);
-      return std::any_of(c.begin(), c.end(), predicate);
-    });
-  }
-
-  // Strips of the same round have no vertex in common.
-  bool claim(const Cut_strip& strip) {
-    if(has_vertex(strip, [this](Index v) { return is_claimed_[v] != 0; }))
-      return false;
-    for(Index f : strip.faces())
-      for(Index v : mesh_.corners(f))
-        is_claimed_[v] = 1;
-    return true;
+  // A way that takes one loop, or both.
+  const char* why_not_at_all(Course& course, const Way_of_removal& way) const {
+    for(std::size_t i = 0; i < course.walks.size(); ++i) {
+      if(i != way.choice && way.style != Way_of_removal::WHOLE)
+        continue;
+      if(course.walks[i].size() < 3)
+        return "the loop is not simple";
+      if(!is_intact(mesh_, course.walks[i])) {
+        course.is_damaged = true;
+        return "another handle was removed across the loop";
+      }
+    }
+    return nullptr;
   }
 
   // ---- caps
@@ -207,75 +190,86 @@ private:
     for_each_index(
         execution_, attempts.size(),
         [&](std::size_t i) {
-          attempts[i].ways = caps_of(mesh_, attempts[i].strip);
-          attempts[i].are_triangulated = !attempts[i].ways.empty();
-          drop_until_embedded(attempts[i]);
+          attempts[i].patches = attempts[i].proposal.patches();
+          attempts[i].are_triangulated = !attempts[i].patches.empty();
+          drop_until_embedded(attempts[i].patches);
         },
         1);
   }
 
-  void drop_until_embedded(Attempt& attempt) const {
-    std::vector<Patch>& ways = attempt.ways;
-    while(!ways.empty() && !Placed_patch(mesh_, ways.front()).is_embedded())
-      ways.erase(ways.begin());
+  void drop_until_embedded(std::vector<Patch>& patches) const {
+    while(!patches.empty() && !Placed_patch(mesh_, patches.front()).is_embedded())
+      patches.erase(patches.begin());
   }
 
-  // Each attempt goes on with its next way as long as its caps meet a face.
+  // Each attempt goes on with its next patch as long as that meets a face.
   void find_good_caps(std::vector<Attempt>& attempts) const {
     for(;;) {
       std::vector<Attempt*> open;
       std::vector<Replacement> replacements;
       for(Attempt& attempt : attempts)
-        if(!attempt.is_good && !attempt.ways.empty()) {
+        if(!attempt.is_good && !attempt.patches.empty()) {
           open.push_back(&attempt);
-          replacements.push_back({&attempt.strip.faces(), &attempt.ways.front()});
+          replacements.push_back({&attempt.proposal.out(), &attempt.patches.front()});
         }
       if(open.empty())
         return;
       const std::vector<char> meets = meet_mesh(execution_, mesh_, replacements);
-      for(std::size_t i = 0; i < open.size(); ++i)
-        if(!meets[i])
-          open[i]->is_good = true;
-        else {
-          open[i]->ways.erase(open[i]->ways.begin());
-          drop_until_embedded(*open[i]);
-        }
+      for_each_index(
+          execution_, open.size(),
+          [&](std::size_t i) {
+            open[i]->is_good = !meets[i];
+            if(meets[i]) {
+              open[i]->patches.erase(open[i]->patches.begin());
+              drop_until_embedded(open[i]->patches);
+            }
+          },
+          1);
     }
   }
 
   // ---- what is done
 
-  void carry_out(const Attempt& attempt, Removal_task& task, std::vector<Placed_patch>& put_in) {
+  void carry_out(const Attempt& attempt, std::vector<Removal_task>& tasks) {
+    Removal_task& task = tasks[attempt.task];
     Course& course = courses_[attempt.task];
-    const auto fails = [&](const char* why) { task.reasons[course.choice] = why; };
-    if(!attempt.is_good) {
-      fails(attempt.are_triangulated ? "the caps would meet the surface"
-                                     : "the holes cannot be triangulated");
-      ++course.style;
+    const Way_of_removal& way = course.ways[course.next];
+    const auto fails = [&](const char* why) {
+      task.reasons[way.choice] = why;
+      ++course.next;
+      give_up_at_end(task, course);
+    };
+    if(!attempt.is_good)
+      return fails(attempt.are_triangulated ? "the caps would meet the surface"
+                                            : "the holes cannot be triangulated");
+    const Patch& patch = attempt.patches.front();
+    Placed_patch placed(mesh_, patch, mesh_.vertex_bound());
+    if(must_wait(attempt.proposal, placed))
       return;
-    }
-    const Patch& caps = attempt.ways.front();
-    Placed_patch placed(mesh_, caps, mesh_.vertex_bound());
-    // It is tried again in the next round, where these are faces of the mesh.
-    if(std::any_of(put_in.begin(), put_in.end(),
-                   [&](const Placed_patch& other) { return placed.meets(other); }))
-      return;
-    if(const char* why = why_not_along(attempt.strip, task)) {
-      fails(why);
-      course.style = END;
-      return;
-    }
-    for(const Placed_triangle& t : placed.triangles())
-      task.area += t.area();
-    task.volume = volume_between(attempt.strip, placed);
-    task.choice = course.choice;
+    if(const char* why = why_not(attempt.proposal, task))
+      return fails(why);
+    const double number = static_cast<double>(1 + attempt.companions.size());
+    task.choice = way.choice;
+    task.is_whole = attempt.proposal.region().number_of_borders() == 1;
+    task.area = area_of_caps(placed) / number;
+    task.volume = volume_between(attempt.proposal.out(), placed) / number;
     task.state = Removal_task::State::REMOVED;
-    put_in_place(mesh_, attempt.strip.faces(), caps);
-    put_in.push_back(std::move(placed));
+    for(std::size_t i : attempt.companions)
+      tasks[i].become_like(task);
+    put_in_place(mesh_, attempt.proposal.out(), patch);
+    put_in_.push_back(std::move(placed));
   }
 
-  const char* why_not_along(const Cut_strip& strip, const Removal_task& task) {
-    const Rest rest = separation_(mesh_, strip, least_area_);
+  // For the next round, when what was put in in this one is part of the mesh.
+  bool must_wait(const Removal_proposal& proposal, const Placed_patch& placed) const {
+    if(proposal.is_subdivided() && !put_in_.empty())
+      return true; // of a copy of the mesh
+    return std::any_of(put_in_.begin(), put_in_.end(),
+                       [&](const Placed_patch& other) { return placed.meets(other); });
+  }
+
+  const char* why_not(const Removal_proposal& proposal, const Removal_task& task) {
+    const Rest rest = separation_(proposal.mesh_of_region(), proposal.region(), least_area_);
     if(task.pair != Removal_task::is_neck)
       return rest == Rest::ONE_PIECE ? nullptr : "the loop separates the surface";
     if(rest == Rest::TWO_PIECES)
@@ -284,16 +278,23 @@ private:
                                    : "the piece that would come off is too small";
   }
 
-  // Of what lies between a strip and its caps: positive if that is inside.
-  double volume_between(const Cut_strip& strip, const Placed_patch& caps) const {
-    const Surgery_mesh::Point origin = mesh_.point(mesh_.source(strip.border(0).front()));
+  static double area_of_caps(const Placed_patch& patch) {
+    double sum = 0.;
+    for(std::size_t i = patch.number_of_parts(); i < patch.triangles().size(); ++i)
+      sum += patch.triangles()[i].area();
+    return sum;
+  }
+
+  // Of what lies between faces and those that take their place: positive if that is inside.
+  double volume_between(const std::vector<Index>& out, const Placed_patch& patch) const {
+    const Surgery_mesh::Point origin = mesh_.point(mesh_.corners(out.front())[0]);
     const auto volume = [&](const Placed_triangle& t) {
       return CGAL::volume(origin, t.points[0], t.points[1], t.points[2]);
     };
     double sum = 0.;
-    for(Index f : strip.faces())
+    for(Index f : out)
       sum += volume(placed_triangle(mesh_, f));
-    for(const Placed_triangle& t : caps.triangles())
+    for(const Placed_triangle& t : patch.triangles())
       sum -= volume(t);
     return sum;
   }
@@ -302,10 +303,8 @@ private:
   Surgery_mesh& mesh_;
   const double least_area_;
   Separation separation_;
-  std::vector<Course> courses_; // by task
-  // By vertex, for the strips of a round.
-  std::vector<char> is_claimed_;
-  std::vector<int> number_of_walks_at_;
+  std::vector<Course> courses_;      // by task
+  std::vector<Placed_patch> put_in_; // in this round
 };
 
 } // namespace internal

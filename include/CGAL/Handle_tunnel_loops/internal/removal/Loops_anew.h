@@ -56,14 +56,19 @@ public:
 
   /// gives new loops to those that are damaged. Those that are not found stay as they are.
   void give_to(std::vector<Removal_task>& tasks) const {
-    std::vector<std::tuple<double, std::size_t, std::size_t>> distances;
+    std::vector<std::size_t> old;
     for(std::size_t i = 0; i < tasks.size(); ++i)
       if(tasks[i].state != Removal_task::State::REMOVED && tasks[i].pair != Removal_task::is_neck)
-        for(std::size_t k = 0; k < pairs_.size(); ++k) {
-          const double d = distance(tasks[i], pairs_[k]);
-          if(d < 1.)
-            distances.push_back({d, i, k});
-        }
+        old.push_back(i);
+    // If all handles are known, the last ones have nothing else left.
+    const bool are_all_known = old.size() == pairs_.size();
+    std::vector<std::tuple<double, std::size_t, std::size_t>> distances;
+    for(std::size_t i : old)
+      for(std::size_t k = 0; k < pairs_.size(); ++k) {
+        const double d = distance(tasks[i], pairs_[k]);
+        if(are_all_known || d < 1.)
+          distances.push_back({d, i, k});
+      }
     std::sort(distances.begin(), distances.end());
     std::vector<char> is_named(tasks.size(), 0), is_taken(pairs_.size(), 0);
     for(const auto& [d, i, k] : distances)

@@ -32,6 +32,10 @@ struct Patch
 
   std::vector<Surgery_mesh::Point> points;
   std::vector<Surgery_mesh::Face> faces;
+  /// the first faces may be parts of faces of the mesh, split at midpoints, and this says of which.
+  std::vector<Index> parents = {};
+
+  bool has_parent(std::size_t i) const { return i < parents.size(); }
 
   const Surgery_mesh::Point& point(const Surgery_mesh& mesh, Index v) const {
     return v < first_own ? mesh.point(v) : points[v - first_own];

@@ -53,8 +53,17 @@ struct Removal_task
 
   // Of a handle that was removed.
   std::size_t choice = 0;
-  double area = 0.;   ///< of the caps
-  double volume = 0.; ///< of what was taken away, or put in if negative
+  bool is_whole = false; ///< taken out with its surroundings
+  double area = 0.;      ///< of the caps
+  double volume = 0.;    ///< of what was taken away, or put in if negative
+
+  /// was removed together with another one.
+  void become_like(const Removal_task& other) {
+    state = other.state;
+    is_whole = other.is_whole;
+    area = other.area;
+    volume = other.volume;
+  }
 };
 
 } // namespace internal

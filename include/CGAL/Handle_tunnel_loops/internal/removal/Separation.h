@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/triangle_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
@@ -27,26 +27,26 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// What a surface is without a strip.
+/// What a surface is without a region.
 enum class Rest {
   ONE_PIECE,
   TWO_PIECES,
   SMALL_PIECE ///< two, one of which has less than a given area
 };
 
-/// Finds whether a surface falls apart when a strip is taken out: the faces beyond both of its
+/// Finds whether a surface falls apart when a region is taken out: the faces beyond both of its
 /// sides are gone through in turn, until they meet or one side has no more. Takes no longer than
 /// the smaller piece or the way around.
 class Separation
 {
 public:
-  Rest operator()(const Surgery_mesh& mesh, const Cut_strip& strip, double least_area = 0.) {
+  Rest operator()(const Surgery_mesh& mesh, const Cut_region& region, double least_area = 0.) {
     side_of_.resize(mesh.face_bound(), 0);
     sides_ = {};
-    for(Index f : strip.faces())
-      side_of_[f] = in_strip;
-    const Rest rest = find_rest(mesh, strip, least_area);
-    for(Index f : strip.faces())
+    for(Index f : region.faces())
+      side_of_[f] = in_region;
+    const Rest rest = find_rest(mesh, region, least_area);
+    for(Index f : region.faces())
       side_of_[f] = 0;
     for(const Side& side : sides_)
       for(Index f : side.reached)
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  static constexpr char in_strip = 3;
+  static constexpr char in_region = 3;
 
   struct Side
   {
@@ -66,9 +66,11 @@ private:
     bool is_complete() const { return done == reached.size(); }
   };
 
-  Rest find_rest(const Surgery_mesh& mesh, const Cut_strip& strip, double least_area) {
+  Rest find_rest(const Surgery_mesh& mesh, const Cut_region& region, double least_area) {
+    if(region.number_of_borders() == 1)
+      return Rest::ONE_PIECE; // each piece has a border
     for(std::size_t side : {0, 1})
-      for(Index h : strip.border(side))
+      for(Index h : region.border(side))
         if(visit(mesh.face(mesh.twin(h)), side))
           return Rest::ONE_PIECE;
     std::size_t side = 0;
@@ -99,7 +101,7 @@ private:
       side_of_[f] = mark;
       sides_[side].reached.push_back(f);
     }
-    return side_of_[f] != mark && side_of_[f] != in_strip;
+    return side_of_[f] != mark && side_of_[f] != in_region;
   }
 
   std::vector<char> side_of_; // by face

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/core.h>
@@ -27,7 +27,7 @@ namespace internal {
 /// that fits best first. Caps are refined to the density of the mesh around them and made smooth
 /// with it (where Eigen is there); or refined only; or without vertices of their own. None where
 /// the holes cannot be triangulated. Whether the caps meet anything has still to be seen.
-CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_strip& strip);
+CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_region& region);
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

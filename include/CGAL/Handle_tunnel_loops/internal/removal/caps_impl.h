@@ -33,21 +33,21 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// A copy of what is around a strip, in which its holes are filled.
-class Holes_of_strip
+/// A copy of what is around a region, in which its holes are filled.
+class Holes_of_region
 {
   using Mesh = Surface_mesh<Surgery_mesh::Point>;
   using Vertex = Mesh::Vertex_index;
   using Halfedge = Mesh::Halfedge_index;
 
 public:
-  Holes_of_strip(const Surgery_mesh& mesh, const Cut_strip& strip)
+  Holes_of_region(const Surgery_mesh& mesh, const Cut_region& region)
       : mesh_(mesh) {
-    is_good_ = copy_surroundings(strip);
+    is_good_ = copy_surroundings(region);
     number_around_ = static_cast<Index>(copy_.number_of_vertices());
     first_cap_face_ = static_cast<Index>(copy_.number_of_faces());
-    for(std::size_t side : {0, 1})
-      is_good_ = is_good_ && triangulate(strip.border(side));
+    for(std::size_t i = 0; i < region.number_of_borders(); ++i)
+      is_good_ = is_good_ && triangulate(region.border(i));
   }
 
   bool are_triangulated() const { return is_good_; }
@@ -97,25 +97,22 @@ private:
   }
 
   // All faces at the holes, so that each edge there is known, and those around them where they fit.
-  bool copy_surroundings(const Cut_strip& strip) {
-    std::vector<Index> ring;
-    for(std::size_t side : {0, 1})
-      for(Index h : strip.border(side))
-        ring.push_back(mesh_.source(h));
+  bool copy_surroundings(const Cut_region& region) {
     bool is_complete = true;
-    for(Index v : ring)
-      is_complete = copy_faces_at(v, strip) && is_complete;
+    for(std::size_t i = 0; i < region.number_of_borders(); ++i)
+      for(Index v : region.vertices_of(mesh_, i))
+        is_complete = copy_faces_at(v, region) && is_complete;
     const std::size_t number_of_vertices = originals_.size();
     for(std::size_t i = 0; i < number_of_vertices; ++i)
-      copy_faces_at(originals_[i], strip);
+      copy_faces_at(originals_[i], region);
     return is_complete;
   }
 
-  bool copy_faces_at(Index v, const Cut_strip& strip) {
+  bool copy_faces_at(Index v, const Cut_region& region) {
     bool is_complete = true;
     mesh_.for_each_outgoing(v, [&](Index h) {
       const Index f = mesh_.face(h);
-      if(strip.contains(f) || !copied_faces_.insert(f).second)
+      if(region.contains(f) || !copied_faces_.insert(f).second)
         return;
       const Surgery_mesh::Face& c = mesh_.corners(f);
       is_complete = copy_.add_face(copied(c[0]), copied(c[1]), copied(c[2])) != Mesh::null_face() &&
@@ -144,9 +141,9 @@ private:
   bool is_good_ = false;
 };
 
-CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_strip& strip) {
+CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_region& region) {
   std::vector<Patch> ways;
-  Holes_of_strip holes(mesh, strip);
+  Holes_of_region holes(mesh, region);
   if(!holes.are_triangulated())
     return ways;
   ways.push_back(holes.caps());

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The faces of a patch where they lie, and which of them are near a place.
+/// The faces of a patch where they lie. Parts of faces of the mesh may meet what these meet.
 class Placed_patch
 {
 public:
@@ -43,25 +43,19 @@ public:
           v += first;
       box_.extend(triangles_.back().box());
     }
+    for(Index f : patch.parents)
+      parents_.push_back(placed_triangle(mesh, f));
   }
 
   const std::vector<Placed_triangle>& triangles() const { return triangles_; }
 
-  /// whether all triangles have an area, and none meets another one.
-  bool is_embedded() const {
-    if(std::any_of(triangles_.begin(), triangles_.end(),
-                   [](const Placed_triangle& t) { return t.is_degenerate(); }))
-      return false;
-    const Box_tree<3> tree = boxes();
-    for(Index i = 0; i < triangles_.size(); ++i) {
-      bool meets = false;
-      tree.for_each_meeting(triangles_[i].box(), [&](Index j, const Box<3>&) {
-        meets = meets || (i < j && Triangle_contact(triangles_[i], triangles_[j])());
-      });
-      if(meets)
-        return false;
-    }
-    return true;
+  /// those that are parts of faces of the mesh come first.
+  std::size_t number_of_parts() const { return parents_.size(); }
+
+  /// whether one of the triangles meets a face that is not of the patch, and did not before.
+  bool meets(std::size_t i, const Placed_triangle& face) const {
+    return are_in_contact(triangles_[i], face) &&
+           !(is_part(i) && are_in_contact(parents_[i], face));
   }
 
   bool meets(const Placed_patch& other) const {
@@ -69,15 +63,33 @@ public:
       return false;
     const Box_tree<3> tree = boxes();
     bool meets = false;
-    for(const Placed_triangle& t : other.triangles_)
-      if(!meets)
-        tree.for_each_meeting(t.box(), [&](Index i, const Box<3>&) {
-          meets = meets || Triangle_contact(triangles_[i], t)();
-        });
+    for(std::size_t j = 0; j < other.triangles_.size(); ++j)
+      tree.for_each_meeting(other.triangles_[j].box(), [&](Index i, const Box<3>&) {
+        meets = meets || (this->meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j)));
+      });
     return meets;
   }
 
+  /// whether all triangles have an area, and none meets another one, but for parts of faces.
+  bool is_embedded() const {
+    for(std::size_t i = parents_.size(); i < triangles_.size(); ++i)
+      if(triangles_[i].is_degenerate())
+        return false;
+    const Box_tree<3> tree = boxes();
+    for(Index i = 0; i < triangles_.size(); ++i) {
+      bool meets = false;
+      tree.for_each_meeting(triangles_[i].box(), [&](Index j, const Box<3>&) {
+        meets = meets || (j < i && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]));
+      });
+      if(meets)
+        return false;
+    }
+    return true;
+  }
+
 private:
+  bool is_part(std::size_t i) const { return i < parents_.size(); }
+
   Box_tree<3> boxes() const {
     std::vector<Box<3>> boxes;
     for(const Placed_triangle& t : triangles_)
@@ -85,7 +97,7 @@ private:
     return Box_tree<3>(std::move(boxes));
   }
 
-  std::vector<Placed_triangle> triangles_;
+  std::vector<Placed_triangle> triangles_, parents_;
   Box<3> box_ = Box<3>::empty();
 };
 
@@ -101,15 +113,19 @@ struct Replacement
 inline std::vector<char> meet_mesh(Execution execution,
                                    const Surgery_mesh& mesh,
                                    const std::vector<Replacement>& replacements) {
-  std::vector<Placed_triangle> triangles;
+  struct Owner
+  {
+    Index replacement, triangle;
+  };
+  std::vector<Placed_patch> patches;
   std::vector<Box<3>> boxes;
-  std::vector<Index> owner;
-  for(std::size_t i = 0; i < replacements.size(); ++i) {
-    const Placed_patch placed(mesh, *replacements[i].patch);
-    for(const Placed_triangle& t : placed.triangles()) {
-      triangles.push_back(t);
-      boxes.push_back(t.box());
-      owner.push_back(static_cast<Index>(i));
+  std::vector<Owner> owners; // by box
+  for(Index i = 0; i < replacements.size(); ++i) {
+    patches.emplace_back(mesh, *replacements[i].patch);
+    const std::vector<Placed_triangle>& triangles = patches.back().triangles();
+    for(Index t = 0; t < triangles.size(); ++t) {
+      boxes.push_back(triangles[t].box());
+      owners.push_back({i, t});
     }
   }
   const Box_tree<3> tree(std::move(boxes));
@@ -121,11 +137,12 @@ inline std::vector<char> meet_mesh(Execution execution,
     if(!mesh.is_alive(f))
       return;
     const Placed_triangle face = placed_triangle(mesh, f);
-    tree.for_each_meeting(face.box(), [&](Index t, const Box<3>&) {
-      const std::vector<Index>& out = *replacements[owner[t]].out;
-      if(!meets[owner[t]] && !std::binary_search(out.begin(), out.end(), f) &&
-         Triangle_contact(triangles[t], face)())
-        meets[owner[t]] = 1;
+    tree.for_each_meeting(face.box(), [&](Index b, const Box<3>&) {
+      const Owner& owner = owners[b];
+      const std::vector<Index>& out = *replacements[owner.replacement].out;
+      if(!meets[owner.replacement] && !std::binary_search(out.begin(), out.end(), f) &&
+         patches[owner.replacement].meets(owner.triangle, face))
+        meets[owner.replacement] = 1;
     });
   });
   return {meets.begin(), meets.end()};

@@ -61,7 +61,6 @@ class Triangle_contact
   using Segment = Kernel::Segment_3;
 
 public:
-  /// \p a must have an area.
   Triangle_contact(const Placed_triangle& a, const Placed_triangle& b)
       : a_(a)
       , b_(b) {
@@ -76,6 +75,8 @@ public:
   bool operator()() const {
     if(b_.is_degenerate())
       return meets_degenerate();
+    if(a_.is_degenerate())
+      return Triangle_contact(b_, a_)();
     switch(number_shared_) {
     case 0:
       return CGAL::do_intersect(a_.triangle(), b_.triangle());
@@ -103,8 +104,10 @@ private:
   }
 
   // A triangle without area is the union of its sides. Those at a corner that is shared are left
-  // out: they begin on the other triangle.
+  // out: they begin on the other triangle. Two without area are not said to meet.
   bool meets_degenerate() const {
+    if(a_.is_degenerate())
+      return false;
     for(std::size_t i = 0; i < 3; ++i) {
       const bool is_shared = is_shared_in_b((i + 1) % 3) || is_shared_in_b((i + 2) % 3);
       const Segment side = opposite_side(b_, i);
@@ -124,6 +127,10 @@ private:
   std::array<std::size_t, 9> shared_in_a_, shared_in_b_; // nine: for faces without area
   std::size_t number_shared_ = 0;
 };
+
+inline bool are_in_contact(const Placed_triangle& a, const Placed_triangle& b) {
+  return Triangle_contact(a, b)();
+}
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/caps_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from_impl.h>

@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CUT_REGION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CUT_REGION_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Faces that are taken out to remove handles: a strip along a loop, which is an annulus and leaves two
+holes, so that the genus is one less once these are closed by discs, if the rest of the surface is
+in one piece; or a piece with one hole that holds whole handles. The holes are simple closed curves
+of at least three edges, and they do not touch each other.
+*/
+class Cut_region
+{
+public:
+  /// the faces at some vertices, if they are such a region that removes one handle.
+  static std::optional<Cut_region> around(const Surgery_mesh& mesh,
+                                          const std::vector<Index>& vertices) {
+    return of_one_handle(mesh, faces_at(mesh, vertices, {}));
+  }
+
+  /// the faces at some vertices and rings around them, and what is cut off by these but for the
+  /// rest of the surface, if that holds whole handles.
+  static std::optional<Cut_region>
+  whole(const Surgery_mesh& mesh, const std::vector<Index>& vertices, int rings) {
+    Cut_region region;
+    region.faces_ = faces_at(mesh, vertices, {});
+    for(int ring = 0; ring < rings; ++ring)
+      region.faces_ = faces_at(mesh, sources(region.border_halfedges(mesh)), region.faces_);
+    region.fill_up(mesh);
+    std::optional<Cut_region> whole = of(mesh, std::move(region.faces_));
+    return whole && whole->borders_.size() == 1 ? whole : std::nullopt;
+  }
+
+  /// the region with one more ring of faces beyond one of its borders, if it is such a one still.
+  std::optional<Cut_region> wider(const Surgery_mesh& mesh, std::size_t border) const {
+    std::optional<Cut_region> region =
+        of_one_handle(mesh, faces_at(mesh, vertices_of(mesh, border), faces_));
+    if(!region || region->borders_.size() != borders_.size())
+      return std::nullopt;
+    // The other border stays as it is, and keeps its number.
+    if(borders_.size() == 2) {
+      const std::vector<Index>& other = borders_[1 - border];
+      const std::vector<Index>& found = region->borders_[1 - border];
+      if(std::find(found.begin(), found.end(), other.front()) == found.end())
+        std::swap(region->borders_[0], region->borders_[1]);
+    }
+    return region;
+  }
+
+  /// in ascending order.
+  const std::vector<Index>& faces() const { return faces_; }
+
+  bool contains(Index face) const { return std::binary_search(faces_.begin(), faces_.end(), face); }
+
+  /// how many handles there will be less.
+  std::size_t number_of_handles() const { return number_of_handles_; }
+
+  /// 2, or 1.
+  std::size_t number_of_borders() const { return borders_.size(); }
+
+  /// the halfedges of the region along one of its borders, in cyclic order.
+  const std::vector<Index>& border(std::size_t i) const { return borders_[i]; }
+
+  /// the vertices of a border, in cyclic order.
+  Closed_walk vertices_of(const Surgery_mesh& mesh, std::size_t border) const {
+    Closed_walk walk;
+    for(Index h : borders_[border])
+      walk.push_back(mesh.source(h));
+    return walk;
+  }
+
+private:
+  static std::vector<Index>
+  faces_at(const Surgery_mesh& mesh, const std::vector<Index>& vertices, std::vector<Index> faces) {
+    for(Index v : vertices)
+      mesh.for_each_outgoing(v, [&](Index h) { faces.push_back(mesh.face(h)); });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+
+  static std::optional<Cut_region> of(const Surgery_mesh& mesh, std::vector<Index> faces) {
+    Cut_region region;
+    region.faces_ = std::move(faces);
+    if(!region.find_borders(mesh))
+      return std::nullopt;
+    // 2 - 2 g - b.
+    const std::ptrdiff_t chi = region.euler_characteristic(mesh);
+    const bool is_strip = region.borders_.size() == 2 && chi == 0;
+    const bool has_handles = region.borders_.size() == 1 && chi < 0;
+    if(!is_strip && !has_handles)
+      return std::nullopt;
+    region.number_of_handles_ = is_strip ? 1 : static_cast<std::size_t>((1 - chi) / 2);
+    return region;
+  }
+
+  static std::optional<Cut_region> of_one_handle(const Surgery_mesh& mesh,
+                                                 std::vector<Index> faces) {
+    std::optional<Cut_region> region = of(mesh, std::move(faces));
+    return region && region->number_of_handles_ == 1 ? region : std::nullopt;
+  }
+
+  using Sourced_halfedge = std::pair<Index, Index>;
+
+  // With their sources, by which they are sorted, the halfedges with no face of the region on their
+  // other side.
+  std::vector<Sourced_halfedge> border_halfedges(const Surgery_mesh& mesh) const {
+    std::vector<Sourced_halfedge> all;
+    for(Index f : faces_)
+      for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
+        if(!contains(mesh.face(mesh.twin(h))))
+          all.push_back({mesh.source(h), h});
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  static std::vector<Index> sources(const std::vector<Sourced_halfedge>& halfedges) {
+    std::vector<Index> vertices;
+    for(const Sourced_halfedge& h : halfedges)
+      vertices.push_back(h.first);
+    return vertices;
+  }
+
+  // Vertices where the border touches itself.
+  static std::vector<Index> pinches(const std::vector<Sourced_halfedge>& border) {
+    std::vector<Index> vertices;
+    for(std::size_t i = 1; i < border.size(); ++i)
+      if(border[i].first == border[i - 1].first)
+        vertices.push_back(border[i].first);
+    return vertices;
+  }
+
+  // Adds what makes the border touch itself, and islands.
+  void fill_up(const Surgery_mesh& mesh) {
+    for(;;) {
+      const std::vector<Index> vertices = pinches(border_halfedges(mesh));
+      std::vector<Index> more = vertices.empty() ? islands(mesh) : std::vector<Index>();
+      if(vertices.empty() && more.empty())
+        return;
+      more.insert(more.end(), faces_.begin(), faces_.end());
+      faces_ = faces_at(mesh, vertices, std::move(more));
+    }
+  }
+
+  // The faces of pieces beyond the border that have fewer faces than the region.
+  std::vector<Index> islands(const Surgery_mesh& mesh) const {
+    std::vector<Index> all;
+    std::unordered_map<Index, bool> is_island; // by face
+    for(const Sourced_halfedge& h : border_halfedges(mesh)) {
+      std::vector<Index> piece;
+      bool is_small = true;
+      const auto visit = [&](Index f) {
+        if(contains(f))
+          return;
+        const auto [it, is_new] = is_island.insert({f, true});
+        if(is_new)
+          piece.push_back(f);
+        is_small = is_small && it->second;
+      };
+      visit(mesh.face(mesh.twin(h.second)));
+      for(std::size_t i = 0; i < piece.size() && is_small; ++i) {
+        for(Index g : {3 * piece[i], 3 * piece[i] + 1, 3 * piece[i] + 2})
+          visit(mesh.face(mesh.twin(g)));
+        is_small = is_small && piece.size() < faces_.size();
+      }
+      if(is_small)
+        all.insert(all.end(), piece.begin(), piece.end());
+      else
+        for(Index f : piece)
+          is_island[f] = false;
+    }
+    return all;
+  }
+
+  // Whether there are any, all simple.
+  bool find_borders(const Surgery_mesh& mesh) {
+    const std::vector<Sourced_halfedge> all = border_halfedges(mesh);
+    if(!pinches(all).empty())
+      return false;
+    std::vector<char> is_used(all.size(), 0);
+    for(std::size_t begin = 0; begin < all.size(); ++begin) {
+      if(is_used[begin])
+        continue;
+      borders_.emplace_back();
+      for(std::size_t i = begin; !is_used[i];) {
+        is_used[i] = 1;
+        borders_.back().push_back(all[i].second);
+        const Sourced_halfedge next(mesh.target(all[i].second), 0);
+        i = std::lower_bound(all.begin(), all.end(), next) - all.begin();
+      }
+      if(borders_.back().size() < 3)
+        return false;
+    }
+    return !borders_.empty();
+  }
+
+  std::ptrdiff_t euler_characteristic(const Surgery_mesh& mesh) const {
+    std::vector<Index> vertices;
+    for(Index f : faces_)
+      vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::size_t sides = 3 * faces_.size();
+    for(const std::vector<Index>& border : borders_)
+      sides += border.size();
+    CGAL_assertion(sides % 2 == 0);
+    return static_cast<std::ptrdiff_t>(vertices.size() + faces_.size()) -
+           static_cast<std::ptrdiff_t>(sides / 2);
+  }
+
+  std::vector<Index> faces_;
+  std::vector<std::vector<Index>> borders_;
+  std::size_t number_of_handles_ = 1;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CUT_REGION_H
