@@ -21,6 +21,7 @@ set(HTL_GENERATOR_SOURCES
   plates.cpp
   random.cpp
   request_checks.cpp
+  scan.cpp
   shell.cpp
   smoothing.cpp
   sphere.cpp

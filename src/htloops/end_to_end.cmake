@@ -130,6 +130,8 @@ run(0 loops link.off -o link.json)
 expect_match("${output}" "0 of 2 tunnel loops outside; each component by itself 2 and 2")
 expect_match("${output}" "pair 0, tunnel: bounds on neither side")
 run(0 generate waves --faces 3000 --frequency 1 -o waves.off)
+run(0 generate scan --faces 30000 --genus 2 --bridges 4 --tunnels 3 -o scan.off)
+expect_match("${output}" "genus 9")
 run(2 generate torus-link --long-way 2 --short-way 2 -o link.off)
 run(2 generate torus --parts 2 -o torus.off)
 

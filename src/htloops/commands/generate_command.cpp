@@ -71,6 +71,8 @@ void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& r
       "p: how often the long way around the torus");
   add(generators::TORUS_KNOT, "--short-way", request.q, "q: how often the short way");
   add(generators::WAVE_FREQUENCY, "--frequency", request.frequency, "waves per side of the box");
+  add(generators::SMALL_BRIDGES, "--bridges", request.bridges, "how many small bridges");
+  add(generators::SMALL_BRIDGES, "--tunnels", request.tunnels, "how many small tunnels");
 }
 
 void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {

@@ -254,6 +254,40 @@ TEST(Waves, AreEmbedded) {
     }
 }
 
+Request scan_request(std::size_t faces, std::size_t genus, std::size_t planted, unsigned seed) {
+  Request request = {faces, genus, seed};
+  request.bridges = planted;
+  request.tunnels = planted / 2;
+  return request;
+}
+
+TEST(Scan, HasAHandleForEachBridgeAndTunnel) {
+  for(const std::size_t genus : {0, 1, 4})
+    for(const std::size_t planted : {0, 1, 24})
+      for(unsigned seed = 0; seed < 3; ++seed) {
+        const Request request = scan_request(50000, genus, planted, seed);
+        SCOPED_TRACE(testing::PrintToString(Case{"scan", request}));
+        const Soup soup = kind("scan").make(request);
+        expect_closed_surface(soup, genus + planted + planted / 2);
+        EXPECT_NEAR(static_cast<double>(soup.triangles.size()) / request.faces, 1., 0.1);
+        EXPECT_GT(signed_volume(soup), 0.);
+        EXPECT_TRUE(is_embedded(soup));
+      }
+}
+
+TEST(Scan, IsEmbeddedWhereItIsCrowded) {
+  const Soup soup = kind("scan").make(scan_request(200000, 2, 250, 0));
+  expect_closed_surface(soup, 2 + 375);
+  EXPECT_TRUE(is_embedded(soup));
+  EXPECT_THROW(kind("scan").make(scan_request(200000, 2, 2000, 0)), std::invalid_argument);
+}
+
+TEST(Scan, GrowsWithTheNumberOfItsHandles) {
+  const Soup soup = kind("scan").make(scan_request(120000, 14, 20, 0));
+  expect_closed_surface(soup, 14 + 30);
+  EXPECT_TRUE(is_embedded(soup));
+}
+
 TEST(Random_generator, MakesSurfacesOfAllSmallSizes) {
   for(std::size_t genus = 0; genus <= 6; ++genus)
     for(std::size_t faces = genus == 0 ? 4 : 2 + 12 * genus; faces < 120; ++faces) {
@@ -300,7 +334,7 @@ TEST(Generators, SayHowManyFacesTheyNeed) {
 
 TEST(Generators, RepeatThemselves) {
   for(const generators::Kind& k : generators::kinds()) {
-    const Request request = {20000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
+    const Request request = {30000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
     const Soup first = k.make(request), second = k.make(request);
     EXPECT_EQ(first.points, second.points) << k.name;
     EXPECT_EQ(first.triangles, second.triangles) << k.name;
@@ -309,8 +343,8 @@ TEST(Generators, RepeatThemselves) {
 
 TEST(Generators, DependOnTheSeed) {
   for(const char* name : {"lattice", "gyroid", "sponge", "plates", "bars", "shell", "foam",
-                          "interlaced", "waves", "random"})
-    EXPECT_NE(kind(name).make({15000, 4, 1}).triangles, kind(name).make({15000, 4, 2}).triangles)
+                          "interlaced", "waves", "random", "scan"})
+    EXPECT_NE(kind(name).make({30000, 4, 1}).triangles, kind(name).make({30000, 4, 2}).triangles)
         << name;
 }
 
