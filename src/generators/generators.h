@@ -43,6 +43,7 @@ struct Request
   std::size_t p = 2, q = 3;
   std::size_t frequency = 3;
   std::size_t bridges = 5, tunnels = 5; ///< what they add to the genus is not counted in it
+  std::size_t necks = 1;                ///< what joins two bodies, with a genus each
 };
 
 /// What a kind looks at besides the number of faces and the seed, as bits.
@@ -51,7 +52,8 @@ enum Request_option : unsigned {
   PARTS = 2,          ///< the number of components
   TORUS_KNOT = 4,     ///< `p` and `q`, how often a curve goes around a torus the long and short way
   WAVE_FREQUENCY = 8, ///< in waves per side of a box
-  SMALL_BRIDGES = 16  ///< how many bridges and tunnels are on top of the genus
+  SMALL_BRIDGES = 16, ///< how many bridges and tunnels are on top of the genus
+  NECKS = 32          ///< how many tubes join two bodies
 };
 
 /// A family of meshes.

@@ -41,14 +41,6 @@ Rounded_body random_body(std::size_t handles, Random& random) {
   return Rounded_body(handles, random.uniform(0., 2. * CGAL_PI), bumps);
 }
 
-double mean_edge_length(const Soup& soup) {
-  double sum = 0.;
-  for(const auto& triangle : soup.triangles)
-    for(int i = 0; i < 3; ++i)
-      sum += length(point_of(soup, triangle[i]) - point_of(soup, triangle[(i + 1) % 3]));
-  return sum / (3. * static_cast<double>(soup.triangles.size()));
-}
-
 /// Waves in random directions, with a height that keeps their slopes small.
 class Random_relief
 {

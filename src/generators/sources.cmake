@@ -18,6 +18,7 @@ set(HTL_GENERATOR_SOURCES
   marching_table.cpp
   mesh_of_field.cpp
   multi_torus.cpp
+  necks.cpp
   plates.cpp
   random.cpp
   request_checks.cpp

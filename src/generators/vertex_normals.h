@@ -25,6 +25,14 @@ inline Vector point_of(const Soup& soup, std::uint32_t v) {
   return Vector(x, y, z);
 }
 
+inline double mean_edge_length(const Soup& soup) {
+  double sum = 0.;
+  for(const auto& triangle : soup.triangles)
+    for(int i = 0; i < 3; ++i)
+      sum += length(point_of(soup, triangle[i]) - point_of(soup, triangle[(i + 1) % 3]));
+  return sum / (3. * static_cast<double>(soup.triangles.size()));
+}
+
 /// for each vertex the sum of the normals of its triangles, each as long as twice its area.
 inline std::vector<Vector> vertex_normals(const Soup& soup) {
   std::vector<Vector> normals(soup.points.size(), Vector(0, 0, 0));

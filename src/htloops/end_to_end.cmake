@@ -132,6 +132,8 @@ expect_match("${output}" "pair 0, tunnel: bounds on neither side")
 run(0 generate waves --faces 3000 --frequency 1 -o waves.off)
 run(0 generate scan --faces 30000 --genus 2 --bridges 4 --tunnels 3 -o scan.off)
 expect_match("${output}" "genus 9")
+run(0 generate twins --faces 60000 --genus 1 --necks 3 -o twins.off)
+expect_match("${output}" "genus 4")
 run(2 generate torus-link --long-way 2 --short-way 2 -o link.off)
 run(2 generate torus --parts 2 -o torus.off)
 

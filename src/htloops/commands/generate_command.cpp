@@ -73,6 +73,7 @@ void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& r
   add(generators::WAVE_FREQUENCY, "--frequency", request.frequency, "waves per side of the box");
   add(generators::SMALL_BRIDGES, "--bridges", request.bridges, "how many small bridges");
   add(generators::SMALL_BRIDGES, "--tunnels", request.tunnels, "how many small tunnels");
+  add(generators::NECKS, "--necks", request.necks, "how many necks");
 }
 
 void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {

@@ -288,6 +288,29 @@ TEST(Scan, GrowsWithTheNumberOfItsHandles) {
   EXPECT_TRUE(is_embedded(soup));
 }
 
+TEST(Necks, JoinTwoBodies) {
+  for(const char* name : {"twins", "hollow"})
+    for(const std::size_t genus : {0, 1, 3})
+      for(const std::size_t necks : {1, 2, 40}) {
+        Request request = {60000, genus, static_cast<unsigned>(necks)};
+        request.necks = necks;
+        SCOPED_TRACE(testing::PrintToString(Case{name, request}));
+        const Soup soup = kind(name).make(request);
+        expect_closed_surface(soup, 2 * genus + necks - 1);
+        EXPECT_NEAR(static_cast<double>(soup.triangles.size()) / request.faces, 1., 0.1);
+        EXPECT_GT(signed_volume(soup), 0.);
+        EXPECT_TRUE(is_embedded(soup));
+      }
+}
+
+TEST(Necks, NeedRoom) {
+  Request request = {60000, 0, 0};
+  request.necks = 0;
+  EXPECT_THROW(kind("hollow").make(request), std::invalid_argument);
+  request.necks = 10000;
+  EXPECT_THROW(kind("hollow").make(request), std::invalid_argument);
+}
+
 TEST(Random_generator, MakesSurfacesOfAllSmallSizes) {
   for(std::size_t genus = 0; genus <= 6; ++genus)
     for(std::size_t faces = genus == 0 ? 4 : 2 + 12 * genus; faces < 120; ++faces) {
@@ -334,7 +357,7 @@ TEST(Generators, SayHowManyFacesTheyNeed) {
 
 TEST(Generators, RepeatThemselves) {
   for(const generators::Kind& k : generators::kinds()) {
-    const Request request = {30000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
+    const Request request = {60000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
     const Soup first = k.make(request), second = k.make(request);
     EXPECT_EQ(first.points, second.points) << k.name;
     EXPECT_EQ(first.triangles, second.triangles) << k.name;
@@ -343,8 +366,8 @@ TEST(Generators, RepeatThemselves) {
 
 TEST(Generators, DependOnTheSeed) {
   for(const char* name : {"lattice", "gyroid", "sponge", "plates", "bars", "shell", "foam",
-                          "interlaced", "waves", "random", "scan"})
-    EXPECT_NE(kind(name).make({30000, 4, 1}).triangles, kind(name).make({30000, 4, 2}).triangles)
+                          "interlaced", "waves", "random", "scan", "twins", "hollow"})
+    EXPECT_NE(kind(name).make({60000, 4, 1}).triangles, kind(name).make({60000, 4, 2}).triangles)
         << name;
 }
 
