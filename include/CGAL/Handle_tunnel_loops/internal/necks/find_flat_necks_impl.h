@@ -135,8 +135,6 @@ inline std::array<std::vector<float>, 3> distances_from_ends(const Flat_mesh& me
 
 CGAL_HTL_CORE std::vector<Flat_neck>
 find_flat_necks(Execution execution, const Flat_mesh& mesh, const Neck_limits& limits) {
-  if(mesh.number_of_vertices() == 0)
-    return {};
   const std::vector<double> areas = vertex_areas(execution, mesh);
   const std::array<std::vector<float>, 3> distances = distances_from_ends(mesh);
   const Neck_search search(mesh, areas, limits);
