@@ -109,7 +109,10 @@ inline std::vector<Flat_neck> choose_necks(const Flat_mesh& mesh,
   if(loops.empty())
     return {};
   Neck_pieces pieces(mesh, loops, vertex_areas);
-  CGAL_postcondition_msg(pieces.is_forest(), "each contour on a bridge separates");
+  const bool all_separate = pieces.is_forest();
+  CGAL_assertion_msg(all_separate, "each contour on a bridge of the Reeb graph separates");
+  if(!all_separate)
+    return {};
   const std::vector<char> is_kept = pieces.kept(minimal_share);
   const std::vector<double> shares = pieces.smaller_shares(is_kept);
   std::vector<Flat_neck> necks;
