@@ -66,6 +66,8 @@ struct Kind
   Soup (*make)(const Request&);
 
   unsigned options = GENUS; ///< of `Request_option`
+
+  std::size_t default_faces = 10000; ///< for the tool; enough for the other defaults
 };
 
 /// all families.

@@ -189,14 +189,14 @@ const Kind twins_kind = {
     "around "
     "or through a handle is longer than 1; from 50000 faces, more for more than 8 handles, and 180 "
     "per neck",
-    make_twins, GENUS | NECKS};
+    make_twins, GENUS | NECKS, 100000};
 
 const Kind hollow_kind = {
     "hollow",
     "a hollow body like a pot with g handles, k small holes in its wall: genus 2 g + k - 1; holes "
     "are shorter around than 10 mean edges, and so than 0.5, what is around or through a handle is "
     "longer than 0.8; as many faces as for twins",
-    make_hollow, GENUS | NECKS};
+    make_hollow, GENUS | NECKS, 100000};
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

@@ -17,9 +17,11 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -108,7 +110,7 @@ Soup with_small_bridges(const Soup& soup,
 Soup make_scan(const Request& request) {
   constexpr std::size_t faces_of_bridge = 80;
   const std::size_t planted = request.bridges + request.tunnels;
-  require_faces(request, "scan", Rounded_body::least_faces(request.genus) + 400 * planted);
+  require_faces(request, "scan", Rounded_body::least_faces(request.genus) + 600 * planted);
   Random random(request.seed);
   Soup soup = mesh_of_field(random_body(request.genus, random),
                             {request.faces - faces_of_bridge * planted, request.genus}, "scan");
@@ -124,8 +126,8 @@ const Kind scan_kind = {
     "a body like a pot with g large handles, rough as if it were scanned, and on it small bridges "
     "and just below it small tunnels, a handle each; loops of the body are longer than 1, those "
     "of the bridges and tunnels shorter than 20 mean edges, and so than 0.9; from 25000 faces, "
-    "more for more than 8 handles, and 400 for each bridge and tunnel",
-    make_scan, GENUS | SMALL_BRIDGES};
+    "more for more than 8 handles, and 600 for each bridge and tunnel",
+    make_scan, GENUS | SMALL_BRIDGES, 60000};
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

@@ -1,3 +1,4 @@
+#include "Meshes_of_soups.h"
 #include "generators/generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -276,7 +278,7 @@ TEST(Scan, HasAHandleForEachBridgeAndTunnel) {
 }
 
 TEST(Scan, IsEmbeddedWhereItIsCrowded) {
-  const Soup soup = kind("scan").make(scan_request(200000, 2, 250, 0));
+  const Soup soup = kind("scan").make(scan_request(260000, 2, 250, 0));
   expect_closed_surface(soup, 2 + 375);
   EXPECT_TRUE(is_embedded(soup));
   EXPECT_THROW(kind("scan").make(scan_request(200000, 2, 2000, 0)), std::invalid_argument);
@@ -286,6 +288,30 @@ TEST(Scan, GrowsWithTheNumberOfItsHandles) {
   const Soup soup = kind("scan").make(scan_request(120000, 14, 20, 0));
   expect_closed_surface(soup, 14 + 30);
   EXPECT_TRUE(is_embedded(soup));
+}
+
+// How many pairs have a loop shorter than a bound; the loops of the others are longer than another.
+std::size_t number_of_short_pairs(const Soup& soup, double most, double least) {
+  std::size_t count = 0;
+  for(const auto& pair : find_loops(mesh_of(soup))) {
+    const double shorter = (std::min)(pair.handle().length(), pair.tunnel().length());
+    EXPECT_TRUE(shorter < most || shorter > least) << shorter;
+    count += shorter < most;
+  }
+  return count;
+}
+
+TEST(Scan, HasLoopsAsShortAndAsLongAsItSays) {
+  for(unsigned seed = 0; seed < 3; ++seed)
+    EXPECT_EQ(number_of_short_pairs(kind("scan").make(scan_request(50000, 3, 20, seed)), 0.9, 1.),
+              30u);
+}
+
+TEST(Necks, HaveLoopsAsShortAndAsLongAsTheySay) {
+  Request request = {60000, 2, 0};
+  request.necks = 8;
+  EXPECT_EQ(number_of_short_pairs(kind("twins").make(request), 0.5, 1.), 7u);
+  EXPECT_EQ(number_of_short_pairs(kind("hollow").make(request), 0.5, 0.8), 7u);
 }
 
 TEST(Necks, JoinTwoBodies) {
@@ -361,6 +387,15 @@ TEST(Generators, RepeatThemselves) {
     const Soup first = k.make(request), second = k.make(request);
     EXPECT_EQ(first.points, second.points) << k.name;
     EXPECT_EQ(first.triangles, second.triangles) << k.name;
+  }
+}
+
+TEST(Generators, HaveDefaultsThatCanBeMade) {
+  for(const generators::Kind& k : generators::kinds()) {
+    Request request;
+    request.faces = k.default_faces;
+    request.genus = std::strcmp(k.name, "sphere") == 0 ? 0 : 1;
+    EXPECT_NO_THROW(k.make(request)) << k.name;
   }
 }
 
