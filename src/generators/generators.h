@@ -42,14 +42,18 @@ struct Request
   std::size_t parts = 1;
   std::size_t p = 2, q = 3;
   std::size_t frequency = 3;
+  std::size_t bridges = 5, tunnels = 5; ///< what they add to the genus is not counted in it
+  std::size_t necks = 1;                ///< what joins two bodies, with a genus each
 };
 
 /// What a kind looks at besides the number of faces and the seed, as bits.
 enum Request_option : unsigned {
   GENUS = 1,
-  PARTS = 2,         ///< the number of components
-  TORUS_KNOT = 4,    ///< `p` and `q`, how often a curve goes around a torus the long and short way
-  WAVE_FREQUENCY = 8 ///< in waves per side of a box
+  PARTS = 2,          ///< the number of components
+  TORUS_KNOT = 4,     ///< `p` and `q`, how often a curve goes around a torus the long and short way
+  WAVE_FREQUENCY = 8, ///< in waves per side of a box
+  SMALL_BRIDGES = 16, ///< how many bridges and tunnels are on top of the genus
+  NECKS = 32          ///< how many tubes join two bodies
 };
 
 /// A family of meshes.
@@ -62,6 +66,8 @@ struct Kind
   Soup (*make)(const Request&);
 
   unsigned options = GENUS; ///< of `Request_option`
+
+  std::size_t default_faces = 10000; ///< for the tool; enough for the other defaults
 };
 
 /// all families.

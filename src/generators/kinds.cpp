@@ -15,9 +15,10 @@ namespace generators {
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
-      sphere_kind, torus_kind,  knot_kind,       multi_torus_kind, lattice_kind,    gyroid_kind,
-      sponge_kind, plates_kind, bars_kind,       chain_kind,       torus_link_kind, ladder_kind,
-      shell_kind,  foam_kind,   interlaced_kind, waves_kind,       random_kind};
+      sphere_kind,     torus_kind,  knot_kind,   multi_torus_kind, lattice_kind,
+      gyroid_kind,     sponge_kind, plates_kind, bars_kind,        chain_kind,
+      torus_link_kind, ladder_kind, shell_kind,  foam_kind,        interlaced_kind,
+      waves_kind,      scan_kind,   twins_kind,  hollow_kind,      random_kind};
   return all;
 }
 

@@ -33,6 +33,9 @@ extern const Kind shell_kind;
 extern const Kind foam_kind;
 extern const Kind interlaced_kind;
 extern const Kind waves_kind;
+extern const Kind scan_kind;
+extern const Kind twins_kind;
+extern const Kind hollow_kind;
 extern const Kind random_kind;
 
 } // namespace generators

@@ -109,7 +109,7 @@ const Kind ladder_kind = {
     "ladder",
     "a ladder with g - 1 rungs along a torus knot (p, q), its ends joined, and for g = 1 one side "
     "alone; any genus g from 1, from some ten thousand faces",
-    make_ladder, GENUS | TORUS_KNOT};
+    make_ladder, GENUS | TORUS_KNOT, 20000};
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

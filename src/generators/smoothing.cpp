@@ -9,6 +9,8 @@
 
 #include "smoothing.h"
 
+#include "vertex_normals.h"
+
 #include <algorithm>
 
 namespace CGAL {
@@ -57,21 +59,12 @@ private:
 } // namespace
 
 void approach_surface(Soup& soup, const Field& field, double limit) {
-  std::vector<Vector> normals(soup.points.size(), Vector(0, 0, 0));
-  const auto point = [&](std::uint32_t v) {
-    const auto& [x, y, z] = soup.points[v];
-    return Vector(x, y, z);
-  };
-  for(const auto& [a, b, c] : soup.triangles) {
-    const Vector normal = CGAL::cross_product(point(b) - point(a), point(c) - point(a));
-    for(const std::uint32_t v : {a, b, c})
-      normals[v] += normal;
-  }
+  const std::vector<Vector> normals = vertex_normals(soup);
   for(std::uint32_t v = 0; v < soup.points.size(); ++v) {
     const double normal_length = length(normals[v]);
     if(normal_length == 0.)
       continue;
-    const Vector p = point(v);
+    const Vector p = point_of(soup, v);
     const Vector q = p - std::clamp(field(p), -limit, limit) / normal_length * normals[v];
     soup.points[v] = {q.x(), q.y(), q.z()};
   }

@@ -18,9 +18,11 @@ set(HTL_GENERATOR_SOURCES
   marching_table.cpp
   mesh_of_field.cpp
   multi_torus.cpp
+  necks.cpp
   plates.cpp
   random.cpp
   request_checks.cpp
+  scan.cpp
   shell.cpp
   smoothing.cpp
   sphere.cpp

@@ -79,7 +79,7 @@ const Kind waves_kind = {
     "waves",
     "a level set of a sum of random waves in a box; the genus and the number of components are "
     "what comes out, from 1000 + 400 f^3 faces for frequency f",
-    make_waves, WAVE_FREQUENCY};
+    make_waves, WAVE_FREQUENCY, 20000};
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

@@ -71,10 +71,14 @@ void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& r
       "p: how often the long way around the torus");
   add(generators::TORUS_KNOT, "--short-way", request.q, "q: how often the short way");
   add(generators::WAVE_FREQUENCY, "--frequency", request.frequency, "waves per side of the box");
+  add(generators::SMALL_BRIDGES, "--bridges", request.bridges, "how many small bridges");
+  add(generators::SMALL_BRIDGES, "--tunnels", request.tunnels, "how many small tunnels");
+  add(generators::NECKS, "--necks", request.necks, "how many necks");
 }
 
 void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {
   const auto options = std::make_shared<Generate_options>();
+  options->request.faces = kind.default_faces;
   CLI::App* sub =
       generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
   sub->add_option("-o,--output", options->mesh_file, "the mesh: .off .obj .ply .stl (required)")

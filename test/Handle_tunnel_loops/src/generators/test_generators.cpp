@@ -1,3 +1,4 @@
+#include "Meshes_of_soups.h"
 #include "generators/generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -254,6 +256,87 @@ TEST(Waves, AreEmbedded) {
     }
 }
 
+Request scan_request(std::size_t faces, std::size_t genus, std::size_t planted, unsigned seed) {
+  Request request = {faces, genus, seed};
+  request.bridges = planted;
+  request.tunnels = planted / 2;
+  return request;
+}
+
+TEST(Scan, HasAHandleForEachBridgeAndTunnel) {
+  for(const std::size_t genus : {0, 1, 4})
+    for(const std::size_t planted : {0, 1, 24})
+      for(unsigned seed = 0; seed < 3; ++seed) {
+        const Request request = scan_request(50000, genus, planted, seed);
+        SCOPED_TRACE(testing::PrintToString(Case{"scan", request}));
+        const Soup soup = kind("scan").make(request);
+        expect_closed_surface(soup, genus + planted + planted / 2);
+        EXPECT_NEAR(static_cast<double>(soup.triangles.size()) / request.faces, 1., 0.1);
+        EXPECT_GT(signed_volume(soup), 0.);
+        EXPECT_TRUE(is_embedded(soup));
+      }
+}
+
+TEST(Scan, IsEmbeddedWhereItIsCrowded) {
+  const Soup soup = kind("scan").make(scan_request(260000, 2, 250, 0));
+  expect_closed_surface(soup, 2 + 375);
+  EXPECT_TRUE(is_embedded(soup));
+  EXPECT_THROW(kind("scan").make(scan_request(200000, 2, 2000, 0)), std::invalid_argument);
+}
+
+TEST(Scan, GrowsWithTheNumberOfItsHandles) {
+  const Soup soup = kind("scan").make(scan_request(120000, 14, 20, 0));
+  expect_closed_surface(soup, 14 + 30);
+  EXPECT_TRUE(is_embedded(soup));
+}
+
+// How many pairs have a loop shorter than a bound; the loops of the others are longer than another.
+std::size_t number_of_short_pairs(const Soup& soup, double most, double least) {
+  std::size_t count = 0;
+  for(const auto& pair : find_loops(mesh_of(soup))) {
+    const double shorter = (std::min)(pair.handle().length(), pair.tunnel().length());
+    EXPECT_TRUE(shorter < most || shorter > least) << shorter;
+    count += shorter < most;
+  }
+  return count;
+}
+
+TEST(Scan, HasLoopsAsShortAndAsLongAsItSays) {
+  for(unsigned seed = 0; seed < 3; ++seed)
+    EXPECT_EQ(number_of_short_pairs(kind("scan").make(scan_request(50000, 3, 20, seed)), 0.9, 1.),
+              30u);
+}
+
+TEST(Necks, HaveLoopsAsShortAndAsLongAsTheySay) {
+  Request request = {60000, 2, 0};
+  request.necks = 8;
+  EXPECT_EQ(number_of_short_pairs(kind("twins").make(request), 0.5, 1.), 7u);
+  EXPECT_EQ(number_of_short_pairs(kind("hollow").make(request), 0.5, 0.8), 7u);
+}
+
+TEST(Necks, JoinTwoBodies) {
+  for(const char* name : {"twins", "hollow"})
+    for(const std::size_t genus : {0, 1, 3})
+      for(const std::size_t necks : {1, 2, 40}) {
+        Request request = {60000, genus, static_cast<unsigned>(necks)};
+        request.necks = necks;
+        SCOPED_TRACE(testing::PrintToString(Case{name, request}));
+        const Soup soup = kind(name).make(request);
+        expect_closed_surface(soup, 2 * genus + necks - 1);
+        EXPECT_NEAR(static_cast<double>(soup.triangles.size()) / request.faces, 1., 0.1);
+        EXPECT_GT(signed_volume(soup), 0.);
+        EXPECT_TRUE(is_embedded(soup));
+      }
+}
+
+TEST(Necks, NeedRoom) {
+  Request request = {60000, 0, 0};
+  request.necks = 0;
+  EXPECT_THROW(kind("hollow").make(request), std::invalid_argument);
+  request.necks = 10000;
+  EXPECT_THROW(kind("hollow").make(request), std::invalid_argument);
+}
+
 TEST(Random_generator, MakesSurfacesOfAllSmallSizes) {
   for(std::size_t genus = 0; genus <= 6; ++genus)
     for(std::size_t faces = genus == 0 ? 4 : 2 + 12 * genus; faces < 120; ++faces) {
@@ -300,17 +383,26 @@ TEST(Generators, SayHowManyFacesTheyNeed) {
 
 TEST(Generators, RepeatThemselves) {
   for(const generators::Kind& k : generators::kinds()) {
-    const Request request = {20000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
+    const Request request = {60000, std::strcmp(k.name, "sphere") == 0 ? 0u : 1u, 7};
     const Soup first = k.make(request), second = k.make(request);
     EXPECT_EQ(first.points, second.points) << k.name;
     EXPECT_EQ(first.triangles, second.triangles) << k.name;
   }
 }
 
+TEST(Generators, HaveDefaultsThatCanBeMade) {
+  for(const generators::Kind& k : generators::kinds()) {
+    Request request;
+    request.faces = k.default_faces;
+    request.genus = std::strcmp(k.name, "sphere") == 0 ? 0 : 1;
+    EXPECT_NO_THROW(k.make(request)) << k.name;
+  }
+}
+
 TEST(Generators, DependOnTheSeed) {
   for(const char* name : {"lattice", "gyroid", "sponge", "plates", "bars", "shell", "foam",
-                          "interlaced", "waves", "random"})
-    EXPECT_NE(kind(name).make({15000, 4, 1}).triangles, kind(name).make({15000, 4, 2}).triangles)
+                          "interlaced", "waves", "random", "scan", "twins", "hollow"})
+    EXPECT_NE(kind(name).make({60000, 4, 1}).triangles, kind(name).make({60000, 4, 2}).triangles)
         << name;
 }
 
