@@ -51,7 +51,8 @@ public:
   Handle_removal(Execution execution, Surgery_mesh& mesh, double least_area = 0.)
       : execution_(execution)
       , mesh_(mesh)
-      , least_area_(least_area) {}
+      , least_area_(least_area)
+      , meet_mesh_(mesh) {}
 
   /// \p ask is called with the number of tasks that are done, and throws to stop.
   template <typename Ask> void operator()(std::vector<Removal_task>& tasks, const Ask& ask) {
@@ -203,7 +204,7 @@ private:
   }
 
   // Each attempt goes on with its next patch as long as that meets a face.
-  void find_good_caps(std::vector<Attempt>& attempts) const {
+  void find_good_caps(std::vector<Attempt>& attempts) {
     for(;;) {
       std::vector<Attempt*> open;
       std::vector<Replacement> replacements;
@@ -214,7 +215,7 @@ private:
         }
       if(open.empty())
         return;
-      const std::vector<char> meets = meet_mesh(execution_, mesh_, replacements);
+      const std::vector<char> meets = meet_mesh_(execution_, replacements);
       for_each_index(
           execution_, open.size(),
           [&](std::size_t i) {
@@ -302,6 +303,7 @@ private:
   const Execution execution_;
   Surgery_mesh& mesh_;
   const double least_area_;
+  Mesh_contacts meet_mesh_;
   Separation separation_;
   std::vector<Course> courses_;      // by task
   std::vector<Placed_patch> put_in_; // in this round

@@ -130,7 +130,7 @@ private:
 
   bool is_fit(const Cut_region& region, std::size_t border, std::size_t length_of_walk) const {
     const bool is_strip = region.number_of_borders() == 2;
-    if(is_strip && region.border(border).size() > 2 * length_of_walk)
+    if(is_strip && 4 * region.border(border).size() > 5 * length_of_walk + 8)
       return false;
     return !has_vertex(region.faces(),
                        [this](Index v) { return is_claimed_[v] || number_of_walks_at_[v] > 0; });

@@ -43,9 +43,10 @@ public:
   Rest operator()(const Surgery_mesh& mesh, const Cut_region& region, double least_area = 0.) {
     side_of_.resize(mesh.face_bound(), 0);
     sides_ = {};
+    least_area_ = least_area;
     for(Index f : region.faces())
       side_of_[f] = in_region;
-    const Rest rest = find_rest(mesh, region, least_area);
+    const Rest rest = find_rest(mesh, region);
     for(Index f : region.faces())
       side_of_[f] = 0;
     for(const Side& side : sides_)
@@ -66,7 +67,7 @@ private:
     bool is_complete() const { return done == reached.size(); }
   };
 
-  Rest find_rest(const Surgery_mesh& mesh, const Cut_region& region, double least_area) {
+  Rest find_rest(const Surgery_mesh& mesh, const Cut_region& region) {
     if(region.number_of_borders() == 1)
       return Rest::ONE_PIECE; // each piece has a border
     for(std::size_t side : {0, 1})
@@ -78,16 +79,17 @@ private:
       if(meets_other(mesh, side))
         return Rest::ONE_PIECE;
     Side& other = sides_[1 - side];
-    while(other.area < least_area && !other.is_complete())
+    while(other.area < least_area_ && !other.is_complete())
       meets_other(mesh, 1 - side);
-    return (std::min)(sides_[side].area, other.area) < least_area ? Rest::SMALL_PIECE
-                                                                  : Rest::TWO_PIECES;
+    return (std::min)(sides_[side].area, other.area) < least_area_ ? Rest::SMALL_PIECE
+                                                                   : Rest::TWO_PIECES;
   }
 
   // Goes from the next face of a side to its neighbours.
   bool meets_other(const Surgery_mesh& mesh, std::size_t side) {
     const Index f = sides_[side].reached[sides_[side].done++];
-    sides_[side].area += placed_triangle(mesh, f).area();
+    if(least_area_ > 0.)
+      sides_[side].area += placed_triangle(mesh, f).area();
     bool meets = false;
     for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
       meets = visit(mesh.face(mesh.twin(h)), side) || meets;
@@ -106,6 +108,7 @@ private:
 
   std::vector<char> side_of_; // by face
   std::array<Side, 2> sides_;
+  double least_area_ = 0.;
 };
 
 } // namespace internal

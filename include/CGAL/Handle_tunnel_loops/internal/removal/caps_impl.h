@@ -18,6 +18,9 @@
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Eigen_solver_traits.h>
+#endif
 #include <CGAL/iterator.h>
 
 #include <algorithm>
@@ -65,7 +68,13 @@ public:
   /// makes them smooth, if there are any.
   bool fair() {
 #ifdef CGAL_EIGEN3_ENABLED
-    return !own_.empty() && Polygon_mesh_processing::fair(copy_, own_);
+    // With equal weights, which suit an even density, the system is symmetric.
+    using Matrix = Eigen_sparse_matrix<double>::EigenType;
+    return !own_.empty() &&
+           Polygon_mesh_processing::fair(
+               copy_, own_,
+               parameters::weight_calculator(Equal_weights())
+                   .sparse_linear_solver(Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>()));
 #else
     return false;
 #endif
@@ -87,6 +96,12 @@ public:
   }
 
 private:
+  struct Equal_weights
+  {
+    double w_i(Vertex) { return 1.; }
+    double w_ij(Halfedge) { return 1.; }
+  };
+
   Vertex copied(Index v) {
     const auto [it, is_new] = copies_.insert({v, Vertex()});
     if(is_new) {
@@ -127,7 +142,10 @@ private:
     const std::size_t before = copy_.number_of_faces();
     if(side == Mesh::null_halfedge() || !copy_.is_border(side))
       return false;
-    Polygon_mesh_processing::triangulate_hole(copy_, side, Emptyset_iterator());
+    constexpr std::size_t cubic_is_too_slow = 200;
+    Polygon_mesh_processing::triangulate_hole(
+        copy_, side, Emptyset_iterator(),
+        parameters::do_not_use_cubic_algorithm(border.size() > cubic_is_too_slow));
     return copy_.number_of_faces() == before + border.size() - 2;
   }
 

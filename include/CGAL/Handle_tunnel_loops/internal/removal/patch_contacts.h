@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/removal/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Placed_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/triangle_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
@@ -20,9 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -61,11 +60,12 @@ public:
   bool meets(const Placed_patch& other) const {
     if(!box_.meets(other.box_))
       return false;
-    const Box_tree<3> tree = boxes();
+    const Placed_boxes boxes = this->boxes();
     bool meets = false;
     for(std::size_t j = 0; j < other.triangles_.size(); ++j)
-      tree.for_each_meeting(other.triangles_[j].box(), [&](Index i, const Box<3>&) {
-        meets = meets || (this->meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j)));
+      boxes.for_each_near(other.triangles_[j].box(), [&](Index i) {
+        meets = meets || (may_meet(triangles_[i], other.triangles_[j]) &&
+                          this->meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j)));
       });
     return meets;
   }
@@ -75,11 +75,12 @@ public:
     for(std::size_t i = parents_.size(); i < triangles_.size(); ++i)
       if(triangles_[i].is_degenerate())
         return false;
-    const Box_tree<3> tree = boxes();
+    const Placed_boxes boxes = this->boxes();
     for(Index i = 0; i < triangles_.size(); ++i) {
       bool meets = false;
-      tree.for_each_meeting(triangles_[i].box(), [&](Index j, const Box<3>&) {
-        meets = meets || (j < i && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]));
+      boxes.for_each_near(triangles_[i].box(), [&](Index j) {
+        meets = meets || (j < i && !is_part(i) && may_meet(triangles_[i], triangles_[j]) &&
+                          are_in_contact(triangles_[i], triangles_[j]));
       });
       if(meets)
         return false;
@@ -88,13 +89,15 @@ public:
   }
 
 private:
+  static bool may_meet(const Placed_triangle& a, const Placed_triangle& b) {
+    return a.box().meets(b.box());
+  }
+
   bool is_part(std::size_t i) const { return i < parents_.size(); }
 
-  Box_tree<3> boxes() const {
-    std::vector<Box<3>> boxes;
-    for(const Placed_triangle& t : triangles_)
-      boxes.push_back(t.box());
-    return Box_tree<3>(std::move(boxes));
+  Placed_boxes boxes() const {
+    return Placed_boxes(Execution(), triangles_.size(),
+                        [this](std::size_t i) { return triangles_[i].box(); });
   }
 
   std::vector<Placed_triangle> triangles_, parents_;
@@ -108,45 +111,64 @@ struct Replacement
   const Patch* patch;
 };
 
-/// by replacement, whether its patch meets a face of the mesh that stays. Near linear in the size
-/// of the mesh and the patches.
-inline std::vector<char> meet_mesh(Execution execution,
-                                   const Surgery_mesh& mesh,
-                                   const std::vector<Replacement>& replacements) {
-  struct Owner
-  {
-    Index replacement, triangle;
-  };
-  std::vector<Placed_patch> patches;
-  std::vector<Box<3>> boxes;
-  std::vector<Owner> owners; // by box
-  for(Index i = 0; i < replacements.size(); ++i) {
-    patches.emplace_back(mesh, *replacements[i].patch);
-    const std::vector<Placed_triangle>& triangles = patches.back().triangles();
-    for(Index t = 0; t < triangles.size(); ++t) {
-      boxes.push_back(triangles[t].box());
-      owners.push_back({i, t});
-    }
+/// Finds which patches meet a face of the mesh that stays.
+class Mesh_contacts
+{
+public:
+  explicit Mesh_contacts(const Surgery_mesh& mesh)
+      : mesh_(mesh) {}
+
+  /// by replacement. Near linear in the size of the patches, and the first time in that of the
+  /// mesh.
+  std::vector<char> operator()(Execution execution, const std::vector<Replacement>& replacements) {
+    update(execution);
+    std::vector<char> meet(replacements.size());
+    for_each_index(
+        execution, replacements.size(), [&](std::size_t i) { meet[i] = meets(replacements[i]); },
+        1);
+    return meet;
   }
-  const Box_tree<3> tree(std::move(boxes));
-  std::vector<std::atomic<char>> meets(replacements.size());
-  for(std::atomic<char>& m : meets)
-    m = 0;
-  for_each_index(execution, mesh.face_bound(), [&](std::size_t i) {
-    const Index f = static_cast<Index>(i);
-    if(!mesh.is_alive(f))
-      return;
-    const Placed_triangle face = placed_triangle(mesh, f);
-    tree.for_each_meeting(face.box(), [&](Index b, const Box<3>&) {
-      const Owner& owner = owners[b];
-      const std::vector<Index>& out = *replacements[owner.replacement].out;
-      if(!meets[owner.replacement] && !std::binary_search(out.begin(), out.end(), f) &&
-         patches[owner.replacement].meets(owner.triangle, face))
-        meets[owner.replacement] = 1;
+
+private:
+  // Faces that have come since are few, and kept by themselves.
+  void update(Execution execution) {
+    const Index bound = mesh_.face_bound();
+    if(end_of_old_ == 0)
+      old_ = boxes(execution, 0, end_of_old_ = end_of_new_ = bound);
+    else if(end_of_new_ != bound)
+      new_ = boxes(execution, end_of_old_, end_of_new_ = bound);
+  }
+
+  // What is gone has no box.
+  Placed_boxes boxes(Execution execution, Index begin, Index end) const {
+    return Placed_boxes(execution, end - begin, [this, begin](std::size_t i) {
+      const Index f = begin + static_cast<Index>(i);
+      return mesh_.is_alive(f) ? placed_triangle(mesh_, f).box() : Box<3>::empty();
     });
-  });
-  return {meets.begin(), meets.end()};
-}
+  }
+
+  bool meets(const Replacement& replacement) const {
+    const Placed_patch patch(mesh_, *replacement.patch);
+    bool meets = false;
+    for(std::size_t t = 0; t < patch.triangles().size() && !meets; ++t) {
+      const Box<3> box = patch.triangles()[t].box();
+      const auto check = [&](Index f) {
+        if(meets || !mesh_.is_alive(f) ||
+           std::binary_search(replacement.out->begin(), replacement.out->end(), f))
+          return;
+        const Placed_triangle face = placed_triangle(mesh_, f);
+        meets = face.box().meets(box) && patch.meets(t, face);
+      };
+      old_.for_each_near(box, check);
+      new_.for_each_near(box, [&](Index i) { check(end_of_old_ + i); });
+    }
+    return meets;
+  }
+
+  const Surgery_mesh& mesh_;
+  Placed_boxes old_, new_; // of faces
+  Index end_of_old_ = 0, end_of_new_ = 0;
+};
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PLACED_BOXES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PLACED_BOXES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Finds those of many things that may be near a box. Things that are near each other are kept in
+/// groups, each with one box: 12 bytes for each of them.
+class Placed_boxes
+{
+public:
+  Placed_boxes() = default;
+
+  /// of numbers 0 .. n - 1; `box(i)` is the box of the i-th.
+  template <typename Function>
+  Placed_boxes(Execution execution, std::size_t n, const Function& box)
+      : order_(order(execution, n, box)) {
+    std::vector<Box<3>> boxes((n + group_size - 1) / group_size, Box<3>::empty());
+    for_each_index(execution, boxes.size(), [&](std::size_t group) {
+      for(std::size_t i = group * group_size; i < (std::min)(n, (group + 1) * group_size); ++i)
+        boxes[group].extend(box(order_[i]));
+    });
+    tree_ = Box_tree<3>(std::move(boxes));
+  }
+
+  /// calls `f(i)` for all whose box meets the given one, and some others.
+  template <typename Function> void for_each_near(const Box<3>& box, const Function& f) const {
+    tree_.for_each_meeting(box, [&](Index group, const Box<3>&) {
+      const std::size_t begin = group * group_size;
+      for(std::size_t i = begin; i < (std::min)(order_.size(), begin + group_size); ++i)
+        f(order_[i]);
+    });
+  }
+
+private:
+  static constexpr std::size_t group_size = 8;
+
+  template <typename Function>
+  static std::vector<Index> order(Execution execution, std::size_t n, const Function& box) {
+    Box<3> all = Box<3>::empty();
+    for(std::size_t i = 0; i < n; ++i)
+      all.extend(box(i));
+    return space_filling_order(execution, n, [&](std::size_t i) {
+      const Box<3> b = box(i);
+      Vector place;
+      for(std::size_t d = 0; d < 3; ++d) {
+        const double size = all.high[d] - all.low[d];
+        place[d] = size > 0. ? (b.low[d] - all.low[d]) / size : 0.;
+      }
+      return place;
+    });
+  }
+
+  std::vector<Index> order_;
+  Box_tree<3> tree_{std::vector<Box<3>>()};
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PLACED_BOXES_H
