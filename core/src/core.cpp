@@ -10,6 +10,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/find_right_classes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/classification/Loop_growth_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_position_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/solid_sides_impl.h>

@@ -35,6 +35,11 @@ enum vertex_arc_map_t { vertex_arc_map };
 enum allow_parallel_arcs_t { allow_parallel_arcs };
 enum device_options_t { device_options };
 enum basis_kind_t { basis_kind };
+enum cone_vertices_t { cone_vertices };
+enum edge_weight_map_t { edge_weight_map };
+enum edge_is_avoided_map_t { edge_is_avoided_map };
+enum do_cut_spheres_t { do_cut_spheres };
+enum cut_loops_t { cut_loops };
 
 } // namespace internal_np
 
@@ -66,6 +71,11 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(allow_parallel_arcs)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(device_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(basis_kind)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(cone_vertices)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(edge_weight_map)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(edge_is_avoided_map)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_cut_spheres)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(cut_loops)
 
 #undef CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER
 
