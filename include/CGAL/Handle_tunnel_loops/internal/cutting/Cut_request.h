@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
-#include <CGAL/Handle_tunnel_loops/internal/edges/walk_beside.h>
+#include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -110,8 +110,8 @@ public:
                   v = index_of(target(step.halfedge, tm_));
       places.push_back({step.ratio == 1. ? v : u, step.ratio == 0. ? u : v});
     }
-    std::vector<Index> walk =
-        walk_beside(places, [this](Index u, Index v) { return problem_.mesh.edge_length(u, v); });
+    std::vector<Index> walk = shortest_walk_beside(
+        places, [this](Index u, Index v) { return problem_.mesh.edge_length(u, v); });
     remove_spurs(walk);
     if(walk.size() > 1)
       problem_.walks.push_back(std::move(walk));

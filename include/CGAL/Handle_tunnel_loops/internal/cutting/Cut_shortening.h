@@ -120,11 +120,26 @@ private:
       if(!cut_.contains(h))
         insert(h);
     for(const Index v : {boundary.vertex(arc.first), boundary.vertex(arc.last)})
-      cut_.prune(v, [&](Index h) { count_erased(h); });
-    if(gain() > 1e-12 * arc.length && opens_to_disk(proposal.path.front()))
+      prune(v);
+    for(const Index h : proposal.path)
+      for(const Index v : {halfedges_.source(h), halfedges_.target(h)})
+        prune(v);
+    if(passes_cones() && gain() > 1e-12 * arc.length && opens_to_disk(proposal.path.front()))
       return true;
     undo();
     return false;
+  }
+
+  void prune(Index v) {
+    cut_.prune(v, [&](Index h) { count_erased(h); });
+  }
+
+  bool passes_cones() const {
+    for(const Change& change : changes_)
+      for(const Index v : {halfedges_.source(change.halfedge), halfedges_.target(change.halfedge)})
+        if(problem_.is_cone(v) && cut_.degree(v) == 0)
+          return false;
+    return true;
   }
 
   double gain() const {

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/edges/Walk_improvement.h>
-#include <CGAL/Handle_tunnel_loops/internal/edges/walk_beside.h>
+#include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
@@ -79,7 +79,7 @@ private:
       const Index u = number(source(step.halfedge, tm_)), v = number(target(step.halfedge, tm_));
       places.push_back({step.ratio == 1. ? v : u, step.ratio == 0. ? u : v});
     }
-    std::vector<Index> walk = walk_beside(
+    std::vector<Index> walk = shortest_walk_beside(
         places, [&](Index u, Index v) { return norm(position(ends[v]) - position(ends[u])); });
     remove_spurs(walk);
     Walk halfedges;

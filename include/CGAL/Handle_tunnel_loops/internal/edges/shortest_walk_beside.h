@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_EDGES_WALK_BESIDE_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_EDGES_WALK_BESIDE_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_EDGES_SHORTEST_WALK_BESIDE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_EDGES_SHORTEST_WALK_BESIDE_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -59,8 +59,8 @@ private:
 
   // The length of the best walk that passes the given end of the first place, and the walk.
   std::pair<double, std::vector<Index>> from_end(std::size_t first) const {
-    const double never = (std::numeric_limits<double>::max)();
-    std::array<double, 2> sum = {never, never};
+    const double infinite = (std::numeric_limits<double>::max)();
+    std::array<double, 2> sum = {infinite, infinite};
     sum[first] = 0.;
     std::vector<std::array<unsigned char, 2>> previous(places_.size() + 1);
     for(std::size_t i = 1; i <= places_.size(); ++i) {
@@ -88,7 +88,8 @@ private:
 
 /// the shortest closed walk beside the places of a loop, see `Walk_beside`.
 template <typename Length>
-std::vector<Index> walk_beside(const std::vector<Edge_ends>& places, const Length& length) {
+std::vector<Index> shortest_walk_beside(const std::vector<Edge_ends>& places,
+                                        const Length& length) {
   return Walk_beside<Length>(places, length).find();
 }
 
@@ -96,4 +97,4 @@ std::vector<Index> walk_beside(const std::vector<Edge_ends>& places, const Lengt
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_EDGES_WALK_BESIDE_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_EDGES_SHORTEST_WALK_BESIDE_H
