@@ -13,7 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/edges/Loop_imprint.h>
 #include <CGAL/Handle_tunnel_loops/internal/edges/Loop_walker.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -135,6 +137,84 @@ void mark_loop_edges(const LoopRange& loops,
         item, [&](const auto& loop) { loop_to_halfedges(loop, tm, std::back_inserter(walk), np); });
   for(const Halfedge h : walk)
     put(edge_mark, edge(h, tm), true);
+}
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+makes loops edges of their mesh: divides the faces that they cross along them, and into triangles
+again. The points of the loops become vertices as they are; where two loops cross in a face, there
+is a new vertex. Loops may pass vertices, run along edges, and go through a face several times.
+
+The mesh stays closed and a manifold, with the same Euler characteristic: only edges and faces are
+split. In exact terms new vertices lie on the surface only up to rounding.
+
+Loops that were not passed refer to halfedges that may be others afterwards: all loops have to be
+passed at once.
+
+\tparam LoopRange a range of `Loop_on_surface<TriangleMesh>` or of
+  `Handle_tunnel_pair<TriangleMesh>`, of which both loops are taken
+\tparam TriangleMesh a model of `MutableFaceGraph` with triangles as faces
+\tparam OutputIterator a model of `OutputIterator` that accepts
+  `std::vector<boost::graph_traits<TriangleMesh>::%halfedge_descriptor>`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param loops the loops
+\param tm the mesh
+\param out the iterator that the closed walk of each loop is written to, in their order
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadWritePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{is set to `true` for the edges of the loops, and left as it is for others}
+    \cgalParamType{a class model of `WritablePropertyMap` with the edges of `tm` as keys and `bool`
+as value type} \cgalParamDefault{unused} \cgalParamNEnd \cgalParamNBegin{face_origin_map}
+    \cgalParamDescription{is given, for each part of a face that was divided, that face, which is
+one of the parts} \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as
+keys and as values} \cgalParamDefault{unused} \cgalParamNEnd \cgalNamedParamsEnd
+
+\return `out`, past the last walk written
+
+\throws std::invalid_argument if consecutive places of a loop have no common face; the mesh has not
+  been changed then
+
+\sa `loop_to_halfedges()`
+*/
+template <typename LoopRange,
+          typename TriangleMesh,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator imprint_loops(const LoopRange& loops,
+                             TriangleMesh& tm,
+                             OutputIterator out,
+                             const NamedParameters& np = parameters::default_values()) {
+  namespace impl = Handle_tunnel_loops::internal;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
+  const Vertex_point_map point = parameters::choose_parameter(
+      get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tm));
+  impl::Loop_imprint<TriangleMesh, Vertex_point_map> imprint(tm, point);
+  for(const auto& item : loops)
+    impl::for_each_loop_of(item, [&](const auto& loop) { imprint.add(loop); });
+  const auto walks = imprint.run();
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value) {
+    auto marks = get_parameter(np, internal_np::edge_is_constrained);
+    for(const auto& walk : walks)
+      for(const auto h : walk)
+        put(marks, edge(h, tm), true);
+  }
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_origin_map_t>::value) {
+    auto origins = get_parameter(np, internal_np::face_origin_map);
+    imprint.for_each_part(
+        [&](const auto& part, const auto& origin) { put(origins, part, origin); });
+  }
+  return std::copy(walks.begin(), walks.end(), out);
 }
 
 } // namespace CGAL

@@ -40,6 +40,7 @@ enum edge_weight_map_t { edge_weight_map };
 enum edge_is_avoided_map_t { edge_is_avoided_map };
 enum do_cut_spheres_t { do_cut_spheres };
 enum cut_loops_t { cut_loops };
+enum face_origin_map_t { face_origin_map };
 
 } // namespace internal_np
 
@@ -76,6 +77,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(edge_weight_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(edge_is_avoided_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_cut_spheres)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(cut_loops)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(face_origin_map)
 
 #undef CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER
 
