@@ -14,7 +14,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/solid_sides_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/necks/find_flat_necks_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/diffusion_times_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/make_host_passes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>

@@ -44,6 +44,12 @@
 
 namespace CGAL {
 
+namespace Handle_tunnel_loops {
+namespace internal {
+struct Solver_access;
+}
+} // namespace Handle_tunnel_loops
+
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
@@ -186,6 +192,8 @@ public:
   }
 
 private:
+  friend struct Handle_tunnel_loops::internal::Solver_access;
+
   void forget_last_run() {
     using namespace Handle_tunnel_loops;
     const double seconds_of_adaptor = statistics_.seconds_of(Stage::ADAPTOR);

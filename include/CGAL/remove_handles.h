@@ -14,181 +14,159 @@
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Handle_selection.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Mesh_link.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/surface_count.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Handle_remover.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
-#include <CGAL/Handle_tunnel_loops_solver.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/iterator.h>
 #include <CGAL/tags.h>
 
-#include <cstddef>
-#include <functional>
-#include <iterator>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
 
-/// `CGAL::remove_handles()`, step by step.
-template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
-class Handle_remover
-{
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
-  using Const_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
-  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-  using Solver = Handle_tunnel_loops_solver<TriangleMesh, Const_point_map, Geom_traits>;
-  using Pair = typename Solver::Pair;
-  using Ask = std::function<bool(double)>;
+/*!
+\ingroup PkgHandleTunnelLoopsRef
 
-public:
-  Handle_remover(TriangleMesh& tm, const NamedParameters& np)
-      : tm_(tm)
-      , np_(np)
-      , ask_(get(internal_np::callback, Ask())) {}
+removes handles from a closed surface, and leaves the rest of it as it is: the topological noise of
+scans and segmentations, say.
 
-  Removal_report operator()() {
-    const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm_, np_);
-    const auto face_index = CGAL::get_initialized_face_index_map(tm_, np_);
-    find_pairs(vertex_index, face_index);
-    std::vector<Removal_task> tasks =
-        Task_list<TriangleMesh, Pair, std::decay_t<decltype(vertex_index)>>(
-            tm_, vertex_index, selection())(pairs_, report_.genus_before);
-    Mesh_link<TriangleMesh, Vertex_point_map> link(
-        tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
-                                          get_property_map(vertex_point, tm_)));
-    Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
-    remove_from(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.3 * done); });
-    count(mesh);
-    describe(tasks);
-    if(!get(internal_np::do_dry_run, false))
-      write_back(mesh, tasks, link);
-    return std::move(report_);
-  }
+Each handle is removed along one loop of its pair. Cut along its handle loop, it becomes two ends
+that are closed in the solid; along its tunnel loop, its hole is filled. A strip of faces along the
+loop is taken out, and its two holes are closed by caps that are refined to the density of the mesh
+around them and made smooth with it. Where the loops of a handle are so short against the faces that
+there is no such strip, or where no caps fit, a piece of the surface with the whole handle is
+replaced by one disc.
 
-private:
-  static constexpr Execution execution = execution_of<ConcurrencyTag>();
+It is a theorem that the genus is one less for each handle that is removed, and that no piece comes
+off: strips are annuli along loops that do not separate the surface, both found by counting. The
+result is counted once more before it is written. It is closed, oriented and manifold, and it has
+*no intersection that was not there before*: caps are checked by exact predicates against the whole
+surface and each other (coordinates are taken as doubles for that; those of an exact kernel are
+rounded). Where caps would meet something, narrower strips are tried, loops beside, the other loop
+of the pair, the whole handle, and strips after a subdivision along the loop. If nothing fits, the
+handle is *refused*: the report says why, and it stays as it was. No larger handle takes its place.
+Vertices and faces outside of what is replaced are not touched: they are the same descriptors, with
+all that property maps say of them.
 
-  template <typename Tag, typename Default> auto get(Tag tag, const Default& value) const {
-    return parameters::choose_parameter(parameters::get_parameter(np_, tag), value);
-  }
-  template <typename Tag>
-  static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+Handles are removed in order of their sizes: the size of a handle is the length of the loop that is
+tried first. Which ones is said by the parameters; those that fulfil all conditions are removed, all
+of them if there is none. A loop across which another handle has been removed is not the loop of
+anything any more: the loops are found anew then on the surface as it is, and those that lie where
+the loops of the handle did are taken.
 
-  // Asks no more once it was told to stop.
-  void ask(double done) {
-    if(ask_ && !ask_(done)) {
-      ask_ = nullptr;
-      throw Interrupted_exception();
-    }
-  }
+*Necks* are removed if a maximal length of theirs is given: loops that separate the surface, around
+the last one of the bridges that join two shells, or through the last one of the holes that join an
+outer and an inner wall, once the handles shorter than that are gone. The shells come apart. All
+necks that are found are simple, disjoint and separate the surface, which is counted; that all are
+found is likely, and not certain.
 
-  // The solver checks the mesh, whoever finds the loops.
-  template <typename VertexIndexMap, typename FaceIndexMap>
-  void find_pairs(VertexIndexMap vertex_index, FaceIndexMap face_index) {
-    Solver solver(ConcurrencyTag(), tm_, np_);
-    report_.genus_before = solver.genus();
-    report_.components_before = solver.number_of_components();
-    if constexpr(is_given<internal_np::known_pairs_t>) {
-      const auto& known = parameters::get_parameter(np_, internal_np::known_pairs);
-      pairs_.assign(known.begin(), known.end());
-      check_pairs(vertex_index, face_index);
-    } else
-      solver.template find_loops<ConcurrencyTag>(
-          std::back_inserter(pairs_),
-          parameters::callback(Ask([this](double done) { return !ask_ || ask_(0.7 * done); })));
-  }
+Time is that of finding the loops, if they are not given, and near linear in the size of the mesh
+and of the caps; for each round in which loops are to be found anew, that is added. Beyond the mesh,
+memory is 60 bytes per face.
 
-  template <typename VertexIndexMap, typename FaceIndexMap>
-  void check_pairs(VertexIndexMap vertex_index, FaceIndexMap face_index) const {
-    using Loop = typename Pair::Loop;
-    std::vector<const Loop*> loops;
-    for(const Pair& pair : pairs_)
-      loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
-    Loop_certifier<TriangleMesh, VertexIndexMap, FaceIndexMap> certifier(tm_, vertex_index,
-                                                                         face_index);
-    certifier.set_loops(execution, loops);
-    if(!certifier.are_closed_on_surface())
-      throw std::invalid_argument("the loops are not of this mesh: " +
-                                  certifier.failures().front());
-  }
+Caps are made smooth only where the program is compiled with \eigen (`CGAL_EIGEN3_ENABLED`); they
+are refined and plane otherwise.
 
-  Handle_selection<Pair> selection() const {
-    Handle_selection<Pair> wanted;
-    wanted.method = get(internal_np::removal_method, Removal_method::CHEAPEST);
-    wanted.maximal_length = get(internal_np::maximal_length, wanted.maximal_length);
-    if constexpr(is_given<internal_np::target_genus_t>)
-      wanted.target_genus = parameters::get_parameter(np_, internal_np::target_genus);
-    if constexpr(is_given<internal_np::removal_box_t>)
-      wanted.box = parameters::get_parameter(np_, internal_np::removal_box);
-    if constexpr(is_given<internal_np::handle_filter_t>)
-      wanted.filter = parameters::get_parameter(np_, internal_np::handle_filter);
-    return wanted;
-  }
+\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
+  same.
+\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`, a closed triangle mesh
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-  void count(const Surgery_mesh& mesh) {
-    const Surface_count count = count_surface(execution, mesh);
-    report_.genus_after = count.genus;
-    report_.components_after = count.components;
-  }
+\param tm the mesh
+\param np an optional sequence of named parameters among those listed below
 
-  void describe(const std::vector<Removal_task>& tasks) {
-    for(const Removal_task& task : tasks)
-      if(task.state == Removal_task::State::REMOVED) {
-        report_.removed.push_back(
-            {task.pair, way(task), task.choices[task.choice].length, task.area, task.volume});
-      } else if(task.state == Removal_task::State::REFUSED)
-        report_.refused.push_back({task.pair, task.choices.front().length, why_refused(task)});
-    if(report_.genus_after + report_.removed.size() != report_.genus_before ||
-       report_.components_after != report_.components_before)
-      throw std::logic_error("handles were removed, but the genus does not say so");
-  }
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_genus}
+    \cgalParamDescription{the genus to be left, summed over the components}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximal_length}
+    \cgalParamDescription{only handles of a smaller size are removed; in the unit of the
+coordinates} \cgalParamType{`double`} \cgalParamDefault{no limit, or that of necks} \cgalParamNEnd
+  \cgalParamNBegin{removal_box}
+    \cgalParamDescription{only handles are removed whose loop that is tried first lies in this box}
+    \cgalParamType{`Bbox_3`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{handle_filter}
+    \cgalParamDescription{only handles are removed of which this is true}
+    \cgalParamType{a function that takes a `Handle_tunnel_pair` and returns a `bool`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{known_pairs}
+    \cgalParamDescription{the loops of all handles, or of some, if they have been found already:
+these are the handles there are to choose from} \cgalParamType{a range of `Handle_tunnel_pair`}
+    \cgalParamDefault{they are found}
+  \cgalParamNEnd
+  \cgalParamNBegin{removal_method}
+    \cgalParamDescription{along which loops handles are removed}
+    \cgalParamType{`Handle_tunnel_loops::Removal_method`}
+    \cgalParamDefault{`Handle_tunnel_loops::Removal_method::CHEAPEST`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximal_neck_length}
+    \cgalParamDescription{necks shorter than this are removed}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no necks are removed}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimal_piece_share}
+    \cgalParamDescription{the share of the area of its component that each piece has at least that
+comes off at a neck; from 0 to 0.5} \cgalParamType{`double`} \cgalParamDefault{0.01} \cgalParamNEnd
+  \cgalParamNBegin{do_dry_run}
+    \cgalParamDescription{whether all is computed and nothing is written to the mesh}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{added_faces}
+    \cgalParamDescription{is told the faces that the mesh did not have before}
+    \cgalParamType{a model of `OutputIterator` that accepts face descriptors}
+    \cgalParamDefault{`Emptyset_iterator`}
+  \cgalParamNEnd
+  \cgalParamNBegin{added_vertices}
+    \cgalParamDescription{is told the vertices that the mesh did not have before}
+    \cgalParamType{a model of `OutputIterator` that accepts vertex descriptors}
+    \cgalParamDefault{`Emptyset_iterator`}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{is told the progress, from 0 to 1, and asks to stop by returning `false`}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{an empty function}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadWritePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal Kernel deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
-  static Removal_way way(const Removal_task& task) {
-    if(task.is_whole)
-      return Removal_way::WHOLE;
-    return task.choices[task.choice].type == Loop_type::HANDLE ? Removal_way::CUT
-                                                               : Removal_way::FILL;
-  }
+\return what was removed, and what was refused
 
-  static std::string why_refused(const Removal_task& task) {
-    std::string why;
-    for(std::size_t i = 0; i < task.choices.size(); ++i)
-      why += std::string(i == 0 ? "" : "; ") +
-             (task.choices[i].type == Loop_type::HANDLE ? "cut: " : "fill: ") + task.reasons[i];
-    return why;
-  }
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+  triangle mesh with finite coordinates; the message names an element
+\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
+\throws std::invalid_argument if the target is above the genus, no loop lies in the box, the pairs
+  are not of this mesh, or a length or a share is not valid
+\throws std::logic_error if the result is not what it should be, which is a defect of the package
 
-  void write_back(const Surgery_mesh& mesh,
-                  const std::vector<Removal_task>& tasks,
-                  Mesh_link<TriangleMesh, Vertex_point_map>& link) {
-    auto vertices = get(internal_np::added_vertices, Emptyset_iterator());
-    auto faces = get(internal_np::added_faces, Emptyset_iterator());
-    link.write_back(
-        mesh, [&](Index, auto v) { *vertices++ = v; }, [&](Index, auto f) { *faces++ = f; });
-  }
+Whatever is thrown, the mesh is as it was.
 
-  TriangleMesh& tm_;
-  const NamedParameters& np_;
-  Ask ask_;
-  std::vector<Pair> pairs_;
-  Removal_report report_;
-};
-
-} // namespace internal
-} // namespace Handle_tunnel_loops
-
+\sa `handle_tunnel_loops()`
+\sa `cut_to_disk()`
+*/
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -3,6 +3,7 @@ set(HTLOOPS_SOURCES
   version.cpp
   commands/check_command.cpp
   commands/common_options.cpp
+  commands/cut_command.cpp
   commands/generate_command.cpp
   commands/help_style.cpp
   commands/loops_command.cpp
@@ -22,6 +23,7 @@ set(HTLOOPS_SOURCES
   read/text_cursor.cpp
   read/values_reader.cpp
   solve/backends.cpp
+  solve/cut_solver.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
@@ -31,6 +33,7 @@ set(HTLOOPS_SOURCES
   terminal/progress_bar.cpp
   terminal/terminal.cpp
   write/atomic_file.cpp
+  write/cut_exports.cpp
   write/events_writer.cpp
   write/export_lines.cpp
   write/export_vtp.cpp

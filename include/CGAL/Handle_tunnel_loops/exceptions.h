@@ -87,6 +87,24 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when no cut is as the caller wants it: the edges to avoid are in the way of every one,
+/// or the edges to keep cut off a part of the surface.
+class No_cut_exception : public std::invalid_argument
+{
+public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when a cut does not open every component to one disk. It signals a defect of the
+/// package, never of the input; nothing has been written when it is thrown.
+class Uncertified_cut_exception : public std::logic_error
+{
+public:
+  using std::logic_error::logic_error;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
 /// is thrown when the `callback` asked to stop; no loop has been written.
 class Interrupted_exception : public std::runtime_error
 {

@@ -47,11 +47,9 @@ the next one in the next round.
 class Handle_removal
 {
 public:
-  /// \p least_area is that of a piece that comes off at a neck.
-  Handle_removal(Execution execution, Surgery_mesh& mesh, double least_area = 0.)
+  Handle_removal(Execution execution, Surgery_mesh& mesh)
       : execution_(execution)
       , mesh_(mesh)
-      , least_area_(least_area)
       , meet_mesh_(mesh) {}
 
   /// \p ask is called with the number of tasks that are done, and throws to stop.
@@ -100,7 +98,7 @@ private:
           tasks[i].reasons.assign(tasks[i].choices.size(), std::string());
           course.ways = ways_of_removal(tasks[i].choices.size());
           for(const Loop_choice& choice : tasks[i].choices)
-            course.walks.push_back(simple_part(Walk_beside_loop(mesh_, choice.places)()));
+            course.walks.push_back(simple_part(walk_beside(mesh_, choice.places)));
         },
         16);
   }
@@ -270,13 +268,10 @@ private:
   }
 
   const char* why_not(const Removal_proposal& proposal, const Removal_task& task) {
-    const Rest rest = separation_(proposal.mesh_of_region(), proposal.region(), least_area_);
-    if(task.pair != Removal_task::is_neck)
-      return rest == Rest::ONE_PIECE ? nullptr : "the loop separates the surface";
-    if(rest == Rest::TWO_PIECES)
+    const bool separates = separates_(proposal.mesh_of_region(), proposal.region());
+    if(separates == (task.pair == Removal_task::is_neck))
       return nullptr;
-    return rest == Rest::ONE_PIECE ? "the loop does not separate the surface"
-                                   : "the piece that would come off is too small";
+    return separates ? "the loop separates the surface" : "the loop does not separate the surface";
   }
 
   static double area_of_caps(const Placed_patch& patch) {
@@ -302,9 +297,8 @@ private:
 
   const Execution execution_;
   Surgery_mesh& mesh_;
-  const double least_area_;
   Mesh_contacts meet_mesh_;
-  Separation separation_;
+  Separation separates_;
   std::vector<Course> courses_;      // by task
   std::vector<Placed_patch> put_in_; // in this round
 };

@@ -12,14 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Surface_copy.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -28,7 +26,6 @@
 #include <iterator>
 #include <limits>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,16 +38,13 @@ namespace internal {
 class Loops_anew
 {
   using Point = Surgery_mesh::Point;
-  using Mesh = Surface_mesh<Point>;
+  using Mesh = Surface_copy::Mesh;
   using Pair = Handle_tunnel_pair<Mesh>;
 
 public:
   Loops_anew(Execution execution, const Surgery_mesh& mesh)
-      : mesh_(mesh) {
-    Mesh_link<Mesh, std::decay_t<decltype(copy_.points())>> link(copy_, copy_.points());
-    link.write_back(
-        mesh, [this](Index number, Mesh::Vertex_index) { numbers_.push_back(number); },
-        [](Index, Mesh::Face_index) {});
+      : mesh_(mesh)
+      , copy_(mesh) {
     find(execution);
   }
 
@@ -81,7 +75,7 @@ public:
 
 private:
   void find(Execution execution) {
-    Handle_tunnel_loops_solver<Mesh> solver(copy_);
+    Handle_tunnel_loops_solver<Mesh> solver(copy_.mesh());
 #ifdef CGAL_LINKED_WITH_TBB
     if(execution.is_parallel()) {
       solver.find_loops<Parallel_tag>(std::back_inserter(pairs_));
@@ -125,10 +119,7 @@ private:
     for(Loop_choice& choice : task.choices) {
       const Pair::Loop& loop = pair.loop(choice.type);
       choice.length = loop.length();
-      choice.places.clear();
-      for(const Pair::Loop::Step& step : loop.steps())
-        choice.places.push_back({numbers_[source(step.halfedge, copy_)],
-                                 numbers_[target(step.halfedge, copy_)], step.ratio});
+      choice.places = copy_.places(loop);
     }
     std::stable_sort(
         task.choices.begin(), task.choices.end(),
@@ -137,8 +128,7 @@ private:
   }
 
   const Surgery_mesh& mesh_;
-  Mesh copy_;
-  std::vector<Index> numbers_; // by vertex of the copy
+  Surface_copy copy_;
   std::vector<Pair> pairs_;
 };
 

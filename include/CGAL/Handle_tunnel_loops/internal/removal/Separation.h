@@ -14,45 +14,36 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/removal/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/triangle_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// What a surface is without a region.
-enum class Rest {
-  ONE_PIECE,
-  TWO_PIECES,
-  SMALL_PIECE ///< two, one of which has less than a given area
-};
-
 /// Finds whether a surface falls apart when a region is taken out: the faces beyond both of its
-/// sides are gone through in turn, until they meet or one side has no more. Takes no longer than
+/// borders are gone through in turn, until they meet or one side has no more. Takes no longer than
 /// the smaller piece or the way around.
 class Separation
 {
 public:
-  Rest operator()(const Surgery_mesh& mesh, const Cut_region& region, double least_area = 0.) {
+  bool operator()(const Surgery_mesh& mesh, const Cut_region& region) {
+    if(region.number_of_borders() == 1)
+      return false; // each piece has a border
     side_of_.resize(mesh.face_bound(), 0);
     sides_ = {};
-    least_area_ = least_area;
     for(Index f : region.faces())
       side_of_[f] = in_region;
-    const Rest rest = find_rest(mesh, region);
+    const bool separates = !do_sides_meet(mesh, region);
     for(Index f : region.faces())
       side_of_[f] = 0;
     for(const Side& side : sides_)
       for(Index f : side.reached)
         side_of_[f] = 0;
-    return rest;
+    return separates;
   }
 
 private:
@@ -62,34 +53,24 @@ private:
   {
     std::vector<Index> reached;
     std::size_t done = 0;
-    double area = 0.; // of those that are done
 
     bool is_complete() const { return done == reached.size(); }
   };
 
-  Rest find_rest(const Surgery_mesh& mesh, const Cut_region& region) {
-    if(region.number_of_borders() == 1)
-      return Rest::ONE_PIECE; // each piece has a border
+  bool do_sides_meet(const Surgery_mesh& mesh, const Cut_region& region) {
     for(std::size_t side : {0, 1})
       for(Index h : region.border(side))
         if(visit(mesh.face(mesh.twin(h)), side))
-          return Rest::ONE_PIECE;
-    std::size_t side = 0;
-    for(; !sides_[side].is_complete(); side = 1 - side)
+          return true;
+    for(std::size_t side = 0; !sides_[side].is_complete(); side = 1 - side)
       if(meets_other(mesh, side))
-        return Rest::ONE_PIECE;
-    Side& other = sides_[1 - side];
-    while(other.area < least_area_ && !other.is_complete())
-      meets_other(mesh, 1 - side);
-    return (std::min)(sides_[side].area, other.area) < least_area_ ? Rest::SMALL_PIECE
-                                                                   : Rest::TWO_PIECES;
+        return true;
+    return false;
   }
 
   // Goes from the next face of a side to its neighbours.
   bool meets_other(const Surgery_mesh& mesh, std::size_t side) {
     const Index f = sides_[side].reached[sides_[side].done++];
-    if(least_area_ > 0.)
-      sides_[side].area += placed_triangle(mesh, f).area();
     bool meets = false;
     for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
       meets = visit(mesh.face(mesh.twin(h)), side) || meets;
@@ -108,7 +89,6 @@ private:
 
   std::vector<char> side_of_; // by face
   std::array<Side, 2> sides_;
-  double least_area_ = 0.;
 };
 
 } // namespace internal

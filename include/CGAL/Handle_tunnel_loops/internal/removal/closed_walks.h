@@ -12,15 +12,13 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -46,80 +44,17 @@ inline bool is_intact(const Surgery_mesh& mesh, const Closed_walk& walk) {
   return true;
 }
 
-/// The shortest closed walk that comes of a loop when each place moves to one of the ends of its
-/// edge. As places that follow each other share a face, so do these ends: they are equal or joined
-/// by an edge, and the walk is homotopic to the loop.
-class Walk_beside_loop
-{
-public:
-  Walk_beside_loop(const Surgery_mesh& mesh, const std::vector<Edge_place>& places)
-      : mesh_(mesh)
-      , places_(places) {}
-
-  Closed_walk operator()() {
-    Closed_walk best;
-    double least = (std::numeric_limits<double>::infinity)();
-    for(std::size_t end : {0, 1}) {
-      if(!is_allowed(places_.front(), end))
-        continue;
-      const double length = shortest_from(end);
-      if(length < least) {
-        least = length;
-        best = walk_to(end);
-      }
-    }
-    remove_spurs(best);
-    return best;
-  }
-
-private:
-  // A place at a vertex stays there.
-  static bool is_allowed(const Edge_place& p, std::size_t end) {
-    return p.ratio != (end == 0 ? 1. : 0.);
-  }
-  static Index vertex(const Edge_place& p, std::size_t end) {
-    return end == 0 ? p.source : p.target;
-  }
-  double distance(Index u, Index v) const {
-    return std::sqrt(CGAL::squared_distance(mesh_.point(u), mesh_.point(v)));
-  }
-
-  // Dynamic programming once around, back to the end of the first edge that it begins at.
-  double shortest_from(std::size_t first_end) {
-    constexpr double infinite = (std::numeric_limits<double>::infinity)();
-    came_from_.assign(places_.size() + 1, {0, 0});
-    std::array<double, 2> lengths{infinite, infinite};
-    lengths[first_end] = 0.;
-    for(std::size_t i = 1; i <= places_.size(); ++i) {
-      const Edge_place &a = places_[i - 1], &b = places_[i == places_.size() ? 0 : i];
-      std::array<double, 2> longer{infinite, infinite};
-      for(std::size_t to : {0, 1})
-        for(std::size_t from : {0, 1}) {
-          const double length = lengths[from] + distance(vertex(a, from), vertex(b, to));
-          if(is_allowed(b, to) && length < longer[to]) {
-            longer[to] = length;
-            came_from_[i][to] = from;
-          }
-        }
-      lengths = longer;
-    }
-    return lengths[first_end];
-  }
-
-  Closed_walk walk_to(std::size_t end) const {
-    Closed_walk walk;
-    for(std::size_t i = places_.size(); i > 0; --i) {
-      end = came_from_[i][end];
-      walk.push_back(vertex(places_[i - 1], end));
-    }
-    std::reverse(walk.begin(), walk.end());
-    return walk;
-  }
-
-  const Surgery_mesh& mesh_;
-  const std::vector<Edge_place>& places_;
-  std::vector<std::array<std::size_t, 2>> came_from_;
-};
+/// the shortest closed walk on the edges beside a loop, homotopic to it.
+inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Edge_place>& places) {
+  std::vector<Edge_ends> ends;
+  for(const Edge_place& p : places)
+    ends.push_back({p.ratio == 1. ? p.target : p.source, p.ratio == 0. ? p.source : p.target});
+  Closed_walk walk = shortest_walk_beside(ends, [&](Index u, Index v) {
+    return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
+  });
+  remove_spurs(walk);
+  return walk;
+}
 
 /// A part of a closed walk that comes to no vertex twice: the longer part, where there are two.
 inline Closed_walk simple_part(Closed_walk walk) {

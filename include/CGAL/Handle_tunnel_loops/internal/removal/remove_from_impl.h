@@ -12,8 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/necks/find_necks.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Handle_removal.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Loops_anew.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Surface_copy.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/remove_from.h>
 
 #include <algorithm>
@@ -44,6 +46,21 @@ CGAL_HTL_CORE void remove_from(Execution execution,
   for(Removal_task& task : tasks)
     if(task.state == State::DAMAGED)
       task.state = State::REFUSED;
+}
+
+CGAL_HTL_CORE std::vector<Removal_task>
+remove_necks_from(Execution execution, Surgery_mesh& mesh, const Neck_selection& wanted) {
+  const Surface_copy copy(mesh);
+  std::vector<Removal_task> tasks;
+  for(const auto& neck :
+      find_necks(execution, copy.mesh(), copy.mesh().points(), get(vertex_index, copy.mesh()),
+                 Surgery_mesh::Kernel(), wanted.maximal_length, wanted.minimal_share))
+  {
+    tasks.emplace_back();
+    tasks.back().choices.push_back({Loop_type::HANDLE, neck.length, copy.places(neck.loop)});
+  }
+  Handle_removal(execution, mesh)(tasks, [](std::size_t) {});
+  return tasks;
 }
 
 } // namespace internal

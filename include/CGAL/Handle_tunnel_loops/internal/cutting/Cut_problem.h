@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_PROBLEM_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_PROBLEM_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/edges/Flat_halfedges.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What the caller wants of an edge.
+enum class Edge_rule : unsigned char { FREE, KEEP, AVOID };
+
+/// A surface, and what its cut has to be like.
+struct Cut_problem
+{
+  Cut_problem(Execution execution, const Flat_mesh& m)
+      : mesh(m)
+      , halfedges(execution, m) {}
+
+  const Flat_mesh& mesh;
+  Flat_halfedges halfedges;
+  std::vector<double> weight;            ///< by halfedge, the same both ways
+  std::vector<Edge_rule> rules;          ///< by halfedge, the same both ways; empty: all are free
+  std::vector<char> cones;               ///< by vertex, whether the cut goes there; empty: nowhere
+  std::vector<std::vector<Index>> walks; ///< closed, on the edges, to begin with
+  bool do_cut_spheres = false;
+
+  Edge_rule rule(Index h) const { return rules.empty() ? Edge_rule::FREE : rules[h]; }
+  bool is_kept(Index h) const { return rule(h) == Edge_rule::KEEP; }
+  bool is_avoided(Index h) const { return rule(h) == Edge_rule::AVOID; }
+  bool is_cone(Index v) const { return !cones.empty() && cones[v] != 0; }
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_PROBLEM_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_REQUEST_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_REQUEST_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
+#include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Turns what a caller wants of a cut, in terms of the mesh, into a `Cut_problem`.
+template <typename TriangleMesh, typename VertexIndexMap> class Cut_request
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using edge_descriptor = typename Graph_traits::edge_descriptor;
+
+public:
+  /// `vertices` are those of the mesh, by index of the flat mesh.
+  Cut_request(Execution execution,
+              const TriangleMesh& tm,
+              VertexIndexMap index,
+              const Flat_mesh& mesh,
+              const std::vector<vertex_descriptor>& vertices)
+      : execution_(execution)
+      , tm_(tm)
+      , index_(index)
+      , vertices_(vertices)
+      , problem_(execution, mesh)
+      , flat_index_(bound(mesh), no_index) {
+    for_each_index(execution, vertices.size(),
+                   [&](std::size_t i) { flat_index_[mesh.original[i]] = static_cast<Index>(i); });
+  }
+
+  void use_lengths() {
+    problem_.weight.resize(problem_.halfedges.size());
+    for_each_index(execution_, problem_.weight.size(), [&](std::size_t h) {
+      const Index i = static_cast<Index>(h);
+      problem_.weight[h] =
+          problem_.mesh.edge_length(problem_.halfedges.source(i), problem_.halfedges.target(i));
+    });
+  }
+
+  template <typename EdgeWeightMap> void use_weights(const EdgeWeightMap& weights) {
+    problem_.weight.resize(problem_.halfedges.size());
+    for(const edge_descriptor e : edges(tm_)) {
+      const Index h = halfedge_of(e);
+      const double weight = CGAL::to_double(get(weights, e));
+      if(!(weight >= 0. && std::isfinite(weight)))
+        throw std::invalid_argument("the weight of an edge is negative or not finite: " +
+                                    name_of(e));
+      problem_.weight[h] = problem_.weight[problem_.halfedges.twin(h)] = weight;
+    }
+  }
+
+  template <typename EdgeMarkMap> void set_rule(const EdgeMarkMap& marks, Edge_rule rule) {
+    problem_.rules.resize(problem_.halfedges.size(), Edge_rule::FREE);
+    for(const edge_descriptor e : edges(tm_))
+      if(get(marks, e)) {
+        const Index h = halfedge_of(e);
+        if(problem_.rules[h] != Edge_rule::FREE && problem_.rules[h] != rule)
+          throw No_cut_exception("an edge is to be kept and to be avoided: " + name_of(e));
+        problem_.rules[h] = problem_.rules[problem_.halfedges.twin(h)] = rule;
+      }
+  }
+
+  template <typename VertexRange> void add_cones(const VertexRange& cones) {
+    for(const vertex_descriptor v : cones) {
+      const Index i = index_of(v);
+      if(i == no_index || vertices_[i] != v)
+        throw std::invalid_argument("a cone is no vertex of the mesh, or belongs to no face");
+      problem_.cones.resize(vertices_.size(), 0);
+      problem_.cones[i] = 1;
+    }
+  }
+
+  void cut_spheres(bool do_cut) { problem_.do_cut_spheres = do_cut; }
+
+  template <typename Loop> void add_loop(const Loop& loop) {
+    std::vector<Edge_ends> places;
+    for(const auto& step : loop.steps()) {
+      const Index u = index_of(source(step.halfedge, tm_)),
+                  v = index_of(target(step.halfedge, tm_));
+      places.push_back({step.ratio == 1. ? v : u, step.ratio == 0. ? u : v});
+    }
+    std::vector<Index> walk = shortest_walk_beside(
+        places, [this](Index u, Index v) { return problem_.mesh.edge_length(u, v); });
+    remove_spurs(walk);
+    if(walk.size() > 1)
+      problem_.walks.push_back(std::move(walk));
+  }
+
+  const Cut_problem& problem() const { return problem_; }
+  Cut_problem take_problem() { return std::move(problem_); }
+
+  edge_descriptor edge_of(Index h) const {
+    const vertex_descriptor u = vertices_[problem_.halfedges.source(h)];
+    return edge(halfedge(u, vertices_[problem_.halfedges.target(h)], tm_).first, tm_);
+  }
+
+private:
+  static std::size_t bound(const Flat_mesh& mesh) {
+    Index bound = 0;
+    for(const Index i : mesh.original)
+      bound = (std::max)(bound, i + 1);
+    return bound;
+  }
+
+  Index index_of(vertex_descriptor v) const {
+    const std::size_t i = static_cast<std::size_t>(get(index_, v));
+    return i < flat_index_.size() ? flat_index_[i] : no_index;
+  }
+
+  Index halfedge_of(edge_descriptor e) const {
+    return problem_.halfedges.between(index_of(source(e, tm_)), index_of(target(e, tm_)));
+  }
+
+  std::string name_of(edge_descriptor e) const {
+    return "edge " + std::to_string(get(index_, source(e, tm_))) + " - " +
+           std::to_string(get(index_, target(e, tm_)));
+  }
+
+  Execution execution_;
+  const TriangleMesh& tm_;
+  VertexIndexMap index_;
+  const std::vector<vertex_descriptor>& vertices_;
+  Cut_problem problem_;
+  std::vector<Index> flat_index_; // by caller's index
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_REQUEST_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_SHORTENING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_SHORTENING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Arc_exchange.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Makes a cut shorter: arcs give way to shorter paths, whose ends may be anywhere on the cut, as long
+as each component still opens to one disk. That is decided by counting alone: the boundary is one
+cycle, and the numbers of vertices and edges of the cut differ by as much as the genus says.
+*/
+class Cut_shortening
+{
+public:
+  Cut_shortening(const Cut_problem& problem, Cut_graph& cut)
+      : problem_(problem)
+      , halfedges_(problem.halfedges)
+      , cut_(cut)
+      , exchange_(problem, cut) {}
+
+  /// until no arc can be replaced by a shorter one.
+  void run() {
+    std::vector<char> is_done(problem_.mesh.seeds.size(), 0);
+    for(Index h = 0; h < halfedges_.size(); ++h) {
+      char& done = is_done[problem_.mesh.component[halfedges_.source(h)]];
+      if(cut_.contains(h) && !done) {
+        done = 1;
+        shorten_component(h);
+      }
+    }
+  }
+
+private:
+  struct Change
+  {
+    Index halfedge;
+    bool is_inserted;
+  };
+
+  static constexpr int most_rounds = 40;
+
+  void shorten_component(Index some_halfedge) {
+    some_halfedge_ = some_halfedge;
+    count_component();
+    for(int round = 0; round < most_rounds; ++round) {
+      const Disk_boundary boundary(problem_, cut_, some_halfedge_);
+      bool is_shorter = false;
+      for(const Arc_proposal& proposal : exchange_.find(boundary))
+        is_shorter = accept(boundary, proposal) || is_shorter;
+      if(!is_shorter)
+        return;
+    }
+  }
+
+  void count_component() {
+    edges_ = 0;
+    std::size_t corners = 0;
+    vertices_ = 0;
+    Index h = some_halfedge_;
+    do { // each vertex is counted at its first halfedge of the cut
+      ++corners;
+      vertices_ += is_first_of_cut(h);
+      h = cut_.following(h);
+    } while(h != some_halfedge_);
+    edges_ = corners / 2;
+    excess_ = edges_ - vertices_;
+  }
+
+  bool is_first_of_cut(Index h) const {
+    for(Index k = halfedges_.begin(halfedges_.source(h)); k < h; ++k)
+      if(cut_.contains(k))
+        return false;
+    return true;
+  }
+
+  void erase(Index h) {
+    cut_.erase(h);
+    count_erased(h);
+  }
+  void count_erased(Index h) {
+    --edges_;
+    vertices_ -= number_of_free_ends(h);
+    changes_.push_back({h, false});
+  }
+  void insert(Index h) {
+    ++edges_;
+    vertices_ += number_of_free_ends(h);
+    cut_.insert(h);
+    changes_.push_back({h, true});
+  }
+  std::size_t number_of_free_ends(Index h) const {
+    return (cut_.degree(halfedges_.source(h)) == 0) + (cut_.degree(halfedges_.target(h)) == 0);
+  }
+
+  // Other arcs may have changed since the proposal was made.
+  bool accept(const Disk_boundary& boundary, const Arc_proposal& proposal) {
+    changes_.clear();
+    const Cut_arc& arc = exchange_.arcs()[proposal.arc];
+    for(Index k = arc.first; k != arc.last; k = k + 1 == boundary.size() ? 0 : k + 1)
+      if(cut_.contains(boundary[k]))
+        erase(boundary[k]);
+    for(const Index h : proposal.path)
+      if(!cut_.contains(h))
+        insert(h);
+    for(const Index v : {boundary.vertex(arc.first), boundary.vertex(arc.last)})
+      prune(v);
+    for(const Index h : proposal.path)
+      for(const Index v : {halfedges_.source(h), halfedges_.target(h)})
+        prune(v);
+    if(passes_cones() && gain() > 1e-12 * arc.length && opens_to_disk(proposal.path.front()))
+      return true;
+    undo();
+    return false;
+  }
+
+  void prune(Index v) {
+    cut_.prune(v, [&](Index h) { count_erased(h); });
+  }
+
+  bool passes_cones() const {
+    for(const Change& change : changes_)
+      for(const Index v : {halfedges_.source(change.halfedge), halfedges_.target(change.halfedge)})
+        if(problem_.is_cone(v) && cut_.degree(v) == 0)
+          return false;
+    return true;
+  }
+
+  double gain() const {
+    double sum = 0.;
+    for(const Change& change : changes_)
+      sum +=
+          change.is_inserted ? -problem_.weight[change.halfedge] : problem_.weight[change.halfedge];
+    return sum;
+  }
+
+  bool opens_to_disk(Index some_halfedge) {
+    if(edges_ - vertices_ != excess_ || !cut_.contains(some_halfedge))
+      return false;
+    std::size_t corners = 0;
+    Index h = some_halfedge;
+    do {
+      ++corners;
+      h = cut_.following(h);
+    } while(h != some_halfedge && corners <= 2 * edges_);
+    some_halfedge_ = some_halfedge;
+    return corners == 2 * edges_;
+  }
+
+  void undo() {
+    const std::vector<Change> changes = changes_;
+    for(auto change = changes.rbegin(); change != changes.rend(); ++change)
+      if(change->is_inserted)
+        erase(change->halfedge);
+      else
+        insert(change->halfedge);
+  }
+
+  const Cut_problem& problem_;
+  const Flat_halfedges& halfedges_;
+  Cut_graph& cut_;
+  Arc_exchange exchange_;
+  Index some_halfedge_ = no_index;       // of the cut of the component
+  std::size_t edges_ = 0, vertices_ = 0; // of the cut of the component
+  std::size_t excess_ = 0;               // of its edges over its vertices
+  std::vector<Change> changes_;          // the last ones
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_SHORTENING_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_CUT_TO_DISK_H
+#define CGAL_CUT_TO_DISK_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_request.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Solver_access.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
+#include <CGAL/Handle_tunnel_loops/loops_as_edges.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops_solver.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+/// \file cut_to_disk.h
+/// Cutting surfaces open to disks.
+
+namespace CGAL {
+
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// tells a request what the named parameters say of edges and vertices.
+template <typename Request, typename NamedParameters>
+void read_parameters(Request& request, const NamedParameters& np) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+  if constexpr(is_default_parameter<NamedParameters, internal_np::edge_weight_map_t>::value)
+    request.use_lengths();
+  else
+    request.use_weights(get_parameter(np, internal_np::edge_weight_map));
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
+    request.set_rule(get_parameter(np, internal_np::edge_is_constrained), Edge_rule::KEEP);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_avoided_map_t>::value)
+    request.set_rule(get_parameter(np, internal_np::edge_is_avoided_map), Edge_rule::AVOID);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::cone_vertices_t>::value)
+    request.add_cones(get_parameter(np, internal_np::cone_vertices));
+  request.cut_spheres(choose_parameter(get_parameter(np, internal_np::do_cut_spheres), false));
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+finds edges along which a closed surface falls open: cut along them, every connected component of
+positive genus is one disk. The cut is short: it begins with the loops of the shortest basis that
+`handle_tunnel_loops()` finds, moved onto the edges, connected by shortest arcs. Then each of its
+arcs gives way to the shortest path that may take its place, until none is shorter than what it
+would replace. That the components are disks then, with Euler characteristic 1 and one boundary
+cycle, is counted before anything is written.
+
+Components of genus 0 are left as they are, unless they have cones or edges to keep, or
+`do_cut_spheres` says otherwise.
+
+The result does not depend on the number of threads.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation of the loops, as in
+  `handle_tunnel_loops()`
+\tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
+\tparam OutputIterator a model of `OutputIterator` that accepts
+  `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param out the iterator that the edges are written to, each once
+\param np an optional sequence of named parameters among those listed below, and those of
+  `handle_tunnel_loops()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{cone_vertices}
+    \cgalParamDescription{vertices that the cut has to pass, so that they are on the boundary of the
+      disk: the cones of a parametrization, say}
+    \cgalParamType{a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{A sphere with one cone is cut from there to the vertex farthest away.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_weight_map}
+    \cgalParamDescription{what an edge counts, in the place of its length; not negative}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
+    \cgalParamDefault{the length of the edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{edges that have to belong to the cut}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_avoided_map}
+    \cgalParamDescription{edges that must not belong to the cut}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{cut_loops}
+    \cgalParamDescription{loops to begin with, which are then not looked for; any will do, the
+      shorter they are the better, a basis is best}
+    \cgalParamType{a range of `Handle_tunnel_pair<TriangleMesh>` or `Loop_on_surface<TriangleMesh>`}
+    \cgalParamDefault{the shortest basis}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_cut_spheres}
+    \cgalParamDescription{whether components of genus 0 are cut, too, along an arc between vertices
+      that are far from each other}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `out`, past the last edge written
+
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+  triangle mesh with finite coordinates
+\throws Handle_tunnel_loops::No_cut_exception if the edges to keep or to avoid leave no cut; that is
+  decided before loops are looked for
+\throws std::invalid_argument if a cone is not a vertex with faces of `tm`, or a weight is negative
+or not finite \throws Handle_tunnel_loops::Uncertified_cut_exception if the result is not as
+promised; that is a defect of the package, and nothing has been written \throws . what
+`handle_tunnel_loops()` throws
+
+\sa `add_seams_of_cut()`
+\sa `mark_loop_edges()`
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator cut_to_disk(const TriangleMesh& tm,
+                           OutputIterator out,
+                           const NamedParameters& np = parameters::default_values()) {
+  using namespace Handle_tunnel_loops;
+  namespace impl = Handle_tunnel_loops::internal;
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  using Solver = Handle_tunnel_loops_solver<TriangleMesh, Vertex_point_map, Geom_traits>;
+  Solver solver(ConcurrencyTag(), tm, np);
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  impl::Cut_request<TriangleMesh, std::decay_t<decltype(vertex_index)>> request(
+      impl::execution_of<ConcurrencyTag>(), tm, vertex_index, impl::Solver_access::mesh(solver),
+      impl::Solver_access::vertices(solver));
+  impl::read_parameters(request, np);
+  impl::check_rules(request.problem());
+  const auto add = [&](const auto& loop) { request.add_loop(loop); };
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::cut_loops_t>::value) {
+    std::vector<typename Solver::Pair> pairs;
+    solver.template find_loops<ConcurrencyTag>(
+        std::back_inserter(pairs),
+        parameters::do_compute_linking(false, parameters::basis_kind(Basis_kind::SHORTEST, np)));
+    for(const auto& pair : pairs)
+      impl::for_each_loop_of(pair, add);
+  } else {
+    for(const auto& item : parameters::get_parameter(np, internal_np::cut_loops))
+      impl::for_each_loop_of(item, add);
+  }
+  for(const impl::Index h : impl::cut_open(request.problem()))
+    *out++ = request.edge_of(h);
+  return out;
+}
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+adds the edges of a cut to the seams of a `Seam_mesh`, one by one with its own `add_seam()`: so its
+property maps and its counters agree. To be called before the seam mesh is asked for its number of
+vertices, which it remembers.
+
+\tparam SeamMesh an instance of `Seam_mesh`
+\tparam EdgeRange a range of edges of the mesh underneath
+
+\param seam_mesh the seam mesh; its property maps must not say yet that these edges are seams
+\param edges the edges, such as `cut_to_disk()` writes
+
+\return a halfedge of the mesh underneath on the first of the edges, as `Seam_mesh::add_seams()`
+  does, or the null halfedge if there are none
+*/
+template <typename SeamMesh, typename EdgeRange>
+auto add_seams_of_cut(SeamMesh& seam_mesh, const EdgeRange& edges) {
+  const auto& tm = seam_mesh.mesh();
+  using Graph_traits = boost::graph_traits<std::decay_t<decltype(tm)>>;
+  typename Graph_traits::halfedge_descriptor first = Graph_traits::null_halfedge();
+  for(const auto& e : edges)
+    if(seam_mesh.add_seam(source(e, tm), target(e, tm)) && first == Graph_traits::null_halfedge())
+      first = halfedge(e, tm);
+  return first;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CUT_TO_DISK_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/command.h"
+#include "commands/common_options.h"
+#include "commands/help_style.h"
+#include "failure.h"
+#include "read/mesh_reader.h"
+#include "solve/cut_solver.h"
+#include "solve/stopwatch.h"
+#include "terminal/interrupt.h"
+#include "terminal/terminal.h"
+#include "words.h"
+#include "write/cut_exports.h"
+#include "write/export_lines.h"
+#include "write/mesh_writer.h"
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace htloops {
+namespace {
+
+struct Cut_command_options : Common_options
+{
+  std::string opened_file;
+  std::string selection_file;
+  std::vector<std::uint32_t> cones;
+  bool do_cut_spheres = false;
+};
+
+void check_options(const Cut_command_options& options) {
+  if(!options.opened_file.empty())
+    check_opened_mesh_format(options.opened_file);
+  if(!options.selection_file.empty())
+    check_selection_format(options.selection_file);
+  check_common_options(options, {options.opened_file, options.selection_file});
+}
+
+Cut_answer solve(const Mesh& mesh, const Cut_command_options& options) {
+  Cut_options cut;
+  for(const std::uint32_t v : options.cones)
+    cut.cones.push_back(vertex_of_mesh(mesh, v));
+  cut.do_cut_spheres = options.do_cut_spheres;
+  cut.number_of_threads = options.number_of_threads;
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  return find_cut(mesh, cut, bar);
+}
+
+void write_files(const Cut_command_options& options, const Mesh& mesh, const Cut_answer& answer) {
+  if(!options.opened_file.empty())
+    write_mesh(options.opened_file, opened_mesh(mesh, answer.edges));
+  if(!options.selection_file.empty())
+    export_selection(options.selection_file, mesh, answer.edges);
+  if(!options.lines_files.empty() || !options.picture.file.empty()) {
+    const Exported_lines lines = lines_of(mesh, answer.edges);
+    for(const std::string& file : options.lines_files)
+      export_lines(file, lines);
+    if(!options.picture.file.empty())
+      export_picture(options.picture, mesh, lines);
+  }
+}
+
+std::string summary(const Cut_answer& answer, double read_seconds) {
+  char text[160];
+  std::snprintf(text, sizeof(text),
+                " of length %.6g, boundary of %.6g; %.2f s after %.2f s of reading, ",
+                answer.length, 2. * answer.length, answer.total_seconds, read_seconds);
+  return "genus " + std::to_string(answer.genus) + ": cut along " +
+         counted(answer.edges.size(), "edge", "edges") + text +
+         counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
+}
+
+void run(const Cut_command_options& options) {
+  check_options(options);
+  const Stopwatch stopwatch;
+  const Mesh mesh = read_mesh(options.mesh_file);
+  const double read_seconds = stopwatch.seconds();
+  const Interrupt_guard guard;
+  const Cut_answer answer = solve(mesh, options);
+  write_files(options, mesh, answer);
+  if(!options.is_quiet)
+    show_text(summary(answer, read_seconds),
+              options.opened_file == "-" || options.selection_file == "-");
+}
+
+void add_output_options(CLI::App& command, Cut_command_options& options) {
+  const char group[] = "What to write";
+  command
+      .add_option("-o,--output", options.opened_file,
+                  "the opened mesh, with a vertex for each side: .off .obj .ply")
+      ->option_text("FILE")
+      ->group(group);
+  command.add_option("--selection", options.selection_file, "the edges, as a selection of CGAL")
+      ->option_text("FILE.selection.txt")
+      ->group(group);
+  add_lines_option(command, options, "the edges", group);
+  add_picture_options(command, options, "the cut", group);
+}
+
+void add_computation_options(CLI::App& command, Cut_command_options& options) {
+  const char group[] = "How to compute";
+  command
+      .add_option("--through", options.cones,
+                  "vertices that the cut has to pass: the cones of a parametrization")
+      ->option_text("VERTEX,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group(group);
+  command.add_flag("--cut-spheres", options.do_cut_spheres, "cut components of genus 0, too")
+      ->group(group);
+  add_threads_option(command, options, group);
+}
+
+constexpr char description[] =
+    "Cuts a closed triangle mesh open, along short arcs of its edges.\n"
+    "\n"
+    "Each component of positive genus becomes one disk, as parametrizations ask for.\n";
+
+constexpr char examples[] =
+    "Examples:\n"
+    "  htloops cut part.off -o open.obj                the opened mesh\n"
+    "  htloops cut part.off --selection part.selection.txt\n"
+    "                                                  for CGAL::Seam_mesh, and for CGAL's "
+    "programs\n"
+    "  htloops cut part.off --through 17,4 --picture cut.png\n"
+    "                                                  through two vertices, and a look at it\n";
+
+} // namespace
+
+void add_cut_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Cut_command_options>();
+  CLI::App* cut = app.add_subcommand("cut", description)->group("Commands");
+  add_mesh_argument(*cut, *options);
+  add_output_options(*cut, *options);
+  add_computation_options(*cut, *options);
+  cut->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  complete_help(*cut, examples);
+  cut->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/cut_solver.h"
+
+#include "solve/stopwatch.h"
+#include "solve/thread_limit.h"
+#include "terminal/interrupt.h"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/cut_to_disk.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+namespace htloops {
+namespace {
+
+// V - E + F = 2 c - 2 g.
+std::size_t genus_of(const Mesh& mesh) {
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  const std::size_t components = CGAL::Polygon_mesh_processing::connected_components(
+      mesh, boost::make_iterator_property_map(component.begin(), get(CGAL::face_index, mesh)));
+  std::size_t vertices = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    vertices += !mesh.is_isolated(v);
+  return (2 * components + mesh.number_of_edges() - mesh.number_of_faces() - vertices) / 2;
+}
+
+} // namespace
+
+Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress_bar& bar) {
+  namespace parameters = CGAL::parameters;
+  const Thread_limit limit(options.number_of_threads);
+  bar.start("cut");
+  const std::function<bool(double)> callback = [&bar](double fraction) {
+    bar.update(fraction);
+    return interrupting_signal() == 0;
+  };
+  Cut_answer answer;
+  answer.number_of_threads = limit.number_of_threads();
+  const Stopwatch stopwatch;
+  CGAL::cut_to_disk<CGAL::Parallel_if_available_tag>(
+      mesh, std::back_inserter(answer.edges),
+      parameters::cone_vertices(
+          options.cones,
+          parameters::do_cut_spheres(options.do_cut_spheres, parameters::callback(callback))));
+  answer.total_seconds = stopwatch.seconds();
+  bar.erase();
+  answer.genus = genus_of(mesh);
+  for(const Mesh::Edge_index e : answer.edges)
+    answer.length += std::sqrt(
+        CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return answer;
+}
+
+} // namespace htloops
