@@ -1,0 +1,340 @@
+#include "Meshes_of_soups.h"
+#include "random_input.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/remove_handles.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace htl = CGAL::Handle_tunnel_loops;
+namespace params = CGAL::parameters;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace {
+
+using Exact_predicates_mesh =
+    CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+Recipe recipe(const char* kind, std::size_t faces, std::size_t genus, unsigned seed = 0) {
+  Recipe recipe;
+  recipe.kind = kind;
+  recipe.request.faces = faces;
+  recipe.request.genus = genus;
+  recipe.request.seed = seed;
+  return recipe;
+}
+
+template <typename TriangleMesh> std::ptrdiff_t euler_characteristic(const TriangleMesh& mesh) {
+  std::ptrdiff_t number = 0;
+  for([[maybe_unused]] auto v : vertices(mesh))
+    ++number;
+  for([[maybe_unused]] auto e : edges(mesh))
+    --number;
+  for([[maybe_unused]] auto f : faces(mesh))
+    ++number;
+  return number;
+}
+
+template <typename TriangleMesh> std::size_t number_of_components(const TriangleMesh& mesh) {
+  std::map<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::size_t> component;
+  return PMP::connected_components(mesh, boost::make_assoc_property_map(component));
+}
+
+// By programs of others.
+template <typename TriangleMesh>
+void expect_solid(const TriangleMesh& mesh, std::size_t genus, std::size_t components = 1) {
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh, true));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
+  EXPECT_EQ(number_of_components(mesh), components);
+  EXPECT_EQ(euler_characteristic(mesh), 2 * static_cast<std::ptrdiff_t>(components) -
+                                            2 * static_cast<std::ptrdiff_t>(genus));
+  Exact_predicates_mesh copy;
+  CGAL::copy_face_graph(mesh, copy);
+  EXPECT_FALSE(PMP::does_self_intersect(copy));
+  EXPECT_TRUE(PMP::does_bound_a_volume(copy));
+}
+
+std::set<std::array<Mesh::Point, 3>> faces_by_points(const Mesh& mesh) {
+  std::set<std::array<Mesh::Point, 3>> all;
+  for(const auto f : mesh.faces()) {
+    std::array<Mesh::Point, 3> points;
+    std::size_t i = 0;
+    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      points[i++] = mesh.point(v);
+    std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+    all.insert(points);
+  }
+  return all;
+}
+
+template <typename NamedParameters>
+void expect_refusal(Mesh& mesh, const NamedParameters& np, const std::string& words) {
+  const auto before = faces_by_points(mesh);
+  try {
+    CGAL::remove_handles(mesh, np);
+    ADD_FAILURE() << "no refusal: " << words;
+  } catch(const std::invalid_argument& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find(words), std::string::npos) << refusal.what();
+  }
+  EXPECT_EQ(faces_by_points(mesh), before);
+}
+
+} // namespace
+
+class Removal : public testing::TestWithParam<Recipe>
+{};
+
+TEST_P(Removal, LeavesASphere) {
+  for(const auto method : {htl::Removal_method::CUT, htl::Removal_method::FILL,
+                           htl::Removal_method::CHEAPEST}) {
+    Mesh mesh = mesh_of(GetParam());
+    const std::size_t genus = GetParam().request.genus;
+    const htl::Removal_report report =
+        CGAL::remove_handles(mesh, params::removal_method(method));
+    EXPECT_EQ(report.genus_before, genus);
+    EXPECT_EQ(report.removed.size() + report.refused.size(), genus);
+    EXPECT_TRUE(report.refused.empty())
+        << report.refused.size() << " refused: " << report.refused.front().reason;
+    EXPECT_EQ(report.genus_after, report.refused.size());
+    expect_solid(mesh, report.genus_after);
+    for(const htl::Removed_handle& handle : report.removed) {
+      EXPECT_GT(handle.area, 0.);
+      if(method != htl::Removal_method::CHEAPEST)
+        EXPECT_EQ(handle.by, method == htl::Removal_method::CUT ? htl::Removal_way::CUT
+                                                                : htl::Removal_way::FILL);
+      if(handle.by == htl::Removal_way::CUT)
+        EXPECT_GT(handle.volume, 0.);
+      if(handle.by == htl::Removal_way::FILL)
+        EXPECT_LT(handle.volume, 0.);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Generated,
+                         Removal,
+                         testing::Values(recipe("torus", 2000, 1),
+                                         recipe("multi-torus", 3000, 3),
+                                         recipe("gyroid", 10000, 8),
+                                         recipe("lattice", 8000, 5),
+                                         recipe("plates", 2000, 6),
+                                         recipe("sponge", 10000, 7)),
+                         [](const auto& info) {
+                           std::string name = info.param.kind;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Handle_removal, StopsAtTheTargetSmallestFirst) {
+  for(std::size_t target : {0, 3, 4, 7, 8}) {
+    Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
+    const Pairs pairs = find_loops(mesh);
+    const htl::Removal_report report =
+        CGAL::remove_handles(mesh, params::target_genus(target, params::known_pairs(pairs)));
+    EXPECT_EQ(report.genus_after, target + report.refused.size());
+    expect_solid(mesh, report.genus_after);
+    std::set<std::size_t> chosen;
+    for(const auto& handle : report.removed)
+      chosen.insert(handle.pair);
+    for(const auto& handle : report.refused)
+      chosen.insert(handle.pair);
+    const auto size = [&](std::size_t i) {
+      return (std::min)(pairs[i].handle().length(), pairs[i].tunnel().length());
+    };
+    for(std::size_t i : chosen)
+      for(std::size_t j = 0; j < pairs.size(); ++j)
+        EXPECT_TRUE(chosen.count(j) != 0 || size(i) <= size(j));
+  }
+}
+
+// What is planted is removed, and nothing else.
+TEST(Handle_removal, TakesTheNoiseOffAScan) {
+  for(unsigned seed : {0u, 1u}) {
+    Recipe scan = recipe("scan", 60000, 2, seed);
+    scan.request.bridges = 20;
+    scan.request.tunnels = 12;
+    Mesh mesh = mesh_of(scan);
+    const htl::Removal_report report = CGAL::remove_handles(mesh, params::maximal_length(0.95));
+    EXPECT_EQ(report.genus_before, 34u);
+    EXPECT_EQ(report.removed.size(), 32u);
+    EXPECT_EQ(report.genus_after, 2u);
+    expect_solid(mesh, 2);
+  }
+}
+
+TEST(Handle_removal, TouchesNothingElse) {
+  Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
+  auto colour = mesh.add_property_map<Mesh::Vertex_index, int>("v:colour", -1).first;
+  for(const auto v : mesh.vertices())
+    colour[v] = static_cast<int>(v);
+  const auto before = faces_by_points(mesh);
+  const std::size_t number_of_vertices = mesh.num_vertices();
+  std::vector<Mesh::Face_index> faces;
+  std::vector<Mesh::Vertex_index> vertices;
+  CGAL::remove_handles(mesh, params::added_faces(std::back_inserter(faces),
+                                                 params::added_vertices(std::back_inserter(
+                                                     vertices, params::target_genus(6)))));
+  const std::set<Mesh::Face_index> new_faces(faces.begin(), faces.end());
+  const std::set<Mesh::Vertex_index> new_vertices(vertices.begin(), vertices.end());
+  EXPECT_FALSE(new_faces.empty());
+  EXPECT_LT(new_faces.size(), before.size() / 4);
+  for(const auto v : mesh.vertices())
+    EXPECT_EQ(colour[v], new_vertices.count(v) != 0 ? -1 : static_cast<int>(v));
+  const auto after = faces_by_points(mesh);
+  std::size_t number_kept = 0;
+  for(const auto& face : after)
+    number_kept += before.count(face);
+  EXPECT_EQ(number_kept + new_faces.size(), mesh.number_of_faces());
+  for(const auto v : new_vertices)
+    EXPECT_GE(static_cast<std::size_t>(v), number_of_vertices);
+}
+
+TEST(Handle_removal, ChangesNothingInADryRun) {
+  Mesh mesh = mesh_of(recipe("multi-torus", 3000, 3));
+  const auto before = faces_by_points(mesh);
+  const htl::Removal_report report = CGAL::remove_handles(mesh, params::do_dry_run(true));
+  EXPECT_EQ(report.genus_after, 0u);
+  EXPECT_EQ(report.removed.size(), 3u);
+  EXPECT_EQ(faces_by_points(mesh), before);
+}
+
+TEST(Handle_removal, TakesThePairsOfAFilterOrABox) {
+  Mesh mesh = mesh_of(recipe("multi-torus", 3000, 3));
+  const Pairs pairs = find_loops(mesh);
+  Mesh copy = mesh;
+  const htl::Removal_report by_filter = CGAL::remove_handles(
+      copy, params::handle_filter(
+                [](const auto& pair) { return pair.handle().pair_index() == 1; },
+                params::known_pairs(pairs)));
+  ASSERT_EQ(by_filter.removed.size(), 1u);
+  EXPECT_EQ(by_filter.removed.front().pair, 1u);
+  CGAL::Bbox_3 box;
+  for(const auto& p : pairs[2].handle().points())
+    box += p.bbox();
+  const htl::Removal_report in_box = CGAL::remove_handles(
+      mesh, params::removal_box(box, params::removal_method(htl::Removal_method::CUT,
+                                                            params::known_pairs(pairs))));
+  ASSERT_EQ(in_box.removed.size(), 1u);
+  EXPECT_EQ(in_box.removed.front().pair, 2u);
+}
+
+TEST(Handle_removal, IsTheSameWithThreads) {
+#ifdef CGAL_LINKED_WITH_TBB
+  const Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
+  Mesh one = mesh, many = mesh;
+  CGAL::remove_handles(one);
+  CGAL::remove_handles<CGAL::Parallel_tag>(many);
+  EXPECT_EQ(faces_by_points(one), faces_by_points(many));
+#endif
+}
+
+TEST(Handle_removal, TakesOtherMeshesAndKernels) {
+  const Soup soup = soup_of(recipe("torus", 600, 1));
+  auto polyhedron = mesh_of<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>(soup);
+  CGAL::set_triangulation_ids(polyhedron);
+  EXPECT_EQ(CGAL::remove_handles(polyhedron).genus_after, 0u);
+  EXPECT_EQ(euler_characteristic(polyhedron), 2);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(polyhedron));
+  auto exact =
+      mesh_of<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>>(
+          soup);
+  EXPECT_EQ(CGAL::remove_handles(exact).genus_after, 0u);
+  EXPECT_EQ(euler_characteristic(exact), 2);
+}
+
+// Seven vertices, each joined to each other: no strip of whole faces is an annulus.
+TEST(Handle_removal, SubdividesWhatIsTooCoarse) {
+  Mesh mesh;
+  const double points[7][3] = {{3, -3, 0}, {-3, 3, 0}, {-3, -3, 1}, {3, 3, 1},
+                               {-1, -2, 3}, {1, 2, 3}, {0, 0, 15}};
+  std::vector<Mesh::Vertex_index> v;
+  for(const auto& p : points)
+    v.push_back(mesh.add_vertex({p[0], p[1], p[2]}));
+  const int triangles[14][3] = {{0, 1, 2}, {0, 2, 4}, {0, 4, 5}, {0, 5, 3}, {0, 3, 6},
+                                {0, 6, 1}, {1, 3, 2}, {1, 4, 3}, {1, 5, 4}, {1, 6, 5},
+                                {2, 3, 5}, {2, 5, 6}, {2, 6, 4}, {3, 4, 6}};
+  for(const auto& t : triangles)
+    ASSERT_NE(mesh.add_face(v[t[0]], v[t[1]], v[t[2]]), Mesh::null_face());
+  const htl::Removal_report report = CGAL::remove_handles(mesh);
+  EXPECT_EQ(report.genus_after + report.removed.size(), 1u);
+  EXPECT_EQ(euler_characteristic(mesh), report.removed.empty() ? 0 : 2);
+}
+
+TEST(Handle_removal, CutsAKnottedTube) {
+  Mesh mesh = mesh_of(recipe("knot", 4000, 1));
+  Mesh copy = mesh;
+  const htl::Removal_report filled =
+      CGAL::remove_handles(copy, params::removal_method(htl::Removal_method::FILL));
+  ASSERT_EQ(filled.refused.size(), 1u);
+  EXPECT_NE(filled.refused.front().reason.find("meet the surface"), std::string::npos);
+  EXPECT_EQ(faces_by_points(copy), faces_by_points(mesh));
+  const htl::Removal_report cut = CGAL::remove_handles(mesh);
+  ASSERT_EQ(cut.removed.size(), 1u);
+  EXPECT_EQ(cut.removed.front().by, htl::Removal_way::CUT);
+  expect_solid(mesh, 0);
+}
+
+class Necks_removal : public testing::TestWithParam<const char*>
+{};
+
+TEST_P(Necks_removal, LetsShellsComeApart) {
+  for(std::size_t necks : {1, 2, 5}) {
+    Recipe twins = recipe(GetParam(), 60000, 0);
+    twins.request.necks = necks;
+    Mesh mesh = mesh_of(twins);
+    const htl::Removal_report report =
+        CGAL::remove_handles(mesh, params::maximal_neck_length(0.5));
+    EXPECT_EQ(report.genus_before, necks - 1);
+    EXPECT_EQ(report.genus_after, 0u);
+    EXPECT_EQ(report.removed.size(), necks - 1);
+    ASSERT_EQ(report.removed_necks.size(), 1u);
+    EXPECT_EQ(report.components_after, 2u);
+    expect_solid(mesh, 0, 2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Necks_removal, testing::Values("twins", "hollow"));
+
+TEST(Handle_removal, RefusesWhatMakesNoSense) {
+  Mesh mesh = mesh_of(recipe("torus", 600, 1));
+  expect_refusal(mesh, params::target_genus(2), "target genus is 2");
+  expect_refusal(mesh, params::removal_box(CGAL::Bbox_3(9, 9, 9, 10, 10, 10)), "in the box");
+  expect_refusal(mesh, params::maximal_length(-1.), "not positive");
+  expect_refusal(mesh, params::minimal_piece_share(0.7, params::maximal_neck_length(1.)), "share");
+  Pairs pairs = find_loops(mesh);
+  auto steps = pairs.front().handle().steps();
+  steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
+  pairs = {{{steps, {}, 1., CGAL::Loop_type::HANDLE, 0}, pairs.front().tunnel()}};
+  expect_refusal(mesh, params::known_pairs(pairs), "not of this mesh");
+  CGAL::Euler::remove_face(halfedge(*faces(mesh).begin(), mesh), mesh);
+  EXPECT_THROW(CGAL::remove_handles(mesh), htl::Invalid_mesh_exception);
+}
+
+TEST(Handle_removal, StopsWhenAsked) {
+  Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
+  const auto before = faces_by_points(mesh);
+  for(double end : {0.1, 0.69, 0.75, 0.95}) {
+    bool has_stopped = false;
+    const std::function<bool(double)> callback = [&](double done) {
+      EXPECT_FALSE(has_stopped);
+      has_stopped = done >= end;
+      return !has_stopped;
+    };
+    EXPECT_THROW(CGAL::remove_handles(mesh, params::callback(callback)),
+                 htl::Interrupted_exception);
+    EXPECT_EQ(faces_by_points(mesh), before);
+  }
+}
