@@ -207,7 +207,7 @@ foreach(backend IN ITEMS cuda host reference)
 endforeach()
 
 # Help is no error.
-foreach(command IN ITEMS "" loops check generate)
+foreach(command IN ITEMS "" loops remove check generate)
   run(0 ${command} --help)
   expect_match("${output}" "Usage: htloops")
 endforeach()

@@ -11,6 +11,9 @@
 
 #include "write/file_format.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace htloops {
 namespace {
 
@@ -74,10 +77,37 @@ constexpr File_format<void(Text_writer&, const Soup&)> formats[] = {
     {".stl", write_stl},
 };
 
+// The standard output has no name that could tell a format.
+std::string name_with_format(const std::string& file) { return file == "-" ? "mesh.off" : file; }
+
+Soup soup_of(const Mesh& mesh) {
+  Soup soup;
+  soup.points.reserve(mesh.number_of_vertices());
+  soup.triangles.reserve(mesh.number_of_faces());
+  std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    number[v.idx()] = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.push_back({p.x(), p.y(), p.z()});
+  }
+  for(const Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    soup.triangles.push_back({number[mesh.source(h).idx()], number[mesh.target(h).idx()],
+                              number[mesh.target(mesh.next(h)).idx()]});
+  }
+  return soup;
+}
+
 } // namespace
 
-void check_mesh_format(const std::string& file) { format_of(file, formats); }
+void check_mesh_format(const std::string& file) { format_of(name_with_format(file), formats); }
 
-void write_mesh(const std::string& file, const Soup& mesh) { write_file(file, formats, mesh); }
+void write_mesh(const std::string& file, const Soup& mesh) {
+  Text_writer out(file);
+  format_of(name_with_format(file), formats).write(out, mesh);
+  out.finish();
+}
+
+void write_mesh(const std::string& file, const Mesh& mesh) { write_mesh(file, soup_of(mesh)); }
 
 } // namespace htloops
