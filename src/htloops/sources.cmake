@@ -25,12 +25,14 @@ set(HTLOOPS_SOURCES
   read/text_cursor.cpp
   read/unread_data.cpp
   read/values_reader.cpp
+  read/vertex_properties_reader.cpp
   solve/backends.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
   solve/removal_solver.cpp
   solve/self_contact.cpp
+  solve/spread_properties.cpp
   solve/thread_limit.cpp
   terminal/interrupt.cpp
   terminal/progress_bar.cpp

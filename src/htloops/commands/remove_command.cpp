@@ -15,8 +15,10 @@
 #include "failure.h"
 #include "read/mesh_reader.h"
 #include "read/unread_data.h"
+#include "read/vertex_properties_reader.h"
 #include "solve/removal_solver.h"
 #include "solve/solvers.h"
+#include "solve/spread_properties.h"
 #include "solve/stopwatch.h"
 #include "terminal/interrupt.h"
 #include "terminal/terminal.h"
@@ -73,14 +75,19 @@ void check_options(const Remove_options& options) {
   check_common_options(options, {options.result_file, options.page_file});
 }
 
-// Of what will not be in the result.
-void warn_of_unread_data(const Remove_options& options) {
+// What of the mesh's data will be in the result; says what will not.
+Vertex_properties properties_to_keep(const Remove_options& options) {
+  if(options.is_dry_run)
+    return {};
+  Vertex_properties kept =
+      kept_by_format(options.result_file, read_vertex_properties(options.mesh_file));
   std::string list;
-  for(const std::string& data : unread_data(options.mesh_file))
+  for(const std::string& data : unread_data(options.mesh_file, kept))
     list += (list.empty() ? "" : "; ") + data;
   if(!list.empty() && !options.is_quiet)
-    std::fprintf(stderr, "htloops: %s has what is not kept: %s\n", options.mesh_file.c_str(),
+    std::fprintf(stderr, "htloops: of %s is not kept: %s\n", options.mesh_file.c_str(),
                  list.c_str());
+  return kept;
 }
 
 Pairs read_basis(const Mesh& mesh, const std::string& file) {
@@ -118,8 +125,6 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
 }
 
 void write_files(const Remove_options& options, const Removal_shown& shown) {
-  if(!options.is_dry_run)
-    write_mesh(options.result_file, shown.after);
   if(!options.json_file.empty())
     write_removal_json(options.json_file, shown.report);
   if(!options.picture.file.empty())
@@ -149,10 +154,10 @@ void show(const Remove_options& options,
 
 void run(const Remove_options& options) {
   check_options(options);
-  Stopwatch stopwatch;
+  const Stopwatch stopwatch;
   Mesh mesh = read_mesh(options.mesh_file);
   const double read_seconds = stopwatch.seconds();
-  warn_of_unread_data(options);
+  Vertex_properties properties = properties_to_keep(options);
   const Interrupt_guard guard;
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;
@@ -162,6 +167,10 @@ void run(const Remove_options& options) {
   const Mesh before = is_drawn ? mesh : Mesh();
   Progress_bar bar(show_progress);
   const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, options), bar);
+  if(!options.is_dry_run) {
+    spread_properties(mesh, properties);
+    write_mesh(options.result_file, mesh, properties);
+  }
   write_files(options, {options.mesh_file, before, pairs, answer.report, mesh});
   show(options, answer, loops_seconds, read_seconds);
 }
@@ -237,7 +246,8 @@ constexpr char description[] =
     "\n"
     "A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the "
     "ends\n"
-    "are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is.\n"
+    "are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,\n"
+    "numbers and colours of its vertices, too, where the file that is written has room for them.\n"
     "A handle that neither can be done to is refused, by name; that is no failure.\n";
 
 constexpr char examples[] =

@@ -37,7 +37,7 @@ std::size_t numbers_left(Text_cursor& cursor) {
 }
 
 // Colours may stand behind the coordinates and behind the faces, whatever the header is.
-Words unread_in_off(std::string_view text) {
+Words unread_in_off(std::string_view text, bool has_colours) {
   Words found;
   Text_cursor cursor(text);
   cursor.skip_to_content();
@@ -45,7 +45,7 @@ Words unread_in_off(std::string_view text) {
   const std::string_view prefix = header.substr(0, header.find("OFF"));
   if(prefix.find("ST") != prefix.npos)
     add(found, "texture coordinates");
-  if(prefix.find('C') != prefix.npos)
+  if(prefix.find('C') != prefix.npos && !has_colours)
     add(found, "vertex colours");
   if(prefix.find('N') != prefix.npos)
     add(found, "normals");
@@ -54,7 +54,7 @@ Words unread_in_off(std::string_view text) {
   if(!cursor.read(vertices) || !cursor.read(faces))
     return found;
   for(long long v = 0; v < vertices && (cursor.skip_line(), cursor.skip_to_content()); ++v)
-    if(v == 0 && numbers_left(cursor) > 3 && prefix.empty())
+    if(v == 0 && prefix.empty() && !has_colours && numbers_left(cursor) > 3)
       add(found, "vertex colours");
   cursor.skip_line();
   if(faces > 0 && cursor.skip_to_content() && cursor.read(corners) &&
@@ -85,20 +85,22 @@ Words unread_in_obj(std::string_view text) {
 // "the vertex properties red, green", or nothing.
 void add_properties(Words& found,
                     const Ply_element& element,
-                    std::initializer_list<std::string_view> read) {
+                    std::initializer_list<std::string_view> read,
+                    const Vertex_properties& kept = {}) {
   std::string names;
   for(const Ply_property& property : element.properties)
-    if(std::find(read.begin(), read.end(), property.name) == read.end())
+    if(std::find(read.begin(), read.end(), property.name) == read.end() &&
+       !has_property(kept, property.name))
       names += (names.empty() ? "" : ", ") + property.name;
   if(!names.empty())
     add(found, "the " + element.name + " properties " + names);
 }
 
-Words unread_in_ply(std::string_view text) {
+Words unread_in_ply(std::string_view text, const Vertex_properties& kept) {
   Words found;
   for(const Ply_element& element : read_ply_header(text).elements)
     if(element.name == "vertex" || element.name == "vertices")
-      add_properties(found, element, {"x", "y", "z"});
+      add_properties(found, element, {"x", "y", "z"}, kept);
     else if(element.name == "face" || element.name == "faces")
       add_properties(found, element, {"vertex_indices", "vertex_index"});
     else if(element.count > 0)
@@ -108,13 +110,13 @@ Words unread_in_ply(std::string_view text) {
 
 } // namespace
 
-std::vector<std::string> unread_data(const std::string& file) {
+std::vector<std::string> unread_data(const std::string& file, const Vertex_properties& kept) {
   if(boost::algorithm::iends_with(file, ".off"))
-    return unread_in_off(read_whole_file(file));
+    return unread_in_off(read_whole_file(file), !kept.empty());
   if(boost::algorithm::iends_with(file, ".obj"))
     return unread_in_obj(read_whole_file(file));
   if(boost::algorithm::iends_with(file, ".ply"))
-    return unread_in_ply(read_whole_file(file));
+    return unread_in_ply(read_whole_file(file), kept);
   return {};
 }
 

@@ -10,15 +10,17 @@
 #ifndef HTLOOPS_UNREAD_DATA_H
 #define HTLOOPS_UNREAD_DATA_H
 
+#include "vertex_properties.h"
+
 #include <string>
 #include <vector>
 
 namespace htloops {
 
-/// what a file has besides points and faces, which is all that is read of it, in words: "normals",
-/// "the vertex properties red, green, blue". Looks no further than is needed to tell; knows OFF,
-/// OBJ and PLY.
-std::vector<std::string> unread_data(const std::string& file);
+/// what a file has besides points, faces and the properties that are kept of it, in words:
+/// "normals", "the vertex properties red, green, blue". Looks no further than is needed to tell;
+/// knows OFF, OBJ and PLY.
+std::vector<std::string> unread_data(const std::string& file, const Vertex_properties& kept);
 
 } // namespace htloops
 

@@ -12,6 +12,7 @@
 
 #include "generators/generators.h"
 #include "mesh_types.h"
+#include "vertex_properties.h"
 
 #include <string>
 
@@ -24,8 +25,14 @@ void check_mesh_format(const std::string& file);
 /// on the standard output, "-"); each coordinate reads back as exactly itself.
 void write_mesh(const std::string& file, const CGAL::Handle_tunnel_loops::generators::Soup& mesh);
 
-/// the same for a mesh of which elements may have been removed; the others keep their order.
-void write_mesh(const std::string& file, const Mesh& mesh);
+/// the properties that such a file has room for: all in PLY, colours in OFF, else none.
+Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties);
+
+/// writes a mesh of which elements may have been removed; the others keep their order. All vertices
+/// have a value of each property, and the file has room for them.
+void write_mesh(const std::string& file,
+                const Mesh& mesh,
+                const Vertex_properties& properties = {});
 
 } // namespace htloops
 
