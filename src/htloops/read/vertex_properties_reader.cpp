@@ -160,6 +160,8 @@ Vertex_properties read_from_off(std::string_view text) {
     for(Vertex_property& colour : colours)
       if(cursor.read(number))
         colour.values.push_back(number);
+    if(colours[2].values.empty())
+      return {}; // as in most files
   }
   if(colours[3].values.empty())
     colours.pop_back();

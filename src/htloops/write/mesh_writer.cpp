@@ -22,8 +22,8 @@ using CGAL::Handle_tunnel_loops::generators::Soup;
 /// Properties are as long as `mesh.points`.
 struct Written_mesh
 {
-  Soup mesh;
-  Vertex_properties properties;
+  const Soup& mesh;
+  const Vertex_properties& properties;
 };
 
 void write_point(Text_writer& out, const char* before, const std::array<double, 3>& point) {
@@ -101,12 +101,20 @@ const auto& format_of(const std::string& file) {
   return format_of(name_with_format(file), formats);
 }
 
+// Without the vertices that were removed.
+Vertex_properties compact(const Mesh& mesh, const Vertex_properties& properties) {
+  Vertex_properties compacted;
+  for(const Vertex_property& property : properties) {
+    compacted.push_back({property.name, property.type, {}});
+    for(const Mesh::Vertex_index v : mesh.vertices())
+      compacted.back().values.push_back(property.values[v.idx()]);
+  }
+  return compacted;
+}
+
 // Without the elements that were removed.
-Written_mesh compact(const Mesh& mesh, const Vertex_properties& properties) {
-  Written_mesh written;
-  Soup& soup = written.mesh;
-  for(const Vertex_property& property : properties)
-    written.properties.push_back({property.name, property.type, {}});
+Soup compact(const Mesh& mesh) {
+  Soup soup;
   soup.points.reserve(mesh.number_of_vertices());
   soup.triangles.reserve(mesh.number_of_faces());
   std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
@@ -114,15 +122,13 @@ Written_mesh compact(const Mesh& mesh, const Vertex_properties& properties) {
     const Point& p = mesh.point(v);
     number[v.idx()] = static_cast<std::uint32_t>(soup.points.size());
     soup.points.push_back({p.x(), p.y(), p.z()});
-    for(std::size_t i = 0; i < properties.size(); ++i)
-      written.properties[i].values.push_back(properties[i].values[v.idx()]);
   }
   for(const Mesh::Face_index f : mesh.faces()) {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
     soup.triangles.push_back({number[mesh.source(h).idx()], number[mesh.target(h).idx()],
                               number[mesh.target(mesh.next(h)).idx()]});
   }
-  return written;
+  return soup;
 }
 
 void write(const std::string& file, const Written_mesh& written) {
@@ -151,7 +157,7 @@ Vertex_properties kept_by_format(const std::string& file, const Vertex_propertie
 }
 
 void write_mesh(const std::string& file, const Mesh& mesh, const Vertex_properties& properties) {
-  write(file, compact(mesh, properties));
+  write(file, {compact(mesh), compact(mesh, properties)});
 }
 
 } // namespace htloops
