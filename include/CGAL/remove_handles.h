@@ -104,9 +104,9 @@ these are the handles there are to choose from} \cgalParamType{a range of `Handl
     \cgalParamDefault{`Handle_tunnel_loops::Removal_method::CHEAPEST`}
   \cgalParamNEnd
   \cgalParamNBegin{maximal_neck_length}
-    \cgalParamDescription{necks shorter than this are removed}
+    \cgalParamDescription{necks shorter than this are removed; 0 for none}
     \cgalParamType{`double`}
-    \cgalParamDefault{no necks are removed}
+    \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{minimal_piece_share}
     \cgalParamDescription{the share of the area of its component that each piece has at least that

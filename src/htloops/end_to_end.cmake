@@ -241,7 +241,7 @@ foreach(backend IN ITEMS cuda host reference)
 endforeach()
 
 # Help is no error.
-foreach(command IN ITEMS "" loops cut check generate)
+foreach(command IN ITEMS "" loops reeb cut remove check generate)
   run(0 ${command} --help)
   expect_match("${output}" "Usage: htloops")
 endforeach()

@@ -39,6 +39,7 @@ constexpr char footer[] =
     "  htloops check torus.off torus.json              checks them\n"
     "  htloops reeb torus.off --picture reeb.png       draws its Reeb graph\n"
     "  htloops cut torus.off -o open.obj               cuts it open to a disk\n"
+    "  htloops remove torus.off -o ball.off            removes its handle\n"
     "  htloops loops --help                            says more of a command\n";
 
 std::string usage_message(const CLI::App* app, const CLI::Error& error) {
@@ -91,6 +92,7 @@ int main(int argc, char** argv) {
   htloops::add_loops_command(app, command);
   htloops::add_reeb_command(app, command);
   htloops::add_cut_command(app, command);
+  htloops::add_remove_command(app, command);
   htloops::add_check_command(app, command);
   htloops::add_generate_command(app, command);
   app.set_version_flag("--version", htloops::version(), "the versions of what this is")

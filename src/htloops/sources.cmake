@@ -6,8 +6,11 @@ set(HTLOOPS_SOURCES
   commands/cut_command.cpp
   commands/generate_command.cpp
   commands/help_style.cpp
+  commands/length_option.cpp
   commands/loops_command.cpp
+  commands/loops_file.cpp
   commands/reeb_command.cpp
+  commands/remove_command.cpp
   read/edge_table.cpp
   read/input_file.cpp
   read/loops_binding.cpp
@@ -21,13 +24,17 @@ set(HTLOOPS_SOURCES
   read/soup_reader.cpp
   read/stl_guard.cpp
   read/text_cursor.cpp
+  read/unread_data.cpp
   read/values_reader.cpp
+  read/vertex_properties_reader.cpp
   solve/backends.cpp
   solve/cut_solver.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
+  solve/removal_solver.cpp
   solve/self_contact.cpp
+  solve/spread_properties.cpp
   solve/thread_limit.cpp
   terminal/interrupt.cpp
   terminal/progress_bar.cpp
@@ -38,6 +45,7 @@ set(HTLOOPS_SOURCES
   write/export_lines.cpp
   write/export_vtp.cpp
   write/exported_lines.cpp
+  write/html_page.cpp
   write/linking_words.cpp
   write/loops_json_writer.cpp
   write/mesh_writer.cpp
@@ -45,6 +53,9 @@ set(HTLOOPS_SOURCES
   write/picture_export.cpp
   write/reeb_exports.cpp
   write/reeb_json_writer.cpp
+  write/removal_json_writer.cpp
+  write/removal_page.cpp
+  write/removal_table.cpp
   write/text_writer.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_SOURCES solve/reference_backend.cpp)

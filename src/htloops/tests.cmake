@@ -1,9 +1,11 @@
 # The tests that run the tool itself.
-add_test(NAME htloops_end_to_end
-  COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
-    "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/htloops_end_to_end"
-    -P "${CMAKE_CURRENT_LIST_DIR}/end_to_end.cmake")
-set_tests_properties(htloops_end_to_end PROPERTIES LABELS tool TIMEOUT 300)
+foreach(script IN ITEMS end_to_end remove_end_to_end)
+  add_test(NAME htloops_${script}
+    COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
+      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/htloops_${script}"
+      -P "${CMAKE_CURRENT_LIST_DIR}/${script}.cmake")
+  set_tests_properties(htloops_${script} PROPERTIES LABELS tool TIMEOUT 300)
+endforeach()
 
 # All meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one.
 set(_htl_parts 4)

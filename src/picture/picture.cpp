@@ -180,6 +180,16 @@ private:
   Recent recent_;
 };
 
+std::vector<Colour> paint(const Scene& scene, const Options& options) {
+  constexpr int largest = 16384;
+  if(options.width < 1 || options.height < 1 || options.width > largest || options.height > largest)
+    throw std::runtime_error("no picture: its width and height must be from 1 to " +
+                             std::to_string(largest) + " pixels");
+  if(!scene.triangle_colours.empty() && scene.triangle_colours.size() != scene.triangles.size())
+    throw std::runtime_error("no picture: there must be a colour for each triangle");
+  return Painter(scene, options).paint();
+}
+
 } // namespace
 
 void write_picture(const std::string& png_file,
@@ -188,15 +198,17 @@ void write_picture(const std::string& png_file,
                    const std::vector<Colour>& triangle_colours,
                    const std::vector<Line>& lines,
                    const Options& options) {
-  constexpr int largest = 16384;
-  if(options.width < 1 || options.height < 1 || options.width > largest || options.height > largest)
-    throw std::runtime_error("no picture: its width and height must be from 1 to " +
-                             std::to_string(largest) + " pixels");
-  if(!triangle_colours.empty() && triangle_colours.size() != triangles.size())
-    throw std::runtime_error("no picture: there must be a colour for each triangle");
-
   const Scene scene = {points, triangles, triangle_colours, lines};
-  write_png(png_file, options.width, options.height, Painter(scene, options).paint());
+  write_png(png_file, options.width, options.height, paint(scene, options));
+}
+
+std::string encode_picture(const std::vector<Point>& points,
+                           const std::vector<Triangle>& triangles,
+                           const std::vector<Line>& lines,
+                           const Options& options) {
+  const std::vector<Colour> no_colours;
+  return encode_png(options.width, options.height,
+                    paint({points, triangles, no_colours, lines}, options));
 }
 
 void write_picture(const std::string& png_file,

@@ -61,6 +61,12 @@ void write_picture(const std::string& png_file,
                    const std::vector<Line>& lines,
                    const Options& options = Options());
 
+/// the content of such a file.
+std::string encode_picture(const std::vector<Point>& points,
+                           const std::vector<Triangle>& triangles,
+                           const std::vector<Line>& lines,
+                           const Options& options = Options());
+
 } // namespace htl_picture
 
 #endif // HTL_PICTURE_PICTURE_H

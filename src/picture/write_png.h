@@ -20,6 +20,9 @@ namespace htl_picture {
 /// writes pixels, row by row from the top. Throws `std::runtime_error` on failure.
 void write_png(const std::string& file, int width, int height, const std::vector<Colour>& pixels);
 
+/// the same as the content of a file.
+std::string encode_png(int width, int height, const std::vector<Colour>& pixels);
+
 } // namespace htl_picture
 
 #endif // HTL_PICTURE_WRITE_PNG_H

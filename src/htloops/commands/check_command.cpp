@@ -9,9 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/help_style.h"
-#include "failure.h"
-#include "read/loops_binding.h"
-#include "read/loops_json_reader.h"
+#include "commands/loops_file.h"
 #include "read/mesh_reader.h"
 #include "solve/self_contact.h"
 #include "write/linking_words.h"
@@ -20,7 +18,6 @@
 
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 namespace htloops {
 namespace {
@@ -33,33 +30,6 @@ struct Check_options
 };
 
 using CGAL::Handle_tunnel_loops::Certificate;
-
-constexpr std::size_t largest_number_of_lines = 10;
-
-// The lines, indented, each after a line break; not too many of them.
-std::string list(const std::vector<std::string>& lines) {
-  std::string text;
-  for(std::size_t i = 0; i < lines.size() && i < largest_number_of_lines; ++i)
-    text += "\n  " + lines[i];
-  if(lines.size() > largest_number_of_lines)
-    text +=
-        "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more such lines";
-  return text;
-}
-
-void require_none(const std::string& loops_file, const std::vector<std::string>& problems) {
-  if(!problems.empty())
-    throw Failure(Exit_code::NOT_CERTIFIED,
-                  loops_file + " fails its certificate:" + list(problems));
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for(std::string line; std::getline(stream, line);)
-    lines.push_back(line);
-  return lines;
-}
 
 // The names of handles and tunnels are wrong, and nothing else.
 bool has_wrong_types_only(const Certificate& c) {
@@ -81,13 +51,12 @@ std::string praise(const Certificate& certificate, bool is_boundary_of_solid) {
   for(const auto& lines : {lines_of(certificate.failure), remarks_on_sides(certificate)})
     remarks.insert(remarks.end(), lines.begin(), lines.end());
   return text + (certificate.pairing ? "; each tunnel loop crosses its handle loop once\n" : "\n") +
-         summary_of_sides(certificate) + list(remarks);
+         summary_of_sides(certificate) + indented(remarks);
 }
 
 void run(const Check_options& options) {
   const Mesh mesh = read_mesh(options.mesh_file);
-  const Bound_loops loops = bind_loops(read_loops_json(options.loops_file), mesh);
-  require_none(options.loops_file, loops.problems);
+  const Bound_loops loops = read_loops_on(mesh, options.loops_file);
   const Certificate certificate =
       CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
           mesh, loops.pairs, CGAL::parameters::basis_kind(loops.basis_kind));

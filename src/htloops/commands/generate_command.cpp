@@ -54,8 +54,9 @@ void run(const generators::Kind& kind, const Generate_options& options) {
   const Interrupt_guard guard;
   write_mesh(options.mesh_file, mesh);
   if(!options.is_quiet)
-    std::cout << options.mesh_file << ": " << mesh.points.size() << " vertices, "
-              << mesh.triangles.size() << " faces, " << shape_of(mesh) << std::endl;
+    (options.mesh_file == "-" ? std::cerr : std::cout)
+        << options.mesh_file << ": " << mesh.points.size() << " vertices, " << mesh.triangles.size()
+        << " faces, " << shape_of(mesh) << std::endl;
 }
 
 std::string default_of(std::size_t value) { return "; default: " + std::to_string(value); }

@@ -11,6 +11,8 @@
 #define HTLOOPS_MESH_WRITER_H
 
 #include "generators/generators.h"
+#include "mesh_types.h"
+#include "vertex_properties.h"
 
 #include <string>
 
@@ -19,9 +21,18 @@ namespace htloops {
 /// throws `Failure` if the name of a file does not tell a format that meshes can be written in.
 void check_mesh_format(const std::string& file);
 
-/// writes a mesh in the format that the extension tells (OFF, OBJ, PLY or STL, all as text); each
-/// coordinate reads back as exactly itself.
+/// writes a mesh in the format that the extension tells (OFF, OBJ, PLY or STL, all as text; OFF
+/// on the standard output, "-"); each coordinate reads back as exactly itself.
 void write_mesh(const std::string& file, const CGAL::Handle_tunnel_loops::generators::Soup& mesh);
+
+/// the properties that such a file has room for: all in PLY, colours in OFF, else none.
+Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties);
+
+/// writes a mesh of which elements may have been removed; the others keep their order. All vertices
+/// have a value of each property, and the file has room for them.
+void write_mesh(const std::string& file,
+                const Mesh& mesh,
+                const Vertex_properties& properties = {});
 
 } // namespace htloops
 

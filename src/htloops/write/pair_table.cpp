@@ -12,26 +12,15 @@
 #include "words.h"
 #include "write/linking_words.h"
 #include "write/loop_colours.h"
+#include "write/table_rows.h"
 
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace htloops {
 namespace {
-
-// A table of up to this many rows is shown whole; of a longer one the first and the last rows.
-constexpr std::size_t longest_whole_table = 40;
-constexpr std::size_t first_rows = 20;
-constexpr std::size_t last_rows = 5;
-
-template <typename... Values> std::string formatted(const char* format, Values... values) {
-  std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 std::string in_colour(const std::string& text, CGAL::Loop_type type, bool use_colour) {
   if(!use_colour)
@@ -111,16 +100,9 @@ std::string reasons(const Answer& answer, bool show_all) {
 std::string table_of_pairs(const Pairs& pairs, const Table_options& options) {
   if(pairs.empty())
     return "";
-  const bool is_whole = options.show_all || pairs.size() <= longest_whole_table;
-  std::string table = header(options.use_colour);
-  for(std::size_t i = 0; i < pairs.size(); ++i) {
-    if(!is_whole && i == first_rows) {
-      i = pairs.size() - last_rows;
-      table += "  ... " + std::to_string(i - first_rows) + " more (--all shows them)\n";
-    }
-    table += row(pairs[i], i, options.use_colour);
-  }
-  return table;
+  return header(options.use_colour) +
+         table_rows(pairs.size(), options.show_all,
+                    [&](std::size_t i) { return row(pairs[i], i, options.use_colour); });
 }
 
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {

@@ -75,6 +75,14 @@ void export_picture(const Picture_options& options,
   path.commit();
 }
 
+std::string picture_of(const Mesh& mesh, const Exported_lines& lines) {
+  htl_picture::Options picture;
+  picture.width = 1000;
+  picture.height = 750;
+  return htl_picture::encode_picture(points_of(mesh), triangles_of(mesh), tubes_along(lines),
+                                     picture);
+}
+
 } // namespace htloops
 
 #endif // HTLOOPS_HAS_PICTURE

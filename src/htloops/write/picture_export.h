@@ -35,6 +35,9 @@ void export_picture(const Picture_options& options,
                     const Exported_lines& lines,
                     const std::vector<std::array<unsigned char, 3>>& face_colours = {});
 
+/// the content of the file of a picture, seen as by default.
+std::string picture_of(const Mesh& mesh, const Exported_lines& lines);
+
 #else
 
 constexpr bool has_pictures = false;
@@ -43,6 +46,8 @@ inline void export_picture(const Picture_options&,
                            const Mesh&,
                            const Exported_lines&,
                            const std::vector<std::array<unsigned char, 3>>& = {}) {}
+
+inline std::string picture_of(const Mesh&, const Exported_lines&) { return ""; }
 
 #endif
 

@@ -60,8 +60,8 @@ void expect_solid(const TriangleMesh& mesh, std::size_t genus, std::size_t compo
   EXPECT_TRUE(CGAL::is_closed(mesh));
   EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
   EXPECT_EQ(number_of_components(mesh), components);
-  EXPECT_EQ(euler_characteristic(mesh), 2 * static_cast<std::ptrdiff_t>(components) -
-                                            2 * static_cast<std::ptrdiff_t>(genus));
+  EXPECT_EQ(euler_characteristic(mesh),
+            2 * static_cast<std::ptrdiff_t>(components) - 2 * static_cast<std::ptrdiff_t>(genus));
   Exact_predicates_mesh copy;
   CGAL::copy_face_graph(mesh, copy);
   EXPECT_FALSE(PMP::does_self_intersect(copy));
@@ -99,12 +99,12 @@ class Removal : public testing::TestWithParam<Recipe>
 {};
 
 TEST_P(Removal, LeavesASphere) {
-  for(const auto method : {htl::Removal_method::CUT, htl::Removal_method::FILL,
-                           htl::Removal_method::CHEAPEST}) {
+  for(const auto method :
+      {htl::Removal_method::CUT, htl::Removal_method::FILL, htl::Removal_method::CHEAPEST})
+  {
     Mesh mesh = mesh_of(GetParam());
     const std::size_t genus = GetParam().request.genus;
-    const htl::Removal_report report =
-        CGAL::remove_handles(mesh, params::removal_method(method));
+    const htl::Removal_report report = CGAL::remove_handles(mesh, params::removal_method(method));
     EXPECT_EQ(report.genus_before, genus);
     EXPECT_EQ(report.removed.size() + report.refused.size(), genus);
     EXPECT_TRUE(report.refused.empty())
@@ -113,13 +113,12 @@ TEST_P(Removal, LeavesASphere) {
     expect_solid(mesh, report.genus_after);
     for(const htl::Removed_handle& handle : report.removed) {
       EXPECT_GT(handle.area, 0.);
-      if(method != htl::Removal_method::CHEAPEST)
-        EXPECT_EQ(handle.by, method == htl::Removal_method::CUT ? htl::Removal_way::CUT
-                                                                : htl::Removal_way::FILL);
-      if(handle.by == htl::Removal_way::CUT)
-        EXPECT_GT(handle.volume, 0.);
-      if(handle.by == htl::Removal_way::FILL)
-        EXPECT_LT(handle.volume, 0.);
+      if(method != htl::Removal_method::CHEAPEST) {
+        EXPECT_EQ(handle.by == htl::Removal_way::CUT, method == htl::Removal_method::CUT);
+        EXPECT_EQ(handle.by == htl::Removal_way::FILL, method == htl::Removal_method::FILL);
+      }
+      EXPECT_TRUE(handle.by != htl::Removal_way::CUT || handle.volume > 0.);
+      EXPECT_TRUE(handle.by != htl::Removal_way::FILL || handle.volume < 0.);
     }
   }
 }
@@ -132,8 +131,8 @@ INSTANTIATE_TEST_SUITE_P(Generated,
                                          recipe("lattice", 8000, 5),
                                          recipe("plates", 2000, 6),
                                          recipe("sponge", 10000, 7)),
-                         [](const auto& info) {
-                           std::string name = info.param.kind;
+                         [](const auto& tested) {
+                           std::string name = tested.param.kind;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
@@ -184,9 +183,10 @@ TEST(Handle_removal, TouchesNothingElse) {
   const std::size_t number_of_vertices = mesh.num_vertices();
   std::vector<Mesh::Face_index> faces;
   std::vector<Mesh::Vertex_index> vertices;
-  CGAL::remove_handles(mesh, params::added_faces(std::back_inserter(faces),
-                                                 params::added_vertices(std::back_inserter(
-                                                     vertices, params::target_genus(6)))));
+  CGAL::remove_handles(
+      mesh, params::added_faces(std::back_inserter(faces),
+                                params::added_vertices(std::back_inserter(vertices),
+                                                       params::target_genus(6))));
   const std::set<Mesh::Face_index> new_faces(faces.begin(), faces.end());
   const std::set<Mesh::Vertex_index> new_vertices(vertices.begin(), vertices.end());
   EXPECT_FALSE(new_faces.empty());
@@ -216,17 +216,16 @@ TEST(Handle_removal, TakesThePairsOfAFilterOrABox) {
   const Pairs pairs = find_loops(mesh);
   Mesh copy = mesh;
   const htl::Removal_report by_filter = CGAL::remove_handles(
-      copy, params::handle_filter(
-                [](const auto& pair) { return pair.handle().pair_index() == 1; },
-                params::known_pairs(pairs)));
+      copy, params::handle_filter([](const auto& pair) { return pair.handle().pair_index() == 1; },
+                                  params::known_pairs(pairs)));
   ASSERT_EQ(by_filter.removed.size(), 1u);
   EXPECT_EQ(by_filter.removed.front().pair, 1u);
   CGAL::Bbox_3 box;
   for(const auto& p : pairs[2].handle().points())
     box += p.bbox();
   const htl::Removal_report in_box = CGAL::remove_handles(
-      mesh, params::removal_box(box, params::removal_method(htl::Removal_method::CUT,
-                                                            params::known_pairs(pairs))));
+      mesh, params::removal_box(
+                box, params::removal_method(htl::Removal_method::CUT, params::known_pairs(pairs))));
   ASSERT_EQ(in_box.removed.size(), 1u);
   EXPECT_EQ(in_box.removed.front().pair, 2u);
 }
@@ -244,13 +243,11 @@ TEST(Handle_removal, IsTheSameWithThreads) {
 TEST(Handle_removal, TakesOtherMeshesAndKernels) {
   const Soup soup = soup_of(recipe("torus", 600, 1));
   auto polyhedron = mesh_of<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>(soup);
-  CGAL::set_triangulation_ids(polyhedron);
   EXPECT_EQ(CGAL::remove_handles(polyhedron).genus_after, 0u);
   EXPECT_EQ(euler_characteristic(polyhedron), 2);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(polyhedron));
   auto exact =
-      mesh_of<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>>(
-          soup);
+      mesh_of<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>>(soup);
   EXPECT_EQ(CGAL::remove_handles(exact).genus_after, 0u);
   EXPECT_EQ(euler_characteristic(exact), 2);
 }
@@ -258,8 +255,8 @@ TEST(Handle_removal, TakesOtherMeshesAndKernels) {
 // Seven vertices, each joined to each other: no strip of whole faces is an annulus.
 TEST(Handle_removal, SubdividesWhatIsTooCoarse) {
   Mesh mesh;
-  const double points[7][3] = {{3, -3, 0}, {-3, 3, 0}, {-3, -3, 1}, {3, 3, 1},
-                               {-1, -2, 3}, {1, 2, 3}, {0, 0, 15}};
+  const double points[7][3] = {{3, -3, 0},  {-3, 3, 0}, {-3, -3, 1}, {3, 3, 1},
+                               {-1, -2, 3}, {1, 2, 3},  {0, 0, 15}};
   std::vector<Mesh::Vertex_index> v;
   for(const auto& p : points)
     v.push_back(mesh.add_vertex({p[0], p[1], p[2]}));
@@ -295,8 +292,7 @@ TEST_P(Necks_removal, LetsShellsComeApart) {
     Recipe twins = recipe(GetParam(), 60000, 0);
     twins.request.necks = necks;
     Mesh mesh = mesh_of(twins);
-    const htl::Removal_report report =
-        CGAL::remove_handles(mesh, params::maximal_neck_length(0.5));
+    const htl::Removal_report report = CGAL::remove_handles(mesh, params::maximal_neck_length(0.5));
     EXPECT_EQ(report.genus_before, necks - 1);
     EXPECT_EQ(report.genus_after, 0u);
     EXPECT_EQ(report.removed.size(), necks - 1);
@@ -313,7 +309,7 @@ TEST(Handle_removal, RefusesWhatMakesNoSense) {
   expect_refusal(mesh, params::target_genus(2), "target genus is 2");
   expect_refusal(mesh, params::removal_box(CGAL::Bbox_3(9, 9, 9, 10, 10, 10)), "in the box");
   expect_refusal(mesh, params::maximal_length(-1.), "not positive");
-  expect_refusal(mesh, params::minimal_piece_share(0.7, params::maximal_neck_length(1.)), "share");
+  expect_refusal(mesh, params::minimal_piece_share(0.7), "share");
   Pairs pairs = find_loops(mesh);
   auto steps = pairs.front().handle().steps();
   steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));

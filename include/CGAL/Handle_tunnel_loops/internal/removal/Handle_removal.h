@@ -50,7 +50,9 @@ public:
   Handle_removal(Execution execution, Surgery_mesh& mesh)
       : execution_(execution)
       , mesh_(mesh)
-      , meet_mesh_(mesh) {}
+      , meet_mesh_(mesh) {
+    measure_mesh();
+  }
 
   /// \p ask is called with the number of tasks that are done, and throws to stop.
   template <typename Ask> void operator()(std::vector<Removal_task>& tasks, const Ask& ask) {
@@ -281,24 +283,41 @@ private:
     return sum;
   }
 
+  double volume(const Placed_triangle& t) const {
+    return CGAL::volume(origin_, t.points[0], t.points[1], t.points[2]);
+  }
+
   // Of what lies between faces and those that take their place: positive if that is inside.
   double volume_between(const std::vector<Index>& out, const Placed_patch& patch) const {
-    const Surgery_mesh::Point origin = mesh_.point(mesh_.corners(out.front())[0]);
-    const auto volume = [&](const Placed_triangle& t) {
-      return CGAL::volume(origin, t.points[0], t.points[1], t.points[2]);
-    };
     double sum = 0.;
     for(Index f : out)
       sum += volume(placed_triangle(mesh_, f));
     for(const Placed_triangle& t : patch.triangles())
       sum -= volume(t);
-    return sum;
+    return outward_ * sum;
+  }
+
+  // Faces may point inwards.
+  void measure_mesh() {
+    Index first = 0;
+    while(first < mesh_.face_bound() && !mesh_.is_alive(first))
+      ++first;
+    if(first == mesh_.face_bound())
+      return;
+    origin_ = mesh_.point(mesh_.corners(first)[0]);
+    double sum = 0.;
+    for(Index f = first; f < mesh_.face_bound(); ++f)
+      if(mesh_.is_alive(f))
+        sum += volume(placed_triangle(mesh_, f));
+    outward_ = sum < 0. ? -1. : 1.;
   }
 
   const Execution execution_;
   Surgery_mesh& mesh_;
   Mesh_contacts meet_mesh_;
   Separation separates_;
+  Surgery_mesh::Point origin_;       // a vertex
+  double outward_ = 1.;              // or -1
   std::vector<Course> courses_;      // by task
   std::vector<Placed_patch> put_in_; // in this round
 };

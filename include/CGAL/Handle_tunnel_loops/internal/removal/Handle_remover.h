@@ -72,8 +72,8 @@ public:
     Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
     remove_from(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.2 * done); });
     describe(tasks);
-    if constexpr(removes_necks)
-      describe_necks(remove_necks_from(execution, mesh, necks()));
+    if(const Neck_selection wanted = necks(); wanted.maximal_length > 0.)
+      describe_necks(remove_necks_from(execution, mesh, wanted));
     check(mesh);
     ask(1.);
     if(!get(internal_np::do_dry_run, false))
@@ -89,8 +89,6 @@ private:
   }
   template <typename Tag>
   static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
-
-  static constexpr bool removes_necks = is_given<internal_np::maximal_neck_length_t>;
 
   // Asks no more once it was told to stop.
   void ask(double done) {
@@ -133,10 +131,11 @@ private:
   Handle_selection<Pair> selection() const {
     Handle_selection<Pair> wanted;
     wanted.method = get(internal_np::removal_method, Removal_method::CHEAPEST);
-    if constexpr(removes_necks)
-      wanted.maximal_length = necks().maximal_length;
-    wanted.maximal_length =
-        positive(get(internal_np::maximal_length, wanted.maximal_length), "the maximal length");
+    if(const double length = necks().maximal_length; length > 0.)
+      wanted.maximal_length = length;
+    wanted.maximal_length = get(internal_np::maximal_length, wanted.maximal_length);
+    if(!(wanted.maximal_length > 0.))
+      throw std::invalid_argument("the maximal length is not positive");
     if constexpr(is_given<internal_np::target_genus_t>)
       wanted.target_genus = parameters::get_parameter(np_, internal_np::target_genus);
     if constexpr(is_given<internal_np::removal_box_t>)
@@ -148,18 +147,13 @@ private:
 
   Neck_selection necks() const {
     Neck_selection wanted;
-    wanted.maximal_length = positive(get(internal_np::maximal_neck_length, wanted.maximal_length),
-                                     "the maximal length of a neck");
+    wanted.maximal_length = get(internal_np::maximal_neck_length, 0.);
+    if(!(wanted.maximal_length >= 0.))
+      throw std::invalid_argument("the maximal length of a neck is negative");
     wanted.minimal_share = get(internal_np::minimal_piece_share, 0.01);
     if(!(wanted.minimal_share >= 0. && wanted.minimal_share <= 0.5))
       throw std::invalid_argument("the share of a piece is not in [0, 0.5]");
     return wanted;
-  }
-
-  static double positive(double length, const char* name) {
-    if(!(length > 0.))
-      throw std::invalid_argument(std::string(name) + " is not positive");
-    return length;
   }
 
   // That what is promised is so.

@@ -110,7 +110,7 @@ private:
     return sum / (static_cast<double>(number) * loop.length() / 4.);
   }
 
-  Point point_at(const Edge_place& place) const {
+  Point point_at(const Place_on_edge& place) const {
     return CGAL::barycenter(mesh_.point(place.source), 1. - place.ratio, mesh_.point(place.target),
                             place.ratio);
   }

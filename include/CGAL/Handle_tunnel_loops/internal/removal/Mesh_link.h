@@ -101,8 +101,8 @@ private:
   // Elements that belong to nothing yet; they go again if that remains so.
   struct Additions
   {
-    explicit Additions(TriangleMesh& tm)
-        : tm(tm) {}
+    explicit Additions(TriangleMesh& mesh)
+        : tm(mesh) {}
     Additions(const Additions&) = delete;
     Additions& operator=(const Additions&) = delete;
     ~Additions() {

@@ -29,7 +29,7 @@ struct Loop_choice
 {
   Loop_type type;
   double length;
-  std::vector<Edge_place> places;
+  std::vector<Place_on_edge> places;
 };
 
 /// A handle to be removed, or a neck, and what has become of it.

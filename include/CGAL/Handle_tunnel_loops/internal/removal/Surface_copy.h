@@ -42,8 +42,8 @@ public:
   const Mesh& mesh() const { return mesh_; }
 
   /// where a loop on the copy lies on the original.
-  template <typename Loop> std::vector<Edge_place> places(const Loop& loop) const {
-    std::vector<Edge_place> places;
+  template <typename Loop> std::vector<Place_on_edge> places(const Loop& loop) const {
+    std::vector<Place_on_edge> places;
     for(const auto& step : loop.steps())
       places.push_back({numbers_[source(step.halfedge, mesh_)],
                         numbers_[target(step.halfedge, mesh_)], step.ratio});

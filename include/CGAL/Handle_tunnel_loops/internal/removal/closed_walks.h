@@ -27,7 +27,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// A place on an edge: `source + ratio * (target - source)`.
-struct Edge_place
+struct Place_on_edge
 {
   Index source, target;
   double ratio;
@@ -45,9 +45,9 @@ inline bool is_intact(const Surgery_mesh& mesh, const Closed_walk& walk) {
 }
 
 /// the shortest closed walk on the edges beside a loop, homotopic to it.
-inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Edge_place>& places) {
+inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
   std::vector<Edge_ends> ends;
-  for(const Edge_place& p : places)
+  for(const Place_on_edge& p : places)
     ends.push_back({p.ratio == 1. ? p.target : p.source, p.ratio == 0. ? p.source : p.target});
   Closed_walk walk = shortest_walk_beside(ends, [&](Index u, Index v) {
     return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));

@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/command.h"
+#include "commands/common_options.h"
+#include "commands/help_style.h"
+#include "commands/length_option.h"
+#include "commands/loops_file.h"
+#include "failure.h"
+#include "read/mesh_reader.h"
+#include "read/unread_data.h"
+#include "read/vertex_properties_reader.h"
+#include "solve/removal_solver.h"
+#include "solve/solvers.h"
+#include "solve/spread_properties.h"
+#include "solve/stopwatch.h"
+#include "terminal/interrupt.h"
+#include "terminal/terminal.h"
+#include "words.h"
+#include "write/mesh_writer.h"
+#include "write/removal_json_writer.h"
+#include "write/removal_page.h"
+#include "write/removal_table.h"
+
+#include <CGAL/Handle_tunnel_loops/certificate.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace htloops {
+namespace {
+
+struct Remove_options : Common_options // the JSON is the report
+{
+  std::string result_file;
+  std::string page_file;
+  std::string loops_file;
+  std::optional<std::size_t> genus;
+  std::string shorter_than;
+  std::vector<std::size_t> pairs;
+  std::vector<double> box;
+  std::string necks;
+  std::string method = "cheapest";
+  bool is_dry_run = false;
+  bool show_all = false;
+};
+
+using CGAL::Handle_tunnel_loops::Removal_method;
+
+const std::map<std::string, Removal_method> methods = {{"cut", Removal_method::CUT},
+                                                       {"fill", Removal_method::FILL},
+                                                       {"cheapest", Removal_method::CHEAPEST}};
+
+void check_options(const Remove_options& options) {
+  if(options.result_file.empty() && !options.is_dry_run)
+    throw Failure(Exit_code::WRONG_USAGE, "-o OUT says where the mesh goes; or --dry-run");
+  if(!options.result_file.empty())
+    check_mesh_format(options.result_file);
+  if(!options.shorter_than.empty())
+    parse_length("--shorter-than", options.shorter_than);
+  if(!options.necks.empty())
+    parse_length("--necks", options.necks);
+  for(std::size_t i = 0; i + 3 < options.box.size(); ++i)
+    if(!(options.box[i] <= options.box[i + 3]))
+      throw Failure(Exit_code::WRONG_USAGE,
+                    "--box: its least corner comes first, then its largest");
+  check_common_options(options, {options.result_file, options.page_file});
+}
+
+// What of the mesh's data will be in the result; says what will not.
+Vertex_properties properties_to_keep(const Remove_options& options) {
+  if(options.is_dry_run)
+    return {};
+  Vertex_properties kept =
+      kept_by_format(options.result_file, read_vertex_properties(options.mesh_file));
+  std::string list;
+  for(const std::string& data : unread_data(options.mesh_file, kept))
+    list += (list.empty() ? "" : "; ") + data;
+  if(!list.empty() && !options.is_quiet)
+    std::fprintf(stderr, "htloops: of %s is not kept: %s\n", options.mesh_file.c_str(),
+                 list.c_str());
+  return kept;
+}
+
+Pairs read_basis(const Mesh& mesh, const std::string& file) {
+  Bound_loops loops = read_loops_on(mesh, file);
+  const auto certificate = CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
+      mesh, loops.pairs, CGAL::parameters::do_compute_linking(false));
+  if(!certificate.closed_on_surface || !certificate.basis)
+    require_none(file, lines_of(certificate.failure));
+  return std::move(loops.pairs);
+}
+
+Pairs pairs_of(const Mesh& mesh, const Remove_options& options, bool show_progress) {
+  if(!options.loops_file.empty())
+    return read_basis(mesh, options.loops_file);
+  Solve_options solve_options;
+  solve_options.number_of_threads = options.number_of_threads;
+  Progress_bar bar(show_progress);
+  return solve_on_host(mesh, solve_options, bar).pairs;
+}
+
+Removal_options wish(const Mesh& mesh, const Remove_options& options) {
+  Removal_options removal;
+  removal.target_genus = options.genus.value_or(0);
+  if(!options.shorter_than.empty())
+    removal.maximal_length = length_on(mesh, parse_length("--shorter-than", options.shorter_than));
+  if(!options.pairs.empty())
+    removal.pairs = options.pairs;
+  if(const std::vector<double>& b = options.box; !b.empty())
+    removal.box = CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]);
+  if(!options.necks.empty())
+    removal.maximal_neck_length = length_on(mesh, parse_length("--necks", options.necks));
+  removal.method = methods.at(options.method);
+  removal.number_of_threads = options.number_of_threads;
+  return removal;
+}
+
+void write_files(const Remove_options& options, const Removal_shown& shown) {
+  if(!options.json_file.empty())
+    write_removal_json(options.json_file, shown.report);
+  if(!options.picture.file.empty())
+    export_picture(options.picture, shown.before,
+                   lines_of(pairs_to_remove(shown.pairs, shown.report)));
+  if(!options.page_file.empty())
+    write_removal_page(options.page_file, shown);
+}
+
+void show(const Remove_options& options,
+          const Removal_answer& answer,
+          double loops_seconds,
+          double read_seconds) {
+  if(options.is_quiet)
+    return;
+  char seconds[120];
+  std::snprintf(seconds, sizeof(seconds),
+                "%.2f s after %.2f s for the loops and %.2f s of reading, ", answer.total_seconds,
+                loops_seconds, read_seconds);
+  const std::string text =
+      table_of_removals(answer.report, options.show_all) + summary(answer.report) + seconds +
+      counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
+      (options.is_dry_run ? "this was a dry run: no mesh is written\n" : "");
+  const bool is_mesh_shown = options.result_file == "-" && !options.is_dry_run;
+  show_text(text, is_mesh_shown || options.json_file == "-" || options.page_file == "-");
+}
+
+void run(const Remove_options& options) {
+  check_options(options);
+  const Stopwatch stopwatch;
+  Mesh mesh = read_mesh(options.mesh_file);
+  const double read_seconds = stopwatch.seconds();
+  Vertex_properties properties = properties_to_keep(options);
+  const Interrupt_guard guard;
+  const bool show_progress = !options.is_quiet && is_terminal(stderr);
+  const Stopwatch loops_stopwatch;
+  const Pairs pairs = pairs_of(mesh, options, show_progress);
+  const double loops_seconds = loops_stopwatch.seconds();
+  const bool is_drawn = !options.picture.file.empty() || !options.page_file.empty();
+  const Mesh before = is_drawn ? mesh : Mesh();
+  Progress_bar bar(show_progress);
+  const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, options), bar);
+  if(!options.is_dry_run) {
+    spread_properties(mesh, properties);
+    write_mesh(options.result_file, mesh, properties);
+  }
+  write_files(options, {options.mesh_file, before, pairs, answer.report, mesh});
+  show(options, answer, loops_seconds, read_seconds);
+}
+
+void add_selection_options(CLI::App& command, Remove_options& options) {
+  const char group[] = "What to remove (default: all handles)";
+  CLI::Option* selections[] = {
+      command.add_option("--genus", options.genus, "the smallest, until genus G is left")
+          ->option_text("G"),
+      command
+          .add_option("--shorter-than", options.shorter_than,
+                      "handles with a loop that is shorter; %: of the diagonal of the box")
+          ->option_text("L|P%"),
+      command
+          .add_option("--pairs", options.pairs, "those of some pairs, as 'htloops loops' counts")
+          ->option_text("I,J,...")
+          ->delimiter(',')
+          ->allow_extra_args(false),
+      command.add_option("--box", options.box, "handles with a loop that lies in a box")
+          ->option_text("x,y,z,X,Y,Z")
+          ->delimiter(',')
+          ->expected(6),
+      command
+          .add_option("--necks", options.necks,
+                      "handles with a loop that is shorter, and necks:\n"
+                      "shorter loops at which shells come apart")
+          ->option_text("L|P%"),
+  };
+  for(CLI::Option* const option : selections) {
+    option->group(group);
+    for(CLI::Option* const other : selections)
+      if(other != option)
+        option->excludes(other);
+  }
+}
+
+void add_computation_options(CLI::App& command, Remove_options& options) {
+  const char group[] = "How to remove";
+  command
+      .add_option("--by", options.method,
+                  "cut, fill or cheapest; default: cheapest, or as it can be done")
+      ->option_text("WAY")
+      ->check(CLI::IsMember(methods))
+      ->group(group);
+  command
+      .add_option("--loops", options.loops_file,
+                  "take the pairs from what 'htloops loops MESH -o' wrote")
+      ->option_text("LOOPS.json")
+      ->group(group);
+  add_threads_option(command, options, group);
+}
+
+void add_output_options(CLI::App& command, Remove_options& options) {
+  const char group[] = "What to write";
+  command
+      .add_option("-o,--output", options.result_file,
+                  "the mesh: .off .obj .ply .stl; - is standard output, OFF")
+      ->option_text("OUT")
+      ->group(group);
+  command.add_flag("--dry-run", options.is_dry_run, "all but the mesh")->group(group);
+  command.add_option("--report", options.json_file, "what was done, as JSON")
+      ->option_text("FILE.json")
+      ->group(group);
+  command
+      .add_option("--html", options.page_file,
+                  has_pictures ? "what was done, as a page with pictures before and after"
+                               : "what was done, as a page")
+      ->option_text("FILE")
+      ->group(group);
+  add_picture_options(command, options, "the loops of what is removed", group);
+}
+
+constexpr char description[] =
+    "Removes handles of a closed triangle mesh.\n"
+    "\n"
+    "A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the "
+    "ends\n"
+    "are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,\n"
+    "numbers and colours of its vertices, too, where the file that is written has room for them.\n"
+    "A handle that neither can be done to is refused, by name; that is no failure.\n";
+
+constexpr char examples[] =
+    "Examples:\n"
+    "  htloops remove scan.ply -o clean.ply            all handles\n"
+    "  htloops remove scan.ply -o clean.ply --shorter-than 3%\n"
+    "                                                  the small ones\n"
+    "  htloops remove scan.ply --genus 2 --dry-run --html look.html\n"
+    "                                                  what would go, if two are to stay\n";
+
+} // namespace
+
+void add_remove_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Remove_options>();
+  CLI::App* remove = app.add_subcommand("remove", description)->group("Commands");
+  add_mesh_argument(*remove, *options);
+  add_output_options(*remove, *options);
+  add_selection_options(*remove, *options);
+  add_computation_options(*remove, *options);
+  const char group[] = "What to show";
+  remove->add_flag("--all", options->show_all, "all rows of a long table")->group(group);
+  remove->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group(group);
+  complete_help(*remove, examples);
+  remove->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops

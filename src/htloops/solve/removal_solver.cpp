@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/removal_solver.h"
+
+#include "failure.h"
+#include "solve/stopwatch.h"
+#include "solve/thread_limit.h"
+#include "terminal/interrupt.h"
+#include "words.h"
+
+#include <CGAL/remove_handles.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace htloops {
+namespace {
+
+namespace parameters = CGAL::parameters;
+using CGAL::Handle_tunnel_loops::Removal_report;
+
+void check_numbers(const std::vector<std::size_t>& numbers, std::size_t count) {
+  for(const std::size_t number : numbers)
+    if(number >= count)
+      throw Failure(Exit_code::WRONG_USAGE, "there is no pair " + std::to_string(number) +
+                                                ": there are " + counted(count, "pair", "pairs") +
+                                                " (they count from 0)");
+}
+
+// Which pairs may be looked at, by number.
+std::function<bool(const Pair&)> filter_of(const Removal_options& options, std::size_t count) {
+  if(!options.pairs)
+    return [](const Pair&) { return true; };
+  check_numbers(*options.pairs, count);
+  return [&numbers = *options.pairs](const Pair& pair) {
+    return std::count(numbers.begin(), numbers.end(), pair.handle().pair_index()) > 0;
+  };
+}
+
+// What is wrong with the wish, and not with the mesh, is wrong usage.
+template <typename NamedParameters>
+Removal_report remove_as_wanted(Mesh& mesh, const NamedParameters& np) {
+  try {
+    return CGAL::remove_handles<CGAL::Parallel_if_available_tag>(mesh, np);
+  } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception&) {
+    throw;
+  } catch(const std::invalid_argument& reason) {
+    throw Failure(Exit_code::WRONG_USAGE, reason.what());
+  }
+}
+
+} // namespace
+
+Removal_answer
+remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress_bar& bar) {
+  const Thread_limit limit(options.number_of_threads);
+  bar.start("remove");
+  const std::function<bool(double)> callback = [&bar](double fraction) {
+    bar.update(fraction);
+    return interrupting_signal() == 0;
+  };
+  const auto known = parameters::known_pairs(pairs, parameters::callback(callback));
+  const auto filtered = parameters::handle_filter(filter_of(options, pairs.size()), known);
+  const auto selected = parameters::target_genus(
+      options.target_genus, parameters::maximal_length(options.maximal_length, filtered));
+  const auto np =
+      parameters::maximal_neck_length(options.maximal_neck_length.value_or(0.),
+                                      parameters::removal_method(options.method, selected));
+
+  Removal_answer answer;
+  answer.number_of_threads = limit.number_of_threads();
+  const Stopwatch stopwatch;
+  answer.report = options.box ? remove_as_wanted(mesh, parameters::removal_box(*options.box, np))
+                              : remove_as_wanted(mesh, np);
+  answer.total_seconds = stopwatch.seconds();
+  bar.erase();
+  return answer;
+}
+
+} // namespace htloops

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_REMOVAL_SOLVER_H
+#define HTLOOPS_REMOVAL_SOLVER_H
+
+#include "mesh_types.h"
+#include "terminal/progress_bar.h"
+
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace htloops {
+
+/// Which handles are to be removed, and how. What is not given selects all handles.
+struct Removal_options
+{
+  std::size_t target_genus = 0;
+  double maximal_length = std::numeric_limits<double>::infinity();
+  std::optional<CGAL::Bbox_3> box;
+  std::optional<std::vector<std::size_t>> pairs; ///< by number
+  std::optional<double> maximal_neck_length;     ///< then necks are cut, and no handle
+  CGAL::Handle_tunnel_loops::Removal_method method =
+      CGAL::Handle_tunnel_loops::Removal_method::CHEAPEST;
+  int number_of_threads = 0; ///< 0: as many as the machine has
+};
+
+struct Removal_answer
+{
+  CGAL::Handle_tunnel_loops::Removal_report report;
+  double total_seconds = 0.;
+  int number_of_threads = 1;
+};
+
+/// removes handles, given the pairs of loops of a mesh. Untouched vertices keep their order. Throws
+/// `Failure` if there is nothing that the options could mean.
+Removal_answer
+remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress_bar& bar);
+
+} // namespace htloops
+
+#endif // HTLOOPS_REMOVAL_SOLVER_H
