@@ -24,7 +24,8 @@ namespace Handle_tunnel_loops {
 enum class Removal_method {
   CUT,     ///< cut along the handle loop, and both ends closed in the solid
   FILL,    ///< cut along the tunnel loop, and its hole closed on both sides
-  CHEAPEST ///< along the shorter of the two, or along the other one if that cannot be, or whole
+  CHEAPEST ///< whole if it is like a knob on the surface; or else along the shorter of the two, or
+           ///< along the other one if that cannot be
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

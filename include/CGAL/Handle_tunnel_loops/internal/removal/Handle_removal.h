@@ -173,7 +173,7 @@ private:
   // A way that takes one loop, or both.
   const char* why_not_at_all(Course& course, const Way_of_removal& way) const {
     for(std::size_t i = 0; i < course.walks.size(); ++i) {
-      if(i != way.choice && way.style != Way_of_removal::WHOLE)
+      if(i != way.choice && !way.takes_both_loops())
         continue;
       if(course.walks[i].size() < 3)
         return "the loop is not simple";

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,17 +37,22 @@ struct Way_of_removal
     BESIDE_LEFT,      ///< those at a loop some rings beside it
     BESIDE_RIGHT,     ///< ... on its other side
     SUBDIVIDED_STRIP, ///< the faces at a loop after a subdivision
-    WHOLE             ///< the faces at both loops, and some rings more
+    WHOLE,            ///< the faces at both loops, and some rings more
+    KNOB              ///< the same, of a handle that sits on the surface like a knob on a lid
   };
   Style style;
   std::size_t choice; ///< the loop
   int rings;
+
+  bool takes_both_loops() const { return style == WHOLE || style == KNOB; }
 };
 
 /// all ways, the first one first.
 inline std::vector<Way_of_removal> ways_of_removal(std::size_t number_of_choices) {
   using Way = Way_of_removal;
   std::vector<Way> ways;
+  if(number_of_choices == 2)
+    ways.push_back({Way::KNOB, 0, 6});
   for(std::size_t i = 0; i < number_of_choices; ++i)
     ways.insert(ways.end(), {{Way::STRIP, i, 3},
                              {Way::STRIP, i, 0},
@@ -81,8 +87,7 @@ public:
                                            const std::vector<Closed_walk>& walks) const {
     if(way.style == Way_of_removal::SUBDIVIDED_STRIP)
       return Removal_proposal::subdivided(mesh_, walks[way.choice]);
-    std::optional<Cut_region> region =
-        way.style == Way_of_removal::WHOLE ? whole(way, walks) : strip(way, walks[way.choice]);
+    std::optional<Cut_region> region = this->region(way, walks);
     if(!region)
       return std::nullopt;
     return Removal_proposal(mesh_, std::move(*region));
@@ -99,12 +104,41 @@ public:
   }
 
 private:
-  std::optional<Cut_region> whole(const Way_of_removal& way,
-                                  const std::vector<Closed_walk>& walks) const {
+  std::optional<Cut_region> region(const Way_of_removal& way,
+                                   const std::vector<Closed_walk>& walks) const {
+    if(!way.takes_both_loops())
+      return strip(way, walks[way.choice]);
     std::vector<Index> vertices;
-    for(const Closed_walk& walk : walks)
+    double length = 0.; // of the longer loop
+    for(const Closed_walk& walk : walks) {
       vertices.insert(vertices.end(), walk.begin(), walk.end());
-    return Cut_region::whole(mesh_, vertices, way.rings);
+      length = (std::max)(length, length_of(mesh_, walk));
+    }
+    return way.style == Way_of_removal::WHOLE ? Cut_region::whole(mesh_, vertices, way.rings)
+                                              : knob(vertices, 1.5 * length, way.rings);
+  }
+
+  // The surroundings of two loops that cross have a border about twice as long as both together,
+  // unless they are closed off from the rest of the surface. Then there is a ring with a short
+  // border, and nothing is left of the handle if that is replaced by a disc.
+  std::optional<Cut_region>
+  knob(const std::vector<Index>& vertices, double longest_border, int most_rings) const {
+    std::optional<Cut_region> knob;
+    double last = (std::numeric_limits<double>::infinity)();
+    for(int rings = 0; rings <= most_rings; ++rings) {
+      std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings);
+      if(!region)
+        continue;
+      const double length = length_of(mesh_, region->vertices_of(mesh_, 0));
+      if(length <= longest_border) {
+        if(knob) // one ring more than the first, to be clear of its edges
+          return region;
+        knob = std::move(region);
+      } else if(knob || length > 1.1 * last)
+        break;
+      last = length;
+    }
+    return knob;
   }
 
   std::optional<Cut_region> strip(const Way_of_removal& way, const Closed_walk& walk) const {

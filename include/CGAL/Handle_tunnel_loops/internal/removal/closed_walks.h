@@ -44,14 +44,24 @@ inline bool is_intact(const Surgery_mesh& mesh, const Closed_walk& walk) {
   return true;
 }
 
+inline double distance(const Surgery_mesh& mesh, Index u, Index v) {
+  return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
+}
+
+inline double length_of(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  double sum = 0.;
+  for(std::size_t i = 0; i < walk.size(); ++i)
+    sum += distance(mesh, walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]);
+  return sum;
+}
+
 /// the shortest closed walk on the edges beside a loop, homotopic to it.
 inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
   std::vector<Edge_ends> ends;
   for(const Place_on_edge& p : places)
     ends.push_back({p.ratio == 1. ? p.target : p.source, p.ratio == 0. ? p.source : p.target});
-  Closed_walk walk = shortest_walk_beside(ends, [&](Index u, Index v) {
-    return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
-  });
+  Closed_walk walk =
+      shortest_walk_beside(ends, [&](Index u, Index v) { return distance(mesh, u, v); });
   remove_spurs(walk);
   return walk;
 }
