@@ -31,9 +31,10 @@ scans and segmentations, say.
 Each handle is removed along one loop of its pair. Cut along its handle loop, it becomes two ends
 that are closed in the solid; along its tunnel loop, its hole is filled. A strip of faces along the
 loop is taken out, and its two holes are closed by caps that are refined to the density of the mesh
-around them and made smooth with it. Where the loops of a handle are so short against the faces that
-there is no such strip, or where no caps fit, a piece of the surface with the whole handle is
-replaced by one disc.
+around them and made smooth with it. A handle that sits on the surface like a knob on a lid, with
+faces around it that all look the same way, is *taken out whole*: one disc takes the place of its
+surroundings, and no stumps are left (only if the method is `CHEAPEST`). The same is done where the
+loops are so short against the faces that there is no strip, or where no caps fit.
 
 It is a theorem that the genus is one less for each handle that is removed, and that no piece comes
 off: strips are annuli along loops that do not separate the surface, both found by counting. The

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,7 +51,7 @@ inline std::vector<Way_of_removal> ways_of_removal(std::size_t number_of_choices
   using Way = Way_of_removal;
   std::vector<Way> ways;
   if(number_of_choices == 2)
-    ways.push_back({Way::KNOB, 0, 6});
+    ways.push_back({Way::KNOB, 0, 4});
   for(std::size_t i = 0; i < number_of_choices; ++i)
     ways.insert(ways.end(), {{Way::STRIP, i, 3},
                              {Way::STRIP, i, 0},
@@ -109,36 +108,37 @@ private:
     if(!way.takes_both_loops())
       return strip(way, walks[way.choice]);
     std::vector<Index> vertices;
-    double length = 0.; // of the longer loop
-    for(const Closed_walk& walk : walks) {
+    for(const Closed_walk& walk : walks)
       vertices.insert(vertices.end(), walk.begin(), walk.end());
-      length = (std::max)(length, length_of(mesh_, walk));
-    }
     return way.style == Way_of_removal::WHOLE ? Cut_region::whole(mesh_, vertices, way.rings)
-                                              : knob(vertices, 1.5 * length, way.rings);
+                                              : knob(vertices, way.rings);
   }
 
-  // The surroundings of two loops that cross have a border about twice as long as both together,
-  // unless they are closed off from the rest of the surface. Then there is a ring with a short
-  // border, and nothing is left of the handle if that is replaced by a disc.
-  std::optional<Cut_region>
-  knob(const std::vector<Index>& vertices, double longest_border, int most_rings) const {
-    std::optional<Cut_region> knob;
-    double last = (std::numeric_limits<double>::infinity)();
-    for(int rings = 0; rings <= most_rings; ++rings) {
-      std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings);
-      if(!region)
-        continue;
-      const double length = length_of(mesh_, region->vertices_of(mesh_, 0));
-      if(length <= longest_border) {
-        if(knob) // one ring more than the first, to be clear of its edges
+  // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
+  // handle if a disc takes the place of what is within.
+  std::optional<Cut_region> knob(const std::vector<Index>& vertices, int most_rings) const {
+    for(int rings = 1; rings <= most_rings; ++rings)
+      if(std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings))
+        if(is_lid_around(*region))
           return region;
-        knob = std::move(region);
-      } else if(knob || length > 1.1 * last)
-        break;
-      last = length;
+    return std::nullopt;
+  }
+
+  // Whether all faces just beyond a border look the same way, but for 60 degrees.
+  bool is_lid_around(const Cut_region& region) const {
+    using Vector = Surgery_mesh::Kernel::Vector_3;
+    std::vector<Vector> normals;
+    Vector sum = CGAL::NULL_VECTOR;
+    for(Index h : region.border(0)) {
+      const Surgery_mesh::Face& c = mesh_.corners(mesh_.face(mesh_.twin(h)));
+      const Vector normal = CGAL::normal(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]));
+      sum = sum + normal;
+      normals.push_back(normal);
     }
-    return knob;
+    return std::all_of(normals.begin(), normals.end(), [&](const Vector& n) {
+      const double product = n * sum;
+      return product > 0. && 4. * product * product >= n.squared_length() * sum.squared_length();
+    });
   }
 
   std::optional<Cut_region> strip(const Way_of_removal& way, const Closed_walk& walk) const {

@@ -48,13 +48,6 @@ inline double distance(const Surgery_mesh& mesh, Index u, Index v) {
   return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
 }
 
-inline double length_of(const Surgery_mesh& mesh, const Closed_walk& walk) {
-  double sum = 0.;
-  for(std::size_t i = 0; i < walk.size(); ++i)
-    sum += distance(mesh, walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]);
-  return sum;
-}
-
 /// the shortest closed walk on the edges beside a loop, homotopic to it.
 inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
   std::vector<Edge_ends> ends;
