@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -51,7 +52,7 @@ inline std::vector<Way_of_removal> ways_of_removal(std::size_t number_of_choices
   using Way = Way_of_removal;
   std::vector<Way> ways;
   if(number_of_choices == 2)
-    ways.push_back({Way::KNOB, 0, 4});
+    ways.push_back({Way::KNOB, 0, 8});
   for(std::size_t i = 0; i < number_of_choices; ++i)
     ways.insert(ways.end(), {{Way::STRIP, i, 3},
                              {Way::STRIP, i, 0},
@@ -64,6 +65,38 @@ inline std::vector<Way_of_removal> ways_of_removal(std::size_t number_of_choices
     ways.push_back({Way::SUBDIVIDED_STRIP, i, 0});
   return ways;
 }
+
+/// The normals, as long as the areas, of the faces just beyond a border.
+class Normals_around
+{
+  using Vector = Surgery_mesh::Kernel::Vector_3;
+
+public:
+  Normals_around(const Surgery_mesh& mesh, const Cut_region& region) {
+    for(Index h : region.border(0)) {
+      const Surgery_mesh::Face& c = mesh.corners(mesh.face(mesh.twin(h)));
+      normals_.push_back(CGAL::normal(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])));
+      sum_ = sum_ + normals_.back();
+      sum_of_areas_ += std::sqrt(normals_.back().squared_length());
+    }
+  }
+
+  /// whether each is within 60 degrees of their mean.
+  bool are_alike() const {
+    return std::all_of(normals_.begin(), normals_.end(), [&](const Vector& n) {
+      const double product = n * sum_;
+      return product > 0. && 4. * product * product >= n.squared_length() * sum_.squared_length();
+    });
+  }
+
+  /// whether they do not all but cancel.
+  bool have_a_direction() const { return 2. * std::sqrt(sum_.squared_length()) >= sum_of_areas_; }
+
+private:
+  std::vector<Vector> normals_;
+  Vector sum_ = CGAL::NULL_VECTOR;
+  double sum_of_areas_ = 0.;
+};
 
 /// Lays out the regions of a round so that no two of them share a vertex, and that none takes away
 /// more than it must of the loops of others.
@@ -118,27 +151,14 @@ private:
   // handle if a disc takes the place of what is within.
   std::optional<Cut_region> knob(const std::vector<Index>& vertices, int most_rings) const {
     for(int rings = 1; rings <= most_rings; ++rings)
-      if(std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings))
-        if(is_lid_around(*region))
+      if(std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings)) {
+        const Normals_around around(mesh_, *region);
+        if(around.are_alike())
           return region;
+        if(!around.have_a_direction())
+          break; // nor will further rings
+      }
     return std::nullopt;
-  }
-
-  // Whether all faces just beyond a border look the same way, but for 60 degrees.
-  bool is_lid_around(const Cut_region& region) const {
-    using Vector = Surgery_mesh::Kernel::Vector_3;
-    std::vector<Vector> normals;
-    Vector sum = CGAL::NULL_VECTOR;
-    for(Index h : region.border(0)) {
-      const Surgery_mesh::Face& c = mesh_.corners(mesh_.face(mesh_.twin(h)));
-      const Vector normal = CGAL::normal(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]));
-      sum = sum + normal;
-      normals.push_back(normal);
-    }
-    return std::all_of(normals.begin(), normals.end(), [&](const Vector& n) {
-      const double product = n * sum;
-      return product > 0. && 4. * product * product >= n.squared_length() * sum.squared_length();
-    });
   }
 
   std::optional<Cut_region> strip(const Way_of_removal& way, const Closed_walk& walk) const {
