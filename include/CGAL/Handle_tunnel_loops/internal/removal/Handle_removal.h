@@ -60,6 +60,7 @@ public:
     for(std::vector<Attempt> attempts; !(attempts = choose(tasks)).empty();) {
       make_caps(attempts);
       find_good_caps(attempts);
+      is_one_piece_without_all_ = is_one_piece_without(attempts, tasks);
       put_in_.clear();
       for(const Attempt& attempt : attempts)
         carry_out(attempt, tasks);
@@ -269,7 +270,27 @@ private:
                        [&](const Placed_patch& other) { return placed.meets(other); });
   }
 
+  // If the surface stays in one piece without all regions of a round, it does so without each of
+  // them, whatever becomes of the others. That is found faster for many of them at once.
+  bool is_one_piece_without(const std::vector<Attempt>& attempts,
+                            const std::vector<Removal_task>& tasks) {
+    constexpr std::size_t many = 16;
+    if(attempts.size() < many || tasks[attempts.front().task].pair == Removal_task::is_neck)
+      return false;
+    if(number_of_pieces_ == 0)
+      number_of_pieces_ = number_of_pieces(execution_, mesh_, {});
+    std::vector<Index> out;
+    for(const Attempt& attempt : attempts) {
+      if(attempt.proposal.is_subdivided())
+        return false; // more than the region goes out
+      out.insert(out.end(), attempt.proposal.out().begin(), attempt.proposal.out().end());
+    }
+    return number_of_pieces(execution_, mesh_, out) == number_of_pieces_;
+  }
+
   const char* why_not(const Removal_proposal& proposal, const Removal_task& task) {
+    if(is_one_piece_without_all_)
+      return nullptr;
     const bool separates = separates_(proposal.mesh_of_region(), proposal.region());
     if(separates == (task.pair == Removal_task::is_neck))
       return nullptr;
@@ -316,6 +337,8 @@ private:
   Surgery_mesh& mesh_;
   Mesh_contacts meet_mesh_;
   Separation separates_;
+  std::size_t number_of_pieces_ = 0; // of the surface; handles do not change it
+  bool is_one_piece_without_all_ = false;
   Surgery_mesh::Point origin_;       // a vertex
   double outward_ = 1.;              // or -1
   std::vector<Course> courses_;      // by task

@@ -14,7 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/removal/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Concurrent_disjoint_sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <array>
 #include <cstddef>
@@ -23,6 +25,28 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// the number of pieces that a surface is without some faces. Almost linear in the size of the
+/// mesh.
+inline std::size_t
+number_of_pieces(Execution execution, const Surgery_mesh& mesh, const std::vector<Index>& out) {
+  std::vector<char> is_left(mesh.face_bound());
+  for_each_index(execution, is_left.size(),
+                 [&](std::size_t f) { is_left[f] = mesh.is_alive(static_cast<Index>(f)); });
+  for(Index f : out)
+    is_left[f] = 0;
+  Concurrent_disjoint_sets sets(execution, is_left.size());
+  for_each_index(execution, is_left.size(), [&](std::size_t f) {
+    if(is_left[f])
+      sets.insert(static_cast<Index>(f));
+  });
+  for_each_index(execution, 3 * is_left.size(), [&](std::size_t i) {
+    const Index h = static_cast<Index>(i), f = mesh.face(h);
+    if(is_left[f] && h < mesh.twin(h) && is_left[mesh.face(mesh.twin(h))])
+      sets.unite(f, mesh.face(mesh.twin(h)));
+  });
+  return sets.flatten(execution).size();
+}
 
 /// Finds whether a surface falls apart when a region is taken out: the faces beyond both of its
 /// borders are gone through in turn, until they meet or one side has no more. Takes no longer than

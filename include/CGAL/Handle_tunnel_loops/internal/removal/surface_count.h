@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/removal/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Concurrent_disjoint_sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -63,18 +63,8 @@ inline bool is_closed_manifold(const Surgery_mesh& mesh) {
 inline Surface_count count_surface(Execution execution, const Surgery_mesh& mesh) {
   if(!is_closed_manifold(mesh))
     throw std::logic_error("the surface is no closed manifold after the removal of handles");
-  Concurrent_disjoint_sets sets(execution, mesh.face_bound());
-  for(Index f = 0; f < mesh.face_bound(); ++f)
-    sets.insert(f);
-  for_each_index(execution, 3 * std::size_t(mesh.face_bound()), [&](std::size_t i) {
-    const Index h = static_cast<Index>(i);
-    if(mesh.is_alive(mesh.face(h)) && h < mesh.twin(h))
-      sets.unite(mesh.face(h), mesh.face(mesh.twin(h)));
-  });
-  const std::vector<Index> roots = sets.flatten(execution);
   Surface_count count;
-  count.components =
-      std::count_if(roots.begin(), roots.end(), [&](Index f) { return mesh.is_alive(f); });
+  count.components = number_of_pieces(execution, mesh, {});
   std::size_t vertices = 0;
   for(Index v = 0; v < mesh.vertex_bound(); ++v)
     vertices += mesh.outgoing(v) != no_index;
