@@ -143,8 +143,18 @@ private:
     std::vector<Index> vertices;
     for(const Closed_walk& walk : walks)
       vertices.insert(vertices.end(), walk.begin(), walk.end());
-    return way.style == Way_of_removal::WHOLE ? Cut_region::whole(mesh_, vertices, way.rings)
-                                              : knob(vertices, way.rings);
+    if(way.style == Way_of_removal::WHOLE)
+      return Cut_region::whole(mesh_, vertices, way.rings);
+    return is_compact(walks) ? knob(vertices, way.rings) : std::nullopt;
+  }
+
+  // Whether no loop is many times as long as another one, as between two shells.
+  static bool is_compact(const std::vector<Closed_walk>& walks) {
+    const auto is_shorter = [](const Closed_walk& a, const Closed_walk& b) {
+      return a.size() < b.size();
+    };
+    const auto [least, most] = std::minmax_element(walks.begin(), walks.end(), is_shorter);
+    return most->size() <= 8 * least->size();
   }
 
   // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
