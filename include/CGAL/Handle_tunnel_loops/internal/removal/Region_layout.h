@@ -160,14 +160,19 @@ private:
   // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
   // handle if a disc takes the place of what is within.
   std::optional<Cut_region> knob(const std::vector<Index>& vertices, int most_rings) const {
-    for(int rings = 1; rings <= most_rings; ++rings)
-      if(std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings)) {
-        const Normals_around around(mesh_, *region);
-        if(around.are_alike())
-          return region;
-        if(!around.have_a_direction())
-          break; // nor will further rings
+    int number_of_misses = 0;
+    for(int rings = 1; rings <= most_rings && number_of_misses < 2; ++rings) {
+      std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings);
+      if(!region) { // there is more than a handle
+        ++number_of_misses;
+        continue;
       }
+      const Normals_around around(mesh_, *region);
+      if(around.are_alike())
+        return region;
+      if(!around.have_a_direction())
+        break; // nor will further rings
+    }
     return std::nullopt;
   }
 
