@@ -86,13 +86,15 @@ private:
         is_used[halfedges().source(h)] = 1;
         sets.unite(halfedges().source(h), halfedges().target(h));
       }
-    std::vector<Index> root(problem_.mesh.seeds.size(), no_index); // by component
+    std::vector<Index> some(problem_.mesh.seeds); // a vertex of the base, by component
+    std::vector<char> is_found(some.size(), 0);
     for(Index v = 0; v < n; ++v)
       if(is_used[v] || problem_.is_cone(v)) {
-        Index& r = root[problem_.mesh.component[v]];
-        if(r != no_index && r != sets.find(v))
+        const Index component = problem_.mesh.component[v];
+        if(is_found[component] && sets.find(some[component]) != sets.find(v))
           return false;
-        r = sets.find(v);
+        is_found[component] = 1;
+        some[component] = v;
       }
     return true;
   }
