@@ -119,7 +119,7 @@ void measure(const std::string& input, const Wish& wish, Sum& sum) {
       ++sum.reasons[handle.reason];
   }
   std::printf("| %s | %zu | %zu -> %zu | %zu | %zu | %.2f | %.2f | %.2f | **%.2f** | %.0f | %s |\n",
-              input.substr(input.rfind('/') + 1).c_str(), mesh.number_of_faces(),
+              input.substr(input.rfind('/') + 1).c_str(), std::size_t(mesh.number_of_faces()),
               report.genus_before, report.genus_after, report.refused.size(),
               report.removed_necks.size(), median(reading), median(finding), median(removing),
               median(ratio), bytes, state.c_str());
