@@ -118,7 +118,8 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   if(const std::vector<double>& b = options.box; !b.empty())
     removal.box = CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]);
   if(!options.necks.empty())
-    removal.maximal_neck_length = length_on(mesh, parse_length("--necks", options.necks));
+    removal.maximal_neck_length = removal.maximal_length =
+        length_on(mesh, parse_length("--necks", options.necks));
   removal.method = methods.at(options.method);
   removal.number_of_threads = options.number_of_threads;
   return removal;
