@@ -31,7 +31,7 @@ struct Removal_options
   double maximal_length = std::numeric_limits<double>::infinity();
   std::optional<CGAL::Bbox_3> box;
   std::optional<std::vector<std::size_t>> pairs; ///< by number
-  std::optional<double> maximal_neck_length;     ///< then necks are cut, and no handle
+  std::optional<double> maximal_neck_length;     ///< then necks are cut, too
   CGAL::Handle_tunnel_loops::Removal_method method =
       CGAL::Handle_tunnel_loops::Removal_method::CHEAPEST;
   int number_of_threads = 0; ///< 0: as many as the machine has
