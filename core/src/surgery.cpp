@@ -9,5 +9,5 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/necks/find_flat_necks_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/caps_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/caps_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/remove_from_impl.h>

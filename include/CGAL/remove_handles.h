@@ -49,9 +49,10 @@ all that property maps say of them.
 
 Handles are removed in order of their sizes: the size of a handle is the length of the loop that is
 tried first. Which ones is said by the parameters; those that fulfil all conditions are removed, all
-of them if there is none. A loop across which another handle has been removed is not the loop of
-anything any more: the loops are found anew then on the surface as it is, and those that lie where
-the loops of the handle did are taken.
+of them if there is none. A loop across which another handle has been removed is led around it, so
+that it is the loop of a handle still. Where that makes it much longer, or where the handle cannot
+be removed along it, the loops are found anew on the surface as it is, and those that lie where the
+loops of the handle did are taken.
 
 *Necks* are removed if a maximal length of theirs is given: loops that separate the surface, around
 the last one of the bridges that join two shells, or through the last one of the holes that join an
@@ -126,6 +127,20 @@ comes off at a neck; from 0 to 0.5} \cgalParamType{`double`} \cgalParamDefault{0
     \cgalParamDescription{is told the vertices that the mesh did not have before}
     \cgalParamType{a model of `OutputIterator` that accepts vertex descriptors}
     \cgalParamDefault{`Emptyset_iterator`}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_patch_map}
+    \cgalParamDescription{is told for each face that the mesh did not have before what it closes:
+the place in `Removal_report::removed`, or, for necks, that in `Removal_report::removed_necks` plus
+the size of the former. For handles that were removed together it is the first of them}
+    \cgalParamType{a class model of `WritablePropertyMap` with face descriptors as key type and a
+number as value type, that takes faces that are new}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{remaining_pairs}
+    \cgalParamDescription{is told the loops of the handles that are left, as `handle_tunnel_loops()`
+finds them on the mesh once handles are removed. That is not done in a dry run}
+    \cgalParamType{a model of `OutputIterator` that accepts `Handle_tunnel_pair`}
+    \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{is told the progress, from 0 to 1, and asks to stop by returning `false`}

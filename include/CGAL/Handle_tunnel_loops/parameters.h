@@ -46,6 +46,7 @@ enum maximal_neck_length_t { maximal_neck_length };
 enum minimal_piece_share_t { minimal_piece_share };
 enum added_faces_t { added_faces };
 enum added_vertices_t { added_vertices };
+enum remaining_pairs_t { remaining_pairs };
 enum cone_vertices_t { cone_vertices };
 enum edge_weight_map_t { edge_weight_map };
 enum edge_is_avoided_map_t { edge_is_avoided_map };
@@ -94,6 +95,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(maximal_neck_length)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(minimal_piece_share)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(added_faces)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(added_vertices)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(remaining_pairs)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(cone_vertices)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(edge_weight_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(edge_is_avoided_map)

@@ -3,7 +3,9 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
@@ -216,6 +218,35 @@ TEST(Handle_removal, TouchesNothingElse) {
   EXPECT_EQ(number_kept + new_faces.size(), mesh.number_of_faces());
   for(const auto v : new_vertices)
     EXPECT_GE(static_cast<std::size_t>(v), number_of_vertices);
+}
+
+TEST(Handle_removal, SaysWhichHandleAFaceCloses) {
+  Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
+  constexpr std::size_t none = 1000;
+  auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch", none).first;
+  std::vector<Mesh::Face_index> faces;
+  const htl::Removal_report report = CGAL::remove_handles(
+      mesh, params::added_faces(std::back_inserter(faces), params::face_patch_map(patch)));
+  EXPECT_EQ(std::count(patch.begin(), patch.end(), none) + std::ptrdiff_t(faces.size()),
+            patch.end() - patch.begin());
+  std::vector<double> area(report.removed.size(), 0.);
+  for(const auto f : faces) {
+    ASSERT_LT(patch[f], report.removed.size());
+    area[patch[f]] += PMP::face_area(f, mesh);
+  }
+  for(std::size_t i = 0; i < area.size(); ++i)
+    EXPECT_NEAR(area[i], report.removed[i].area, 1e-9 * area[i]) << i;
+}
+
+TEST(Handle_removal, FindsTheLoopsThatAreLeft) {
+  for(const std::size_t genus : {0, 3, 8}) {
+    Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
+    std::vector<CGAL::Handle_tunnel_pair<Mesh>> pairs;
+    CGAL::remove_handles(
+        mesh, params::target_genus(genus, params::remaining_pairs(std::back_inserter(pairs))));
+    EXPECT_EQ(pairs.size(), genus);
+    EXPECT_TRUE(CGAL::certify_handle_tunnel_loops(mesh, pairs));
+  }
 }
 
 TEST(Handle_removal, ChangesNothingInADryRun) {

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
@@ -69,8 +70,7 @@ private:
       ends.push_back(source(step.halfedge, tm_));
       ends.push_back(target(step.halfedge, tm_));
     }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    make_set(ends);
     const auto number = [&](vertex_descriptor v) {
       return static_cast<Index>(std::lower_bound(ends.begin(), ends.end(), v) - ends.begin());
     };

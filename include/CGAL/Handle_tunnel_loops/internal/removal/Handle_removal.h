@@ -12,21 +12,25 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/patch_contacts.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Loops_at_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Region_layout.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_course.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_proposal.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Separation.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/patch_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Enclosed_volume.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -40,9 +44,10 @@ by one and leaves the rest of the surface as it is, in one piece. That all this 
 the mesh as it is by then: what the region is and that the rest is in one piece by counting, that
 the caps meet nothing by exact predicates.
 
-Handles far from each other are removed in the same round, caps being made by all threads; what is
-taken is decided in the order of the tasks. A handle that cannot be removed in one way is tried in
-the next one in the next round.
+Handles far from each other are removed in the same round, regions and caps being made by all
+threads; what is taken is decided in the order of the tasks. A handle that cannot be removed in one
+way is tried in the next one in the next round. Loops of other handles are led around what was
+removed.
 */
 class Handle_removal
 {
@@ -50,140 +55,114 @@ public:
   Handle_removal(Execution execution, Surgery_mesh& mesh)
       : execution_(execution)
       , mesh_(mesh)
-      , meet_mesh_(mesh) {
-    measure_mesh();
-  }
+      , meet_mesh_(mesh)
+      , volume_(mesh) {}
 
   /// \p ask is called with the number of tasks that are done, and throws to stop.
   template <typename Ask> void operator()(std::vector<Removal_task>& tasks, const Ask& ask) {
     start(tasks);
-    for(std::vector<Attempt> attempts; !(attempts = choose(tasks)).empty();) {
+    const auto ask_now = [&] { ask(std::count_if(tasks.begin(), tasks.end(), is_done)); };
+    for(std::vector<Attempt> attempts; !(attempts = choose()).empty(); ask_now()) {
+      ask_now();
       make_caps(attempts);
+      ask_now();
       find_good_caps(attempts);
-      is_one_piece_without_all_ = is_one_piece_without(attempts, tasks);
       put_in_.clear();
       for(const Attempt& attempt : attempts)
-        carry_out(attempt, tasks);
-      ask(std::count_if(tasks.begin(), tasks.end(), is_done));
+        carry_out(attempt);
     }
   }
 
 private:
-  // What is tried next of a task.
-  struct Course
-  {
-    std::vector<Closed_walk> walks; // by choice
-    std::vector<Way_of_removal> ways;
-    std::size_t next = 0;
-    bool is_damaged = false;
-  };
-
   struct Attempt
   {
-    std::size_t task;
-    Removal_proposal proposal;
-    std::vector<std::size_t> companions; // tasks that are done with it
-    std::vector<Patch> patches = {};     // the first one does not meet itself
+    Removal_course* course;
+    std::vector<Index> vertices = {};           // of what is taken out
+    std::vector<Removal_task*> companions = {}; // tasks that are done with it
+    std::vector<Patch> patches = {};            // the first one does not meet itself
     bool are_triangulated = false;
     bool is_good = false; // the first patch meets no face that stays
+
+    const Removal_proposal& proposal() const { return *course->proposal(); }
   };
 
   static bool is_done(const Removal_task& task) { return task.state != Removal_task::State::OPEN; }
 
   void start(std::vector<Removal_task>& tasks) {
-    courses_.assign(tasks.size(), Course());
+    std::vector<Removal_task*> open;
+    for(Removal_task& task : tasks)
+      if(!is_done(task))
+        open.push_back(&task);
+    std::vector<std::optional<Removal_course>> courses(open.size());
     for_each_index(
-        execution_, tasks.size(),
+        execution_, open.size(), [&](std::size_t i) { courses[i].emplace(mesh_, *open[i]); }, 16);
+    courses_.clear();
+    for(std::optional<Removal_course>& course : courses)
+      courses_.push_back(std::move(*course));
+    loops_ = Loops_at_vertices();
+    for(std::size_t i = 0; i < courses_.size(); ++i)
+      loops_.add(i, courses_[i].walks());
+  }
+
+  template <typename Function> void for_each_open_course(const Function& f) {
+    for_each_index(
+        execution_, courses_.size(),
         [&](std::size_t i) {
-          if(is_done(tasks[i]))
-            return;
-          Course& course = courses_[i];
-          tasks[i].reasons.assign(tasks[i].choices.size(), std::string());
-          course.ways = ways_of_removal(tasks[i].choices.size());
-          for(const Loop_choice& choice : tasks[i].choices)
-            course.walks.push_back(simple_part(walk_beside(mesh_, choice.places)));
+          if(!courses_[i].is_done())
+            f(courses_[i]);
         },
-        16);
+        1);
   }
 
   // ---- what is tried in a round
 
-  std::vector<Attempt> choose(std::vector<Removal_task>& tasks) {
-    std::vector<Attempt> attempts;
+  std::vector<Attempt> choose() {
     Region_layout layout(mesh_);
-    for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(!is_done(tasks[i]))
-        layout.reserve(walk_of_next(courses_[i]), 1);
-    for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(!is_done(tasks[i])) {
-        layout.reserve(walk_of_next(courses_[i]), -1);
-        if(std::optional<Attempt> attempt = next_attempt(tasks, i, layout))
-          if(layout.claim(attempt->proposal))
-            attempts.push_back(std::move(*attempt));
+    for(Removal_course& course : courses_)
+      if(!course.is_done())
+        course.reserve(layout);
+    for_each_open_course([&](Removal_course& course) { course.propose(mesh_, layout); });
+    std::vector<Attempt> attempts;
+    for(Removal_course& course : courses_)
+      if(std::optional<Attempt> attempt = next_attempt(course, layout)) {
+        attempt->vertices = course.proposal()->vertices(mesh_);
+        layout.claim(attempt->vertices);
+        attempts.push_back(std::move(*attempt));
       }
     return attempts;
   }
 
-  static const Closed_walk& walk_of_next(const Course& course) {
-    return course.walks[course.ways[course.next].choice];
-  }
-
-  // The next one that there is, or what becomes of the task if there is none.
-  std::optional<Attempt>
-  next_attempt(std::vector<Removal_task>& tasks, std::size_t i, const Region_layout& layout) {
-    Course& course = courses_[i];
-    for(; course.next < course.ways.size(); ++course.next) {
-      const Way_of_removal& way = course.ways[course.next];
-      std::string& reason = tasks[i].reasons[way.choice];
-      if(const char* why = why_not_at_all(course, way))
-        reason = why;
-      else if(std::optional<Removal_proposal> proposal = layout.proposal(way, course.walks)) {
-        Attempt attempt{i, std::move(*proposal), {}};
-        if(find_companions(tasks, attempt))
-          return attempt;
-      } else if(reason.empty())
-        reason = "the mesh is too coarse along the loop";
+  // Nothing if there is no way left, or if it has to wait for the next round.
+  std::optional<Attempt> next_attempt(Removal_course& course, const Region_layout& layout) {
+    while(!course.is_done()) {
+      if(!layout.is_free(*course.proposal()) && course.way().fits_into_room())
+        course.propose_again(layout);
+      if(!course.proposal() || !layout.is_free(*course.proposal()))
+        break;
+      Attempt attempt{&course};
+      if(find_companions(attempt))
+        return attempt;
+      course.fail("there are other handles around");
+      course.propose(mesh_, layout);
     }
-    give_up_at_end(tasks[i], course);
     return std::nullopt;
   }
 
   // Whether a region holds no other handles than those of tasks.
-  bool find_companions(const std::vector<Removal_task>& tasks, Attempt& attempt) const {
-    const std::size_t number = attempt.proposal.region().number_of_handles() - 1;
+  bool find_companions(Attempt& attempt) {
+    const std::size_t number = attempt.proposal().region().number_of_handles() - 1;
     if(number == 0)
       return true;
-    const std::vector<Index> inside = attempt.proposal.vertices(mesh_);
+    const std::vector<Index> inside = attempt.proposal().vertices(mesh_);
     const auto is_inside = [&](const Closed_walk& walk) {
-      return walk.size() >= 3 && std::all_of(walk.begin(), walk.end(), [&](Index v) {
-               return std::binary_search(inside.begin(), inside.end(), v);
-             });
+      return walk.size() >= 3 &&
+             std::all_of(walk.begin(), walk.end(), [&](Index v) { return is_in(v, inside); });
     };
-    for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(i != attempt.task && !is_done(tasks[i]) &&
-         std::all_of(courses_[i].walks.begin(), courses_[i].walks.end(), is_inside))
-        attempt.companions.push_back(i);
+    for(Removal_course& course : courses_)
+      if(&course != attempt.course && !course.is_done() &&
+         std::all_of(course.walks().begin(), course.walks().end(), is_inside))
+        attempt.companions.push_back(&course.task());
     return attempt.companions.size() == number;
-  }
-
-  static void give_up_at_end(Removal_task& task, const Course& course) {
-    if(course.next == course.ways.size())
-      task.state = course.is_damaged ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
-  }
-
-  // A way that takes one loop, or both.
-  const char* why_not_at_all(Course& course, const Way_of_removal& way) const {
-    for(std::size_t i = 0; i < course.walks.size(); ++i) {
-      if(i != way.choice && !way.takes_both_loops())
-        continue;
-      if(course.walks[i].size() < 3)
-        return "the loop is not simple";
-      if(!is_intact(mesh_, course.walks[i])) {
-        course.is_damaged = true;
-        return "another handle was removed across the loop";
-      }
-    }
-    return nullptr;
   }
 
   // ---- caps
@@ -192,7 +171,7 @@ private:
     for_each_index(
         execution_, attempts.size(),
         [&](std::size_t i) {
-          attempts[i].patches = attempts[i].proposal.patches();
+          attempts[i].patches = attempts[i].proposal().patches(mesh_);
           attempts[i].are_triangulated = !attempts[i].patches.empty();
           drop_until_embedded(attempts[i].patches);
         },
@@ -212,7 +191,7 @@ private:
       for(Attempt& attempt : attempts)
         if(!attempt.is_good && !attempt.patches.empty()) {
           open.push_back(&attempt);
-          replacements.push_back({&attempt.proposal.out(), &attempt.patches.front()});
+          replacements.push_back({&attempt.proposal().out(), &attempt.patches.front()});
         }
       if(open.empty())
         return;
@@ -232,117 +211,82 @@ private:
 
   // ---- what is done
 
-  void carry_out(const Attempt& attempt, std::vector<Removal_task>& tasks) {
-    Removal_task& task = tasks[attempt.task];
-    Course& course = courses_[attempt.task];
-    const Way_of_removal& way = course.ways[course.next];
-    const auto fails = [&](const char* why) {
-      task.reasons[way.choice] = why;
-      ++course.next;
-      give_up_at_end(task, course);
-    };
+  void carry_out(const Attempt& attempt) {
     if(!attempt.is_good)
-      return fails(attempt.are_triangulated ? "the caps would meet the surface"
-                                            : "the holes cannot be triangulated");
+      return attempt.course->fail(attempt.are_triangulated ? "the caps would meet the surface"
+                                                           : "the holes cannot be triangulated");
     const Patch& patch = attempt.patches.front();
     Placed_patch placed(mesh_, patch, mesh_.vertex_bound());
-    if(must_wait(attempt.proposal, placed))
+    // What was put in in this round is part of the mesh in the next one only.
+    if(std::any_of(put_in_.begin(), put_in_.end(),
+                   [&](const Placed_patch& other) { return placed.meets(other); }))
       return;
-    if(const char* why = why_not(attempt.proposal, task))
-      return fails(why);
-    const double number = static_cast<double>(1 + attempt.companions.size());
-    task.choice = way.choice;
-    task.is_whole = attempt.proposal.region().number_of_borders() == 1;
-    task.area = area_of_caps(placed) / number;
-    task.volume = volume_between(attempt.proposal.out(), placed) / number;
-    task.state = Removal_task::State::REMOVED;
-    for(std::size_t i : attempt.companions)
-      tasks[i].become_like(task);
-    put_in_place(mesh_, attempt.proposal.out(), patch);
+    if(const char* why = why_not(attempt))
+      return attempt.course->fail(why);
+    describe(attempt, placed);
+    Removal_task& task = attempt.course->task();
+    task.first_face = put_in_place(mesh_, attempt.proposal().out(), patch);
+    task.end_of_faces = mesh_.face_bound();
+    for(Removal_task* companion : attempt.companions)
+      companion->become_like(task);
     put_in_.push_back(std::move(placed));
+    lead_loops_around(attempt);
   }
 
-  // For the next round, when what was put in in this one is part of the mesh.
-  bool must_wait(const Removal_proposal& proposal, const Placed_patch& placed) const {
-    if(proposal.is_subdivided() && !put_in_.empty())
-      return true; // of a copy of the mesh
-    return std::any_of(put_in_.begin(), put_in_.end(),
-                       [&](const Placed_patch& other) { return placed.meets(other); });
+  void lead_loops_around(const Attempt& removed) {
+    const Detour detour(mesh_, removed.course->task().first_face, removed.course->partner());
+    for(const auto& [i, loop] : loops_.at(removed.vertices))
+      if(!courses_[i].is_done() && courses_[i].lead_around(mesh_, detour))
+        loops_.add(i, courses_[i].walks());
   }
 
-  // If the surface stays in one piece without all regions of a round, it does so without each of
-  // them, whatever becomes of the others. That is found faster for many of them at once.
-  bool is_one_piece_without(const std::vector<Attempt>& attempts,
-                            const std::vector<Removal_task>& tasks) {
-    constexpr std::size_t many = 16;
-    if(attempts.size() < many || tasks[attempts.front().task].pair == Removal_task::is_neck)
-      return false;
-    if(number_of_pieces_ == 0)
-      number_of_pieces_ = number_of_pieces(execution_, mesh_, {});
-    std::vector<Index> out;
-    for(const Attempt& attempt : attempts) {
-      if(attempt.proposal.is_subdivided())
-        return false; // more than the region goes out
-      out.insert(out.end(), attempt.proposal.out().begin(), attempt.proposal.out().end());
-    }
-    return number_of_pieces(execution_, mesh_, out) == number_of_pieces_;
-  }
-
-  const char* why_not(const Removal_proposal& proposal, const Removal_task& task) {
-    if(is_one_piece_without_all_)
+  // A loop of any handle that crosses the strip is a witness; else the surface is gone through.
+  const char* why_not(const Attempt& attempt) {
+    const Removal_proposal& proposal = attempt.proposal();
+    if(proposal.region().number_of_borders() == 1)
+      return nullptr; // each piece has a border
+    const bool is_neck = attempt.course->task().pair == Removal_task::is_neck;
+    if(!is_neck && !proposal.is_subdivided() && is_crossed(attempt))
       return nullptr;
-    const bool separates = separates_(proposal.mesh_of_region(), proposal.region());
-    if(separates == (task.pair == Removal_task::is_neck))
+    const bool separates = separates_(mesh_, proposal.sides());
+    if(separates == is_neck)
       return nullptr;
     return separates ? "the loop separates the surface" : "the loop does not separate the surface";
   }
 
-  static double area_of_caps(const Placed_patch& patch) {
-    double sum = 0.;
+  bool is_crossed(const Attempt& attempt) const {
+    const std::vector<Loops_at_vertices::Loop> near = loops_.at(attempt.vertices);
+    return std::any_of(near.begin(), near.end(), [&](const Loops_at_vertices::Loop& loop) {
+      const Closed_walk& walk = courses_[loop.first].walks()[loop.second];
+      return is_intact(mesh_, walk) && crosses_oddly(mesh_, walk, attempt.proposal().region());
+    });
+  }
+
+  void describe(const Attempt& attempt, const Placed_patch& patch) const {
+    Removal_task& task = attempt.course->task();
+    double area = 0., volume = 0.;
     for(std::size_t i = patch.number_of_parts(); i < patch.triangles().size(); ++i)
-      sum += patch.triangles()[i].area();
-    return sum;
-  }
-
-  double volume(const Placed_triangle& t) const {
-    return CGAL::volume(origin_, t.points[0], t.points[1], t.points[2]);
-  }
-
-  // Of what lies between faces and those that take their place: positive if that is inside.
-  double volume_between(const std::vector<Index>& out, const Placed_patch& patch) const {
-    double sum = 0.;
-    for(Index f : out)
-      sum += volume(placed_triangle(mesh_, f));
+      area += patch.triangles()[i].area();
+    for(Index f : attempt.proposal().out())
+      volume += volume_.below(mesh_, f);
     for(const Placed_triangle& t : patch.triangles())
-      sum -= volume(t);
-    return outward_ * sum;
-  }
-
-  // Faces may point inwards.
-  void measure_mesh() {
-    Index first = 0;
-    while(first < mesh_.face_bound() && !mesh_.is_alive(first))
-      ++first;
-    if(first == mesh_.face_bound())
-      return;
-    origin_ = mesh_.point(mesh_.corners(first)[0]);
-    double sum = 0.;
-    for(Index f = first; f < mesh_.face_bound(); ++f)
-      if(mesh_.is_alive(f))
-        sum += volume(placed_triangle(mesh_, f));
-    outward_ = sum < 0. ? -1. : 1.;
+      volume -= volume_.below(t.points[0], t.points[1], t.points[2]);
+    const double number = static_cast<double>(1 + attempt.companions.size());
+    task.choice = attempt.course->way().choice;
+    task.is_whole = attempt.proposal().region().number_of_borders() == 1;
+    task.area = area / number;
+    task.volume = volume / number;
+    task.state = Removal_task::State::REMOVED;
   }
 
   const Execution execution_;
   Surgery_mesh& mesh_;
   Mesh_contacts meet_mesh_;
+  const Enclosed_volume volume_;
   Separation separates_;
-  std::size_t number_of_pieces_ = 0; // of the surface; handles do not change it
-  bool is_one_piece_without_all_ = false;
-  Surgery_mesh::Point origin_;       // a vertex
-  double outward_ = 1.;              // or -1
-  std::vector<Course> courses_;      // by task
-  std::vector<Placed_patch> put_in_; // in this round
+  std::vector<Removal_course> courses_; // of the tasks that were open
+  Loops_at_vertices loops_;             // of these
+  std::vector<Placed_patch> put_in_;    // in this round
 };
 
 } // namespace internal

@@ -16,11 +16,11 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Handle_selection.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/remove_from.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/surface_count.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/surface_count.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
@@ -29,9 +29,11 @@
 #include <CGAL/iterator.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -76,8 +78,10 @@ public:
       describe_necks(remove_necks_from(execution, mesh, wanted));
     check(mesh);
     ask(1.);
-    if(!get(internal_np::do_dry_run, false))
+    if(!get(internal_np::do_dry_run, false)) {
       write_back(mesh, link);
+      find_remaining_pairs();
+    }
     return std::move(report_);
   }
 
@@ -168,18 +172,20 @@ private:
 
   void describe(const std::vector<Removal_task>& tasks) {
     for(const Removal_task& task : tasks)
-      if(task.state == Removal_task::State::REMOVED)
+      if(task.state == Removal_task::State::REMOVED) {
+        note_patch(task);
         report_.removed.push_back(removed(task, way(task)));
-      else if(task.state == Removal_task::State::REFUSED)
+      } else if(task.state == Removal_task::State::REFUSED)
         report_.refused.push_back(refused(task));
   }
 
   void describe_necks(const std::vector<Removal_task>& tasks) {
     for(const Removal_task& task : tasks)
-      if(task.state == Removal_task::State::REMOVED)
+      if(task.state == Removal_task::State::REMOVED) {
+        note_patch(task);
         report_.removed_necks.push_back(
             removed(task, task.volume < 0. ? Removal_way::FILL : Removal_way::CUT));
-      else
+      } else
         report_.refused_necks.push_back(refused(task));
   }
 
@@ -201,16 +207,48 @@ private:
   static std::string why_refused(const Removal_task& task) {
     std::string why;
     for(std::size_t i = 0; i < task.choices.size(); ++i)
-      why += std::string(i == 0 ? "" : "; ") +
-             (task.choices[i].type == Loop_type::HANDLE ? "cut: " : "fill: ") + task.reasons[i];
+      if(task.choices[i].is_allowed)
+        why += std::string(i == 0 ? "" : "; ") +
+               (task.choices[i].type == Loop_type::HANDLE ? "cut: " : "fill: ") + task.reasons[i];
     return why;
+  }
+
+  // Of the next one that is described.
+  void note_patch(const Removal_task& task) {
+    patches_.push_back({task.end_of_faces, report_.removed.size() + report_.removed_necks.size()});
+  }
+
+  // Patches follow each other without gaps.
+  std::size_t patch_of(Index face) const {
+    return std::upper_bound(patches_.begin(), patches_.end(),
+                            std::make_pair(face, (std::numeric_limits<std::size_t>::max)()))
+        ->second;
   }
 
   void write_back(const Surgery_mesh& mesh, Mesh_link<TriangleMesh, Vertex_point_map>& link) {
     auto vertices = get(internal_np::added_vertices, Emptyset_iterator());
     auto faces = get(internal_np::added_faces, Emptyset_iterator());
+    std::sort(patches_.begin(), patches_.end());
     link.write_back(
-        mesh, [&](Index, auto v) { *vertices++ = v; }, [&](Index, auto f) { *faces++ = f; });
+        mesh, [&](Index, auto v) { *vertices++ = v; },
+        [&](Index number, auto f) {
+          *faces++ = f;
+          if constexpr(is_given<internal_np::face_patch_t>)
+            put(parameters::get_parameter(np_, internal_np::face_patch), f, patch_of(number));
+        });
+  }
+
+  // With nothing of what the caller said of the mesh as it was, and without asking: the mesh is
+  // changed.
+  void find_remaining_pairs() {
+    if constexpr(is_given<internal_np::remaining_pairs_t>) {
+      auto pairs = parameters::get_parameter(np_, internal_np::remaining_pairs);
+      Solver solver(ConcurrencyTag(), tm_,
+                    parameters::vertex_point_map(parameters::choose_parameter(
+                        parameters::get_parameter(np_, internal_np::vertex_point),
+                        get_const_property_map(vertex_point, tm_))));
+      solver.template find_loops<ConcurrencyTag>(pairs);
+    }
   }
 
   TriangleMesh& tm_;
@@ -218,6 +256,7 @@ private:
   Ask ask_;
   std::vector<Pair> pairs_;
   Removal_report report_;
+  std::vector<std::pair<Index, std::size_t>> patches_; // ends of their faces, and numbers
 };
 
 } // namespace internal

@@ -113,8 +113,8 @@ private:
     task.pair = number;
     const Loop& first = pair.loop(first_type(pair));
     task.choices.push_back(choice(first));
-    if(wanted_.method == Removal_method::CHEAPEST)
-      task.choices.push_back(choice(pair.partner(first)));
+    task.choices.push_back(choice(pair.partner(first)));
+    task.choices.back().is_allowed = wanted_.method == Removal_method::CHEAPEST;
     return task;
   }
 

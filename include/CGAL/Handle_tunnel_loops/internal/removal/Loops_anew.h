@@ -13,9 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surface_copy.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_copy.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
 #include <CGAL/number_utils.h>
@@ -122,8 +122,9 @@ private:
       choice.places = copy_.places(loop);
     }
     std::stable_sort(
-        task.choices.begin(), task.choices.end(),
-        [](const Loop_choice& a, const Loop_choice& b) { return a.length < b.length; });
+        task.choices.begin(), task.choices.end(), [](const Loop_choice& a, const Loop_choice& b) {
+          return std::make_pair(!a.is_allowed, a.length) < std::make_pair(!b.is_allowed, b.length);
+        });
     task.state = Removal_task::State::OPEN;
   }
 

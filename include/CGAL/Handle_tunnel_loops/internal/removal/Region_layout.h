@@ -12,14 +12,16 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_proposal.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Way_of_removal.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Normals_around.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -29,77 +31,9 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// How a region is laid along the loops of a handle.
-struct Way_of_removal
-{
-  enum Style {
-    STRIP,            ///< the faces at a loop, and some rings more
-    BESIDE_LEFT,      ///< those at a loop some rings beside it
-    BESIDE_RIGHT,     ///< ... on its other side
-    SUBDIVIDED_STRIP, ///< the faces at a loop after a subdivision
-    WHOLE,            ///< the faces at both loops, and some rings more
-    KNOB              ///< the same, of a handle that sits on the surface like a knob on a lid
-  };
-  Style style;
-  std::size_t choice; ///< the loop
-  int rings;
-
-  bool takes_both_loops() const { return style == WHOLE || style == KNOB; }
-};
-
-/// all ways, the first one first.
-inline std::vector<Way_of_removal> ways_of_removal(std::size_t number_of_choices) {
-  using Way = Way_of_removal;
-  std::vector<Way> ways;
-  if(number_of_choices == 2)
-    ways.push_back({Way::KNOB, 0, 8});
-  for(std::size_t i = 0; i < number_of_choices; ++i)
-    ways.insert(ways.end(), {{Way::STRIP, i, 3},
-                             {Way::STRIP, i, 0},
-                             {Way::BESIDE_LEFT, i, 4},
-                             {Way::BESIDE_RIGHT, i, 4}});
-  if(number_of_choices == 2)
-    for(int rings : {0, 1, 2, 4, 8, 12})
-      ways.push_back({Way::WHOLE, 0, rings});
-  for(std::size_t i = 0; i < number_of_choices; ++i)
-    ways.push_back({Way::SUBDIVIDED_STRIP, i, 0});
-  return ways;
-}
-
-/// The normals, as long as the areas, of the faces just beyond a border.
-class Normals_around
-{
-  using Vector = Surgery_mesh::Kernel::Vector_3;
-
-public:
-  Normals_around(const Surgery_mesh& mesh, const Cut_region& region) {
-    for(Index h : region.border(0)) {
-      const Surgery_mesh::Face& c = mesh.corners(mesh.face(mesh.twin(h)));
-      normals_.push_back(CGAL::normal(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])));
-      sum_ = sum_ + normals_.back();
-      sum_of_areas_ += std::sqrt(normals_.back().squared_length());
-    }
-  }
-
-  /// whether each is within 60 degrees of their mean.
-  bool are_alike() const {
-    return std::all_of(normals_.begin(), normals_.end(), [&](const Vector& n) {
-      const double product = n * sum_;
-      return product > 0. && 4. * product * product >= n.squared_length() * sum_.squared_length();
-    });
-  }
-
-  /// whether they do not all but cancel.
-  bool have_a_direction() const { return 2. * std::sqrt(sum_.squared_length()) >= sum_of_areas_; }
-
-private:
-  std::vector<Vector> normals_;
-  Vector sum_ = CGAL::NULL_VECTOR;
-  double sum_of_areas_ = 0.;
-};
-
 /// Lays out the regions of a round so that no two of them share a vertex, and that none takes away
-/// more than it must of the loops of others.
+/// more than it must of the loops of others. Regions are proposed by many threads at a time as long
+/// as none is claimed.
 class Region_layout
 {
 public:
@@ -108,44 +42,54 @@ public:
       , is_claimed_(mesh.vertex_bound(), 0)
       , number_of_walks_at_(mesh.vertex_bound(), 0) {}
 
-  /// has wider regions stay clear of a loop, or (-1) not any more.
-  void reserve(const Closed_walk& walk, int by) {
-    for(Index v : walk)
-      number_of_walks_at_[v] += by;
+  /// has the wider regions of others stay clear of the vertices of a loop, each once.
+  void reserve(const std::vector<Index>& vertices) {
+    for(Index v : vertices)
+      ++number_of_walks_at_[v];
   }
 
-  /// what a way says, if there is such a region.
+  /// what a way says, if there is such a region. \p reserved are the vertices that are reserved
+  /// for this handle, in ascending order.
   std::optional<Removal_proposal> proposal(const Way_of_removal& way,
-                                           const std::vector<Closed_walk>& walks) const {
+                                           const std::vector<Closed_walk>& walks,
+                                           const std::vector<Index>& reserved) const {
     if(way.style == Way_of_removal::SUBDIVIDED_STRIP)
       return Removal_proposal::subdivided(mesh_, walks[way.choice]);
-    std::optional<Cut_region> region = this->region(way, walks);
+    std::optional<Cut_region> region = this->region(way, walks, reserved);
     if(!region)
       return std::nullopt;
     return Removal_proposal(mesh_, std::move(*region));
   }
 
-  /// whether no other region of the round is near; then it becomes one of them.
-  bool claim(const Removal_proposal& proposal) {
-    if(has_vertex(proposal.out(), [this](Index v) { return is_claimed_[v] != 0; }))
-      return false;
-    for(Index f : proposal.out())
-      for(Index v : mesh_.corners(f))
-        is_claimed_[v] = 1;
-    return true;
+  /// whether no region of the round that is claimed shares a vertex with it.
+  bool is_free(const Removal_proposal& proposal) const {
+    return std::none_of(proposal.out().begin(), proposal.out().end(), [this](Index f) {
+      const Surgery_mesh::Face& c = mesh_.corners(f);
+      return is_claimed_[c[0]] || is_claimed_[c[1]] || is_claimed_[c[2]];
+    });
+  }
+
+  /// makes one that has these vertices one of the round.
+  void claim(const std::vector<Index>& vertices) {
+    for(Index v : vertices)
+      is_claimed_[v] = 1;
   }
 
 private:
   std::optional<Cut_region> region(const Way_of_removal& way,
-                                   const std::vector<Closed_walk>& walks) const {
+                                   const std::vector<Closed_walk>& walks,
+                                   const std::vector<Index>& reserved) const {
     if(!way.takes_both_loops())
-      return strip(way, walks[way.choice]);
+      return strip(way, walks[way.choice], reserved);
     std::vector<Index> vertices;
     for(const Closed_walk& walk : walks)
       vertices.insert(vertices.end(), walk.begin(), walk.end());
-    if(way.style == Way_of_removal::WHOLE)
-      return Cut_region::whole(mesh_, vertices, way.rings);
-    return is_compact(walks) ? knob(vertices, way.rings) : std::nullopt;
+    std::vector<Index> faces = Cut_region::faces_at(mesh_, vertices);
+    if(way.style == Way_of_removal::KNOB)
+      return is_compact(walks) ? knob(std::move(faces), way.rings) : std::nullopt;
+    for(int ring = 0; ring < way.rings; ++ring)
+      faces = Cut_region::with_ring(mesh_, faces);
+    return Cut_region::whole(mesh_, std::move(faces));
   }
 
   // Whether no loop is many times as long as another one, as between two shells.
@@ -159,10 +103,11 @@ private:
 
   // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
   // handle if a disc takes the place of what is within.
-  std::optional<Cut_region> knob(const std::vector<Index>& vertices, int most_rings) const {
+  std::optional<Cut_region> knob(std::vector<Index> faces, int most_rings) const {
     int number_of_misses = 0;
-    for(int rings = 1; rings <= most_rings && number_of_misses < 2; ++rings) {
-      std::optional<Cut_region> region = Cut_region::whole(mesh_, vertices, rings);
+    for(int ring = 0; ring < most_rings && number_of_misses < 2; ++ring) {
+      faces = Cut_region::with_ring(mesh_, faces);
+      std::optional<Cut_region> region = Cut_region::whole(mesh_, faces);
       if(!region) { // there is more than a handle
         ++number_of_misses;
         continue;
@@ -176,8 +121,10 @@ private:
     return std::nullopt;
   }
 
-  std::optional<Cut_region> strip(const Way_of_removal& way, const Closed_walk& walk) const {
-    const std::optional<Cut_region> region = around(walk, way.rings);
+  std::optional<Cut_region> strip(const Way_of_removal& way,
+                                  const Closed_walk& walk,
+                                  const std::vector<Index>& reserved) const {
+    const std::optional<Cut_region> region = around(walk, way.rings, reserved);
     if(way.style == Way_of_removal::STRIP || !region)
       return region;
     if(region->number_of_borders() == 1)
@@ -187,36 +134,35 @@ private:
   }
 
   // As many rings as fit.
-  std::optional<Cut_region> around(const std::vector<Index>& vertices, int rings) const {
+  std::optional<Cut_region>
+  around(const Closed_walk& vertices, int rings, const std::vector<Index>& reserved) const {
     std::optional<Cut_region> region = Cut_region::around(mesh_, vertices);
     for(int ring = 0; region && ring < rings; ++ring)
       for(std::size_t border = 0; border < region->number_of_borders(); ++border)
         if(std::optional<Cut_region> wider = region->wider(mesh_, border))
-          if(is_fit(*wider, border, vertices.size()))
+          if(is_fit(*wider, border, vertices.size(), reserved))
             region = std::move(wider);
     return region;
   }
 
-  bool is_fit(const Cut_region& region, std::size_t border, std::size_t length_of_walk) const {
+  bool is_fit(const Cut_region& region,
+              std::size_t border,
+              std::size_t length_of_walk,
+              const std::vector<Index>& reserved) const {
     const bool is_strip = region.number_of_borders() == 2;
     if(is_strip && 4 * region.border(border).size() > 5 * length_of_walk + 8)
       return false;
-    return !has_vertex(region.faces(),
-                       [this](Index v) { return is_claimed_[v] || number_of_walks_at_[v] > 0; });
-  }
-
-  template <typename Predicate>
-  bool has_vertex(const std::vector<Index>& faces, const Predicate& predicate) const {
-    return std::any_of(faces.begin(), faces.end(), [&](Index f) {
-      const Surgery_mesh::Face& c = mesh_.corners(f);
-      return std::any_of(c.begin(), c.end(), predicate);
+    const Closed_walk ring = region.vertices_of(mesh_, border);
+    return std::none_of(ring.begin(), ring.end(), [&](Index v) {
+      return is_claimed_[v] || number_of_walks_at_[v] > 1 ||
+             (number_of_walks_at_[v] == 1 && !is_in(v, reserved));
     });
   }
 
   const Surgery_mesh& mesh_;
   // By vertex.
   std::vector<char> is_claimed_;
-  std::vector<int> number_of_walks_at_;
+  std::vector<Index> number_of_walks_at_;
 };
 
 } // namespace internal

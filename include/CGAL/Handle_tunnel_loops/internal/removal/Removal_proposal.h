@@ -12,13 +12,16 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_region.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Patch.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/caps.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/subdivide_along.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Subdivision_along_walk.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,27 +34,28 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// A region to be taken out of a mesh, or out of the mesh subdivided along a loop.
+/// A region to be taken out of a mesh, or of what is near a loop, subdivided along it.
 class Removal_proposal
 {
 public:
   Removal_proposal(const Surgery_mesh& mesh, Cut_region region)
-      : mesh_(&mesh)
-      , region_(std::move(region))
-      , out_(region_.faces()) {}
+      : region_(std::move(region))
+      , out_(region_.faces()) {
+    if(region_.number_of_borders() == 2)
+      sides_ = sides_of(mesh, region_);
+  }
 
-  /// the faces at a simple closed walk after a subdivision, which is made of a copy of the mesh.
-  /// None only if the walk goes around a face.
+  /// the faces at a simple closed walk after a subdivision. None only if the walk goes around a
+  /// face.
   static std::optional<Removal_proposal> subdivided(const Surgery_mesh& mesh,
                                                     const Closed_walk& walk) {
-    auto copy = std::make_unique<Surgery_mesh>(mesh);
-    std::vector<Index> parents = Subdivision_along_walk(*copy, walk).parents();
-    std::optional<Cut_region> region = Cut_region::around(*copy, walk);
+    auto part = std::make_unique<Part_of_mesh>(mesh, walk);
+    const Closed_walk walk_of_part = part->walk_of_part(walk);
+    const std::vector<Index> parents = Subdivision_along_walk(part->mesh(), walk_of_part).parents();
+    std::optional<Cut_region> region = Cut_region::around(part->mesh(), walk_of_part);
     if(!region)
       return std::nullopt;
-    Removal_proposal proposal(*copy, std::move(*region));
-    proposal.set_parts(mesh, std::move(copy), parents);
-    return proposal;
+    return Removal_proposal(std::move(part), std::move(*region), parents, sides_of(mesh, walk));
   }
 
   /// the faces of the mesh that are to be replaced, in ascending order.
@@ -62,53 +66,59 @@ public:
     std::vector<Index> vertices;
     for(Index f : out_)
       vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    make_set(vertices);
     return vertices;
   }
 
   const Cut_region& region() const { return region_; }
 
-  /// the mesh that the region is one of.
-  const Surgery_mesh& mesh_of_region() const { return *mesh_; }
+  /// where the surface is cut if the region is taken out; empty if that has one border.
+  const Sides_of_cut& sides() const { return sides_; }
 
-  bool is_subdivided() const { return subdivided_ != nullptr; }
+  bool is_subdivided() const { return part_ != nullptr; }
+
+  /// whether the mesh still has all faces that are to be replaced. What is near may have changed.
+  bool is_there(const Surgery_mesh& mesh) const {
+    return std::all_of(out_.begin(), out_.end(), [&](Index f) { return mesh.is_alive(f); });
+  }
 
   /// what may take the place of these faces, the best way first.
-  std::vector<Patch> patches() const {
-    std::vector<Patch> ways = caps_of(*mesh_, region_);
-    if(is_subdivided())
-      for(Patch& caps : ways)
-        caps = with_parts(caps);
+  std::vector<Patch> patches(const Surgery_mesh& mesh) const {
+    if(!is_subdivided())
+      return caps_of(mesh, region_);
+    std::vector<Patch> ways = caps_of(part_->mesh(), region_);
+    for(Patch& caps : ways)
+      caps = with_parts(caps);
     return ways;
   }
 
 private:
-  void set_parts(const Surgery_mesh& mesh,
-                 std::unique_ptr<Surgery_mesh> subdivided,
-                 const std::vector<Index>& parents) {
-    const Index first_vertex = mesh.vertex_bound(), first_face = mesh.face_bound();
-    out_.clear();
-    for(Index f = first_face; f < subdivided->face_bound(); ++f) {
-      out_.push_back(parents[f - first_face]);
-      if(!subdivided->is_alive(f) || region_.contains(f))
+  Removal_proposal(std::unique_ptr<Part_of_mesh> part,
+                   Cut_region region,
+                   const std::vector<Index>& parents,
+                   Sides_of_cut sides)
+      : region_(std::move(region))
+      , sides_(std::move(sides))
+      , part_(std::move(part)) {
+    const Surgery_mesh& mesh = part_->mesh();
+    const Index first_face = part_->face_bound();
+    for(Index f = first_face; f < mesh.face_bound(); ++f) {
+      const Index parent = part_->face(parents[f - first_face]);
+      out_.push_back(parent);
+      if(!mesh.is_alive(f) || region_.contains(f))
         continue;
-      Surgery_mesh::Face corners = subdivided->corners(f);
+      Surgery_mesh::Face corners = mesh.corners(f);
       for(Index& v : corners)
-        if(v >= first_vertex)
-          v = v - first_vertex + Patch::first_own;
+        v = vertex_of_patch(v);
       parts_.faces.push_back(corners);
-      parts_.parents.push_back(parents[f - first_face]);
+      parts_.parents.push_back(parent);
     }
     for(Index f : region_.faces())
       if(f < first_face)
-        out_.push_back(f);
-    std::sort(out_.begin(), out_.end());
-    out_.erase(std::unique(out_.begin(), out_.end()), out_.end());
-    for(Index v = first_vertex; v < subdivided->vertex_bound(); ++v)
-      parts_.points.push_back(subdivided->point(v));
-    first_vertex_ = first_vertex;
-    subdivided_ = std::move(subdivided);
+        out_.push_back(part_->face(f));
+    make_set(out_);
+    for(Index v = part_->vertex_bound(); v < mesh.vertex_bound(); ++v)
+      parts_.points.push_back(mesh.point(v));
   }
 
   // The points of the subdivision come before those of the caps.
@@ -118,21 +128,24 @@ private:
     patch.points.insert(patch.points.end(), caps.points.begin(), caps.points.end());
     for(Surgery_mesh::Face f : caps.faces) {
       for(Index& v : f)
-        if(v >= Patch::first_own)
-          v += shift;
-        else if(v >= first_vertex_)
-          v = v - first_vertex_ + Patch::first_own;
+        v = v >= Patch::first_own ? v + shift : vertex_of_patch(v);
       patch.faces.push_back(f);
     }
     return patch;
   }
 
-  const Surgery_mesh* mesh_;
+  // Of a vertex of the part.
+  Index vertex_of_patch(Index v) const {
+    const Index bound = part_->vertex_bound();
+    return v < bound ? part_->vertex(v) : v - bound + Patch::first_own;
+  }
+
   Cut_region region_;
   std::vector<Index> out_;
-  std::unique_ptr<Surgery_mesh> subdivided_;
-  Index first_vertex_ = 0; // of the subdivision
-  Patch parts_;            // of faces around the region
+  Sides_of_cut sides_;
+  // If there is a subdivision.
+  std::unique_ptr<Part_of_mesh> part_; // which the region is one of
+  Patch parts_;                        // of faces around the region
 };
 
 } // namespace internal

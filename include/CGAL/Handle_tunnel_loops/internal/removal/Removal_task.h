@@ -13,7 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <cstddef>
 #include <limits>
@@ -30,6 +31,7 @@ struct Loop_choice
   Loop_type type;
   double length;
   std::vector<Place_on_edge> places;
+  bool is_allowed = true; ///< or only here because it crosses the other one once
 };
 
 /// A handle to be removed, or a neck, and what has become of it.
@@ -46,7 +48,7 @@ struct Removal_task
   };
 
   std::size_t pair = is_neck;       ///< the number of the pair
-  std::vector<Loop_choice> choices; ///< the one that is to be tried first comes first
+  std::vector<Loop_choice> choices; ///< in the order in which they are to be tried
 
   State state = State::OPEN;
   std::vector<std::string> reasons; ///< by choice, why not along this one
@@ -56,6 +58,8 @@ struct Removal_task
   bool is_whole = false; ///< taken out with its surroundings
   double area = 0.;      ///< of the caps
   double volume = 0.;    ///< of what was taken away, or put in if negative
+  Index first_face = 0;  ///< of those that were put in, which follow each other
+  Index end_of_faces = 0;
 
   /// was removed together with another one.
   void become_like(const Removal_task& other) {
@@ -63,6 +67,8 @@ struct Removal_task
     is_whole = other.is_whole;
     area = other.area;
     volume = other.volume;
+    first_face = other.first_face;
+    end_of_faces = other.end_of_faces;
   }
 };
 

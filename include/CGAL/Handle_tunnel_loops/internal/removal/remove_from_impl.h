@@ -15,8 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/necks/find_necks.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Handle_removal.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Loops_anew.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surface_copy.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/remove_from.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_copy.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,20 +7,17 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_IMPL_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_IMPL_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_CAPS_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_CAPS_IMPL_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/caps.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/caps.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/make_smooth.h>
 
-#include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
-#ifdef CGAL_EIGEN3_ENABLED
-#include <CGAL/Eigen_solver_traits.h>
-#endif
 #include <CGAL/iterator.h>
 
 #include <algorithm>
@@ -66,19 +63,7 @@ public:
   }
 
   /// makes them smooth, if there are any.
-  bool fair() {
-#ifdef CGAL_EIGEN3_ENABLED
-    // With equal weights, which suit an even density, the system is symmetric.
-    using Matrix = Eigen_sparse_matrix<double>::EigenType;
-    return !own_.empty() &&
-           Polygon_mesh_processing::fair(
-               copy_, own_,
-               parameters::weight_calculator(Equal_weights())
-                   .sparse_linear_solver(Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>()));
-#else
-    return false;
-#endif
-  }
+  bool fair() { return !own_.empty() && make_smooth(copy_, own_); }
 
   Patch caps() const {
     Patch patch;
@@ -96,12 +81,6 @@ public:
   }
 
 private:
-  struct Equal_weights
-  {
-    double w_i(Vertex) { return 1.; }
-    double w_ij(Halfedge) { return 1.; }
-  };
-
   Vertex copied(Index v) {
     const auto [it, is_new] = copies_.insert({v, Vertex()});
     if(is_new) {
@@ -177,4 +156,4 @@ CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_reg
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_IMPL_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_CAPS_IMPL_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_CAPS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_CAPS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Cut_region.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Patch.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/core.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <vector>
 
@@ -34,7 +34,7 @@ CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_reg
 } // namespace CGAL
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/removal/caps_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/caps_impl.h>
 #endif
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CAPS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_CAPS_H

@@ -7,18 +7,18 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PATCH_CONTACTS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PATCH_CONTACTS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_PATCH_CONTACTS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_PATCH_CONTACTS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Patch.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Placed_boxes.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/triangle_contacts.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/Placed_boxes.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/triangle_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,13 +40,16 @@ public:
       for(Index& v : triangles_.back().vertices)
         if(v >= Patch::first_own)
           v += first;
-      box_.extend(triangles_.back().box());
+      boxes_.push_back(triangles_.back().box());
+      box_.extend(boxes_.back());
     }
     for(Index f : patch.parents)
       parents_.push_back(placed_triangle(mesh, f));
   }
 
   const std::vector<Placed_triangle>& triangles() const { return triangles_; }
+
+  const Box<3>& box(std::size_t i) const { return boxes_[i]; }
 
   /// those that are parts of faces of the mesh come first.
   std::size_t number_of_parts() const { return parents_.size(); }
@@ -60,12 +63,12 @@ public:
   bool meets(const Placed_patch& other) const {
     if(!box_.meets(other.box_))
       return false;
-    const Placed_boxes boxes = this->boxes();
+    const Placed_boxes near = placed_boxes();
     bool meets = false;
     for(std::size_t j = 0; j < other.triangles_.size(); ++j)
-      boxes.for_each_near(other.triangles_[j].box(), [&](Index i) {
-        meets = meets || (may_meet(triangles_[i], other.triangles_[j]) &&
-                          this->meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j)));
+      near.for_each_near(other.boxes_[j], [&](Index i) {
+        meets = meets || (boxes_[i].meets(other.boxes_[j]) && this->meets(i, other.triangles_[j]) &&
+                          !(is_part(i) && other.is_part(j)));
       });
     return meets;
   }
@@ -75,11 +78,12 @@ public:
     for(std::size_t i = parents_.size(); i < triangles_.size(); ++i)
       if(triangles_[i].is_degenerate())
         return false;
-    const Placed_boxes boxes = this->boxes();
-    for(Index i = 0; i < triangles_.size(); ++i) {
+    const Placed_boxes near = placed_boxes();
+    // Parts come first, and do not meet each other.
+    for(Index i = static_cast<Index>(parents_.size()); i < triangles_.size(); ++i) {
       bool meets = false;
-      boxes.for_each_near(triangles_[i].box(), [&](Index j) {
-        meets = meets || (j < i && !is_part(i) && may_meet(triangles_[i], triangles_[j]) &&
+      near.for_each_near(boxes_[i], [&](Index j) {
+        meets = meets || (j < i && boxes_[i].meets(boxes_[j]) &&
                           are_in_contact(triangles_[i], triangles_[j]));
       });
       if(meets)
@@ -89,18 +93,14 @@ public:
   }
 
 private:
-  static bool may_meet(const Placed_triangle& a, const Placed_triangle& b) {
-    return a.box().meets(b.box());
-  }
-
   bool is_part(std::size_t i) const { return i < parents_.size(); }
 
-  Placed_boxes boxes() const {
-    return Placed_boxes(Execution(), triangles_.size(),
-                        [this](std::size_t i) { return triangles_[i].box(); });
+  Placed_boxes placed_boxes() const {
+    return Placed_boxes(Execution(), boxes_.size(), [this](std::size_t i) { return boxes_[i]; });
   }
 
   std::vector<Placed_triangle> triangles_, parents_;
+  std::vector<Box<3>> boxes_; // of the triangles
   Box<3> box_ = Box<3>::empty();
 };
 
@@ -151,7 +151,7 @@ private:
     const Placed_patch patch(mesh_, *replacement.patch);
     bool meets = false;
     for(std::size_t t = 0; t < patch.triangles().size() && !meets; ++t) {
-      const Box<3> box = patch.triangles()[t].box();
+      const Box<3>& box = patch.box(t);
       const auto check = [&](Index f) {
         if(meets || !mesh_.is_alive(f) ||
            std::binary_search(replacement.out->begin(), replacement.out->end(), f))
@@ -174,4 +174,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PATCH_CONTACTS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_PATCH_CONTACTS_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CLOSED_WALKS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CLOSED_WALKS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CLOSED_WALKS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CLOSED_WALKS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <cmath>
 #include <cstddef>
@@ -46,6 +46,14 @@ inline bool is_intact(const Surgery_mesh& mesh, const Closed_walk& walk) {
 
 inline double distance(const Surgery_mesh& mesh, Index u, Index v) {
   return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
+}
+
+/// of a closed walk.
+inline double length(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  double sum = 0.;
+  for(std::size_t i = 0; i < walk.size(); ++i)
+    sum += distance(mesh, walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]);
+  return sum;
 }
 
 /// the shortest closed walk on the edges beside a loop, homotopic to it.
@@ -84,4 +92,4 @@ inline Closed_walk simple_part(Closed_walk walk) {
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CLOSED_WALKS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CLOSED_WALKS_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_MESH_LINK_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_MESH_LINK_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_MESH_LINK_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_MESH_LINK_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -233,4 +233,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_MESH_LINK_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_MESH_LINK_H

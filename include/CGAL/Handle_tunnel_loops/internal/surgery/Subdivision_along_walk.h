@@ -7,14 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SUBDIVIDE_ALONG_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SUBDIVIDE_ALONG_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SUBDIVISION_ALONG_WALK_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SUBDIVISION_ALONG_WALK_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <CGAL/assertions.h>
 
@@ -53,10 +54,8 @@ public:
 private:
   using Ends = std::pair<Index, Index>;
 
-  bool is_on_walk(Index v) const { return std::binary_search(on_walk_.begin(), on_walk_.end(), v); }
-  bool is_step(Index u, Index v) const {
-    return std::binary_search(steps_.begin(), steps_.end(), Ends(std::minmax(u, v)));
-  }
+  bool is_on_walk(Index v) const { return is_in(v, on_walk_); }
+  bool is_step(Index u, Index v) const { return is_in(Ends(std::minmax(u, v)), steps_); }
 
   // Edges from the walk, by their ends.
   template <typename Predicate> void split_all(const Predicate& is_to_be_split) {
@@ -67,8 +66,7 @@ private:
         if(is_to_be_split(u, v))
           edges.push_back(std::minmax(u, v));
       });
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    make_set(edges);
     for(const Ends& e : edges)
       split(mesh_.halfedge(e.first, e.second));
   }
@@ -99,4 +97,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SUBDIVIDE_ALONG_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SUBDIVISION_ALONG_WALK_H

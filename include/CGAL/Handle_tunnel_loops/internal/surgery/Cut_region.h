@@ -7,14 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CUT_REGION_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CUT_REGION_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CUT_REGION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CUT_REGION_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <CGAL/assertions.h>
 
@@ -44,14 +45,23 @@ public:
     return of_one_handle(mesh, faces_at(mesh, vertices, {}));
   }
 
-  /// the faces at some vertices and rings around them, and what is cut off by these but for the
-  /// rest of the surface, if that holds whole handles.
-  static std::optional<Cut_region>
-  whole(const Surgery_mesh& mesh, const std::vector<Index>& vertices, int rings) {
+  /// the faces at some vertices, in ascending order.
+  static std::vector<Index> faces_at(const Surgery_mesh& mesh, const std::vector<Index>& vertices) {
+    return faces_at(mesh, vertices, {});
+  }
+
+  /// the same faces and a ring around them.
+  static std::vector<Index> with_ring(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
     Cut_region region;
-    region.faces_ = faces_at(mesh, vertices, {});
-    for(int ring = 0; ring < rings; ++ring)
-      region.faces_ = faces_at(mesh, sources(region.border_halfedges(mesh)), region.faces_);
+    region.faces_ = faces;
+    return faces_at(mesh, sources(region.border_halfedges(mesh)), faces);
+  }
+
+  /// the given faces, and what is cut off by them but for the rest of the surface, if that holds
+  /// whole handles.
+  static std::optional<Cut_region> whole(const Surgery_mesh& mesh, std::vector<Index> faces) {
+    Cut_region region;
+    region.faces_ = std::move(faces);
     region.fill_up(mesh);
     std::optional<Cut_region> whole = of(mesh, std::move(region.faces_));
     return whole && whole->borders_.size() == 1 ? whole : std::nullopt;
@@ -76,7 +86,7 @@ public:
   /// in ascending order.
   const std::vector<Index>& faces() const { return faces_; }
 
-  bool contains(Index face) const { return std::binary_search(faces_.begin(), faces_.end(), face); }
+  bool contains(Index face) const { return is_in(face, faces_); }
 
   /// how many handles there will be less.
   std::size_t number_of_handles() const { return number_of_handles_; }
@@ -100,8 +110,7 @@ private:
   faces_at(const Surgery_mesh& mesh, const std::vector<Index>& vertices, std::vector<Index> faces) {
     for(Index v : vertices)
       mesh.for_each_outgoing(v, [&](Index h) { faces.push_back(mesh.face(h)); });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    make_set(faces);
     return faces;
   }
 
@@ -156,11 +165,33 @@ private:
     return vertices;
   }
 
+  // The place of the next one of a border that does not touch itself.
+  static std::size_t
+  following(const Surgery_mesh& mesh, const std::vector<Sourced_halfedge>& border, std::size_t i) {
+    const Sourced_halfedge next(mesh.target(border[i].second), 0);
+    return std::lower_bound(border.begin(), border.end(), next) - border.begin();
+  }
+
+  // Or none.
+  static bool is_one_curve(const Surgery_mesh& mesh, const std::vector<Sourced_halfedge>& border) {
+    std::size_t number = 0, i = 0;
+    while(number < border.size()) {
+      ++number;
+      i = following(mesh, border, i);
+      if(i == 0)
+        break;
+    }
+    return number == border.size();
+  }
+
   // Adds what makes the border touch itself, and islands.
   void fill_up(const Surgery_mesh& mesh) {
     for(;;) {
-      const std::vector<Index> vertices = pinches(border_halfedges(mesh));
-      std::vector<Index> more = vertices.empty() ? islands(mesh) : std::vector<Index>();
+      const std::vector<Sourced_halfedge> border = border_halfedges(mesh);
+      const std::vector<Index> vertices = pinches(border);
+      std::vector<Index> more;
+      if(vertices.empty() && !is_one_curve(mesh, border))
+        more = islands(mesh, border);
       if(vertices.empty() && more.empty())
         return;
       more.insert(more.end(), faces_.begin(), faces_.end());
@@ -169,10 +200,11 @@ private:
   }
 
   // The faces of pieces beyond the border that have fewer faces than the region.
-  std::vector<Index> islands(const Surgery_mesh& mesh) const {
+  std::vector<Index> islands(const Surgery_mesh& mesh,
+                             const std::vector<Sourced_halfedge>& border) const {
     std::vector<Index> all;
     std::unordered_map<Index, bool> is_island; // by face
-    for(const Sourced_halfedge& h : border_halfedges(mesh)) {
+    for(const Sourced_halfedge& h : border) {
       std::vector<Index> piece;
       bool is_small = true;
       const auto visit = [&](Index f) {
@@ -211,8 +243,7 @@ private:
       for(std::size_t i = begin; !is_used[i];) {
         is_used[i] = 1;
         borders_.back().push_back(all[i].second);
-        const Sourced_halfedge next(mesh.target(all[i].second), 0);
-        i = std::lower_bound(all.begin(), all.end(), next) - all.begin();
+        i = following(mesh, all, i);
       }
       if(borders_.back().size() < 3)
         return false;
@@ -224,8 +255,7 @@ private:
     std::vector<Index> vertices;
     for(Index f : faces_)
       vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    make_set(vertices);
     std::size_t sides = 3 * faces_.size();
     for(const std::vector<Index>& border : borders_)
       sides += border.size();
@@ -243,4 +273,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_CUT_REGION_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CUT_REGION_H

@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_TRIANGLE_CONTACTS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_TRIANGLE_CONTACTS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_TRIANGLE_CONTACTS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_TRIANGLE_CONTACTS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <CGAL/intersections.h>
 
@@ -136,4 +136,4 @@ inline bool are_in_contact(const Placed_triangle& a, const Placed_triangle& b) {
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_TRIANGLE_CONTACTS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_TRIANGLE_CONTACTS_H

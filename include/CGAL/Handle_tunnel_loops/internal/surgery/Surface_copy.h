@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SURFACE_COPY_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SURFACE_COPY_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SURFACE_COPY_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SURFACE_COPY_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Mesh_link.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -59,4 +59,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_SURFACE_COPY_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SURFACE_COPY_H

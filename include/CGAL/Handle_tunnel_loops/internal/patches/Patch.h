@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PATCH_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PATCH_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_PATCH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_PATCH_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/removal/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/triangle_contacts.h>
+#include <CGAL/Handle_tunnel_loops/internal/patches/triangle_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <array>
 #include <cstddef>
@@ -64,4 +64,4 @@ inline Index put_in_place(Surgery_mesh& mesh, const std::vector<Index>& faces, c
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_PATCH_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_PATCH_H

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_MAKE_SMOOTH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_MAKE_SMOOTH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#ifdef CGAL_EIGEN3_ENABLED
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#endif
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Moves some vertices of a `Surface_mesh` so that the surface there is as little curved as it can be
+between the others, of which it continues the directions: the Laplacian of the Laplacian vanishes.
+Edges have equal weights, which suit an even density and make the system symmetric.
+
+\returns whether that was done: there is a solution, and Eigen to find it
+*/
+template <typename SurfaceMesh>
+bool make_smooth(SurfaceMesh& mesh, const std::vector<typename SurfaceMesh::Vertex_index>& free) {
+#ifdef CGAL_EIGEN3_ENABLED
+  using Vertex = typename SurfaceMesh::Vertex_index;
+  std::vector<int> row(mesh.number_of_vertices(), -1);
+  for(std::size_t i = 0; i < free.size(); ++i)
+    row[free[i]] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(60 * free.size());
+  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(free.size(), 3);
+  const auto add = [&](int i, Vertex v, double weight) {
+    if(row[v] >= 0)
+      entries.emplace_back(i, row[v], weight);
+    else
+      right.row(i) -=
+          weight * Eigen::RowVector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+  };
+  const auto add_laplacian = [&](int i, Vertex v, double weight) {
+    for(Vertex w : vertices_around_target(mesh.halfedge(v), mesh))
+      add(i, w, weight);
+    add(i, v, -weight * mesh.degree(v));
+  };
+  for(Vertex v : free) {
+    for(Vertex w : vertices_around_target(mesh.halfedge(v), mesh))
+      add_laplacian(row[v], w, 1.);
+    add_laplacian(row[v], v, -1. * mesh.degree(v));
+  }
+  Eigen::SparseMatrix<double> matrix(free.size(), free.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  if(solver.info() != Eigen::Success)
+    return false;
+  const Eigen::MatrixX3d places = solver.solve(right);
+  for(Vertex v : free)
+    mesh.point(v) = {places(row[v], 0), places(row[v], 1), places(row[v], 2)};
+  return true;
+#else
+  (void)mesh;
+  (void)free;
+  return false;
+#endif
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PATCHES_MAKE_SMOOTH_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_COURSE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_COURSE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/removal/Region_layout.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_proposal.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Way_of_removal.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/shortened.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What is tried of a task, one way after the other.
+class Removal_course
+{
+public:
+  Removal_course(const Surgery_mesh& mesh, Removal_task& task)
+      : task_(&task)
+      , ways_(ways_of_removal(task.choices))
+      , is_damaged_(task.choices.size(), 0) {
+    task.reasons.assign(task.choices.size(), std::string());
+    for(const Loop_choice& choice : task.choices)
+      add_walk(mesh, simple_part(walk_beside(mesh, choice.places)));
+  }
+
+  Removal_task& task() const { return *task_; }
+
+  bool is_done() const { return task_->state != Removal_task::State::OPEN; }
+
+  /// by choice; those with less than three vertices are none.
+  const std::vector<Closed_walk>& walks() const { return walks_; }
+
+  const Way_of_removal& way() const { return ways_[next_]; }
+
+  /// of the loop of the present way; empty if that has none.
+  Closed_walk partner() const {
+    return walks_.size() == 2 ? walks_[1 - way().choice] : Closed_walk();
+  }
+
+  /// of the present way; nothing if there is no way left.
+  const std::optional<Removal_proposal>& proposal() const { return proposal_; }
+
+  /// the loop of the present way wants to keep its place.
+  void reserve(Region_layout& layout) {
+    reserved_ = walks_[way().choice];
+    make_set(reserved_);
+    layout.reserve(reserved_);
+  }
+
+  /// goes on to the first way, from the present one on, that there is.
+  void propose(const Surgery_mesh& mesh, const Region_layout& layout) {
+    if(proposal_ && !proposal_->is_subdivided() && proposal_->is_there(mesh))
+      return;
+    proposal_.reset();
+    while(!is_done()) {
+      if(const char* why = why_not_at_all())
+        fail(why);
+      else if((proposal_ = layout.proposal(way(), walks_, reserved_)))
+        return;
+      else
+        fail("the mesh is too coarse along the loop", false);
+    }
+  }
+
+  /// the present way once more, with room for the regions that are claimed by now.
+  void propose_again(const Region_layout& layout) {
+    proposal_ = layout.proposal(way(), walks_, reserved_);
+  }
+
+  /// gives the present way up, and the task if that is the last one.
+  void fail(const char* why, bool is_last_word = true) {
+    std::string& reason = task_->reasons[way().choice];
+    if(is_last_word || reason.empty())
+      reason = why;
+    proposal_.reset();
+    if(++next_ == ways_.size())
+      task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
+  }
+
+  /// leads the loops around what has taken the place of another handle, but for those that become
+  /// much longer by that, which are given up. Returns whether there were any to lead.
+  bool lead_around(const Surgery_mesh& mesh, const Detour& detour) {
+    constexpr double most_growth = 1.5;
+    bool is_any_led = false;
+    for(std::size_t i = 0; i < walks_.size(); ++i)
+      if(walks_[i].size() >= 3 && !is_intact(mesh, walks_[i])) {
+        walks_[i] = simple_part(shortened(mesh, detour.around(walks_[i])));
+        if(length(mesh, walks_[i]) > most_growth * lengths_[i])
+          walks_[i].clear();
+        is_damaged_[i] = is_any_led = true;
+      }
+    return is_any_led;
+  }
+
+private:
+  void add_walk(const Surgery_mesh& mesh, Closed_walk walk) {
+    lengths_.push_back(length(mesh, walk));
+    walks_.push_back(std::move(walk));
+  }
+
+  // A way that takes one loop, or both.
+  const char* why_not_at_all() const {
+    for(std::size_t i = 0; i < walks_.size(); ++i)
+      if((i == way().choice || way().takes_both_loops()) && walks_[i].size() < 3)
+        return is_damaged_[i] ? "another handle was removed across the loop"
+                              : "the loop is not simple";
+    return nullptr;
+  }
+
+  bool is_any_damaged() const {
+    for(std::size_t i = 0; i < walks_.size(); ++i)
+      if(is_damaged_[i] && task_->choices[i].is_allowed)
+        return true;
+    return false;
+  }
+
+  Removal_task* task_;
+  std::vector<Closed_walk> walks_;
+  std::vector<double> lengths_; // of these at first
+  std::vector<Way_of_removal> ways_;
+  std::vector<char> is_damaged_; // by choice, also if it could be led around
+  std::size_t next_ = 0;
+  std::vector<Index> reserved_; // in ascending order
+  std::optional<Removal_proposal> proposal_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_COURSE_H

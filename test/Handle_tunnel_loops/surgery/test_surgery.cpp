@@ -1,0 +1,264 @@
+#include "Meshes_of_soups.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/patches/caps.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Subdivision_along_walk.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/shortened.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/surface_count.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace impl = CGAL::Handle_tunnel_loops::internal;
+using impl::Closed_walk;
+using impl::Cut_region;
+using impl::Index;
+using impl::no_index;
+using impl::Surgery_mesh;
+
+namespace {
+
+Recipe recipe(const char* kind, std::size_t faces, std::size_t genus) {
+  Recipe recipe;
+  recipe.kind = kind;
+  recipe.request.faces = faces;
+  recipe.request.genus = genus;
+  return recipe;
+}
+
+Surgery_mesh surgery_mesh_of(Mesh& mesh) {
+  impl::Mesh_link<Mesh, std::decay_t<decltype(mesh.points())>> link(mesh, mesh.points());
+  return link.read(impl::Execution(), get(CGAL::vertex_index, mesh), get(CGAL::face_index, mesh));
+}
+
+// A surface, and a walk beside each loop of a basis: handle and tunnel loops in turn.
+struct Surface_with_walks
+{
+  explicit Surface_with_walks(const Recipe& recipe)
+      : input(mesh_of(recipe))
+      , mesh(surgery_mesh_of(input)) {
+    Pairs pairs;
+    CGAL::handle_tunnel_loops(input, std::back_inserter(pairs));
+    for(const auto& pair : pairs)
+      for(const auto* loop : {&pair.handle(), &pair.tunnel()}) {
+        std::vector<impl::Place_on_edge> places;
+        for(const auto& step : loop->steps())
+          places.push_back(
+              {source(step.halfedge, input), target(step.halfedge, input), step.ratio});
+        walks.push_back(impl::simple_part(impl::walk_beside(mesh, places)));
+      }
+  }
+
+  Mesh input;
+  Surgery_mesh mesh;
+  std::vector<Closed_walk> walks;
+};
+
+// Classes of closed walks in homology modulo 2, by the closed curves on the dual graph that are no
+// boundaries: where a walk crosses them.
+class Classes_modulo_2
+{
+public:
+  explicit Classes_modulo_2(const Surgery_mesh& mesh)
+      : mesh_(mesh)
+      , parent_(mesh.face_bound(), no_index) {
+    span_vertices();
+    span_faces();
+    for(Index h = 0; h < 3 * mesh.face_bound(); ++h)
+      if(mesh.is_alive(mesh.face(h)) && h < mesh.twin(h) && in_tree_.count(edge(h)) == 0 &&
+         parent_[mesh.face(h)] != mesh.twin(h) && parent_[mesh.face(mesh.twin(h))] != h)
+        curves_.push_back(curve_through(h));
+  }
+
+  std::size_t rank() const { return curves_.size(); }
+
+  std::vector<bool> of(const Closed_walk& walk) const {
+    std::vector<bool> all(rank(), false);
+    for(std::size_t i = 0; i < walk.size(); ++i) {
+      const Index h = mesh_.halfedge(walk[i], walk[(i + 1) % walk.size()]);
+      for(std::size_t k = 0; k < rank(); ++k)
+        all[k] = all[k] != (curves_[k].count(edge(h)) != 0);
+    }
+    return all;
+  }
+
+private:
+  Index edge(Index h) const { return (std::min)(h, mesh_.twin(h)); }
+
+  void span_vertices() {
+    std::set<Index> reached;
+    for(Index v = 0; v < mesh_.vertex_bound(); ++v) {
+      if(mesh_.outgoing(v) == no_index || !reached.insert(v).second)
+        continue;
+      for(std::vector<Index> open{v}; !open.empty();) {
+        const Index u = open.back();
+        open.pop_back();
+        mesh_.for_each_outgoing(u, [&](Index h) {
+          if(reached.insert(mesh_.target(h)).second) {
+            in_tree_.insert(edge(h));
+            open.push_back(mesh_.target(h));
+          }
+        });
+      }
+    }
+  }
+
+  // Over edges that are not in the tree of the vertices; the way to the parent leads over the
+  // halfedge whose face that is.
+  void span_faces() {
+    std::set<Index> reached;
+    for(Index f = 0; f < mesh_.face_bound(); ++f) {
+      if(!mesh_.is_alive(f) || !reached.insert(f).second)
+        continue;
+      for(std::vector<Index> open{f}; !open.empty();) {
+        const Index g = open.back();
+        open.pop_back();
+        for(Index h : {3 * g, 3 * g + 1, 3 * g + 2})
+          if(in_tree_.count(edge(h)) == 0 && reached.insert(mesh_.face(mesh_.twin(h))).second) {
+            parent_[mesh_.face(mesh_.twin(h))] = h;
+            open.push_back(mesh_.face(mesh_.twin(h)));
+          }
+      }
+    }
+  }
+
+  std::set<Index> curve_through(Index h) const {
+    std::set<Index> crossed{edge(h)};
+    for(Index f : {mesh_.face(h), mesh_.face(mesh_.twin(h))})
+      for(; parent_[f] != no_index; f = mesh_.face(parent_[f]))
+        if(!crossed.insert(edge(parent_[f])).second)
+          crossed.erase(edge(parent_[f])); // there and back
+    return crossed;
+  }
+
+  const Surgery_mesh& mesh_;
+  std::set<Index> in_tree_;
+  std::vector<Index> parent_; // a halfedge of the parent, by face
+  std::vector<std::set<Index>> curves_;
+};
+
+std::size_t rank_of(std::vector<std::vector<bool>> rows) {
+  std::size_t rank = 0;
+  for(std::size_t column = 0; !rows.empty() && column < rows[0].size(); ++column) {
+    const auto pivot = std::find_if(rows.begin() + rank, rows.end(),
+                                    [&](const std::vector<bool>& row) { return row[column]; });
+    if(pivot == rows.end())
+      continue;
+    std::swap(rows[rank], *pivot);
+    for(std::size_t i = rank + 1; i < rows.size(); ++i)
+      if(rows[i][column])
+        for(std::size_t k = 0; k < rows[i].size(); ++k)
+          rows[i][k] = rows[i][k] != rows[rank][k];
+    ++rank;
+  }
+  return rank;
+}
+
+std::vector<Recipe> surfaces() {
+  return {recipe("torus", 2000, 1), recipe("gyroid", 12000, 6), recipe("lattice", 12000, 5),
+          recipe("chain", 8000, 4)};
+}
+
+Closed_walk around_vertex(const Surgery_mesh& mesh, Index v) {
+  Closed_walk walk;
+  mesh.for_each_outgoing(v, [&](Index h) { walk.push_back(mesh.target(h)); });
+  return walk;
+}
+
+} // namespace
+
+TEST(Surgery, TellsWhichWalksSeparate) {
+  for(const Recipe& recipe : surfaces()) {
+    const Surface_with_walks surface(recipe);
+    impl::Separation separates;
+    for(const Closed_walk& walk : surface.walks)
+      EXPECT_FALSE(separates(surface.mesh, impl::sides_of(surface.mesh, walk)));
+    for(Index v = 0; v < surface.mesh.vertex_bound(); v += 97)
+      EXPECT_TRUE(
+          separates(surface.mesh, impl::sides_of(surface.mesh, around_vertex(surface.mesh, v))));
+  }
+}
+
+// Partners cross once; loops of the same kind, which bound on the same side, an even number of
+// times.
+TEST(Surgery, CountsCrossingsOfAStrip) {
+  for(const Recipe& recipe : surfaces()) {
+    const Surface_with_walks surface(recipe);
+    impl::Separation separates;
+    std::size_t number_of_strips = 0;
+    for(std::size_t i = 0; i < surface.walks.size(); ++i) {
+      const std::optional<Cut_region> strip = Cut_region::around(surface.mesh, surface.walks[i]);
+      if(!strip || strip->number_of_borders() != 2)
+        continue;
+      ++number_of_strips;
+      EXPECT_FALSE(separates(surface.mesh, impl::sides_of(surface.mesh, *strip)));
+      EXPECT_TRUE(impl::crosses_oddly(surface.mesh, surface.walks[i ^ 1], *strip));
+      for(std::size_t k = i % 2; k < surface.walks.size(); k += 2)
+        EXPECT_FALSE(impl::crosses_oddly(surface.mesh, surface.walks[k], *strip));
+    }
+    EXPECT_GT(2 * number_of_strips, surface.walks.size());
+  }
+}
+
+// A basis stays a basis of what is left when one handle after the other is removed.
+TEST(Surgery, LeadsWalksAroundHandlesThatAreGone) {
+  for(const Recipe& recipe : surfaces()) {
+    Surface_with_walks surface(recipe);
+    Surgery_mesh& mesh = surface.mesh;
+    std::size_t genus = surface.walks.size() / 2;
+    for(std::size_t i = 0; i + 1 < surface.walks.size(); i += 2) {
+      const std::optional<Cut_region> strip = Cut_region::around(mesh, surface.walks[i]);
+      if(!strip || strip->number_of_borders() != 2)
+        continue;
+      const std::vector<impl::Patch> caps = impl::caps_of(mesh, *strip);
+      ASSERT_FALSE(caps.empty());
+      const Index first_face = impl::put_in_place(mesh, strip->faces(), caps.front());
+      ASSERT_EQ(impl::count_surface(impl::Execution(), mesh).genus, --genus);
+      const impl::Detour detour(mesh, first_face, surface.walks[i + 1]);
+      surface.walks.erase(surface.walks.begin() + i, surface.walks.begin() + i + 2);
+      i -= 2; // those that came after it are there now
+      const Classes_modulo_2 classes(mesh);
+      ASSERT_EQ(classes.rank(), 2 * genus);
+      std::vector<std::vector<bool>> rows;
+      for(Closed_walk& walk : surface.walks) {
+        if(!impl::is_intact(mesh, walk))
+          walk = detour.around(walk);
+        ASSERT_FALSE(walk.empty());
+        ASSERT_TRUE(impl::is_intact(mesh, walk));
+        rows.push_back(classes.of(walk));
+        EXPECT_EQ(classes.of(impl::shortened(mesh, walk)), rows.back());
+      }
+      EXPECT_EQ(rank_of(rows), 2 * genus);
+    }
+  }
+}
+
+TEST(Surgery, SubdividesAPartAsTheWhole) {
+  Surface_with_walks surface(recipe("gyroid", 3000, 4));
+  for(const Closed_walk& walk : surface.walks) {
+    impl::Part_of_mesh part(surface.mesh, walk);
+    const Closed_walk walk_of_part = part.walk_of_part(walk);
+    for(std::size_t i = 0; i < walk.size(); ++i)
+      EXPECT_EQ(part.vertex(walk_of_part[i]), walk[i]);
+    for(Index f = 0; f < part.face_bound(); ++f)
+      for(std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(part.vertex(part.mesh().corners(f)[k]), surface.mesh.corners(part.face(f))[k]);
+    Surgery_mesh whole = surface.mesh;
+    const impl::Subdivision_along_walk of_whole(whole, walk), of_part(part.mesh(), walk_of_part);
+    EXPECT_EQ(of_whole.parents().size(), of_part.parents().size());
+    const std::optional<Cut_region> strip = Cut_region::around(part.mesh(), walk_of_part);
+    ASSERT_TRUE(strip);
+    EXPECT_EQ(strip->number_of_borders(), 2u);
+    EXPECT_EQ(strip->faces().size(), Cut_region::around(whole, walk)->faces().size());
+  }
+}
