@@ -20,6 +20,8 @@ foreach(group RANGE 1 ${_htl_groups})
   add_library(${name} OBJECT EXCLUDE_FROM_ALL ${_htl_sources_${group}})
   target_link_libraries(${name} PRIVATE
     Handle_tunnel_loops $<TARGET_NAME_IF_EXISTS:CGAL::Eigen3_support> htl_build_options)
+  # What is compiled once has headers of its own: the others need not include these.
+  target_compile_definitions(${name} PRIVATE CGAL_LINKED_WITH_HTL_CORE)
   # Templates are only parsed: optimising would cost time and find nothing.
   target_compile_options(${name} PRIVATE $<$<NOT:$<BOOL:${MSVC}>>:-O0;-g0>)
   add_dependencies(headers_alone ${name})
