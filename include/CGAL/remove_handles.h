@@ -62,7 +62,7 @@ found is likely, and not certain.
 
 Time is that of finding the loops, if they are not given, and near linear in the size of the mesh
 and of the caps; for each round in which loops are to be found anew, that is added. Beyond the mesh,
-memory is 60 bytes per face.
+memory is 120 bytes per face, and 300 where loops are found anew.
 
 Caps are made smooth only where the program is compiled with \eigen (`CGAL_EIGEN3_ENABLED`); they
 are refined and plane otherwise.
@@ -129,16 +129,17 @@ comes off at a neck; from 0 to 0.5} \cgalParamType{`double`} \cgalParamDefault{0
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{is told for each face that the mesh did not have before what it closes:
-the place in `Removal_report::removed`, or, for necks, that in `Removal_report::removed_necks` plus
-the size of the former. For handles that were removed together it is the first of them}
-    \cgalParamType{a class model of `WritablePropertyMap` with face descriptors as key type and a
-number as value type, that takes faces that are new}
+    \cgalParamDescription{is told for each face that the mesh did not have before for which handle
+it was made, a cap or a part of a face at its rim: the place in `Removal_report::removed`, or, for
+necks, that in `Removal_report::removed_necks` plus the size of the former. For handles that were
+removed together it is the first of them} \cgalParamType{a class model of `WritablePropertyMap` with
+face descriptors as key type and a number as value type, that takes faces that are new}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{remaining_pairs}
     \cgalParamDescription{is told the loops of the handles that are left, as `handle_tunnel_loops()`
-finds them on the mesh once handles are removed. That is not done in a dry run}
+finds them on the mesh once handles are removed, in the time that this takes and without asking the
+callback. That is not done in a dry run}
     \cgalParamType{a model of `OutputIterator` that accepts `Handle_tunnel_pair`}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -178,7 +179,8 @@ finds them on the mesh once handles are removed. That is not done in a dry run}
   are not of this mesh, or a length or a share is not valid
 \throws std::logic_error if the result is not what it should be, which is a defect of the package
 
-Whatever is thrown, the mesh is as it was.
+Whatever is thrown, the mesh is as it was; but for what is thrown by the maps and output iterators
+of the caller, and when the remaining pairs are found.
 
 \sa `handle_tunnel_loops()`
 \sa `cut_to_disk()`

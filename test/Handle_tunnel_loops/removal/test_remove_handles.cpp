@@ -249,6 +249,22 @@ TEST(Handle_removal, FindsTheLoopsThatAreLeft) {
   }
 }
 
+// Loops may be of the surface and still no basis.
+TEST(Handle_removal, RemovesAHandleOnce) {
+  for(const char* kind : {"torus", "gyroid"}) {
+    Mesh mesh = mesh_of(recipe(kind, 4000, std::string(kind) == "torus" ? 1 : 3));
+    Pairs pairs;
+    CGAL::handle_tunnel_loops(mesh, std::back_inserter(pairs));
+    const std::size_t genus = pairs.size();
+    Pairs twice = pairs;
+    twice.insert(twice.end(), pairs.begin(), pairs.end());
+    const htl::Removal_report report = CGAL::remove_handles(mesh, params::known_pairs(twice));
+    EXPECT_EQ(report.removed.size(), genus);
+    EXPECT_EQ(report.refused.size(), genus);
+    expect_solid(mesh, 0);
+  }
+}
+
 TEST(Handle_removal, ChangesNothingInADryRun) {
   Mesh mesh = mesh_of(recipe("multi-torus", 3000, 3));
   const auto before = faces_by_points(mesh);

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// What may take the place of a strip: a cap on each of its two holes, in several ways, the one
-/// that fits best first. Caps are refined to the density of the mesh around them and made smooth
+/// What may take the place of a region: a cap on each of its holes, in several ways, the one that
+/// fits best first. Caps are refined to the density of the mesh around them and made smooth
 /// with it (where Eigen is there); or refined only; or without vertices of their own. None where
 /// the holes cannot be triangulated. Whether the caps meet anything has still to be seen.
 CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_region& region);

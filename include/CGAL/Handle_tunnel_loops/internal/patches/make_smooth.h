@@ -14,8 +14,6 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #ifdef CGAL_EIGEN3_ENABLED
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

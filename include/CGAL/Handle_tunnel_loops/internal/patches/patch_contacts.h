@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/patches/triangle_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
@@ -153,8 +154,7 @@ private:
     for(std::size_t t = 0; t < patch.triangles().size() && !meets; ++t) {
       const Box<3>& box = patch.box(t);
       const auto check = [&](Index f) {
-        if(meets || !mesh_.is_alive(f) ||
-           std::binary_search(replacement.out->begin(), replacement.out->end(), f))
+        if(meets || !mesh_.is_alive(f) || is_in(f, *replacement.out))
           return;
         const Placed_triangle face = placed_triangle(mesh_, f);
         meets = face.box().meets(box) && patch.meets(t, face);

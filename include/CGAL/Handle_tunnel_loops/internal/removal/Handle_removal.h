@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/patches/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/patches/patch_contacts.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Enclosed_volume.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Loops_at_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Region_layout.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_course.h>
@@ -23,7 +24,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Enclosed_volume.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -61,7 +61,10 @@ public:
   /// \p ask is called with the number of tasks that are done, and throws to stop.
   template <typename Ask> void operator()(std::vector<Removal_task>& tasks, const Ask& ask) {
     start(tasks);
-    const auto ask_now = [&] { ask(std::count_if(tasks.begin(), tasks.end(), is_done)); };
+    const auto ask_now = [&] {
+      ask(std::count_if(tasks.begin(), tasks.end(),
+                        [](const auto& task) { return task.is_done(); }));
+    };
     for(std::vector<Attempt> attempts; !(attempts = choose()).empty(); ask_now()) {
       ask_now();
       make_caps(attempts);
@@ -77,7 +80,7 @@ private:
   struct Attempt
   {
     Removal_course* course;
-    std::vector<Index> vertices = {};           // of what is taken out
+    std::vector<Index> vertices;                // of what is taken out
     std::vector<Removal_task*> companions = {}; // tasks that are done with it
     std::vector<Patch> patches = {};            // the first one does not meet itself
     bool are_triangulated = false;
@@ -86,12 +89,10 @@ private:
     const Removal_proposal& proposal() const { return *course->proposal(); }
   };
 
-  static bool is_done(const Removal_task& task) { return task.state != Removal_task::State::OPEN; }
-
   void start(std::vector<Removal_task>& tasks) {
     std::vector<Removal_task*> open;
     for(Removal_task& task : tasks)
-      if(!is_done(task))
+      if(!task.is_done())
         open.push_back(&task);
     std::vector<std::optional<Removal_course>> courses(open.size());
     for_each_index(
@@ -101,7 +102,8 @@ private:
       courses_.push_back(std::move(*course));
     loops_ = Loops_at_vertices();
     for(std::size_t i = 0; i < courses_.size(); ++i)
-      loops_.add(i, courses_[i].walks());
+      for(std::size_t k = 0; k < courses_[i].walks().size(); ++k)
+        loops_.add({i, k}, courses_[i].walks()[k]);
   }
 
   template <typename Function> void for_each_open_course(const Function& f) {
@@ -125,7 +127,6 @@ private:
     std::vector<Attempt> attempts;
     for(Removal_course& course : courses_)
       if(std::optional<Attempt> attempt = next_attempt(course, layout)) {
-        attempt->vertices = course.proposal()->vertices(mesh_);
         layout.claim(attempt->vertices);
         attempts.push_back(std::move(*attempt));
       }
@@ -139,7 +140,7 @@ private:
         course.propose_again(layout);
       if(!course.proposal() || !layout.is_free(*course.proposal()))
         break;
-      Attempt attempt{&course};
+      Attempt attempt{&course, vertices_of(mesh_, course.proposal()->out())};
       if(find_companions(attempt))
         return attempt;
       course.fail("there are other handles around");
@@ -153,10 +154,9 @@ private:
     const std::size_t number = attempt.proposal().region().number_of_handles() - 1;
     if(number == 0)
       return true;
-    const std::vector<Index> inside = attempt.proposal().vertices(mesh_);
     const auto is_inside = [&](const Closed_walk& walk) {
-      return walk.size() >= 3 &&
-             std::all_of(walk.begin(), walk.end(), [&](Index v) { return is_in(v, inside); });
+      return walk.size() >= 3 && std::all_of(walk.begin(), walk.end(),
+                                             [&](Index v) { return is_in(v, attempt.vertices); });
     };
     for(Removal_course& course : courses_)
       if(&course != attempt.course && !course.is_done() &&
@@ -212,6 +212,8 @@ private:
   // ---- what is done
 
   void carry_out(const Attempt& attempt) {
+    if(attempt.course->is_done())
+      return; // with another one
     if(!attempt.is_good)
       return attempt.course->fail(attempt.are_triangulated ? "the caps would meet the surface"
                                                            : "the holes cannot be triangulated");
@@ -234,27 +236,32 @@ private:
   }
 
   void lead_loops_around(const Attempt& removed) {
-    const Detour detour(mesh_, removed.course->task().first_face, removed.course->partner());
-    for(const auto& [i, loop] : loops_.at(removed.vertices))
-      if(!courses_[i].is_done() && courses_[i].lead_around(mesh_, detour))
-        loops_.add(i, courses_[i].walks());
+    const Index parts = static_cast<Index>(removed.patches.front().parents.size());
+    const Detour detour(mesh_, removed.course->task().first_face + parts,
+                        removed.course->partner());
+    for(const Loops_at_vertices::Loop& loop : loops_.at(removed.vertices)) {
+      Removal_course& course = courses_[loop.first];
+      if(!course.is_done() && course.lead_around(mesh_, detour, loop.second))
+        loops_.add(loop, course.walks()[loop.second]);
+    }
   }
 
   // A loop of any handle that crosses the strip is a witness; else the surface is gone through.
   const char* why_not(const Attempt& attempt) {
     const Removal_proposal& proposal = attempt.proposal();
-    if(proposal.region().number_of_borders() == 1)
-      return nullptr; // each piece has a border
     const bool is_neck = attempt.course->task().pair == Removal_task::is_neck;
-    if(!is_neck && !proposal.is_subdivided() && is_crossed(attempt))
-      return nullptr;
-    const bool separates = separates_(mesh_, proposal.sides());
+    // With one border, the rest is in one piece.
+    const bool separates = proposal.region().number_of_borders() == 2 &&
+                           (is_neck || !is_crossed(attempt)) &&
+                           separates_(mesh_, proposal.sides(mesh_));
     if(separates == is_neck)
       return nullptr;
     return separates ? "the loop separates the surface" : "the loop does not separate the surface";
   }
 
   bool is_crossed(const Attempt& attempt) const {
+    if(attempt.proposal().is_subdivided())
+      return false; // the region is not one of this mesh
     const std::vector<Loops_at_vertices::Loop> near = loops_.at(attempt.vertices);
     return std::any_of(near.begin(), near.end(), [&](const Loops_at_vertices::Loop& loop) {
       const Closed_walk& walk = courses_[loop.first].walks()[loop.second];

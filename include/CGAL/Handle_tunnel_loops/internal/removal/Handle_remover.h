@@ -238,15 +238,16 @@ private:
         });
   }
 
-  // With nothing of what the caller said of the mesh as it was, and without asking: the mesh is
-  // changed.
+  // With no index maps of the caller, which know the mesh as it was.
   void find_remaining_pairs() {
     if constexpr(is_given<internal_np::remaining_pairs_t>) {
       auto pairs = parameters::get_parameter(np_, internal_np::remaining_pairs);
-      Solver solver(ConcurrencyTag(), tm_,
-                    parameters::vertex_point_map(parameters::choose_parameter(
-                        parameters::get_parameter(np_, internal_np::vertex_point),
-                        get_const_property_map(vertex_point, tm_))));
+      const auto traits = parameters::choose_parameter<Geom_traits>(
+          parameters::get_parameter(np_, internal_np::geom_traits));
+      const auto point =
+          parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
+                                       get_const_property_map(vertex_point, tm_));
+      Solver solver(ConcurrencyTag(), tm_, parameters::vertex_point_map(point).geom_traits(traits));
       solver.template find_loops<ConcurrencyTag>(pairs);
     }
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
@@ -32,10 +33,12 @@ public:
   /// the number of a handle, and which loop of it.
   using Loop = std::pair<std::size_t, std::size_t>;
 
-  void add(std::size_t handle, const std::vector<Closed_walk>& loops) {
-    for(std::size_t i = 0; i < loops.size(); ++i)
-      for(Index v : loops[i])
-        loops_at_.insert({v, {handle, i}});
+  void add(const Loop& loop, const Closed_walk& walk) {
+    for(Index v : walk) {
+      const auto [begin, end] = loops_at_.equal_range(v);
+      if(std::none_of(begin, end, [&](const auto& at) { return at.second == loop; }))
+        loops_at_.insert({v, loop});
+    }
   }
 
   /// in ascending order.

@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/removal/Normals_around.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_proposal.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Way_of_removal.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Normals_around.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 

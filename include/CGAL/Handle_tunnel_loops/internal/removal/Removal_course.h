@@ -48,7 +48,7 @@ public:
 
   Removal_task& task() const { return *task_; }
 
-  bool is_done() const { return task_->state != Removal_task::State::OPEN; }
+  bool is_done() const { return task_->is_done(); }
 
   /// by choice; those with less than three vertices are none.
   const std::vector<Closed_walk>& walks() const { return walks_; }
@@ -72,8 +72,9 @@ public:
 
   /// goes on to the first way, from the present one on, that there is.
   void propose(const Surgery_mesh& mesh, const Region_layout& layout) {
-    if(proposal_ && !proposal_->is_subdivided() && proposal_->is_there(mesh))
+    if(proposal_ && !is_narrow_ && proposal_->is_up_to_date(mesh))
       return;
+    is_narrow_ = false;
     proposal_.reset();
     while(!is_done()) {
       if(const char* why = why_not_at_all())
@@ -87,6 +88,7 @@ public:
 
   /// the present way once more, with room for the regions that are claimed by now.
   void propose_again(const Region_layout& layout) {
+    is_narrow_ = true;
     proposal_ = layout.proposal(way(), walks_, reserved_);
   }
 
@@ -100,19 +102,18 @@ public:
       task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
   }
 
-  /// leads the loops around what has taken the place of another handle, but for those that become
-  /// much longer by that, which are given up. Returns whether there were any to lead.
-  bool lead_around(const Surgery_mesh& mesh, const Detour& detour) {
+  /// leads a loop around what has taken the place of another handle. It is given up if it comes to
+  /// a vertex twice then, or becomes much longer. Returns whether it was led.
+  bool lead_around(const Surgery_mesh& mesh, const Detour& detour, std::size_t choice) {
     constexpr double most_growth = 1.5;
-    bool is_any_led = false;
-    for(std::size_t i = 0; i < walks_.size(); ++i)
-      if(walks_[i].size() >= 3 && !is_intact(mesh, walks_[i])) {
-        walks_[i] = simple_part(shortened(mesh, detour.around(walks_[i])));
-        if(length(mesh, walks_[i]) > most_growth * lengths_[i])
-          walks_[i].clear();
-        is_damaged_[i] = is_any_led = true;
-      }
-    return is_any_led;
+    Closed_walk& walk = walks_[choice];
+    if(walk.size() < 3 || is_intact(mesh, walk))
+      return false;
+    walk = shortened(mesh, detour.around(walk));
+    if(!is_simple(walk) || length(mesh, walk) > most_growth * lengths_[choice])
+      walk.clear();
+    is_damaged_[choice] = true;
+    return !walk.empty();
   }
 
 private:
@@ -145,6 +146,7 @@ private:
   std::size_t next_ = 0;
   std::vector<Index> reserved_; // in ascending order
   std::optional<Removal_proposal> proposal_;
+  bool is_narrow_ = false; // because of regions of the round
 };
 
 } // namespace internal

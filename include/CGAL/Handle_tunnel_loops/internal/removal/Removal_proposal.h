@@ -41,8 +41,9 @@ public:
   Removal_proposal(const Surgery_mesh& mesh, Cut_region region)
       : region_(std::move(region))
       , out_(region_.faces()) {
-    if(region_.number_of_borders() == 2)
-      sides_ = sides_of(mesh, region_);
+    for(std::size_t i = 0; i < region_.number_of_borders(); ++i)
+      for(Index h : region_.border(i))
+        around_.push_back(mesh.face(mesh.twin(h)));
   }
 
   /// the faces at a simple closed walk after a subdivision. None only if the walk goes around a
@@ -55,31 +56,27 @@ public:
     std::optional<Cut_region> region = Cut_region::around(part->mesh(), walk_of_part);
     if(!region)
       return std::nullopt;
-    return Removal_proposal(std::move(part), std::move(*region), parents, sides_of(mesh, walk));
+    return Removal_proposal(std::move(part), std::move(*region), parents, walk);
   }
 
   /// the faces of the mesh that are to be replaced, in ascending order.
   const std::vector<Index>& out() const { return out_; }
 
-  /// the vertices of these, in ascending order.
-  std::vector<Index> vertices(const Surgery_mesh& mesh) const {
-    std::vector<Index> vertices;
-    for(Index f : out_)
-      vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
-    make_set(vertices);
-    return vertices;
-  }
-
   const Cut_region& region() const { return region_; }
 
-  /// where the surface is cut if the region is taken out; empty if that has one border.
-  const Sides_of_cut& sides() const { return sides_; }
+  /// where the surface is cut if a region with two borders is taken out.
+  Sides_of_cut sides(const Surgery_mesh& mesh) const {
+    return is_subdivided() ? sides_of(mesh, walk_) : sides_of(mesh, region_);
+  }
 
   bool is_subdivided() const { return part_ != nullptr; }
 
-  /// whether the mesh still has all faces that are to be replaced. What is near may have changed.
-  bool is_there(const Surgery_mesh& mesh) const {
-    return std::all_of(out_.begin(), out_.end(), [&](Index f) { return mesh.is_alive(f); });
+  /// whether the mesh is as it was here: all faces that are to be replaced, and those around them,
+  /// are there. Not known of a subdivision.
+  bool is_up_to_date(const Surgery_mesh& mesh) const {
+    const auto is_alive = [&](Index f) { return mesh.is_alive(f); };
+    return !is_subdivided() && std::all_of(out_.begin(), out_.end(), is_alive) &&
+           std::all_of(around_.begin(), around_.end(), is_alive);
   }
 
   /// what may take the place of these faces, the best way first.
@@ -96,10 +93,10 @@ private:
   Removal_proposal(std::unique_ptr<Part_of_mesh> part,
                    Cut_region region,
                    const std::vector<Index>& parents,
-                   Sides_of_cut sides)
+                   const Closed_walk& walk)
       : region_(std::move(region))
-      , sides_(std::move(sides))
-      , part_(std::move(part)) {
+      , part_(std::move(part))
+      , walk_(walk) {
     const Surgery_mesh& mesh = part_->mesh();
     const Index first_face = part_->face_bound();
     for(Index f = first_face; f < mesh.face_bound(); ++f) {
@@ -142,10 +139,11 @@ private:
 
   Cut_region region_;
   std::vector<Index> out_;
-  Sides_of_cut sides_;
+  std::vector<Index> around_; // faces beyond the borders
   // If there is a subdivision.
   std::unique_ptr<Part_of_mesh> part_; // which the region is one of
-  Patch parts_;                        // of faces around the region
+  Closed_walk walk_;
+  Patch parts_; // of faces around the region
 };
 
 } // namespace internal

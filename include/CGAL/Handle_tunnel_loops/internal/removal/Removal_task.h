@@ -43,7 +43,7 @@ struct Removal_task
     OPEN,
     REMOVED,
     REFUSED,
-    DAMAGED, ///< its loops cross where others have been removed
+    DAMAGED, ///< like REFUSED, but its loops were led around others, or lost by that
     KEPT     ///< a handle that is not to be removed
   };
 
@@ -51,6 +51,7 @@ struct Removal_task
   std::vector<Loop_choice> choices; ///< in the order in which they are to be tried
 
   State state = State::OPEN;
+  bool is_done() const { return state != State::OPEN; }
   std::vector<std::string> reasons; ///< by choice, why not along this one
 
   // Of a handle that was removed.

@@ -25,8 +25,9 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
-/// none is open at the end. Loops that cross where another handle was removed are found anew on the
-/// surface as it is by then. \p ask is told what part is done, and throws to stop.
+/// none is open at the end. Loops that cross where another handle was removed are led around it, or
+/// found anew on the surface as it is by then. \p ask is told what part is done, and throws to
+/// stop.
 CGAL_HTL_CORE void remove_from(Execution execution,
                                Surgery_mesh& mesh,
                                std::vector<Removal_task>& tasks,

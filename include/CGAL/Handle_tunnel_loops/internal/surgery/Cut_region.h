@@ -252,10 +252,7 @@ private:
   }
 
   std::ptrdiff_t euler_characteristic(const Surgery_mesh& mesh) const {
-    std::vector<Index> vertices;
-    for(Index f : faces_)
-      vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
-    make_set(vertices);
+    const std::vector<Index> vertices = internal::vertices_of(mesh, faces_);
     std::size_t sides = 3 * faces_.size();
     for(const std::vector<Index>& border : borders_)
       sides += border.size();

@@ -38,7 +38,7 @@ partners.
 class Detour
 {
 public:
-  /// \p first_face is the number of the first face of the patch, \p partner a closed walk that
+  /// \p first_face is the number of the first face of the discs, \p partner a closed walk that
   /// crossed what was taken out, or an empty one.
   Detour(const Surgery_mesh& mesh, Index first_face, const Closed_walk& partner)
       : mesh_(mesh)

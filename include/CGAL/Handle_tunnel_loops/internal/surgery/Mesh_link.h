@@ -89,13 +89,14 @@ public:
     make_additions(mesh, additions);
     remove_what_is_gone(mesh);
     connect(mesh, additions);
-    for(const auto& [number, v] : additions.vertices)
-      on_vertex(number, v);
-    for(const auto& [number, f] : additions.faces)
-      on_face(number, f);
-    additions.vertices.clear();
+    // From now on they stay, whatever the functions throw.
+    const auto vertices = std::exchange(additions.vertices, {});
+    const auto faces = std::exchange(additions.faces, {});
     additions.edges.clear();
-    additions.faces.clear();
+    for(const auto& [number, v] : vertices)
+      on_vertex(number, v);
+    for(const auto& [number, f] : faces)
+      on_face(number, f);
   }
 
 private:

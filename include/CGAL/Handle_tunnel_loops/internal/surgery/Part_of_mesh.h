@@ -87,9 +87,7 @@ private:
     for(Index v : vertices_)
       whole.for_each_outgoing(v, [&](Index h) { faces_.push_back(Surgery_mesh::face(h)); });
     make_set(faces_);
-    for(Index f : faces_)
-      vertices_.insert(vertices_.end(), whole.corners(f).begin(), whole.corners(f).end());
-    make_set(vertices_);
+    vertices_ = vertices_of(whole, faces_);
   }
 
   std::vector<Index> vertices_, faces_; // of the whole mesh, in ascending order

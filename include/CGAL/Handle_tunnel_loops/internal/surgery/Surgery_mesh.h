@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -141,7 +142,7 @@ private:
   void open_neighbors(Index f, const std::vector<Index>& out, std::vector<Open_side>& open) const {
     CGAL_precondition(std::is_sorted(out.begin(), out.end()));
     for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
-      if(!std::binary_search(out.begin(), out.end(), face(twins_[h])))
+      if(!is_in(face(twins_[h]), out))
         add_side(twins_[h], open);
   }
 
@@ -180,6 +181,15 @@ private:
   std::vector<Index> first_; // a halfedge from each vertex
   std::size_t number_of_faces_ = 0;
 };
+
+/// the vertices of some faces, in ascending order.
+inline std::vector<Index> vertices_of(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
+  std::vector<Index> vertices;
+  for(Index f : faces)
+    vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+  make_set(vertices);
+  return vertices;
+}
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <cmath>
@@ -46,6 +47,13 @@ inline bool is_intact(const Surgery_mesh& mesh, const Closed_walk& walk) {
 
 inline double distance(const Surgery_mesh& mesh, Index u, Index v) {
   return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
+}
+
+/// whether a closed walk comes to no vertex twice.
+inline bool is_simple(Closed_walk walk) {
+  const std::size_t size = walk.size();
+  make_set(walk);
+  return walk.size() == size;
 }
 
 /// of a closed walk.

@@ -20,6 +20,8 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace boost {
 
@@ -47,8 +49,9 @@ inline Closed_walk shortened(const Surgery_mesh& mesh, const Closed_walk& walk) 
   std::vector<Index> halfedges;
   for(std::size_t i = 0; i < walk.size() && walk.size() > 1; ++i)
     halfedges.push_back(mesh.halfedge(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]));
-  const auto length = [&](Index h) { return distance(mesh, mesh.source(h), mesh.target(h)); };
-  Walk_improvement<Surgery_mesh, decltype(length)> improvement(mesh, length, std::move(halfedges));
+  const auto length_of = [&](Index h) { return distance(mesh, mesh.source(h), mesh.target(h)); };
+  Walk_improvement<Surgery_mesh, decltype(length_of)> improvement(mesh, length_of,
+                                                                  std::move(halfedges));
   improvement.shorten();
   improvement.separate();
   Closed_walk shorter;

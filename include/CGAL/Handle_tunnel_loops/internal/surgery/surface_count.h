@@ -70,14 +70,16 @@ inline bool is_closed_manifold(Execution execution, const Surgery_mesh& mesh) {
   std::atomic<std::size_t> number_in_fans(0);
   execution.for_ranges(mesh.vertex_bound(), 16384, [&](std::size_t begin, std::size_t end) {
     std::vector<Index> neighbors;
+    std::size_t number = 0;
     for(Index v = static_cast<Index>(begin); v < end; ++v) {
       neighbors.clear();
       mesh.for_each_outgoing(v, [&](Index h) { neighbors.push_back(mesh.target(h)); });
-      number_in_fans += neighbors.size();
+      number += neighbors.size();
       std::sort(neighbors.begin(), neighbors.end());
       if(std::adjacent_find(neighbors.begin(), neighbors.end()) != neighbors.end())
         is_good = false;
     }
+    number_in_fans += number;
   });
   return is_good && number_in_fans == 3 * mesh.number_of_faces();
 }

@@ -7,17 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_ENCLOSED_VOLUME_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_ENCLOSED_VOLUME_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_ENCLOSED_VOLUME_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_ENCLOSED_VOLUME_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
-
-#include <CGAL/number_utils.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -62,4 +58,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_ENCLOSED_VOLUME_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_ENCLOSED_VOLUME_H
