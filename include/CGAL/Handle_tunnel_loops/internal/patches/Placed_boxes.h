@@ -34,7 +34,7 @@ class Placed_boxes
 public:
   Placed_boxes() = default;
 
-  /// of numbers 0 .. n - 1; `box(i)` is the box of the i-th.
+  /// of numbers 0 .. n - 1; `box(i)` is the box of the i-th, which may be empty.
   template <typename Function>
   Placed_boxes(Execution execution, std::size_t n, const Function& box)
       : order_(order(execution, n, box)) {
@@ -68,7 +68,8 @@ private:
       Vector place;
       for(std::size_t d = 0; d < 3; ++d) {
         const double size = all.high[d] - all.low[d];
-        place[d] = size > 0. ? (b.low[d] - all.low[d]) / size : 0.;
+        const bool is_empty = b.low[d] > b.high[d];
+        place[d] = size > 0. && !is_empty ? (b.low[d] - all.low[d]) / size : 0.;
       }
       return place;
     });
