@@ -259,13 +259,18 @@ private:
     return separates ? "the loop separates the surface" : "the loop does not separate the surface";
   }
 
+  // Most often by the partner.
   bool is_crossed(const Attempt& attempt) const {
     if(attempt.proposal().is_subdivided())
       return false; // the region is not one of this mesh
+    const auto crosses = [&](const Closed_walk& walk) {
+      return is_intact(mesh_, walk) && crosses_oddly(mesh_, walk, attempt.proposal().region());
+    };
+    if(crosses(attempt.course->partner()))
+      return true;
     const std::vector<Loops_at_vertices::Loop> near = loops_.at(attempt.vertices);
     return std::any_of(near.begin(), near.end(), [&](const Loops_at_vertices::Loop& loop) {
-      const Closed_walk& walk = courses_[loop.first].walks()[loop.second];
-      return is_intact(mesh_, walk) && crosses_oddly(mesh_, walk, attempt.proposal().region());
+      return crosses(courses_[loop.first].walks()[loop.second]);
     });
   }
 
