@@ -77,6 +77,8 @@ public:
   }
 
 private:
+  using Loop = Loops_at_vertices::Loop;
+
   struct Attempt
   {
     Removal_course* course;
@@ -106,16 +108,6 @@ private:
         loops_.add({i, k}, courses_[i].walks()[k]);
   }
 
-  template <typename Function> void for_each_open_course(const Function& f) {
-    for_each_index(
-        execution_, courses_.size(),
-        [&](std::size_t i) {
-          if(!courses_[i].is_done())
-            f(courses_[i]);
-        },
-        1);
-  }
-
   // ---- what is tried in a round
 
   std::vector<Attempt> choose() {
@@ -123,7 +115,13 @@ private:
     for(Removal_course& course : courses_)
       if(!course.is_done())
         course.reserve(layout);
-    for_each_open_course([&](Removal_course& course) { course.propose(mesh_, layout); });
+    for_each_index(
+        execution_, courses_.size(),
+        [&](std::size_t i) {
+          if(!courses_[i].is_done())
+            courses_[i].propose(mesh_, layout);
+        },
+        1);
     std::vector<Attempt> attempts;
     for(Removal_course& course : courses_)
       if(std::optional<Attempt> attempt = next_attempt(course, layout)) {
@@ -223,23 +221,23 @@ private:
     if(std::any_of(put_in_.begin(), put_in_.end(),
                    [&](const Placed_patch& other) { return placed.meets(other); }))
       return;
-    if(const char* why = why_not(attempt))
+    const std::vector<Loop> near = loops_.at(attempt.vertices);
+    if(const char* why = why_not(attempt, near))
       return attempt.course->fail(why);
     describe(attempt, placed);
     Removal_task& task = attempt.course->task();
-    task.first_face = put_in_place(mesh_, attempt.proposal().out(), patch);
+    const Index first_face = put_in_place(mesh_, attempt.proposal().out(), patch);
     task.end_of_faces = mesh_.face_bound();
     for(Removal_task* companion : attempt.companions)
       companion->become_like(task);
     put_in_.push_back(std::move(placed));
-    lead_loops_around(attempt);
+    // The parts of faces around the discs come first.
+    const Index first_of_discs = first_face + static_cast<Index>(patch.parents.size());
+    lead_around(Detour(mesh_, first_of_discs, attempt.course->partner()), near);
   }
 
-  void lead_loops_around(const Attempt& removed) {
-    const Index parts = static_cast<Index>(removed.patches.front().parents.size());
-    const Detour detour(mesh_, removed.course->task().first_face + parts,
-                        removed.course->partner());
-    for(const Loops_at_vertices::Loop& loop : loops_.at(removed.vertices)) {
+  void lead_around(const Detour& detour, const std::vector<Loop>& near) {
+    for(const Loop& loop : near) {
       Removal_course& course = courses_[loop.first];
       if(!course.is_done() && course.lead_around(mesh_, detour, loop.second))
         loops_.add(loop, course.walks()[loop.second]);
@@ -247,12 +245,12 @@ private:
   }
 
   // A loop of any handle that crosses the strip is a witness; else the surface is gone through.
-  const char* why_not(const Attempt& attempt) {
+  const char* why_not(const Attempt& attempt, const std::vector<Loop>& near) {
     const Removal_proposal& proposal = attempt.proposal();
     const bool is_neck = attempt.course->task().pair == Removal_task::is_neck;
     // With one border, the rest is in one piece.
     const bool separates = proposal.region().number_of_borders() == 2 &&
-                           (is_neck || !is_crossed(attempt)) &&
+                           (is_neck || !is_crossed(attempt, near)) &&
                            separates_(mesh_, proposal.sides(mesh_));
     if(separates == is_neck)
       return nullptr;
@@ -260,7 +258,7 @@ private:
   }
 
   // Most often by the partner.
-  bool is_crossed(const Attempt& attempt) const {
+  bool is_crossed(const Attempt& attempt, const std::vector<Loop>& near) const {
     if(attempt.proposal().is_subdivided())
       return false; // the region is not one of this mesh
     const auto crosses = [&](const Closed_walk& walk) {
@@ -268,8 +266,7 @@ private:
     };
     if(crosses(attempt.course->partner()))
       return true;
-    const std::vector<Loops_at_vertices::Loop> near = loops_.at(attempt.vertices);
-    return std::any_of(near.begin(), near.end(), [&](const Loops_at_vertices::Loop& loop) {
+    return std::any_of(near.begin(), near.end(), [&](const Loop& loop) {
       return crosses(courses_[loop.first].walks()[loop.second]);
     });
   }

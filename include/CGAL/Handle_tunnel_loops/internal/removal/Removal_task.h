@@ -56,11 +56,10 @@ struct Removal_task
 
   // Of a handle that was removed.
   std::size_t choice = 0;
-  bool is_whole = false; ///< taken out with its surroundings
-  double area = 0.;      ///< of the caps
-  double volume = 0.;    ///< of what was taken away, or put in if negative
-  Index first_face = 0;  ///< of those that were put in, which follow each other
-  Index end_of_faces = 0;
+  bool is_whole = false;  ///< taken out with its surroundings
+  double area = 0.;       ///< of the caps
+  double volume = 0.;     ///< of what was taken away, or put in if negative
+  Index end_of_faces = 0; ///< that were put in: none of a higher number is one of them
 
   /// was removed together with another one.
   void become_like(const Removal_task& other) {
@@ -68,7 +67,6 @@ struct Removal_task
     is_whole = other.is_whole;
     area = other.area;
     volume = other.volume;
-    first_face = other.first_face;
     end_of_faces = other.end_of_faces;
   }
 };

@@ -44,10 +44,9 @@ inline Sides_of_cut sides_of(const Surgery_mesh& mesh, const Cut_region& region)
 /// the sides of a simple closed walk.
 inline Sides_of_cut sides_of(const Surgery_mesh& mesh, const Closed_walk& walk) {
   Sides_of_cut sides;
-  for(std::size_t i = 0; i < walk.size(); ++i) {
-    sides[0].push_back(mesh.halfedge(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]));
-    sides[1].push_back(mesh.twin(sides[0].back()));
-  }
+  sides[0] = halfedges_of(mesh, walk);
+  for(Index h : sides[0])
+    sides[1].push_back(mesh.twin(h));
   return sides;
 }
 
@@ -61,7 +60,7 @@ crosses_oddly(const Surgery_mesh& mesh, const Closed_walk& walk, const Cut_regio
   // The cocycle that says which edges of the strip have one end there.
   bool is_odd = false;
   for(std::size_t i = 0; i < walk.size(); ++i) {
-    const Index u = walk[i], v = walk[i + 1 == walk.size() ? 0 : i + 1];
+    const Index u = walk[i], v = after(walk, i);
     if(is_in(u, border) == is_in(v, border))
       continue;
     const Index h = mesh.halfedge(u, v);

@@ -42,7 +42,7 @@ public:
       , on_walk_(walk) {
     std::sort(on_walk_.begin(), on_walk_.end());
     for(std::size_t i = 0; i < walk.size(); ++i)
-      steps_.push_back(std::minmax(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]));
+      steps_.push_back(std::minmax(walk[i], after(walk, i)));
     std::sort(steps_.begin(), steps_.end());
     split_all([this](Index u, Index v) { return is_on_walk(v) && !is_step(u, v); });
     split_all([this](Index, Index v) { return !is_on_walk(v); });

@@ -37,16 +37,29 @@ struct Place_on_edge
 /// Closed walks on the edges, as their vertices in order.
 using Closed_walk = std::vector<Index>;
 
+/// the vertex that comes after the i-th.
+inline Index after(const Closed_walk& walk, std::size_t i) {
+  return walk[i + 1 == walk.size() ? 0 : i + 1];
+}
+
 /// whether all steps of a walk are edges of the mesh as it is by now.
 inline bool is_intact(const Surgery_mesh& mesh, const Closed_walk& walk) {
   for(std::size_t i = 0; i < walk.size(); ++i)
-    if(mesh.halfedge(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]) == no_index)
+    if(mesh.halfedge(walk[i], after(walk, i)) == no_index)
       return false;
   return true;
 }
 
 inline double distance(const Surgery_mesh& mesh, Index u, Index v) {
   return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
+}
+
+/// the halfedges of the steps of a walk that is intact.
+inline std::vector<Index> halfedges_of(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  std::vector<Index> halfedges;
+  for(std::size_t i = 0; i < walk.size(); ++i)
+    halfedges.push_back(mesh.halfedge(walk[i], after(walk, i)));
+  return halfedges;
 }
 
 /// whether a closed walk comes to no vertex twice.
@@ -60,7 +73,7 @@ inline bool is_simple(Closed_walk walk) {
 inline double length(const Surgery_mesh& mesh, const Closed_walk& walk) {
   double sum = 0.;
   for(std::size_t i = 0; i < walk.size(); ++i)
-    sum += distance(mesh, walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]);
+    sum += distance(mesh, walk[i], after(walk, i));
   return sum;
 }
 

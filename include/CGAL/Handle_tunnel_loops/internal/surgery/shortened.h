@@ -47,8 +47,8 @@ inline Index target(Index h, const Surgery_mesh& mesh) { return mesh.target(h); 
 /// that can be.
 inline Closed_walk shortened(const Surgery_mesh& mesh, const Closed_walk& walk) {
   std::vector<Index> halfedges;
-  for(std::size_t i = 0; i < walk.size() && walk.size() > 1; ++i)
-    halfedges.push_back(mesh.halfedge(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]));
+  if(walk.size() > 1)
+    halfedges = halfedges_of(mesh, walk);
   const auto length_of = [&](Index h) { return distance(mesh, mesh.source(h), mesh.target(h)); };
   Walk_improvement<Surgery_mesh, decltype(length_of)> improvement(mesh, length_of,
                                                                   std::move(halfedges));
