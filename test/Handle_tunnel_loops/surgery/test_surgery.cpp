@@ -2,10 +2,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/patches/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Subdivision_along_walk.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/separating_strips.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/shortened.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/surface_count.h>
 
@@ -175,6 +177,25 @@ Closed_walk around_vertex(const Surgery_mesh& mesh, Index v) {
   return walk;
 }
 
+// Those along some walks that share no vertex with one before.
+std::vector<Cut_region> disjoint_strips(const Surgery_mesh& mesh,
+                                        const std::vector<Closed_walk>& walks) {
+  std::vector<Cut_region> strips;
+  std::vector<char> is_taken(mesh.vertex_bound(), 0);
+  for(const Closed_walk& walk : walks) {
+    std::optional<Cut_region> strip = Cut_region::around(mesh, walk);
+    if(!strip || strip->number_of_borders() != 2)
+      continue;
+    const std::vector<Index> vertices = impl::vertices_of(mesh, strip->faces());
+    if(std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return is_taken[v]; }))
+      continue;
+    for(Index v : vertices)
+      is_taken[v] = 1;
+    strips.push_back(std::move(*strip));
+  }
+  return strips;
+}
+
 } // namespace
 
 TEST(Surgery, TellsWhichWalksSeparate) {
@@ -189,24 +210,66 @@ TEST(Surgery, TellsWhichWalksSeparate) {
   }
 }
 
-// Partners cross once; loops of the same kind, which bound on the same side, an even number of
-// times.
-TEST(Surgery, CountsCrossingsOfAStrip) {
+// ... as they are found one after the other.
+TEST(Surgery, TellsWhichStripsSeparate) {
+  for(const Recipe& recipe : surfaces()) {
+    Surface_with_walks surface(recipe);
+    Surgery_mesh& mesh = surface.mesh;
+    std::vector<Closed_walk> walks = surface.walks;
+    for(const Closed_walk& walk : surface.walks)
+      if(std::optional<Cut_region> strip = Cut_region::around(mesh, walk)) {
+        for(int ring = 0; strip && ring < 3; ++ring)
+          strip = strip->wider(mesh, 0);
+        if(strip) // a walk beside the other one
+          walks.push_back(strip->vertices_of(mesh, 0));
+      }
+    const std::vector<Cut_region> strips = disjoint_strips(mesh, walks);
+    std::vector<const Cut_region*> all;
+    for(const Cut_region& strip : strips)
+      all.push_back(&strip);
+    const std::vector<char> separates = impl::separating_strips(impl::Execution(), mesh, all);
+    impl::Separation separation;
+    for(std::size_t i = 0; i < strips.size(); ++i) {
+      ASSERT_EQ(bool(separates[i]), separation(mesh, impl::sides_of(mesh, strips[i])));
+      if(!separates[i])
+        impl::put_in_place(mesh, strips[i].faces(), impl::caps_of(mesh, strips[i]).front());
+    }
+    EXPECT_GT(std::count(separates.begin(), separates.end(), 0), 0);
+    EXPECT_GT(std::count(separates.begin(), separates.end(), 1), 0);
+  }
+}
+
+// In a ball that holds a loop, all classes; in one that holds none, none.
+TEST(Surgery, FindsLoopsAroundVertices) {
   for(const Recipe& recipe : surfaces()) {
     const Surface_with_walks surface(recipe);
-    impl::Separation separates;
-    std::size_t number_of_strips = 0;
-    for(std::size_t i = 0; i < surface.walks.size(); ++i) {
-      const std::optional<Cut_region> strip = Cut_region::around(surface.mesh, surface.walks[i]);
-      if(!strip || strip->number_of_borders() != 2)
-        continue;
-      ++number_of_strips;
-      EXPECT_FALSE(separates(surface.mesh, impl::sides_of(surface.mesh, *strip)));
-      EXPECT_TRUE(impl::crosses_oddly(surface.mesh, surface.walks[i ^ 1], *strip));
-      for(std::size_t k = i % 2; k < surface.walks.size(); k += 2)
-        EXPECT_FALSE(impl::crosses_oddly(surface.mesh, surface.walks[k], *strip));
+    const Surgery_mesh& mesh = surface.mesh;
+    impl::Loops_around_vertex loops_around(mesh);
+    const Classes_modulo_2 classes(mesh);
+    const auto classes_of = [&](const std::vector<Closed_walk>& walks) {
+      std::vector<std::vector<bool>> rows;
+      for(const Closed_walk& walk : walks) {
+        EXPECT_TRUE(impl::is_intact(mesh, walk) && impl::is_simple(walk));
+        rows.push_back(classes.of(walk));
+      }
+      return rows;
+    };
+    for(const Closed_walk& lost : surface.walks) {
+      std::vector<std::vector<bool>> rows = classes_of(
+          loops_around(lost.front(), 0.7 * impl::length(mesh, lost), mesh.vertex_bound()));
+      const std::size_t rank = rank_of(rows);
+      EXPECT_GT(rank, 0);
+      rows.push_back(classes.of(lost));
+      EXPECT_EQ(rank_of(rows), rank);
     }
-    EXPECT_GT(2 * number_of_strips, surface.walks.size());
+    const std::vector<Closed_walk> all = loops_around(0, 1e9, mesh.vertex_bound());
+    const std::size_t rank = rank_of(classes_of(all));
+    EXPECT_LE(all.size(), 3 * rank - 3); // a cut graph of nodes with three chains has as many
+    if(impl::number_of_pieces(impl::Execution(), mesh) == 1) {
+      EXPECT_EQ(rank, classes.rank());
+    }
+    const double shortest = impl::distance(mesh, 0, mesh.target(mesh.outgoing(0)));
+    EXPECT_TRUE(loops_around(0, 3. * shortest, mesh.vertex_bound()).empty());
   }
 }
 

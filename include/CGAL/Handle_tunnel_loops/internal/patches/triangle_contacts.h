@@ -77,6 +77,8 @@ public:
       return meets_degenerate();
     if(a_.is_degenerate())
       return Triangle_contact(b_, a_)();
+    if(number_shared_ < 2 && (is_beside(b_, shared_in_b_, a_) || is_beside(a_, shared_in_a_, b_)))
+      return false;
     switch(number_shared_) {
     case 0:
       return CGAL::do_intersect(a_.triangle(), b_.triangle());
@@ -91,6 +93,25 @@ public:
   }
 
 private:
+  using Corners = std::array<std::size_t, 9>; // nine: for faces without area
+
+  // Whether all corners of a triangle but the shared one are on the same side of the plane of
+  // another one. This is what most are, and orientations are the fastest predicates.
+  bool
+  is_beside(const Placed_triangle& t, const Corners& shared, const Placed_triangle& other) const {
+    Orientation side = COPLANAR;
+    for(std::size_t i = 0; i < 3; ++i) {
+      if(number_shared_ == 1 && i == shared[0])
+        continue;
+      const Orientation o =
+          CGAL::orientation(other.points[0], other.points[1], other.points[2], t.points[i]);
+      if(o == COPLANAR || (side != COPLANAR && o != side))
+        return false;
+      side = o;
+    }
+    return true;
+  }
+
   static Segment opposite_side(const Placed_triangle& t, std::size_t corner) {
     return {t.points[(corner + 1) % 3], t.points[(corner + 2) % 3]};
   }
@@ -99,8 +120,8 @@ private:
     const auto &p = a_.points[shared_in_a_[0]], &q = a_.points[shared_in_a_[1]];
     const auto& apex_a = a_.points[3 - shared_in_a_[0] - shared_in_a_[1]];
     const auto& apex_b = b_.points[3 - shared_in_b_[0] - shared_in_b_[1]];
-    return CGAL::coplanar(p, q, apex_a, apex_b) &&
-           CGAL::coplanar_orientation(p, q, apex_a, apex_b) == CGAL::POSITIVE;
+    return CGAL::orientation(p, q, apex_a, apex_b) == COPLANAR &&
+           CGAL::coplanar_orientation(p, q, apex_a, apex_b) == POSITIVE;
   }
 
   // A triangle without area is the union of its sides. Those at a corner that is shared are left
@@ -124,7 +145,7 @@ private:
   }
 
   const Placed_triangle &a_, &b_;
-  std::array<std::size_t, 9> shared_in_a_, shared_in_b_; // nine: for faces without area
+  Corners shared_in_a_, shared_in_b_;
   std::size_t number_shared_ = 0;
 };
 

@@ -27,6 +27,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/separating_strips.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -70,6 +71,7 @@ public:
       make_caps(attempts);
       ask_now();
       find_good_caps(attempts);
+      find_harmless_strips(attempts);
       put_in_.clear();
       for(const Attempt& attempt : attempts)
         carry_out(attempt);
@@ -86,8 +88,11 @@ private:
     std::vector<Removal_task*> companions = {}; // tasks that are done with it
     std::vector<Patch> patches = {};            // the first one does not meet itself
     bool are_triangulated = false;
-    bool is_good = false; // the first patch meets no face that stays
+    bool is_good = false;     // the first patch meets no face that stays
+    bool is_harmless = false; // to the pieces of the surface, with all others that are so
 
+    bool is_of_neck() const { return course->task().pair == Removal_task::is_neck; }
+    bool is_strip() const { return proposal().region().number_of_borders() == 2; }
     const Removal_proposal& proposal() const { return *course->proposal(); }
   };
 
@@ -207,6 +212,26 @@ private:
     }
   }
 
+  // Where they are few, each is looked at when its turn comes.
+  void find_harmless_strips(std::vector<Attempt>& attempts) {
+    constexpr std::size_t few = 4;
+    std::vector<Attempt*> open;
+    std::vector<const Cut_region*> strips;
+    for(Attempt& attempt : attempts)
+      if(attempt.is_good && attempt.is_strip() && !attempt.is_of_neck() &&
+         !attempt.proposal().is_subdivided())
+      {
+        open.push_back(&attempt);
+        strips.push_back(&attempt.proposal().region());
+      }
+    if(open.size() < few)
+      return;
+    const std::vector<char> separates = separating_strips(execution_, mesh_, strips);
+    for(std::size_t i = 0; i < open.size(); ++i)
+      open[i]->is_harmless = !separates[i];
+    are_others_whole_ = true;
+  }
+
   // ---- what is done
 
   void carry_out(const Attempt& attempt) {
@@ -221,9 +246,10 @@ private:
     if(std::any_of(put_in_.begin(), put_in_.end(),
                    [&](const Placed_patch& other) { return placed.meets(other); }))
       return;
-    const std::vector<Loop> near = loops_.at(attempt.vertices);
-    if(const char* why = why_not(attempt, near))
-      return attempt.course->fail(why);
+    if(const bool separates = attempt.is_strip() && this->separates(attempt);
+       separates != attempt.is_of_neck())
+      return separates ? attempt.course->fail_along_loop()
+                       : attempt.course->fail("the loop does not separate the surface");
     describe(attempt, placed);
     Removal_task& task = attempt.course->task();
     const Index first_face = put_in_place(mesh_, attempt.proposal().out(), patch);
@@ -233,7 +259,8 @@ private:
     put_in_.push_back(std::move(placed));
     // The parts of faces around the discs come first.
     const Index first_of_discs = first_face + static_cast<Index>(patch.parents.size());
-    lead_around(Detour(mesh_, first_of_discs, attempt.course->partner()), near);
+    lead_around(Detour(mesh_, first_of_discs, attempt.course->partner()),
+                loops_.at(attempt.vertices));
   }
 
   void lead_around(const Detour& detour, const std::vector<Loop>& near) {
@@ -244,31 +271,13 @@ private:
     }
   }
 
-  // A loop of any handle that crosses the strip is a witness; else the surface is gone through.
-  const char* why_not(const Attempt& attempt, const std::vector<Loop>& near) {
-    const Removal_proposal& proposal = attempt.proposal();
-    const bool is_neck = attempt.course->task().pair == Removal_task::is_neck;
-    // With one border, the rest is in one piece.
-    const bool separates = proposal.region().number_of_borders() == 2 &&
-                           (is_neck || !is_crossed(attempt, near)) &&
-                           separates_(mesh_, proposal.sides(mesh_));
-    if(separates == is_neck)
-      return nullptr;
-    return separates ? "the loop separates the surface" : "the loop does not separate the surface";
-  }
-
-  // Most often by the partner.
-  bool is_crossed(const Attempt& attempt, const std::vector<Loop>& near) const {
-    if(attempt.proposal().is_subdivided())
-      return false; // the region is not one of this mesh
-    const auto crosses = [&](const Closed_walk& walk) {
-      return is_intact(mesh_, walk) && crosses_oddly(mesh_, walk, attempt.proposal().region());
-    };
-    if(crosses(attempt.course->partner()))
-      return true;
-    return std::any_of(near.begin(), near.end(), [&](const Loop& loop) {
-      return crosses(courses_[loop.first].walks()[loop.second]);
-    });
+  bool separates(const Attempt& attempt) {
+    if(attempt.is_harmless && are_others_whole_)
+      return false;
+    const bool separates = separates_(mesh_, attempt.proposal().sides(mesh_));
+    if(!separates)
+      are_others_whole_ = false; // it is taken out too
+    return separates;
   }
 
   void describe(const Attempt& attempt, const Placed_patch& patch) const {
@@ -285,6 +294,8 @@ private:
     task.is_whole = attempt.proposal().region().number_of_borders() == 1;
     task.area = area / number;
     task.volume = volume / number;
+    if(!task.are_types_known)
+      task.choices[task.choice].type = volume < 0. ? Loop_type::TUNNEL : Loop_type::HANDLE;
     task.state = Removal_task::State::REMOVED;
   }
 
@@ -295,7 +306,9 @@ private:
   Separation separates_;
   std::vector<Removal_course> courses_; // of the tasks that were open
   Loops_at_vertices loops_;             // of these
-  std::vector<Placed_patch> put_in_;    // in this round
+  // In this round.
+  std::vector<Placed_patch> put_in_;
+  bool are_others_whole_ = false; // no strip was taken out that is not one of the harmless ones
 };
 
 } // namespace internal

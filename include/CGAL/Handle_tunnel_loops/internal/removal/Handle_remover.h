@@ -174,7 +174,7 @@ private:
     for(const Removal_task& task : tasks)
       if(task.state == Removal_task::State::REMOVED) {
         note_patch(task);
-        report_.removed.push_back(removed(task, way(task)));
+        report_.removed.push_back(removed(task));
       } else if(task.state == Removal_task::State::REFUSED)
         report_.refused.push_back(refused(task));
   }
@@ -183,14 +183,13 @@ private:
     for(const Removal_task& task : tasks)
       if(task.state == Removal_task::State::REMOVED) {
         note_patch(task);
-        report_.removed_necks.push_back(
-            removed(task, task.volume < 0. ? Removal_way::FILL : Removal_way::CUT));
+        report_.removed_necks.push_back(removed(task));
       } else
         report_.refused_necks.push_back(refused(task));
   }
 
-  static Removed_handle removed(const Removal_task& task, Removal_way by) {
-    return {task.pair, by, task.choices[task.choice].length, task.area, task.volume};
+  static Removed_handle removed(const Removal_task& task) {
+    return {task.pair, way(task), task.choices[task.choice].length, task.area, task.volume};
   }
 
   static Refused_handle refused(const Removal_task& task) {

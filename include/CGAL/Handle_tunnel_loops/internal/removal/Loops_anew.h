@@ -13,15 +13,13 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/loop_distance.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_copy.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -37,7 +35,6 @@ namespace internal {
 /// of handles that are still there: they lie where these had theirs.
 class Loops_anew
 {
-  using Point = Surgery_mesh::Point;
   using Mesh = Surface_copy::Mesh;
   using Pair = Handle_tunnel_pair<Mesh>;
 
@@ -85,34 +82,14 @@ private:
     solver.find_loops(std::back_inserter(pairs_));
   }
 
-  // How far a loop of a pair is from where a task has one of the same kind, against its length.
+  // How far a loop of a pair is from where a task has one of the same kind.
   double distance(const Removal_task& task, const Pair& pair) const {
     double least = (std::numeric_limits<double>::infinity)();
-    for(const Loop_choice& choice : task.choices)
-      least = (std::min)(least, distance(choice, pair.loop(choice.type)));
-    return least;
-  }
-
-  double distance(const Loop_choice& choice, const Pair::Loop& loop) const {
-    // A few points tell as much as all.
-    constexpr std::size_t number_of_points = 32;
-    const std::size_t step = 1 + loop.size() / number_of_points;
-    const std::size_t old_step = 1 + choice.places.size() / (4 * number_of_points);
-    double sum = 0.;
-    std::size_t number = 0;
-    for(std::size_t i = 0; i < loop.size(); i += step, ++number) {
-      double least = (std::numeric_limits<double>::infinity)();
-      for(std::size_t j = 0; j < choice.places.size(); j += old_step)
-        least =
-            (std::min)(least, CGAL::squared_distance(loop.points()[i], point_at(choice.places[j])));
-      sum += std::sqrt(least);
+    for(const Loop_choice& choice : task.choices) {
+      const Pair::Loop& loop = pair.loop(choice.type);
+      least = (std::min)(least, loop_distance(mesh_, loop.points(), loop.length(), choice));
     }
-    return sum / (static_cast<double>(number) * loop.length() / 4.);
-  }
-
-  Point point_at(const Place_on_edge& place) const {
-    return CGAL::barycenter(mesh_.point(place.source), 1. - place.ratio, mesh_.point(place.target),
-                            place.ratio);
+    return least;
   }
 
   void give(const Pair& pair, Removal_task& task) const {

@@ -40,7 +40,8 @@ public:
   Removal_course(const Surgery_mesh& mesh, Removal_task& task)
       : task_(&task)
       , ways_(ways_of_removal(task.choices))
-      , is_damaged_(task.choices.size(), 0) {
+      , is_damaged_(task.choices.size(), 0)
+      , separates_(task.choices.size(), 0) {
     task.reasons.assign(task.choices.size(), std::string());
     for(const Loop_choice& choice : task.choices)
       add_walk(mesh, simple_part(walk_beside(mesh, choice.places)));
@@ -102,6 +103,12 @@ public:
       task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
   }
 
+  /// gives the loop of the present way up: all strips along it separate the surface.
+  void fail_along_loop() {
+    separates_[way().choice] = 1;
+    fail(separates_the_surface);
+  }
+
   /// leads a loop around what has taken the place of another handle. It is given up if it comes to
   /// a vertex twice then, or becomes much longer. Returns whether it was led.
   bool lead_around(const Surgery_mesh& mesh, const Detour& detour, std::size_t choice) {
@@ -124,6 +131,8 @@ private:
 
   // A way that takes one loop, or both.
   const char* why_not_at_all() const {
+    if(separates_[way().choice] && !way().takes_both_loops())
+      return separates_the_surface;
     for(std::size_t i = 0; i < walks_.size(); ++i)
       if((i == way().choice || way().takes_both_loops()) && walks_[i].size() < 3)
         return is_damaged_[i] ? "another handle was removed across the loop"
@@ -138,11 +147,14 @@ private:
     return false;
   }
 
+  static constexpr const char* separates_the_surface = "the loop separates the surface";
+
   Removal_task* task_;
   std::vector<Closed_walk> walks_;
   std::vector<double> lengths_; // of these at first
   std::vector<Way_of_removal> ways_;
   std::vector<char> is_damaged_; // by choice, also if it could be led around
+  std::vector<char> separates_;  // by choice
   std::size_t next_ = 0;
   std::vector<Index> reserved_; // in ascending order
   std::optional<Removal_proposal> proposal_;

@@ -49,6 +49,7 @@ struct Removal_task
 
   std::size_t pair = is_neck;       ///< the number of the pair
   std::vector<Loop_choice> choices; ///< in the order in which they are to be tried
+  bool are_types_known = true;      ///< or what is taken away will tell
 
   State state = State::OPEN;
   bool is_done() const { return state != State::OPEN; }

@@ -50,28 +50,6 @@ inline Sides_of_cut sides_of(const Surgery_mesh& mesh, const Closed_walk& walk) 
   return sides;
 }
 
-/// whether a closed walk goes from one border of a strip to the other an odd number of times. If
-/// so, the strip does not separate the surface. Near linear in the walk.
-inline bool
-crosses_oddly(const Surgery_mesh& mesh, const Closed_walk& walk, const Cut_region& strip) {
-  CGAL_precondition(strip.number_of_borders() == 2);
-  std::vector<Index> border = strip.vertices_of(mesh, 0);
-  make_set(border);
-  // The cocycle that says which edges of the strip have one end there.
-  bool is_odd = false;
-  for(std::size_t i = 0; i < walk.size(); ++i) {
-    const Index u = walk[i], v = after(walk, i);
-    if(is_in(u, border) == is_in(v, border))
-      continue;
-    const Index h = mesh.halfedge(u, v);
-    if(h == no_index)
-      return false; // no walk on this mesh
-    if(strip.contains(mesh.face(h)) || strip.contains(mesh.face(mesh.twin(h))))
-      is_odd = !is_odd;
-  }
-  return is_odd;
-}
-
 /// Finds whether a surface falls apart along a cut: the faces on both sides are gone through in
 /// turn, until they meet or one side has no more. Takes no longer than the smaller piece or the way
 /// around.

@@ -77,6 +77,11 @@ inline double length(const Surgery_mesh& mesh, const Closed_walk& walk) {
   return sum;
 }
 
+inline Surgery_mesh::Point point_at(const Surgery_mesh& mesh, const Place_on_edge& place) {
+  return CGAL::barycenter(mesh.point(place.source), 1. - place.ratio, mesh.point(place.target),
+                          place.ratio);
+}
+
 /// the shortest closed walk on the edges beside a loop, homotopic to it.
 inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
   std::vector<Edge_ends> ends;
