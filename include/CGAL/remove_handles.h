@@ -51,8 +51,10 @@ Handles are removed in order of their sizes: the size of a handle is the length 
 tried first. Which ones is said by the parameters; those that fulfil all conditions are removed, all
 of them if there is none. A loop across which another handle has been removed is led around it, so
 that it is the loop of a handle still. Where that makes it much longer, or where the handle cannot
-be removed along it, the loops are found anew on the surface as it is, and those that lie where the
-loops of the handle did are taken.
+be removed along it, another loop near it is taken, at most half as long again, that does not
+separate the surface (unless handles are only to be cut, or only filled: which of these it will be
+is not known before); else the loops are found anew on the surface as it is, and those that lie
+where the loops of the handle did are taken.
 
 *Necks* are removed if a maximal length of theirs is given: loops that separate the surface, around
 the last one of the bridges that join two shells, or through the last one of the holes that join an
