@@ -1,23 +1,21 @@
-# The targets headers_alone_1 and so on: one source file per header that includes nothing else, so
-# that each header proves to include what it uses. Built by the tests of the same names, not by
-# default; headers_alone is all of them.
+# The targets headers_alone_public and headers_alone_internal: one source file per header that
+# includes nothing else, so that each header proves to include what it uses. Built by the tests of
+# the same names, not by default; headers_alone is both.
 file(GLOB_RECURSE _htl_headers
   RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}/include/*.h")
-
-set(_htl_groups 4)
-set(_htl_number 0)
-foreach(header IN LISTS _htl_headers)
-  set(source "${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${header}.cpp")
-  file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n")
-  math(EXPR group "${_htl_number} % ${_htl_groups} + 1")
-  list(APPEND _htl_sources_${group} "${source}")
-  math(EXPR _htl_number "${_htl_number} + 1")
-endforeach()
+set(_htl_internal_headers ${_htl_headers})
+list(FILTER _htl_headers EXCLUDE REGEX "/internal/")
+list(FILTER _htl_internal_headers INCLUDE REGEX "/internal/")
 
 add_custom_target(headers_alone)
-foreach(group RANGE 1 ${_htl_groups})
-  set(name headers_alone_${group})
-  add_library(${name} OBJECT EXCLUDE_FROM_ALL ${_htl_sources_${group}})
+function(_htl_add_headers_alone name)
+  set(sources)
+  foreach(header IN LISTS ARGN)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${header}.cpp")
+    file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n")
+    list(APPEND sources "${source}")
+  endforeach()
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL ${sources})
   target_link_libraries(${name} PRIVATE
     Handle_tunnel_loops $<TARGET_NAME_IF_EXISTS:CGAL::Eigen3_support> htl_build_options)
   # What is compiled once has headers of its own: the others need not include these.
@@ -28,9 +26,22 @@ foreach(group RANGE 1 ${_htl_groups})
   add_test(NAME ${name}
     COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --config $<CONFIG> --target ${name})
   set_tests_properties(${name} PROPERTIES
-    LABELS package TIMEOUT 600 RESOURCE_LOCK build_folder)
-  unset(_htl_sources_${group})
-endforeach()
+    LABELS package TIMEOUT 900 RESOURCE_LOCK build_folder)
+endfunction()
+
+_htl_add_headers_alone(headers_alone_public ${_htl_headers})
+_htl_add_headers_alone(headers_alone_internal ${_htl_internal_headers})
+# Parsing these again for each of hundreds of headers took more than all else that is compiled. What
+# programs include are the public headers, for which nothing is prepared.
+target_precompile_headers(headers_alone_internal PRIVATE
+  <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+  <CGAL/Exact_rational.h>
+  <CGAL/Polygon_mesh_processing/refine.h>
+  <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+  <CGAL/Surface_mesh.h>
+  <CGAL/boost/graph/Euler_operations.h>
+  <CGAL/boost/graph/helpers.h>
+  <CGAL/boost/graph/named_params_helper.h>
+  <boost/graph/adjacency_list.hpp>)
 unset(_htl_headers)
-unset(_htl_groups)
-unset(_htl_number)
+unset(_htl_internal_headers)
