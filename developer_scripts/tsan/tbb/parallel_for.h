@@ -35,6 +35,11 @@ void parallel_for(Index first, Index last, const Function& f) {
       std::rethrow_exception(exception);
 }
 
+/// calls `body(range)`: for libraries, whose own threads are not what is looked at.
+template <typename Range, typename Body> void parallel_for(const Range& range, const Body& body) {
+  body(range);
+}
+
 } // namespace tbb
 
 #endif // HTL_TSAN_TBB_PARALLEL_FOR_H

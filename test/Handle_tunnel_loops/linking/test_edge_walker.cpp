@@ -214,4 +214,40 @@ TEST(Edge_walker, GoesAroundARingAndWhatIsInIt) {
   EXPECT_GT(around, 100);
 }
 
+// Counts how often it is asked.
+struct Counting_index_map
+{
+  using key_type = Vertex;
+  using value_type = Mesh::size_type;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  std::size_t* number_of_calls;
+
+  friend reference get(const Counting_index_map& map, Vertex v) {
+    ++*map.number_of_calls;
+    return v.idx();
+  }
+};
+
+TEST(Edge_walker, LooksAtAClusterThatIsNoDiscOnce) {
+  Mesh mesh = mesh_of({"torus", {2000, 1, 1}});
+  for(const Vertex v : mesh.vertices())
+    mesh.point(v) = Mesh::Point(mesh.point(v).x(), 0., 0.); // no face has an area
+  std::size_t number_of_calls = 0;
+  Edge_walker<Mesh, Point_map, Counting_index_map> walker(mesh, get(CGAL::vertex_point, mesh),
+                                                          {&number_of_calls});
+  Random random(1);
+  walker(random_loop(mesh, random));
+  EXPECT_TRUE(walker.has_failed());
+  EXPECT_GE(number_of_calls, mesh.number_of_vertices());
+  number_of_calls = 0;
+  for(int i = 0; i < 100; ++i) {
+    const Loop loop = random_loop(mesh, random);
+    walker(loop);
+    EXPECT_EQ(walker.has_failed(), !walker.straight(loop).empty());
+  }
+  EXPECT_LT(number_of_calls, mesh.number_of_vertices());
+}
+
 } // namespace

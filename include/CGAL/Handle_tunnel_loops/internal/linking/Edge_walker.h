@@ -21,6 +21,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -51,6 +52,7 @@ template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMa
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using Members = std::unordered_set<Index>;
+  enum class Cluster { DISC, OTHER, UNKNOWN };
 
 public:
   using Walk = std::vector<halfedge_descriptor>;
@@ -73,10 +75,16 @@ public:
     return without_spurs(along_edges(loop));
   }
 
+  /// whether a walk comes to no vertex to be avoided, and so need not go around any.
+  bool is_clear(const Walk& walk) {
+    return std::none_of(walk.begin(), walk.end(),
+                        [this](halfedge_descriptor h) { return is_avoided(source(h, tm_)); });
+  }
+
   /// lets the walks to come go around a vertex, given by its index.
   void avoid(Index v) {
     is_avoided_[v] = 1;
-    discs_.clear();
+    cluster_of_.clear();
   }
 
   /// whether the last walk should have gone around vertices, but these enclose a handle; then it is
@@ -187,22 +195,28 @@ private:
   }
 
   // Whether the vertices to be avoided that are connected to `first`, and the smaller ones of the
-  // regions around them, are those of a disc.
+  // regions around them, are those of a disc. Each cluster is looked at once.
   bool check_cluster(vertex_descriptor first) {
-    if(discs_.count(index(first)) != 0)
-      return true;
+    const auto known = cluster_of_.find(index(first));
+    const bool is_disc = known != cluster_of_.end() && clusters_[known->second] != Cluster::UNKNOWN
+                             ? clusters_[known->second] == Cluster::DISC
+                             : look_at_cluster(first);
+    if(!is_disc)
+      failure_ = index(first);
+    return is_disc;
+  }
+
+  bool look_at_cluster(vertex_descriptor first) {
     std::vector<vertex_descriptor> cluster = connected(first);
     if(euler_characteristic(cluster) != 1) {
       fill_holes(cluster);
       cluster = connected(first);
     }
-    if(euler_characteristic(cluster) == 1) {
-      for(vertex_descriptor v : cluster)
-        discs_.insert(index(v));
-      return true;
-    }
-    failure_ = index(first);
-    return false;
+    const bool is_disc = euler_characteristic(cluster) == 1;
+    for(vertex_descriptor v : cluster)
+      cluster_of_[index(v)] = clusters_.size();
+    clusters_.push_back(is_disc ? Cluster::DISC : Cluster::OTHER);
+    return is_disc;
   }
 
   std::vector<vertex_descriptor> connected(vertex_descriptor first) {
@@ -250,15 +264,26 @@ private:
         }
         region.push_back(v);
       }
-    for(Index v : members)
-      avoid(v);
+    for(vertex_descriptor v : region) {
+      is_avoided_[index(v)] = 1;
+      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
+        forget_cluster(target(h, tm_));
+    }
+  }
+
+  // It is a larger one now.
+  void forget_cluster(vertex_descriptor v) {
+    const auto known = cluster_of_.find(index(v));
+    if(known != cluster_of_.end())
+      clusters_[known->second] = Cluster::UNKNOWN;
   }
 
   const TriangleMesh& tm_;
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
-  std::unordered_map<Index, char> is_avoided_; // by vertex, as far as known
-  Members discs_;                              // vertices of clusters that are known to be discs
+  std::unordered_map<Index, char> is_avoided_;        // by vertex, as far as known
+  std::unordered_map<Index, std::size_t> cluster_of_; // by vertex, as far as looked at
+  std::vector<Cluster> clusters_;
   Index failure_ = no_index;
 };
 

@@ -140,7 +140,7 @@ private:
       Walker walker(tm_, point_, vertex_index_);
       for(std::size_t i = begin; i < end; ++i) {
         walks_[i] = walker.straight(*loops_[i]);
-        is_straight[i] = walker(*loops_[i]) == walks_[i] && !walker.has_failed();
+        is_straight[i] = walker.is_clear(walks_[i]);
       }
     });
     return std::find(is_straight.begin(), is_straight.end(), 0) - is_straight.begin();
