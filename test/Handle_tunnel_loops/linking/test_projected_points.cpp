@@ -56,7 +56,7 @@ struct By_definition
 };
 
 // Few places, so that many points are at one place, on a line or in a plane.
-class Predicates : public testing::TestWithParam<std::pair<double, double>>
+class Definitions : public testing::Test
 {
 protected:
   static constexpr Index number_of_vertices = 12, number_of_points = 24;
@@ -90,6 +90,9 @@ protected:
     }
   }
 };
+
+class Predicates : public Definitions, public testing::WithParamInterface<std::pair<double, double>>
+{};
 
 // The size of the coordinates and where they are.
 INSTANTIATE_TEST_SUITE_P(Sizes,
@@ -125,6 +128,24 @@ TEST_P(Predicates, AreExactNearAGrid) {
         if(random.below(3) == 0)
           x = std::nextafter(x, random.below(2) ? 1. : -1.);
       }
+    expect_definitions(vertices, random);
+  }
+}
+
+// One axis of another scale, and some points far away: what is near must be seen all the same.
+TEST_F(Definitions, HoldAtManyScales) {
+  Random random(3);
+  for(int round = 0; round < 100; ++round) {
+    Vector scales;
+    for(double& s : scales)
+      s = std::ldexp(1., static_cast<int>(random.below(3)) * 300 - 300);
+    std::vector<Vector> vertices(number_of_vertices);
+    for(Vector& v : vertices) {
+      const bool is_far = random.below(4) == 0;
+      for(int d = 0; d < 3; ++d)
+        v[d] = scales[d] * (static_cast<double>(random.below(5)) - 1.) *
+               (is_far ? std::ldexp(1., static_cast<int>(random.below(300))) : 1.);
+    }
     expect_definitions(vertices, random);
   }
 }

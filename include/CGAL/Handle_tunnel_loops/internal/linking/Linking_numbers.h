@@ -211,7 +211,7 @@ private:
   Rectangle box(Index p, Index q) const {
     const auto [x1, y1] = points_.position(p);
     const auto [x2, y2] = points_.position(q);
-    constexpr double e = Projected_points::position_error;
+    const double e = (std::max)(points_.position_error(p), points_.position_error(q));
     return {{(std::min)(x1, x2) - e, (std::min)(y1, y2) - e},
             {(std::max)(x1, x2) + e, (std::max)(y1, y2) + e}};
   }

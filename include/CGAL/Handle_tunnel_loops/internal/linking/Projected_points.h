@@ -36,8 +36,9 @@ Points in space as they are seen along a direction, and exact predicates on them
 The points are vertices with double coordinates, in the order in which they are given, and then
 midpoints of pairs of vertices. They are projected along (a, b, 1) to the plane of the first two
 coordinates, that is to (x - a z, y - b z), so that the viewer is where z is large. Predicates are
-evaluated in floating point with a bound of the error, and again with rational numbers where the
-bound does not decide.
+evaluated in floating point with a bound of the error. Where that does not decide, they are
+evaluated from close by, with each axis scaled to the points at hand, as one point far away or one
+long axis would else leave nothing to see of the others; and at last with rational numbers.
 */
 class Projected_points
 {
@@ -61,9 +62,7 @@ public:
     for(const Vector& p : vertices)
       for(double x : p)
         largest = (std::max)(largest, std::abs(x));
-    int exponent;
-    std::frexp(largest, &exponent);
-    scale_ = std::ldexp(1., (std::min)(-exponent - 1, 1000));
+    scale_ = scale_for(largest);
     reserve(execution, vertices.size() + number_of_midpoints);
     see_along(execution, direction);
   }
@@ -97,22 +96,22 @@ public:
   }
 
   /// the projection of a point, scaled by a power of two; each coordinate is off by less than
-  /// `position_error`.
+  /// `position_error()`.
   std::array<double, 2> position(Index p) const { return {points_[p].x, points_[p].y}; }
 
-  static constexpr double position_error = 0x1p-51;
+  double position_error(Index p) const {
+    const Vector& v = points_[p].space;
+    return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}) * 0x1p-50 + 0x1p-1070;
+  }
 
   /// the sense in which the projections of three points turn: 1 is counterclockwise.
   int turn(Index p, Index q, Index r) const {
     CGAL_precondition(p < number_of_points_ && q < number_of_points_ && r < number_of_points_);
-    const Point &a = points_[p], &b = points_[q], &c = points_[r];
-    const double x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
-    const double size = (std::max)({std::abs(x1), std::abs(y1), std::abs(x2), std::abs(y2)});
-    const double value = x1 * y2 - x2 * y1;
-    // Each difference is off by at most 2^-50, and no larger than 4.
-    if(std::abs(value) > size * 0x1p-47 + 0x1p-98)
-      return value > 0. ? 1 : -1;
-    return exact_turn(p, q, r);
+    if(const int sense = certain_turn(points_[p], points_[q], points_[r]))
+      return sense;
+    const Scales scales = scales_of<3>({p, q, r});
+    const int sense = certain_turn(close_up(p, scales), close_up(q, scales), close_up(r, scales));
+    return sense != 0 ? sense : exact_turn(p, q, r);
   }
 
   /// the same with r moved aside by (s, s^2) for an infinitesimal s; zero only if p and q are seen
@@ -131,17 +130,12 @@ public:
   /// 1 if s lies on the side of the plane through p, q and r from which these are seen to turn
   /// counterclockwise; 0 if it lies on the plane.
   int side(Index p, Index q, Index r, Index s) const {
-    const Vector &a = points_[p].space, &b = points_[q].space, &c = points_[r].space,
-                 &d = points_[s].space;
-    const Vector u = b - a, v = c - a, w = d - a;
-    double size = 0.;
-    for(int i = 0; i < 3; ++i)
-      size = (std::max)({size, std::abs(u[i]), std::abs(v[i]), std::abs(w[i])});
-    const double value = dot(cross(u, v), w);
-    // Each difference is off by at most 2^-51, and no larger than 2.
-    if(std::abs(value) > size * size * 0x1p-45 + 0x1p-95)
-      return value > 0. ? 1 : -1;
-    return exact_side(p, q, r, s);
+    if(const int sense = certain_side(points_[p], points_[q], points_[r], points_[s]))
+      return sense;
+    const Scales scales = scales_of<4>({p, q, r, s});
+    const int sense = certain_side(close_up(p, scales), close_up(q, scales), close_up(r, scales),
+                                   close_up(s, scales));
+    return sense != 0 ? sense : exact_side(p, q, r, s);
   }
 
 private:
@@ -154,15 +148,76 @@ private:
     Index u, v;
   };
 
-  Point midpoint(Index u, Index v) const {
+  // Powers of two for the coordinates of the projection, and of space.
+  struct Scales
+  {
+    double x, y;
+    Vector space;
+  };
+
+  // A power of two that makes coordinates up to the largest one smaller than 1/2.
+  static double scale_for(double largest) {
+    int exponent;
+    std::frexp(largest, &exponent);
+    return std::ldexp(1., (std::min)(-exponent - 1, 1000));
+  }
+
+  Point midpoint(Index u, Index v) const { return midpoint(u, v, scale_of_all()); }
+
+  Scales scale_of_all() const { return {scale_, scale_, {scale_, scale_, scale_}}; }
+
+  Point midpoint(Index u, Index v, const Scales& scales) const {
+    const auto sum = [&](int d, double scale) {
+      return scale * vertices_[u][d] + scale * vertices_[v][d];
+    };
     Point p;
     p.u = u;
     p.v = v;
     for(int d = 0; d < 3; ++d)
-      p.space[d] = scale_ * vertices_[u][d] + scale_ * vertices_[v][d];
-    p.x = p.space[0] - direction_.a * p.space[2];
-    p.y = p.space[1] - direction_.b * p.space[2];
+      p.space[d] = sum(d, scales.space[d]);
+    p.x = sum(0, scales.x) - direction_.a * sum(2, scales.x);
+    p.y = sum(1, scales.y) - direction_.b * sum(2, scales.y);
     return p;
+  }
+
+  // ---- predicates that may be left undecided: 0
+
+  // No coordinate is larger than 1.
+  static int certain_turn(const Point& a, const Point& b, const Point& c) {
+    const double x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
+    const double size = (std::max)({std::abs(x1), std::abs(y1), std::abs(x2), std::abs(y2)});
+    // Each difference is off by at most 2^-50, and no larger than 4.
+    return certain_sign(x1 * y2 - x2 * y1, size * 0x1p-47 + 0x1p-98);
+  }
+
+  static int certain_side(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const Vector u = b.space - a.space, v = c.space - a.space, w = d.space - a.space;
+    double size = 0.;
+    for(int i = 0; i < 3; ++i)
+      size = (std::max)({size, std::abs(u[i]), std::abs(v[i]), std::abs(w[i])});
+    // Each difference is off by at most 2^-51, and no larger than 2.
+    return certain_sign(dot(cross(u, v), w), size * size * 0x1p-45 + 0x1p-95);
+  }
+
+  static int certain_sign(double value, double error) {
+    return std::abs(value) <= error ? 0 : value > 0. ? 1 : -1;
+  }
+
+  // ---- from close by
+
+  template <std::size_t N> Scales scales_of(const std::array<Index, N>& points) const {
+    Vector largest{0., 0., 0.};
+    for(Index p : points)
+      for(Index v : {points_[p].u, points_[p].v})
+        for(int d = 0; d < 3; ++d)
+          largest[d] = (std::max)(largest[d], std::abs(vertices_[v][d]));
+    return {scale_for((std::max)(largest[0], largest[2])),
+            scale_for((std::max)(largest[1], largest[2])),
+            {scale_for(largest[0]), scale_for(largest[1]), scale_for(largest[2])}};
+  }
+
+  Point close_up(Index p, const Scales& scales) const {
+    return midpoint(points_[p].u, points_[p].v, scales);
   }
 
   // The memory is left as it is, so that the threads that fill it are the first to touch it.
@@ -193,16 +248,22 @@ private:
   }
 
   // The sign of a coordinate of the projection of q, seen from that of p.
-  int compare(Index p, Index q, int coordinate, double difference) const {
-    if(std::abs(difference) > 0x1p-49)
-      return difference > 0. ? 1 : -1;
-    return sign_of(exact_projected_difference(p, q)[coordinate]);
+  int compare(Index p, Index q, double Point::*coordinate) const {
+    const auto certain = [&](const Point& a, const Point& b) {
+      return certain_sign(b.*coordinate - a.*coordinate, 0x1p-49);
+    };
+    if(const int sign = certain(points_[p], points_[q]))
+      return sign;
+    const Scales scales = scales_of<2>({p, q});
+    const int sign = certain(close_up(p, scales), close_up(q, scales));
+    return sign != 0 ? sign
+                     : sign_of(exact_projected_difference(p, q)[coordinate == &Point::x ? 0 : 1]);
   }
 
   // The turn from the line through p and q to an infinitesimal step (s, s^2).
   int turn_to_step(Index p, Index q) const {
-    const int y = compare(p, q, 1, points_[q].y - points_[p].y);
-    return y != 0 ? -y : compare(p, q, 0, points_[q].x - points_[p].x);
+    const int y = compare(p, q, &Point::y);
+    return y != 0 ? -y : compare(p, q, &Point::x);
   }
 
   int exact_side(Index p, Index q, Index r, Index s) const {
