@@ -17,6 +17,7 @@ set(HTLOOPS_SOURCES
   read/loops_json_reader.cpp
   read/mesh_builder.cpp
   read/mesh_reader.cpp
+  read/off_header.cpp
   read/off_reader.cpp
   read/ply_guard.cpp
   read/ply_header.cpp
@@ -24,6 +25,7 @@ set(HTLOOPS_SOURCES
   read/soup_reader.cpp
   read/stl_guard.cpp
   read/text_cursor.cpp
+  read/text_source.cpp
   read/unread_data.cpp
   read/values_reader.cpp
   read/vertex_properties_reader.cpp

@@ -10,6 +10,7 @@
 #include "read/soup_diagnosis.h"
 
 #include "read/edge_table.h"
+#include "read/soup_words.h"
 #include "words.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -29,10 +30,6 @@ using Disjoint_sets = boost::disjoint_sets_with_storage<Number_map, Number_map>;
 std::string name_of_edge(const Edge_table::Edge& edge) {
   return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]);
 }
-
-std::string name_of_face(std::size_t face) { return "face " + std::to_string(face); }
-
-std::string name_of_vertex(std::size_t vertex) { return "vertex " + std::to_string(vertex); }
 
 // Counts the elements with a defect and remembers the first of them.
 class Finding

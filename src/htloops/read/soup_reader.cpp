@@ -79,8 +79,8 @@ void read_with_cgal(const std::string& file, const std::string& extension, Soup&
 Soup read_soup(const std::string& file) {
   const std::string extension = extension_of(file);
   Soup soup;
-  if(extension == "off" && read_plain_off(file, read_whole_file(file), soup))
-    return soup;
+  if(extension == "off")
+    return read_off(file, read_whole_file(file));
   if(extension == "ply")
     check_ply(file);
   if(extension == "stl")

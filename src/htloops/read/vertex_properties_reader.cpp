@@ -10,6 +10,7 @@
 #include "read/vertex_properties_reader.h"
 
 #include "read/input_file.h"
+#include "read/off_header.h"
 #include "read/ply_header.h"
 #include "read/text_cursor.h"
 
@@ -142,23 +143,21 @@ void name_types(Vertex_properties& colours) {
 }
 
 // Nothing unless each vertex has a colour.
-Vertex_properties read_from_off(std::string_view text) {
-  Text_cursor cursor(text);
-  cursor.skip_to_content();
-  const std::string_view keyword = cursor.word();
-  long long vertices = 0;
-  if((keyword != "OFF" && keyword != "COFF") || !cursor.skip_to_content() || !cursor.read(vertices))
+Vertex_properties read_from_off(const std::string& file, std::string_view text) {
+  Text_source source(file, text);
+  const Off_header header = read_off_header(source);
+  if(header.has_texture_coordinates || header.has_normals || header.is_homogeneous ||
+     header.is_free_form)
     return {};
   Vertex_properties colours = {
       {"red", "", {}}, {"green", "", {}}, {"blue", "", {}}, {"alpha", "", {}}};
-  for(long long v = 0; v < vertices; ++v) {
-    cursor.skip_line();
+  for(std::size_t v = 0; v < header.number_of_points; ++v, source.skip_line()) {
     double number;
-    if(!cursor.skip_to_content() || !cursor.read(number) || !cursor.read(number) ||
-       !cursor.read(number))
+    if(!source.skip_to_content() || !source.read(number) || !source.read(number) ||
+       !source.read(number))
       return {};
     for(Vertex_property& colour : colours)
-      if(cursor.read(number))
+      if(source.read(number))
         colour.values.push_back(number);
     if(colours[2].values.empty())
       return {}; // as in most files
@@ -167,8 +166,8 @@ Vertex_properties read_from_off(std::string_view text) {
     colours.pop_back();
   name_types(colours);
   const bool is_complete =
-      std::all_of(colours.begin(), colours.end(), [vertices](const Vertex_property& p) {
-        return p.values.size() == static_cast<std::size_t>(vertices);
+      std::all_of(colours.begin(), colours.end(), [&header](const Vertex_property& p) {
+        return p.values.size() == header.number_of_points;
       });
   return is_complete ? colours : Vertex_properties();
 }
@@ -179,7 +178,7 @@ Vertex_properties read_vertex_properties(const std::string& file) {
   if(boost::algorithm::iends_with(file, ".ply"))
     return read_from_ply(read_whole_file(file));
   if(boost::algorithm::iends_with(file, ".off"))
-    return read_from_off(read_whole_file(file));
+    return read_from_off(file, read_whole_file(file));
   return {};
 }
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -18,6 +19,7 @@ using namespace htloops;
 
 namespace {
 
+const char byte_order_mark[] = "\xEF\xBB\xBF";
 const char points[] = "0 0 0\n1 0 0\n0 1.5 0\n0 0 -2e-1\n";
 const char faces[] = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
@@ -129,12 +131,29 @@ TEST_F(Soup_reader, reads_all_forms_of_off) {
                      replaced(replaced(off_file(), "OFF", "COFF"), "1 0 0", "1 0 0 255 0 0 1"));
   expect_tetrahedron("normals.off", replaced(off_file(), "OFF", "NOFF"));
   expect_tetrahedron("more.off", off_file() + "and more\n");
+  expect_tetrahedron("byte_order_mark.off", byte_order_mark + off_file());
 }
 
-TEST_F(Soup_reader, leaves_homogeneous_off_to_cgal) {
-  expect_tetrahedron("homogeneous.off",
-                     "4OFF\n4 4 6\n0 0 0 1\n2 0 0 2\n0 1.5 0 1\n0 0 -0.4 2\n" + std::string(faces));
-  expect_failure("huge.off", "4OFF\n2000000000 4 6\n0 0 0 1\n", "more elements than");
+TEST_F(Soup_reader, reads_off_without_a_number_of_edges) {
+  expect_tetrahedron("none.off", replaced(off_file(), "4 4 6", "4 4"));
+  expect_tetrahedron("each_on_its_line.off", replaced(off_file(), "4 4 6", "4\n4\n6"));
+  expect_tetrahedron("on_the_next_line.off", replaced(off_file(), "4 4 6", "4 4\n6"));
+}
+
+TEST_F(Soup_reader, reads_off_in_free_form) {
+  std::string on_one_line = off_file();
+  std::replace(on_one_line.begin(), on_one_line.end(), '\n', ' ');
+  expect_tetrahedron("one_line.off", on_one_line);
+  expect_tetrahedron("wrapped.off", replaced(replaced(off_file(), "6\n", "6 "), "1 0 0", "1\n0 0"));
+  expect_failure("a.off", "C" + on_one_line, "each has a line of its own");
+}
+
+TEST_F(Soup_reader, reads_homogeneous_off) {
+  const std::string good =
+      "4OFF\n4 4 6\n0 0 0 1\n2 0 0 2\n0 1.5 0 1\n0 0 -0.4 2\n" + std::string(faces);
+  expect_tetrahedron("homogeneous.off", good);
+  expect_failure("a.off", replaced(good, "2 0 0 2", "2 0 0"), ":4: vertex 1 has no four");
+  expect_failure("a.off", "nOFF\n3\n0 0 0\n", "of the kind nOFF is not read");
 }
 
 TEST_F(Soup_reader, reads_all_forms_of_ply) {
@@ -174,6 +193,8 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
   expect_failure("a.off", "OFF\n4 -4 6\n", ":2: expected the numbers");
   expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0\n", ":4: vertex 1 has no three coordinates");
   expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0 0x\n", ":4: vertex 1");
+  expect_failure("a.off", replaced(off_file(), "1 0 0", "1 0 0 red"), ":4: 'red' is no number");
+  expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 2 3 x"), ":9: 'x' is no number");
   expect_failure("a.off", std::string("OFF\n4 4 6\n0 0 0\n"), "only 1 of 4 vertices");
   expect_failure("a.off", "OFF\n4 4 6\n" + std::string(points) + "3 0 2 1\n",
                  "only 1 of 4 faces; the file ends here");
