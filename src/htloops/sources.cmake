@@ -17,6 +17,8 @@ set(HTLOOPS_SOURCES
   read/loops_json_reader.cpp
   read/mesh_builder.cpp
   read/mesh_reader.cpp
+  read/obj_lines.cpp
+  read/obj_reader.cpp
   read/off_header.cpp
   read/off_reader.cpp
   read/ply_guard.cpp

@@ -10,6 +10,7 @@
 #include "read/soup_reader.h"
 
 #include "read/input_file.h"
+#include "read/obj_reader.h"
 #include "read/off_reader.h"
 #include "read/ply_guard.h"
 #include "read/stl_guard.h"
@@ -68,8 +69,6 @@ void read_with_cgal(const std::string& file, const std::string& extension, Soup&
   } catch(const std::exception& exception) {
     fail_to_read(file, std::string("it cannot be read: ") + exception.what());
   }
-  if(!is_read && extension == "obj")
-    check_indices(file, soup); // the reason, if all was read
   if(!is_read)
     fail_to_read(file, explain(extension, soup));
 }
@@ -81,6 +80,8 @@ Soup read_soup(const std::string& file) {
   Soup soup;
   if(extension == "off")
     return read_off(file, read_whole_file(file));
+  if(extension == "obj")
+    return read_obj(file, read_whole_file(file));
   if(extension == "ply")
     check_ply(file);
   if(extension == "stl")

@@ -10,6 +10,7 @@
 #include "read/unread_data.h"
 
 #include "read/input_file.h"
+#include "read/obj_lines.h"
 #include "read/off_header.h"
 #include "read/ply_header.h"
 #include "read/text_cursor.h"
@@ -64,8 +65,9 @@ Words unread_in_off(const std::string& file, std::string_view text, bool keeps_c
   return found;
 }
 
-Words unread_in_obj(std::string_view text) {
+Words unread_in_obj(std::string file_text) {
   Words found;
+  const std::string text = join_continued_lines(std::move(file_text));
   Text_cursor cursor(text);
   for(; cursor.skip_to_content(); cursor.skip_line()) {
     const std::string_view keyword = cursor.word();
@@ -77,6 +79,10 @@ Words unread_in_obj(std::string_view text) {
       add(found, "materials");
     else if(keyword == "g" || keyword == "o")
       add(found, "groups");
+    else if(keyword == "l")
+      add(found, "lines");
+    else if(keyword == "p")
+      add(found, "points");
     else if(keyword == "v" && numbers_left(cursor) >= 6)
       add(found, "vertex colours");
   }
