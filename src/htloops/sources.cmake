@@ -21,8 +21,9 @@ set(HTLOOPS_SOURCES
   read/obj_reader.cpp
   read/off_header.cpp
   read/off_reader.cpp
-  read/ply_guard.cpp
   read/ply_header.cpp
+  read/ply_numbers.cpp
+  read/ply_reader.cpp
   read/soup_diagnosis.cpp
   read/soup_reader.cpp
   read/stl_guard.cpp

@@ -12,7 +12,7 @@
 #include "read/input_file.h"
 #include "read/obj_reader.h"
 #include "read/off_reader.h"
-#include "read/ply_guard.h"
+#include "read/ply_reader.h"
 #include "read/stl_guard.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -83,7 +83,7 @@ Soup read_soup(const std::string& file) {
   if(extension == "obj")
     return read_obj(file, read_whole_file(file));
   if(extension == "ply")
-    check_ply(file);
+    return read_ply(file, read_whole_file(file));
   if(extension == "stl")
     check_stl(file);
   read_with_cgal(file, extension, soup);

@@ -103,12 +103,15 @@ void add_properties(Words& found,
     add(found, "the " + element.name + " properties " + names);
 }
 
-Words unread_in_ply(std::string_view text, const Vertex_properties& kept) {
+Words unread_in_ply(const std::string& file,
+                    std::string_view content,
+                    const Vertex_properties& kept) {
   Words found;
+  Text_source text(file, content);
   for(const Ply_element& element : read_ply_header(text).elements)
-    if(element.name == "vertex" || element.name == "vertices")
+    if(element.has_vertices())
       add_properties(found, element, {"x", "y", "z"}, kept);
-    else if(element.name == "face" || element.name == "faces")
+    else if(element.has_faces())
       add_properties(found, element, {"vertex_indices", "vertex_index"});
     else if(element.count > 0)
       add(found, "the elements " + element.name);
@@ -123,7 +126,7 @@ std::vector<std::string> unread_data(const std::string& file, const Vertex_prope
   if(boost::algorithm::iends_with(file, ".obj"))
     return unread_in_obj(read_whole_file(file));
   if(boost::algorithm::iends_with(file, ".ply"))
-    return unread_in_ply(read_whole_file(file), kept);
+    return unread_in_ply(file, read_whole_file(file), kept);
   return {};
 }
 

@@ -164,9 +164,24 @@ TEST_F(Soup_reader, reads_homogeneous_off) {
 TEST_F(Soup_reader, reads_all_forms_of_ply) {
   expect_tetrahedron("text.ply", ply_header("ascii") + points + faces);
   expect_tetrahedron("crlf.ply", with_crlf(ply_header("ascii") + points + faces));
-  expect_tetrahedron("float.ply", ply_header("ascii", "float", "int uint") + points + faces);
+  expect_tetrahedron("byte_order_mark.ply", byte_order_mark + ply_header("ascii") + points + faces);
+  for(const char* list : {"int uint", "uchar short", "uchar uchar", "ushort int8"})
+    expect_tetrahedron("lists.ply", ply_header("ascii", "float", list) + points + faces);
   expect_tetrahedron("little.ply", binary_ply_file(false));
   expect_tetrahedron("big.ply", binary_ply_file(true));
+}
+
+TEST_F(Soup_reader, passes_over_what_else_is_in_a_ply_file) {
+  std::string header = ply_header("ascii");
+  header = replaced(header, "element vertex",
+                    "element camera 1\nproperty list int int a\nelement vertex");
+  header = replaced(header, "element face", "property uchar red\nelement face");
+  header = replaced(header, "end_header", "property list uchar float weights\nend_header");
+  expect_tetrahedron("more.ply", header +
+                                     "2 7 7\n0 0 0 1\n1 0 0 2\n0 1.5 0 3\n0 0 -2e-1 4\n"
+                                     "3 0 2 1 0\n3 0 1 3 1 0.5\n3 1 2 3 0\n3 2 0 3 2 1 1\nrest\n");
+  const std::string integers = replaced(ply_header("ascii"), "double x", "uchar x");
+  expect_tetrahedron("integers.ply", integers + points + faces);
 }
 
 TEST_F(Soup_reader, reads_both_forms_of_stl_and_merges_points) {
@@ -261,19 +276,33 @@ TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
   const std::string good = ply_header("ascii") + points + faces;
   expect_failure("a.ply", "", "ply");
   expect_failure("a.ply", good.substr(0, 60), "has no end");
-  expect_failure("a.ply", replaced(good, "ascii", "asci"), "unknown format 'asci'");
-  expect_failure("a.ply", replaced(good, "double y", "int y"), "no coordinate y");
-  expect_failure("a.ply", replaced(good, "double y", "real y"), "unknown type 'real'");
+  expect_failure("a.ply", replaced(good, "ascii", "asci"), ":2: the unknown format 'asci'");
+  expect_failure("a.ply", replaced(good, "double y", "double why"), "no coordinate y");
+  expect_failure("a.ply", replaced(good, "double y", "real y"),
+                 ":6: a property of the unknown type 'real'");
+  expect_failure("a.ply", replaced(good, "uchar int", "float int"),
+                 ":9: a list whose length is of");
+  expect_failure("a.ply", replaced(good, "uchar int", "uchar float"), "of an integer type");
   expect_failure("a.ply", replaced(good, "vertex_indices", "indices"), "no list vertex_indices");
   expect_failure("a.ply", replaced(good, "element face", "element none 9\nelement face"),
                  "none without any property");
-  expect_failure("a.ply", good.substr(0, good.size() - 10), "ends in face 2 of 4");
-  expect_failure("a.ply", replaced(good, "3 0 2 1", "999999999 0 2 1"), "ends in face 0 of 4");
-  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 x"), "malformed");
+  expect_failure("a.ply", good.substr(0, good.size() - 10),
+                 ":17: expected vertex_indices of face 2 of 4; the file ends here");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "999999999 0 2 1"),
+                 ":15: expected vertex_indices of face 0 of 4");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "-3 0 2 1"), "of face 0 of 4 is negative");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 x"), ":15: expected vertex_indices");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 1 7"), ":15: face 0 of 4 has more on");
+  expect_failure("a.ply", replaced(good, "1 0 0", "1 0 0 x"), ":12: vertex 1 of 4 has more on");
+  expect_failure("a.ply", replaced(good, "1 0 0", "1 0"), ":12: expected z of vertex 1 of 4");
   expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 -1"),
-                 "face 0 names a vertex that is not");
+                 ":15: face 0 names vertex -1 of 4");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 9223372036854775807"), ":15: expected");
   const std::string binary = binary_ply_file(false);
-  expect_failure("a.ply", binary.substr(0, binary.size() - 20), "ends in face 2 of 4");
+  const std::string number_of_byte = std::to_string(binary.size() - 21);
+  expect_failure("a.ply", binary.substr(0, binary.size() - 20),
+                 "byte " + number_of_byte +
+                     ": expected vertex_indices of face 2 of 4; the file ends");
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
