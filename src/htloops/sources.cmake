@@ -11,6 +11,7 @@ set(HTLOOPS_SOURCES
   commands/loops_file.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  read/binary_source.cpp
   read/edge_table.cpp
   read/input_file.cpp
   read/loops_binding.cpp
@@ -24,9 +25,10 @@ set(HTLOOPS_SOURCES
   read/ply_header.cpp
   read/ply_numbers.cpp
   read/ply_reader.cpp
+  read/point_merger.cpp
   read/soup_diagnosis.cpp
   read/soup_reader.cpp
-  read/stl_guard.cpp
+  read/stl_reader.cpp
   read/text_cursor.cpp
   read/text_source.cpp
   read/unread_data.cpp

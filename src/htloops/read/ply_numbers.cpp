@@ -9,25 +9,10 @@
 
 #include "read/ply_numbers.h"
 
-#include "read/input_file.h"
-
-#include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace htloops {
-namespace {
-
-bool is_little_endian_here() {
-  const std::uint16_t one = 1;
-  unsigned char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
-
-} // namespace
 
 bool Ply_text_numbers::read(Ply_type type, double& value) {
   if(!is_integer(type))
@@ -40,25 +25,10 @@ bool Ply_text_numbers::read(Ply_type type, double& value) {
   return true;
 }
 
-Ply_binary_numbers::Ply_binary_numbers(const std::string& file,
-                                       std::string_view content,
-                                       std::size_t position,
-                                       Ply_format format)
-    : file_(&file)
-    , content_(content)
-    , position_(position)
-    , is_swapped_((format == Ply_format::BINARY_LITTLE_ENDIAN) != is_little_endian_here()) {}
-
 template <typename T> bool Ply_binary_numbers::read_as(double& value) {
-  if(content_.size() - position_ < sizeof(T))
-    return false;
-  std::array<char, sizeof(T)> bytes;
-  std::copy_n(content_.data() + position_, sizeof(T), bytes.begin());
-  position_ += sizeof(T);
-  if(is_swapped_)
-    std::reverse(bytes.begin(), bytes.end());
   T number;
-  std::memcpy(&number, bytes.data(), sizeof(T));
+  if(!data_.read(number))
+    return false;
   value = static_cast<double>(number);
   return true;
 }
@@ -85,14 +55,6 @@ bool Ply_binary_numbers::read(Ply_type type, double& value) {
     break;
   }
   return false;
-}
-
-void Ply_binary_numbers::fail(const std::string& problem) const {
-  fail_to_read(*file_, "byte " + std::to_string(position_) + ": " + problem);
-}
-
-void Ply_binary_numbers::fail_incomplete(const std::string& problem) const {
-  fail(problem + "; the file ends here");
 }
 
 } // namespace htloops

@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_PLY_NUMBERS_H
 #define HTLOOPS_PLY_NUMBERS_H
 
+#include "read/binary_source.h"
 #include "read/ply_header.h"
 #include "read/text_source.h"
 
@@ -49,25 +50,23 @@ private:
 class Ply_binary_numbers
 {
 public:
-  /// The data begin at a position of the content.
-  Ply_binary_numbers(const std::string& file,
-                     std::string_view content,
-                     std::size_t position,
-                     Ply_format format);
+  explicit Ply_binary_numbers(const Binary_source& data)
+      : data_(data) {}
 
   void begin_element() {}
   bool end_element() { return true; }
   bool read(Ply_type type, double& value);
-  [[noreturn]] void fail(const std::string& problem) const;
-  [[noreturn]] void fail_incomplete(const std::string& problem) const;
+
+  [[noreturn]] void fail(const std::string& problem) const { data_.fail(problem); }
+
+  [[noreturn]] void fail_incomplete(const std::string& problem) const {
+    data_.fail(problem + "; the file ends here");
+  }
 
 private:
   template <typename T> bool read_as(double& value);
 
-  const std::string* file_;
-  std::string_view content_;
-  std::size_t position_;
-  bool is_swapped_;
+  Binary_source data_;
 };
 
 /// calls `use(numbers)` with the numbers of the form that the header declares; the text of the file
@@ -80,7 +79,8 @@ auto with_ply_numbers(const std::string& file,
                       Use use) {
   if(format == Ply_format::ASCII)
     return use(Ply_text_numbers(data));
-  return use(Ply_binary_numbers(file, content, data.position(), format));
+  return use(Ply_binary_numbers(
+      Binary_source(file, content, data.position(), format == Ply_format::BINARY_LITTLE_ENDIAN)));
 }
 
 } // namespace htloops

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -57,6 +58,19 @@ std::string binary_ply_file(bool is_big_endian) {
       file += bytes_of(vertex, is_big_endian);
   }
   return file;
+}
+
+std::string text_stl_file() {
+  std::string text = "solid name\n";
+  const char* p[] = {"0 0 0", "1 0 0", "0 1.5 0", "0 0 -2e-1"};
+  const int triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for(const auto& triangle : triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for(const int vertex : triangle)
+      text += std::string("vertex ") + p[vertex] + "\n";
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid name\n";
 }
 
 std::string binary_stl_file(float last_coordinate) {
@@ -185,17 +199,27 @@ TEST_F(Soup_reader, passes_over_what_else_is_in_a_ply_file) {
 }
 
 TEST_F(Soup_reader, reads_both_forms_of_stl_and_merges_points) {
-  std::string text = "solid name\n";
-  const char* p[] = {"0 0 0", "1 0 0", "0 1.5 0", "0 0 -2e-1"};
-  const int triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  for(const auto& triangle : triangles) {
-    text += "facet normal 0 0 0\nouter loop\n";
-    for(const int vertex : triangle)
-      text += std::string("vertex ") + p[vertex] + "\n";
-    text += "endloop\nendfacet\n";
-  }
-  expect_tetrahedron("text.stl", text + "endsolid name\n");
+  const std::string text = text_stl_file();
+  expect_tetrahedron("text.stl", text);
   expect_tetrahedron("binary.stl", binary_stl_file(-0.2f));
+  expect_tetrahedron("more.stl", binary_stl_file(-0.2f) + "more");
+  expect_tetrahedron("zeros.stl", replaced(text, "vertex 0 0 0", "vertex -0 0.0 -0e9"));
+}
+
+TEST_F(Soup_reader, reads_all_forms_of_text_stl) {
+  const std::string text = text_stl_file();
+  std::string capitals = text, on_one_line = text;
+  for(char& c : capitals)
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  std::replace(on_one_line.begin() + 12, on_one_line.end(), '\n', ' ');
+  expect_tetrahedron("capitals.stl", capitals);
+  expect_tetrahedron("one_line.stl", on_one_line);
+  expect_tetrahedron("blanks.stl", "\n  \t" + text);
+  expect_tetrahedron("byte_order_mark.stl", byte_order_mark + text);
+  expect_tetrahedron("crlf.stl", with_crlf(text));
+  expect_tetrahedron("solids.stl", replaced(text, "facet normal 0 0 0\nouter loop\nvertex 1 0 0",
+                                            "endsolid\nsolid b\nfacet normal -nan 1.#IND 0\n"
+                                            "outer loop\nvertex 1 0 0"));
 }
 
 TEST_F(Soup_reader, reads_obj_with_relative_indices_and_slots) {
@@ -306,28 +330,45 @@ TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
-  expect_failure("a.stl", "solid\nfacet", "too short");
-  expect_failure("a.stl", binary_stl_file(-0.2f).substr(0, 200), "");
-  expect_failure("a.stl", replaced(binary_stl_file(-0.2f), "solid", "Solid").substr(0, 200),
-                 "ends after 2 of 4 faces");
-  expect_failure("a.stl", binary_stl_file(std::numeric_limits<float>::quiet_NaN()),
-                 "face 1 has a coordinate", Exit_code::UNACCEPTABLE_MESH);
+  const std::string text = text_stl_file(), binary = binary_stl_file(-0.2f);
+  expect_failure("a.stl", "", "begins with the word solid");
+  expect_failure("a.stl", replaced(text, "solid", "polid"), ":1: an STL file in text form begins");
+  expect_failure("a.stl", "solid\nfacet", ":2: face 0: expected outer; the file ends here");
+  expect_failure("a.stl", replaced(text, "1 0 0", "1 0 x"),
+                 ":6: face 0: expected three coordinates");
+  expect_failure("a.stl", replaced(text, "vertex 1 0 0", "vertex 1 0 0 7"),
+                 ":6: face 0: expected endloop");
+  expect_failure("a.stl", replaced(text, "vertex 1 0 0\n", ""), ":6: face 0: expected vertex");
+  expect_failure("a.stl", replaced(text, "endfacet", "facet"), ":8: face 0: expected endfacet");
+  expect_failure("a.stl", replaced(text, "endfacet\n", "endfacet\nx"),
+                 ":9: 'xfacet' is out of place");
+  expect_failure("a.stl", replaced(text, "endsolid name\n", ""), "expected endsolid after 4 faces");
+  expect_failure("a.stl", text + "facet", "'facet' is out of place");
+  expect_failure("a.stl", binary.substr(0, 83), "too short");
+  expect_failure("a.stl", binary.substr(0, 200), "ends after 2 of 4 faces");
+}
+
+// What is not a number is refused later, with the vertex that has it.
+TEST_F(Soup_reader, merges_points_that_are_nowhere) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(read_soup(folder_.write("a.stl", binary_stl_file(nan))).points.size(), 4u);
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_other_files) {
-  expect_failure("a.xyz", off_file(), "one of .off, .obj, .ply, .stl and .ts");
-  expect_failure("no_extension", off_file(), "one of .off");
+  expect_failure("a.xyz", off_file(), "not supported; those that are: .off .obj .ply .stl");
+  expect_failure("a.ts", "GOCAD TSurf 1\n", "not supported");
+  expect_failure("no_extension", off_file(), "not supported");
   EXPECT_THROW(read_soup(folder_.path("none.off")), Failure);
   EXPECT_THROW(read_soup(folder_.path("none.ply")), Failure);
 }
 
-// The fast reader of OFF files and that of CGAL find the same in every file of a folder of meshes.
-TEST(Off_reader, agrees_with_cgal) {
+// CGAL finds the same in the files of a folder of meshes.
+TEST_F(Soup_reader, agrees_with_cgal) {
   if(!fs::is_directory(mesh_corpus()))
     GTEST_SKIP() << "no folder " << mesh_corpus();
   for(const auto& entry : fs::recursive_directory_iterator(mesh_corpus())) {
-    const std::string file = entry.path().string();
-    if(entry.path().extension() != ".off")
+    const std::string file = entry.path().string(), extension = entry.path().extension().string();
+    if(extension != ".off" && extension != ".obj" && extension != ".ply" && extension != ".stl")
       continue;
     SCOPED_TRACE(file);
     std::vector<Point> expected_points;
