@@ -12,34 +12,33 @@
 
 #include "mesh_types.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace htloops {
 
-/// Numbers different points as they come.
+/// Numbers different points as they come. A table with open addressing: most of the time of reading
+/// an STL file goes here.
 class Point_merger
 {
 public:
-  /// the number of a point, which is `next` if it has not come yet.
-  std::uint32_t number(const Point& point, std::uint32_t next) {
-    return numbers_.emplace(bits_of(point), next).first->second;
-  }
+  Point_merger();
+
+  /// the number of a point, a new one if it has not come yet. Bits are compared, so that also what
+  /// is not a number is equal to itself, but for the two zeros.
+  std::uint32_t number(const Point& point);
+
+  /// the points by their numbers, which are taken away.
+  std::vector<Point> take_points() { return std::move(points_); }
 
 private:
-  // Also what is not a number is equal to itself this way.
-  using Bits = std::array<std::uint64_t, 3>;
+  std::size_t slot_of(const Point& point) const;
+  void grow();
 
-  struct Hash
-  {
-    std::size_t operator()(const Bits& bits) const;
-  };
-
-  static Bits bits_of(const Point& point);
-
-  std::unordered_map<Bits, std::uint32_t, Hash> numbers_;
+  std::vector<Point> points_;
+  std::vector<std::uint32_t> slots_; // numbers of points; a power of two of them
 };
 
 } // namespace htloops

@@ -24,22 +24,18 @@ namespace {
 class Triangle_collector
 {
 public:
-  void add_triangle() { soup_.faces.emplace_back().resize(3); }
+  void add_triangle() { faces_.emplace_back().resize(3); }
 
   // The point is a corner of the last triangle.
   void set_corner(std::size_t corner, const Point& point) {
-    const auto next = static_cast<std::uint32_t>(soup_.points.size());
-    const std::uint32_t vertex = merger_.number(point, next);
-    if(vertex == next)
-      soup_.points.push_back(point);
-    soup_.faces.back()[corner] = vertex;
+    faces_.back()[corner] = merger_.number(point);
   }
 
-  std::size_t size() const { return soup_.faces.size(); }
-  Soup take() { return std::move(soup_); }
+  std::size_t size() const { return faces_.size(); }
+  Soup take() { return {merger_.take_points(), std::move(faces_)}; }
 
 private:
-  Soup soup_;
+  std::vector<Soup_face> faces_;
   Point_merger merger_;
 };
 
