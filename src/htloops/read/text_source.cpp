@@ -13,6 +13,15 @@
 
 namespace htloops {
 
+std::string quoted(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string text(word.substr(0, longest));
+  for(char& c : text)
+    if(c < ' ' || c > '~')
+      c = '?';
+  return "'" + text + (word.size() > longest ? "..." : "") + "'";
+}
+
 Text_source::Text_source(const std::string& file, std::string_view text)
     : Text_cursor(text)
     , file_(&file) {}
@@ -20,7 +29,7 @@ Text_source::Text_source(const std::string& file, std::string_view text)
 void Text_source::skip_numbers() {
   for(double number; !is_at_line_end();)
     if(!read(number))
-      fail("'" + std::string(word()) + "' is no number");
+      fail(quoted(word()) + " is no number");
   skip_line();
 }
 

@@ -252,6 +252,8 @@ TEST_F(Soup_reader, reads_obj_with_continued_lines) {
 TEST_F(Soup_reader, says_what_is_wrong_with_an_obj_file) {
   const std::string good = obj_file();
   expect_failure("a.obj", "", "neither vertices nor faces");
+  expect_failure("a.obj", "\033[2J" + std::string(50, 'x'),
+                 ":1: OBJ has no element '?[2J" + std::string(36, 'x') + "...'");
   expect_failure("a.obj", good + "wrong\n", ":9: OBJ has no element 'wrong'");
   expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0"), ":2: a vertex without three");
   expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0 0 red"), ":2: 'red' is no number");
