@@ -11,19 +11,26 @@ set(HTLOOPS_SOURCES
   commands/loops_file.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  read/binary_source.cpp
   read/edge_table.cpp
   read/input_file.cpp
   read/loops_binding.cpp
   read/loops_json_reader.cpp
   read/mesh_builder.cpp
   read/mesh_reader.cpp
+  read/obj_lines.cpp
+  read/obj_reader.cpp
+  read/off_header.cpp
   read/off_reader.cpp
-  read/ply_guard.cpp
   read/ply_header.cpp
+  read/ply_numbers.cpp
+  read/ply_reader.cpp
+  read/point_merger.cpp
   read/soup_diagnosis.cpp
   read/soup_reader.cpp
-  read/stl_guard.cpp
+  read/stl_reader.cpp
   read/text_cursor.cpp
+  read/text_source.cpp
   read/unread_data.cpp
   read/values_reader.cpp
   read/vertex_properties_reader.cpp

@@ -37,7 +37,7 @@ void check_output_paths(const std::string& mesh_file, const std::vector<std::str
 } // namespace
 
 void add_mesh_argument(CLI::App& command, Common_options& options) {
-  command.add_option("MESH", options.mesh_file, "closed triangle mesh: .off .obj .ply .stl .ts")
+  command.add_option("MESH", options.mesh_file, "closed triangle mesh: .off .obj .ply .stl")
       ->option_text(" ")
       ->required();
 }

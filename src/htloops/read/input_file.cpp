@@ -12,6 +12,7 @@
 #include "failure.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -62,15 +63,6 @@ std::string read_whole_file(const std::string& file) {
     fail(file);
   content.resize(size);
   return content;
-}
-
-std::uintmax_t size_of_file(const std::string& file) {
-  open(file);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if(error)
-    throw Failure(Exit_code::UNREADABLE_FILE, "cannot read " + file + ": " + error.message());
-  return size;
 }
 
 void fail_to_read(const std::string& file, const std::string& problem) {

@@ -10,16 +10,12 @@
 #ifndef HTLOOPS_INPUT_FILE_H
 #define HTLOOPS_INPUT_FILE_H
 
-#include <cstdint>
 #include <string>
 
 namespace htloops {
 
 /// the whole content of a file; throws `Failure` if it cannot be read.
 std::string read_whole_file(const std::string& file);
-
-/// the size of a file in bytes; throws `Failure` if it cannot be opened for reading.
-std::uintmax_t size_of_file(const std::string& file);
 
 /// throws the `Failure` of a file whose content is wrong.
 [[noreturn]] void fail_to_read(const std::string& file, const std::string& problem);

@@ -13,16 +13,12 @@
 #include "read/soup.h"
 
 #include <string>
-#include <string_view>
 
 namespace htloops {
 
-/// reads the text of an OFF file (also with colours, normals or texture coordinates, which are
-/// passed over) several times faster than the reader of CGAL, and says which line is wrong where
-/// that one says only that something is. Returns false if the text is in another dialect (four or n
-/// coordinates): those are left to CGAL.
-/// Throws `Failure` if the text is malformed or ends too early; `file` is for the message.
-bool read_plain_off(const std::string& file, std::string_view text, Soup& soup);
+/// reads the text of an OFF file, also with homogeneous coordinates; colours, normals and texture
+/// coordinates are passed over. Throws `Failure`, naming file and line, if it is malformed.
+Soup read_off(const std::string& file, const std::string& text);
 
 } // namespace htloops
 

@@ -9,99 +9,90 @@
 
 #include "read/ply_header.h"
 
-#include "failure.h"
-
-#include <algorithm>
-#include <initializer_list>
-#include <sstream>
+#include <utility>
 
 namespace htloops {
 namespace {
 
-[[noreturn]] void fail(const std::string& problem) {
-  throw Failure(Exit_code::UNREADABLE_FILE, "its header " + problem);
-}
-
-// takes the first line, without its end, off the content.
-std::string take_line(std::string_view& content) {
-  const std::size_t end = (std::min)(content.find('\n'), content.size());
-  std::string line(content.substr(0, end));
-  content.remove_prefix((std::min)(end + 1, content.size()));
-  return line;
-}
-
-Ply_format read_format(std::istream& words) {
-  std::string format;
-  words >> format;
+Ply_format read_format(Text_source& text) {
+  const std::string_view format = text.word();
   if(format == "ascii")
     return Ply_format::ASCII;
   if(format == "binary_little_endian")
     return Ply_format::BINARY_LITTLE_ENDIAN;
   if(format != "binary_big_endian")
-    fail("has the unknown format '" + format + "'");
+    text.fail("the unknown format " + quoted(format));
   return Ply_format::BINARY_BIG_ENDIAN;
 }
 
-Ply_element read_element(std::istream& words) {
+Ply_element read_element(Text_source& text) {
   Ply_element element;
-  if(!(words >> element.name >> element.count))
-    fail("declares an element without a name and a number");
+  element.name = text.word();
+  long long count;
+  if(!text.read(count) || count < 0)
+    text.fail("an element without a name and a number");
+  element.count = static_cast<std::size_t>(count);
   return element;
 }
 
-Ply_property read_property(std::istream& words) {
+Ply_property read_property(Text_source& text) {
   Ply_property property;
-  words >> property.type;
-  if(property.type == "list") {
-    words >> property.count_type >> property.type;
-    if(size_of_ply_type(property.count_type) == 0)
-      fail("has a list whose length is of the unknown type '" + property.count_type + "'");
+  property.type_name = text.word();
+  if(property.type_name == "list") {
+    const std::string_view count_type = text.word();
+    property.count_type = ply_type(count_type);
+    if(!is_integer(property.count_type))
+      text.fail("a list whose length is of the type " + quoted(count_type) +
+                ", which is no integer type");
+    property.type_name = text.word();
   }
-  words >> property.name;
-  if(size_of_ply_type(property.type) == 0)
-    fail("has a property of the unknown type '" + property.type + "'");
+  property.type = ply_type(property.type_name);
+  if(property.type == Ply_type::NONE)
+    text.fail("a property of the unknown type " + quoted(property.type_name));
+  property.name = text.word();
   return property;
 }
 
 } // namespace
 
-std::size_t size_of_ply_type(std::string_view type) {
-  const auto is_one_of = [type](std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), type) != names.end();
-  };
-  if(is_one_of({"char", "int8", "uchar", "uint8"}))
-    return 1;
-  if(is_one_of({"short", "int16", "ushort", "uint16"}))
-    return 2;
-  if(is_one_of({"int", "int32", "uint", "uint32", "float", "float32"}))
-    return 4;
-  return is_one_of({"double", "float64"}) ? 8 : 0;
+Ply_type ply_type(std::string_view name) {
+  static constexpr std::pair<std::string_view, Ply_type> types[] = {
+      {"char", Ply_type::INT8},     {"int8", Ply_type::INT8},     {"uchar", Ply_type::UINT8},
+      {"uint8", Ply_type::UINT8},   {"short", Ply_type::INT16},   {"int16", Ply_type::INT16},
+      {"ushort", Ply_type::UINT16}, {"uint16", Ply_type::UINT16}, {"int", Ply_type::INT32},
+      {"int32", Ply_type::INT32},   {"uint", Ply_type::UINT32},   {"uint32", Ply_type::UINT32},
+      {"float", Ply_type::FLOAT},   {"float32", Ply_type::FLOAT}, {"double", Ply_type::DOUBLE},
+      {"float64", Ply_type::DOUBLE}};
+  for(const auto& [type_name, type] : types)
+    if(type_name == name)
+      return type;
+  return Ply_type::NONE;
 }
 
-Ply_header read_ply_header(std::string_view content) {
+bool is_integer(Ply_type type) {
+  return type != Ply_type::NONE && type != Ply_type::FLOAT && type != Ply_type::DOUBLE;
+}
+
+Ply_header read_ply_header(Text_source& text) {
   Ply_header header;
-  std::string_view rest = content;
-  std::string keyword;
-  if(!(std::istringstream(take_line(rest)) >> keyword) || keyword != "ply")
-    fail("does not begin with the word ply");
-  while(!rest.empty()) {
-    std::istringstream words(take_line(rest));
-    keyword.clear();
-    words >> keyword;
+  if(text.word() != "ply")
+    text.fail("a PLY file begins with the word ply");
+  for(text.skip_line(); text.skip_to_content(); text.skip_line()) {
+    const std::string_view keyword = text.word();
     if(keyword == "format") {
-      header.format = read_format(words);
+      header.format = read_format(text);
     } else if(keyword == "element") {
-      header.elements.push_back(read_element(words));
+      header.elements.push_back(read_element(text));
     } else if(keyword == "property") {
       if(header.elements.empty())
-        fail("declares a property before any element");
-      header.elements.back().properties.push_back(read_property(words));
+        text.fail("a property before any element");
+      header.elements.back().properties.push_back(read_property(text));
     } else if(keyword == "end_header") {
-      header.size = content.size() - rest.size();
+      text.skip_line();
       return header;
     }
   }
-  fail("has no end");
+  text.fail("the header has no end");
 }
 
 } // namespace htloops

@@ -10,6 +10,8 @@
 #ifndef HTLOOPS_PLY_HEADER_H
 #define HTLOOPS_PLY_HEADER_H
 
+#include "read/text_source.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -17,14 +19,17 @@
 
 namespace htloops {
 
+enum class Ply_type { NONE, INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT, DOUBLE };
+
 /// A number, or a list of numbers preceded by their count, of an element of a PLY file.
 struct Ply_property
 {
   std::string name;
-  std::string type;       ///< of the number or of the items of the list
-  std::string count_type; ///< empty if it is no list
+  std::string type_name;
+  Ply_type type = Ply_type::NONE;       ///< of the number or of the items of the list
+  Ply_type count_type = Ply_type::NONE; ///< none if it is no list
 
-  bool is_list() const { return !count_type.empty(); }
+  bool is_list() const { return count_type != Ply_type::NONE; }
 };
 
 struct Ply_element
@@ -32,6 +37,9 @@ struct Ply_element
   std::string name;
   std::size_t count = 0;
   std::vector<Ply_property> properties;
+
+  bool has_vertices() const { return name == "vertex" || name == "vertices"; }
+  bool has_faces() const { return name == "face" || name == "faces"; }
 };
 
 enum class Ply_format { ASCII, BINARY_LITTLE_ENDIAN, BINARY_BIG_ENDIAN };
@@ -40,15 +48,16 @@ struct Ply_header
 {
   Ply_format format = Ply_format::ASCII;
   std::vector<Ply_element> elements;
-  std::size_t size = 0; ///< in bytes: the data begin there
 };
 
-/// the size in bytes of a number of a type, 0 if PLY has no such type.
-std::size_t size_of_ply_type(std::string_view type);
+/// the type of a name; none if PLY has no such type.
+Ply_type ply_type(std::string_view name);
 
-/// reads the header of a PLY file given its content. Throws `Failure`, without the name of the
-/// file, if it is malformed or declares a type that PLY does not have.
-Ply_header read_ply_header(std::string_view content);
+bool is_integer(Ply_type type);
+
+/// reads the header of a PLY file and goes to the data. Throws `Failure` if it is malformed or
+/// declares a type that PLY does not have.
+Ply_header read_ply_header(Text_source& text);
 
 } // namespace htloops
 

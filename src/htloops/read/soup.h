@@ -15,15 +15,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace htloops {
 
 /// The vertices of a face. Only the first three are kept, as a face with more is refused anyway:
 /// so a million faces need no million allocations, and a damaged file that announces a face of a
-/// billion vertices does no harm. Has what the readers of CGAL ask of a polygon.
+/// billion vertices does no harm.
 class Soup_face
 {
 public:
@@ -49,30 +47,11 @@ private:
   std::size_t size_ = 0;
 };
 
-/// A vector that refuses to be resized beyond a limit. Readers that allocate what the header of a
-/// file announces are given one that is limited by the size of the file.
-template <typename T> class Limited_vector : public std::vector<T>
-{
-public:
-  using std::vector<T>::vector;
-
-  void set_limit(std::size_t limit) { limit_ = limit; }
-
-  void resize(std::size_t size) {
-    if(size > limit_)
-      throw std::length_error("its header announces more elements than the file has bytes");
-    std::vector<T>::resize(size);
-  }
-
-private:
-  std::size_t limit_ = static_cast<std::size_t>(-1);
-};
-
 /// Points and faces as they stand in a file, nothing known about them.
 struct Soup
 {
-  Limited_vector<Point> points;
-  Limited_vector<Soup_face> faces;
+  std::vector<Point> points;
+  std::vector<Soup_face> faces;
 
   /// the vertex at which halfedge 3 * face + i, from corner i to corner i + 1, begins.
   std::uint32_t source(std::uint32_t halfedge) const { return faces[halfedge / 3][halfedge % 3]; }

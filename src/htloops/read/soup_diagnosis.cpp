@@ -10,6 +10,8 @@
 #include "read/soup_diagnosis.h"
 
 #include "read/edge_table.h"
+#include "read/point_merger.h"
+#include "read/soup_words.h"
 #include "words.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -29,10 +31,6 @@ using Disjoint_sets = boost::disjoint_sets_with_storage<Number_map, Number_map>;
 std::string name_of_edge(const Edge_table::Edge& edge) {
   return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]);
 }
-
-std::string name_of_face(std::size_t face) { return "face " + std::to_string(face); }
-
-std::string name_of_vertex(std::size_t vertex) { return "vertex " + std::to_string(vertex); }
 
 // Counts the elements with a defect and remembers the first of them.
 class Finding
@@ -201,8 +199,20 @@ private:
     std::sort(on_boundary.begin(), on_boundary.end());
     on_boundary.erase(std::unique(on_boundary.begin(), on_boundary.end()), on_boundary.end());
     const std::size_t pieces = vertices.count_sets(on_boundary.begin(), on_boundary.end());
+    const bool is_unwelded = on_boundary.size() == 3 * soup_.faces.size();
     boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
-                    ", in " + counted(pieces, "loop", "loops"));
+                    ", in " + counted(pieces, "loop", "loops") +
+                        (is_unwelded && soup_.faces.size() > 1 ? remark_on_unwelded_faces() : ""));
+  }
+
+  std::string remark_on_unwelded_faces() const {
+    Point_merger places;
+    for(const Soup_face& face : soup_.faces)
+      for(const std::uint32_t vertex : face)
+        places.number(soup_.points[vertex]);
+    return " of three edges: no two faces share a vertex (merging equal points would leave " +
+           std::to_string(places.take_points().size()) + " of " +
+           std::to_string(3 * soup_.faces.size()) + " vertices)";
   }
 
   void report_orientation(const Finding& disoriented) {

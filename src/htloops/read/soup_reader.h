@@ -16,7 +16,7 @@
 
 namespace htloops {
 
-/// reads what CGAL reads (OFF, OBJ, PLY, STL and GOCAD's TS, by the extension of the file name).
+/// reads OFF, OBJ, PLY and STL, by the extension of the file name.
 /// The vertices keep the order of the file; those of an STL file, which has none, are numbered as
 /// they come, equal points being one vertex. Throws `Failure` if the file cannot be read, ends too
 /// early, or names a vertex that is not there.

@@ -41,6 +41,15 @@ bool parse(std::string_view word, double& value) {
 
 } // namespace
 
+Text_cursor::Text_cursor(std::string_view text)
+    : begin_(text.data())
+    , at_(text.data())
+    , end_(text.data() + text.size()) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if(text.substr(0, byte_order_mark.size()) == byte_order_mark)
+    at_ += byte_order_mark.size();
+}
+
 void Text_cursor::skip_blanks() {
   while(at_ != end_ && is_blank(*at_))
     ++at_;
@@ -91,6 +100,11 @@ std::string_view Text_cursor::word() {
   const std::string_view word = next_word();
   at_ += word.size();
   return word;
+}
+
+bool Text_cursor::is_at_line_end() {
+  skip_blanks();
+  return at_ == end_ || *at_ == '\n' || *at_ == '#';
 }
 
 std::size_t Text_cursor::line() const {

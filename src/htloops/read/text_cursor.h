@@ -15,14 +15,12 @@
 
 namespace htloops {
 
-/// A place in a text of lines of numbers and words, where # begins a comment.
+/// A place in a text of lines of numbers and words, where # begins a comment. A byte order mark
+/// before the text is passed over.
 class Text_cursor
 {
 public:
-  explicit Text_cursor(std::string_view text)
-      : begin_(text.data())
-      , at_(text.data())
-      , end_(text.data() + text.size()) {}
+  explicit Text_cursor(std::string_view text);
 
   /// moves to the next number or word, over line ends and comments; false at the end of the text.
   bool skip_to_content();
@@ -36,6 +34,12 @@ public:
 
   /// reads the next word of this line; empty if there is none.
   std::string_view word();
+
+  /// whether nothing is left of this line, but for a comment.
+  bool is_at_line_end();
+
+  /// the number of bytes before this place.
+  std::size_t position() const { return static_cast<std::size_t>(at_ - begin_); }
 
   /// the number of the current line, from 1.
   std::size_t line() const;

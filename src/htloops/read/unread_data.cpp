@@ -10,6 +10,8 @@
 #include "read/unread_data.h"
 
 #include "read/input_file.h"
+#include "read/obj_lines.h"
+#include "read/off_header.h"
 #include "read/ply_header.h"
 #include "read/text_cursor.h"
 
@@ -36,35 +38,36 @@ std::size_t numbers_left(Text_cursor& cursor) {
   return count;
 }
 
-// Colours may stand behind the coordinates and behind the faces, whatever the header is.
-Words unread_in_off(std::string_view text, bool has_colours) {
+// Colours may stand behind the coordinates and behind the faces, whatever the keyword is.
+Words unread_in_off(const std::string& file, std::string_view text, bool keeps_colours) {
   Words found;
-  Text_cursor cursor(text);
-  cursor.skip_to_content();
-  const std::string_view header = cursor.word();
-  const std::string_view prefix = header.substr(0, header.find("OFF"));
-  if(prefix.find("ST") != prefix.npos)
+  Text_source source(file, text);
+  const Off_header header = read_off_header(source);
+  if(header.has_texture_coordinates)
     add(found, "texture coordinates");
-  if(prefix.find('C') != prefix.npos && !has_colours)
+  if(header.has_colours && !keeps_colours)
     add(found, "vertex colours");
-  if(prefix.find('N') != prefix.npos)
+  if(header.has_normals)
     add(found, "normals");
-  long long vertices = 0, faces = 0, corners = 0;
-  cursor.skip_to_content();
-  if(!cursor.read(vertices) || !cursor.read(faces))
+  if(header.is_free_form)
     return found;
-  for(long long v = 0; v < vertices && (cursor.skip_line(), cursor.skip_to_content()); ++v)
-    if(v == 0 && prefix.empty() && !has_colours && numbers_left(cursor) > 3)
+  const bool says_nothing = !header.has_colours && found.empty();
+  for(std::size_t v = 0; v < header.number_of_points; ++v, source.skip_line()) {
+    source.skip_to_content();
+    if(v == 0 && says_nothing && !keeps_colours &&
+       numbers_left(source) > (header.is_homogeneous ? 4 : 3))
       add(found, "vertex colours");
-  cursor.skip_line();
-  if(faces > 0 && cursor.skip_to_content() && cursor.read(corners) &&
-     numbers_left(cursor) > static_cast<std::size_t>((std::max)(corners, 0ll)))
+  }
+  long long corners = 0;
+  if(header.number_of_faces > 0 && source.skip_to_content() && source.read(corners) &&
+     numbers_left(source) > static_cast<std::size_t>((std::max)(corners, 0ll)))
     add(found, "face colours");
   return found;
 }
 
-Words unread_in_obj(std::string_view text) {
+Words unread_in_obj(std::string file_text) {
   Words found;
+  const std::string text = join_continued_lines(std::move(file_text));
   Text_cursor cursor(text);
   for(; cursor.skip_to_content(); cursor.skip_line()) {
     const std::string_view keyword = cursor.word();
@@ -76,6 +79,10 @@ Words unread_in_obj(std::string_view text) {
       add(found, "materials");
     else if(keyword == "g" || keyword == "o")
       add(found, "groups");
+    else if(keyword == "l")
+      add(found, "lines");
+    else if(keyword == "p")
+      add(found, "points");
     else if(keyword == "v" && numbers_left(cursor) >= 6)
       add(found, "vertex colours");
   }
@@ -96,12 +103,15 @@ void add_properties(Words& found,
     add(found, "the " + element.name + " properties " + names);
 }
 
-Words unread_in_ply(std::string_view text, const Vertex_properties& kept) {
+Words unread_in_ply(const std::string& file,
+                    std::string_view content,
+                    const Vertex_properties& kept) {
   Words found;
+  Text_source text(file, content);
   for(const Ply_element& element : read_ply_header(text).elements)
-    if(element.name == "vertex" || element.name == "vertices")
+    if(element.has_vertices())
       add_properties(found, element, {"x", "y", "z"}, kept);
-    else if(element.name == "face" || element.name == "faces")
+    else if(element.has_faces())
       add_properties(found, element, {"vertex_indices", "vertex_index"});
     else if(element.count > 0)
       add(found, "the elements " + element.name);
@@ -112,11 +122,11 @@ Words unread_in_ply(std::string_view text, const Vertex_properties& kept) {
 
 std::vector<std::string> unread_data(const std::string& file, const Vertex_properties& kept) {
   if(boost::algorithm::iends_with(file, ".off"))
-    return unread_in_off(read_whole_file(file), !kept.empty());
+    return unread_in_off(file, read_whole_file(file), !kept.empty());
   if(boost::algorithm::iends_with(file, ".obj"))
     return unread_in_obj(read_whole_file(file));
   if(boost::algorithm::iends_with(file, ".ply"))
-    return unread_in_ply(read_whole_file(file), kept);
+    return unread_in_ply(file, read_whole_file(file), kept);
   return {};
 }
 

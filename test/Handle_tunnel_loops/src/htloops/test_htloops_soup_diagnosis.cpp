@@ -86,6 +86,9 @@ TEST(Soup_diagnosis, names_what_is_no_triangle) {
   expect_defects({}, 3, {{Mesh_defect::EMPTY, 1, "no face"}});
   expect_defects({{0, 1, 2, 3}, {0, 1, 2}}, 4,
                  {{Mesh_defect::NOT_TRIANGULATED, 1, "face 0 with 4 vertices"}});
+  expect_defects({{0, 1, 2}, {0, 1, 2, 3}, {0, 1, 2, 3, 4}}, 5,
+                 {{Mesh_defect::NOT_TRIANGULATED, 2,
+                   "2 faces are not triangles, the first is face 1 with 4 vertices"}});
   expect_defects({{0, 1}, {0, 1, 2}}, 4,
                  {{Mesh_defect::NOT_TRIANGULATED, 1, "face 0 with 2 vertices"}});
   expect_defects(with(tetrahedron, {2, 0, 2}), 4, {{Mesh_defect::DEGENERATE_FACE, 1, "face 4"}});
@@ -111,6 +114,20 @@ TEST(Soup_diagnosis, counts_boundary_edges_and_loops) {
                  {{Mesh_defect::BOUNDARY_EDGE, 6, "in 2 loops"}});
 }
 
+// As programs write a mesh that have no vertices of their own: each face has its points.
+TEST(Soup_diagnosis, recognizes_faces_that_share_no_vertex) {
+  const Soup welded = soup_of(tetrahedron, 4);
+  Soup soup = soup_of({{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}}, 12);
+  for(std::uint32_t h = 0; h < 12; ++h)
+    soup.points[h] = welded.points[welded.source(h)];
+  const Diagnosis diagnosis = diagnose(soup);
+  ASSERT_EQ(diagnosis.defects.size(), 1u);
+  EXPECT_EQ(diagnosis.defects[0].kind, Mesh_defect::BOUNDARY_EDGE);
+  EXPECT_EQ(diagnosis.defects[0].message,
+            "12 boundary edges, in 4 loops of three edges: no two faces share a vertex (merging "
+            "equal points would leave 4 of 12 vertices), the first is edge 0-1 of face 0");
+}
+
 TEST(Soup_diagnosis, names_edges_with_too_many_faces) {
   expect_defects(with(tetrahedron, {0, 1, 4}), 5,
                  {{Mesh_defect::NON_MANIFOLD_EDGE, 1, "edge 0-1 with 3 faces"},
@@ -121,6 +138,18 @@ TEST(Soup_diagnosis, names_duplicate_faces) {
   for(const std::vector<std::uint32_t>& duplicate : Faces{{2, 0, 1}, {1, 0, 2}})
     expect_defects(with(tetrahedron, duplicate), 4,
                    {{Mesh_defect::NON_MANIFOLD_EDGE, 1, "face 4 with the vertices of face 0"},
+                    {Mesh_defect::NON_MANIFOLD_EDGE, 3, "edges have more than two faces"}});
+}
+
+TEST(Soup_diagnosis, counts_all_duplicates_of_a_face) {
+  const std::vector<std::uint32_t> face = tetrahedron[0], flipped = {1, 0, 2};
+  for(const Faces& duplicates : {Faces{face, face}, Faces{face, flipped}, Faces{flipped, flipped}})
+    expect_defects(with(with(tetrahedron, duplicates[0]), duplicates[1]), 4,
+                   {{Mesh_defect::NON_MANIFOLD_EDGE, 2, "2 faces are duplicates"},
+                    {Mesh_defect::NON_MANIFOLD_EDGE, 3, "edges have more than two faces"}});
+  for(const Faces& three : {Faces{face, face, face}, Faces{face, flipped, face}})
+    expect_defects(three, 3,
+                   {{Mesh_defect::NON_MANIFOLD_EDGE, 2, "2 faces are duplicates"},
                     {Mesh_defect::NON_MANIFOLD_EDGE, 3, "edges have more than two faces"}});
 }
 

@@ -145,6 +145,8 @@ TEST_F(Vertex_properties_test, WhatIsNotKeptIsNamed) {
       folder_.write("mesh.obj", "mtllib a.mtl\nv 0 0 0 1 0 0\nvt 0 0\nvt 0 1\nvn 0 0 1\nf 1 1 1\n");
   EXPECT_EQ(unread_data(obj, {}),
             (Words{"materials", "vertex colours", "texture coordinates", "normals"}));
+  const std::string lines = folder_.write("lines.obj", "v 0 0 0 \\\n1 0 0\nl 1 1\np 1\n");
+  EXPECT_EQ(unread_data(lines, {}), (Words{"vertex colours", "lines", "points"}));
 }
 
 } // namespace
