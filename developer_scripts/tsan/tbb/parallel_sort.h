@@ -1,7 +1,8 @@
 #ifndef HTL_TSAN_TBB_PARALLEL_SORT_H
 #define HTL_TSAN_TBB_PARALLEL_SORT_H
 
-// Stands in for the header of the same name when the thread sanitizer is on, as parallel_for.h does.
+// Stands in for the header of the same name when the thread sanitizer is on, as parallel_for.h
+// does.
 
 #include <algorithm>
 #include <thread>

@@ -34,6 +34,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -76,18 +77,23 @@ void check_options(const Remove_options& options) {
 }
 
 // What of the mesh's data will be in the result; says what will not.
-Vertex_properties properties_to_keep(const Remove_options& options) {
+Vertex_properties properties_to_keep(const Input_file& file, const Remove_options& options) {
   if(options.is_dry_run)
     return {};
-  Vertex_properties kept =
-      kept_by_format(options.result_file, read_vertex_properties(options.mesh_file));
+  Vertex_properties kept = kept_by_format(options.result_file, read_vertex_properties(file));
   std::string list;
-  for(const std::string& data : unread_data(options.mesh_file, kept))
+  for(const std::string& data : unread_data(file, kept))
     list += (list.empty() ? "" : "; ") + data;
   if(!list.empty() && !options.is_quiet)
     std::fprintf(stderr, "htloops: of %s is not kept: %s\n", options.mesh_file.c_str(),
                  list.c_str());
   return kept;
+}
+
+std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
+  const Input_file file(options.mesh_file);
+  Mesh mesh = read_mesh(file);
+  return {std::move(mesh), properties_to_keep(file, options)};
 }
 
 Pairs read_basis(const Mesh& mesh, const std::string& file) {
@@ -156,9 +162,8 @@ void show(const Remove_options& options,
 void run(const Remove_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  Mesh mesh = read_mesh(options.mesh_file);
+  auto [mesh, properties] = read(options);
   const double read_seconds = stopwatch.seconds();
-  Vertex_properties properties = properties_to_keep(options);
   const Interrupt_guard guard;
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;

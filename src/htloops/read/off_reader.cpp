@@ -38,10 +38,9 @@ Dialect dialect_of(std::string_view keyword) {
 class Off_parser
 {
 public:
-  Off_parser(const std::string& file, std::string_view text, Soup& soup)
+  Off_parser(const Input_file& file, Soup& soup)
       : file_(file)
-      , size_of_text_(text.size())
-      , cursor_(text)
+      , cursor_(file.content())
       , soup_(soup) {}
 
   bool parse() {
@@ -79,7 +78,7 @@ private:
   // No more than what the text has room for, whatever its header says.
   template <typename Elements> void reserve(Elements& elements, std::size_t announced) const {
     constexpr std::size_t shortest_line = 6;
-    elements.reserve((std::min)(announced, size_of_text_ / shortest_line));
+    elements.reserve((std::min)(announced, file_.content().size() / shortest_line));
   }
 
   void read_points() {
@@ -128,7 +127,7 @@ private:
 
   [[noreturn]] void fail(const std::string& problem) const {
     throw Failure(Exit_code::UNREADABLE_FILE,
-                  file_ + ":" + std::to_string(cursor_.line()) + ": " + problem);
+                  file_.name() + ":" + std::to_string(cursor_.line()) + ": " + problem);
   }
 
   // for what may be missing because the file was cut off.
@@ -143,8 +142,7 @@ private:
                     what);
   }
 
-  const std::string& file_;
-  const std::size_t size_of_text_;
+  const Input_file& file_;
   Text_cursor cursor_;
   Soup& soup_;
   std::size_t number_of_points_ = 0;
@@ -153,8 +151,6 @@ private:
 
 } // namespace
 
-bool read_plain_off(const std::string& file, std::string_view text, Soup& soup) {
-  return Off_parser(file, text, soup).parse();
-}
+bool read_plain_off(const Input_file& file, Soup& soup) { return Off_parser(file, soup).parse(); }
 
 } // namespace htloops

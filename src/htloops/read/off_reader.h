@@ -10,19 +10,17 @@
 #ifndef HTLOOPS_OFF_READER_H
 #define HTLOOPS_OFF_READER_H
 
+#include "read/input_file.h"
 #include "read/soup.h"
-
-#include <string>
-#include <string_view>
 
 namespace htloops {
 
-/// reads the text of an OFF file (also with colours, normals or texture coordinates, which are
+/// reads an OFF file (also with colours, normals or texture coordinates, which are
 /// passed over) several times faster than the reader of CGAL, and says which line is wrong where
 /// that one says only that something is. Returns false if the text is in another dialect (four or n
 /// coordinates): those are left to CGAL.
-/// Throws `Failure` if the text is malformed or ends too early; `file` is for the message.
-bool read_plain_off(const std::string& file, std::string_view text, Soup& soup);
+/// Throws `Failure` if the text is malformed or ends too early.
+bool read_plain_off(const Input_file& file, Soup& soup);
 
 } // namespace htloops
 

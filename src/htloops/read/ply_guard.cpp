@@ -10,7 +10,6 @@
 #include "read/ply_guard.h"
 
 #include "failure.h"
-#include "read/input_file.h"
 #include "read/ply_header.h"
 #include "read/text_cursor.h"
 
@@ -140,12 +139,11 @@ void check_content(std::string_view content) {
 
 } // namespace
 
-void check_ply(const std::string& file) {
-  const std::string content = read_whole_file(file);
+void check_ply(const Input_file& file) {
   try {
-    check_content(content);
+    check_content(file.content());
   } catch(const Failure& failure) {
-    throw Failure(failure.code(), file + ": " + failure.what());
+    throw Failure(failure.code(), file.name() + ": " + failure.what());
   }
 }
 

@@ -10,14 +10,14 @@
 #ifndef HTLOOPS_PLY_GUARD_H
 #define HTLOOPS_PLY_GUARD_H
 
-#include <string>
+#include "read/input_file.h"
 
 namespace htloops {
 
 /// throws `Failure` if a file is no PLY file, ends before all is there that its header announces,
 /// or declares what the reader of CGAL would misread without a word: types that PLY does not have,
 /// vertices without coordinates. That reader also allocates whatever length a list claims to have.
-void check_ply(const std::string& file);
+void check_ply(const Input_file& file);
 
 } // namespace htloops
 

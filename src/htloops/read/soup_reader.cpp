@@ -9,12 +9,13 @@
 
 #include "read/soup_reader.h"
 
-#include "read/input_file.h"
 #include "read/off_reader.h"
 #include "read/ply_guard.h"
 #include "read/stl_guard.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
+
+#include <boost/interprocess/streams/bufferstream.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -49,7 +50,7 @@ std::string explain(const std::string& extension, const Soup& soup) {
 }
 
 // Not every reader of CGAL checks this.
-void check_indices(const std::string& file, const Soup& soup) {
+void check_indices(const Input_file& file, const Soup& soup) {
   for(std::size_t i = 0; i < soup.faces.size(); ++i)
     for(const std::uint32_t vertex : soup.faces[i])
       if(vertex >= soup.points.size())
@@ -57,14 +58,31 @@ void check_indices(const std::string& file, const Soup& soup) {
                                std::to_string(soup.points.size()) + " of the file");
 }
 
-void read_with_cgal(const std::string& file, const std::string& extension, Soup& soup) {
-  const auto size = static_cast<std::size_t>(size_of_file(file));
-  soup.points.set_limit(size);
-  soup.faces.set_limit(size);
+// As `CGAL::IO::read_polygon_soup()` of a file does, but for its second reading of an STL file,
+// which only differs from the first where the ends of lines are translated.
+bool read_polygon_soup(std::istream& stream, const std::string& extension, Soup& soup) {
+  const auto quiet = CGAL::parameters::verbose(false);
+  const bool may_be_binary = extension == "ply" || extension == "stl";
+  CGAL::IO::set_mode(stream, may_be_binary ? CGAL::IO::BINARY : CGAL::IO::ASCII);
+  if(extension == "off")
+    return CGAL::IO::read_OFF(stream, soup.points, soup.faces, quiet);
+  if(extension == "obj")
+    return CGAL::IO::read_OBJ(stream, soup.points, soup.faces, quiet);
+  if(extension == "ply")
+    return CGAL::IO::read_PLY(stream, soup.points, soup.faces, quiet);
+  if(extension == "stl")
+    return CGAL::IO::read_STL(stream, soup.points, soup.faces, quiet);
+  return extension == "ts" && CGAL::IO::read_GOCAD(stream, soup.points, soup.faces, quiet);
+}
+
+void read_with_cgal(const Input_file& file, const std::string& extension, Soup& soup) {
+  const std::string_view content = file.content();
+  soup.points.set_limit(content.size());
+  soup.faces.set_limit(content.size());
+  boost::interprocess::ibufferstream stream(content.data(), content.size());
   bool is_read = false;
   try {
-    is_read = CGAL::IO::read_polygon_soup(file, soup.points, soup.faces,
-                                          CGAL::parameters::verbose(false));
+    is_read = read_polygon_soup(stream, extension, soup);
   } catch(const std::exception& exception) {
     fail_to_read(file, std::string("it cannot be read: ") + exception.what());
   }
@@ -76,10 +94,10 @@ void read_with_cgal(const std::string& file, const std::string& extension, Soup&
 
 } // namespace
 
-Soup read_soup(const std::string& file) {
-  const std::string extension = extension_of(file);
+Soup read_soup(const Input_file& file) {
+  const std::string extension = extension_of(file.name());
   Soup soup;
-  if(extension == "off" && read_plain_off(file, read_whole_file(file), soup))
+  if(extension == "off" && read_plain_off(file, soup))
     return soup;
   if(extension == "ply")
     check_ply(file);

@@ -10,7 +10,6 @@
 #include "read/stl_guard.h"
 
 #include "failure.h"
-#include "read/input_file.h"
 
 #include <cmath>
 #include <cstdint>
@@ -37,21 +36,21 @@ bool is_binary(std::string_view content) {
   return size_agrees || content.substr(0, 5) != "solid";
 }
 
-void check_points(const std::string& file, std::string_view content, std::size_t facet) {
+void check_points(const Input_file& file, std::size_t facet) {
   const std::size_t points = header_size + count_size + facet * facet_size + 3 * sizeof(float);
   for(std::size_t i = 0; i < 9; ++i)
-    if(!std::isfinite(value_at<float>(content, points + i * sizeof(float))))
+    if(!std::isfinite(value_at<float>(file.content(), points + i * sizeof(float))))
       throw Failure(Exit_code::UNACCEPTABLE_MESH,
-                    file + ": face " + std::to_string(facet) +
+                    file.name() + ": face " + std::to_string(facet) +
                         " has a coordinate that is infinite or not a number");
 }
 
 } // namespace
 
-void check_stl(const std::string& file) {
-  const std::string content = read_whole_file(file);
+void check_stl(const Input_file& file) {
+  const std::string_view content = file.content();
   if(content.size() < header_size + count_size) {
-    if(content.find("endsolid") == std::string::npos)
+    if(content.find("endsolid") == content.npos)
       fail_to_read(file, "it is too short to be an STL file");
     return;
   }
@@ -63,7 +62,7 @@ void check_stl(const std::string& file) {
     fail_to_read(file, "it ends after " + std::to_string(found) + " of " +
                            std::to_string(announced) + " faces");
   for(std::size_t facet = 0; facet < announced; ++facet)
-    check_points(file, content, facet);
+    check_points(file, facet);
 }
 
 } // namespace htloops

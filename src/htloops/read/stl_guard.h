@@ -10,14 +10,14 @@
 #ifndef HTLOOPS_STL_GUARD_H
 #define HTLOOPS_STL_GUARD_H
 
-#include <string>
+#include "read/input_file.h"
 
 namespace htloops {
 
 /// throws `Failure` where the reader of CGAL would accept an STL file wrongly: it takes a file that
 /// ends in the header for an empty one, and merges points with coordinates that are no numbers
 /// with any other.
-void check_stl(const std::string& file);
+void check_stl(const Input_file& file);
 
 } // namespace htloops
 

@@ -9,15 +9,13 @@
 
 #include "read/values_reader.h"
 
-#include "read/input_file.h"
 #include "read/text_cursor.h"
 
 #include <cmath>
 
 namespace htloops {
-std::vector<double> read_values(const std::string& file, std::size_t number_of_vertices) {
-  const std::string text = read_whole_file(file);
-  Text_cursor cursor(text);
+std::vector<double> read_values(const Input_file& file, std::size_t number_of_vertices) {
+  Text_cursor cursor(file.content());
   std::vector<double> values;
   while(cursor.skip_to_content()) {
     double value = 0.;

@@ -1,0 +1,47 @@
+# Where the tool reads from and writes to: pipes, links, devices, and files that are named twice.
+include("${CMAKE_CURRENT_LIST_DIR}/run_htloops.cmake")
+
+# expect_same_graph(<file> <file>): of what `htloops reeb` wrote.
+function(expect_same_graph expected_file file)
+  file(READ "${FOLDER}/${expected_file}" expected)
+  file(READ "${FOLDER}/${file}" found)
+  foreach(member IN ITEMS nodes arcs vertex_arc)
+    string(JSON expected_value GET "${expected}" ${member})
+    string(JSON value GET "${found}" ${member})
+    expect_equal("${member} ${value}" "${member} ${expected_value}")
+  endforeach()
+endfunction()
+
+run(0 generate multi-torus --genus 2 --faces 1500 -o mesh.off --quiet)
+run(0 loops mesh.off -o loops.json --quiet)
+
+# What comes through a pipe is what is in the file. (The extension is that of a link to the pipe.)
+if(EXISTS "/dev/stdin")
+  foreach(extension IN ITEMS off obj ply stl)
+    run(0 generate multi-torus --genus 2 --faces 1500 -o mesh.${extension} --quiet)
+    run(0 reeb mesh.${extension} -o expected.json --height 0,0,1 --quiet)
+    file(CREATE_LINK "/dev/stdin" "${FOLDER}/piped.${extension}" SYMBOLIC)
+    run_piped(0 mesh.${extension} reeb piped.${extension} -o piped.json --height 0,0,1 --quiet)
+    expect_same_graph(expected.json piped.json)
+    run_piped(0 mesh.${extension} remove piped.${extension} -o ball.ply)
+    expect_match("${output}" "genus 2 -> 0")
+  endforeach()
+  run_piped(0 loops.json check mesh.off /dev/stdin)
+  run_piped(0 loops.json remove mesh.off --dry-run --loops /dev/stdin)
+
+  # The first of these values has two digits: without one of them it would be another.
+  file(READ "${FOLDER}/expected.json" expected)
+  string(JSON vertices GET "${expected}" mesh vertices)
+  set(values "")
+  foreach(v RANGE 1 ${vertices})
+    math(EXPR value "(${v} * 7919 + 80) % 1009")
+    string(APPEND values "${value}\n")
+  endforeach()
+  file(WRITE "${FOLDER}/values.txt" "${values}")
+  run(0 reeb mesh.off --values values.txt -o expected.json --simplify 0 --quiet)
+  run_piped(0 values.txt reeb mesh.off --values /dev/stdin -o piped.json --simplify 0 --quiet)
+  expect_same_graph(expected.json piped.json)
+endif()
+
+file(GLOB unfinished "${FOLDER}/*.part-*")
+expect_equal("${unfinished}" "")
