@@ -43,5 +43,27 @@ if(EXISTS "/dev/stdin")
   expect_same_graph(expected.json piped.json)
 endif()
 
+# A picture that cannot be written leaves what it would have replaced.
+run(0 loops --help)
+if(output MATCHES "--picture" AND EXISTS "/dev/full")
+  file(CREATE_LINK "/dev/full" "${FOLDER}/full.png" SYMBOLIC)
+  run(2 loops mesh.off --picture full.png --quiet)
+  expect_match("${errors}" "cannot write full.png: No space")
+  if(NOT IS_SYMLINK "${FOLDER}/full.png" OR NOT EXISTS "/dev/full")
+    message(SEND_ERROR "a picture that could not be written removed its file")
+  endif()
+endif()
+
+# Names that are links to nothing yet, or as long as a name can be.
+file(CREATE_LINK "real.json" "${FOLDER}/link.json" SYMBOLIC)
+run(0 loops mesh.off -o link.json --quiet)
+run(0 check mesh.off real.json --quiet)
+if(NOT IS_SYMLINK "${FOLDER}/link.json")
+  message(SEND_ERROR "a link was replaced")
+endif()
+string(REPEAT "a" 251 name)
+run(0 generate torus -o ${name}.off --quiet)
+run(0 loops ${name}.off -o ${name}json --quiet)
+
 file(GLOB unfinished "${FOLDER}/*.part-*")
 expect_equal("${unfinished}" "")
