@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "commands/command.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "commands/loops_file.h"
 #include "read/mesh_reader.h"
@@ -92,9 +93,11 @@ void add_check_command(CLI::App& app, Command& command) {
   CLI::App* check = app.add_subcommand("check", description)->group("Commands");
   check->add_option("MESH", options->mesh_file, "the mesh that the loops were computed on")
       ->option_text(" ")
+      ->type_name(input_file)
       ->required();
   check->add_option("LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote")
       ->option_text(" ")
+      ->type_name(input_file)
       ->required();
   check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*check, examples);

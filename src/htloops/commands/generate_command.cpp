@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "commands/command.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
 #include "generators/generators.h"
@@ -49,7 +50,6 @@ std::string shape_of(const generators::Soup& mesh) {
 
 void run(const generators::Kind& kind, const Generate_options& options) {
   check_mesh_format(options.mesh_file);
-  check_writable(options.mesh_file);
   const generators::Soup mesh = make(kind, options.request);
   const Interrupt_guard guard;
   write_mesh(options.mesh_file, mesh);
@@ -84,6 +84,7 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
       generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
   sub->add_option("-o,--output", options->mesh_file, "the mesh: .off .obj .ply .stl (required)")
       ->option_text("MESH")
+      ->type_name(output_file)
       ->required();
   sub->add_option("--faces", options->request.faces,
                   "about how many triangles" + default_of(options->request.faces))

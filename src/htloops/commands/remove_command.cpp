@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/common_options.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "commands/length_option.h"
 #include "commands/loops_file.h"
@@ -73,7 +74,7 @@ void check_options(const Remove_options& options) {
     if(!(options.box[i] <= options.box[i + 3]))
       throw Failure(Exit_code::WRONG_USAGE,
                     "--box: its least corner comes first, then its largest");
-  check_common_options(options, {options.result_file, options.page_file});
+  check_common_options(options);
 }
 
 // What of the mesh's data will be in the result; says what will not.
@@ -225,6 +226,7 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
       ->option_text("LOOPS.json")
+      ->type_name(input_file)
       ->group(group);
   add_threads_option(command, options, group);
 }
@@ -235,16 +237,19 @@ void add_output_options(CLI::App& command, Remove_options& options) {
       .add_option("-o,--output", options.result_file,
                   "the mesh: .off .obj .ply .stl; - is standard output, OFF")
       ->option_text("OUT")
+      ->type_name(output_file)
       ->group(group);
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh")->group(group);
   command.add_option("--report", options.json_file, "what was done, as JSON")
       ->option_text("FILE.json")
+      ->type_name(output_file)
       ->group(group);
   command
       .add_option("--html", options.page_file,
                   has_pictures ? "what was done, as a page with pictures before and after"
                                : "what was done, as a page")
       ->option_text("FILE")
+      ->type_name(output_file)
       ->group(group);
   add_picture_options(command, options, "the loops of what is removed", group);
 }
