@@ -101,5 +101,15 @@ if(EXISTS "/dev/null")
   run(0 loops mesh.off -o /dev/null --events null.json --quiet)
 endif()
 
+# Help that cannot be written is a failure.
+if(EXISTS "/dev/full")
+  foreach(arguments IN ITEMS --help --version "loops;--help")
+    execute_process(COMMAND "${HTLOOPS}" ${arguments} OUTPUT_FILE /dev/full
+      RESULT_VARIABLE code ERROR_VARIABLE errors)
+    expect_equal("${arguments}: ${code}" "${arguments}: 2")
+    expect_match("${errors}" "standard output")
+  endforeach()
+endif()
+
 file(GLOB unfinished "${FOLDER}/*.part-*")
 expect_equal("${unfinished}" "")

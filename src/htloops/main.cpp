@@ -109,6 +109,8 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
     const bool is_request = app.exit(error) == static_cast<int>(CLI::ExitCodes::Success);
+    if(is_request && !std::cout.flush())
+      return report(Exit_code::WRONG_USAGE, "cannot write the standard output");
     return static_cast<int>(is_request ? Exit_code::DONE : Exit_code::WRONG_USAGE);
   }
   return run(app, command);

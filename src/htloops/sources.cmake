@@ -18,6 +18,7 @@ set(HTLOOPS_SOURCES
   read/loops_json_reader.cpp
   read/mesh_builder.cpp
   read/mesh_reader.cpp
+  read/non_finite_points.cpp
   read/off_reader.cpp
   read/ply_guard.cpp
   read/ply_header.cpp

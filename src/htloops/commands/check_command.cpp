@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "commands/command.h"
+#include "commands/common_options.h"
 #include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "commands/loops_file.h"
@@ -17,7 +18,6 @@
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 
-#include <iostream>
 #include <memory>
 
 namespace htloops {
@@ -66,8 +66,7 @@ void run(const Check_options& options) {
   if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
     require_none(options.loops_file, lines_of(certificate.failure));
   if(!options.is_quiet)
-    std::cout << options.loops_file << ": " << praise(certificate, is_boundary_of_solid)
-              << std::endl;
+    show_text(options.loops_file + ": " + praise(certificate, is_boundary_of_solid) + "\n", false);
 }
 
 constexpr char description[] =

@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace htloops {
@@ -68,6 +69,7 @@ void add_picture_options(CLI::App& command,
         ->option_text("X,Y,Z")
         ->delimiter(',')
         ->expected(3)
+        ->check(why_not_finite)
         ->needs("--picture")
         ->group(group);
   };
@@ -94,6 +96,12 @@ void check_common_options(const Common_options& options) {
     throw Failure(Exit_code::WRONG_USAGE, "--up 0,0,0 is no direction");
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
+}
+
+std::string why_not_finite(const std::string& text) {
+  double number;
+  const bool is_finite = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
+  return is_finite ? "" : text + " is not a finite number";
 }
 
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {

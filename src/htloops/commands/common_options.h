@@ -53,6 +53,10 @@ void add_threads_option(CLI::App& command, Common_options& options, const std::s
 /// direction.
 void check_common_options(const Common_options& options);
 
+/// for `CLI::Option::check()`: empty for a finite number, else what is wrong. A range lets pass
+/// what is not a number, as it is neither below nor above.
+std::string why_not_finite(const std::string& text);
+
 /// the vertex that a number stands for; throws `Failure` if there is none, or if it has no face.
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number);
 

@@ -172,6 +172,7 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
           ->option_text("X,Y,Z")
           ->delimiter(',')
           ->expected(3)
+          ->check(why_not_finite)
           ->excludes(seed)
           ->group(group);
   command.add_option("--values", options.values_file, "take a number for each vertex from a file")
@@ -185,6 +186,7 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
                   "leaves to take off, as part of the whole, 0 to 1; default: 0.03")
       ->option_text("PART")
       ->check(CLI::Range(0., 1.))
+      ->check(why_not_finite)
       ->group(group);
   command
       .add_option("--measure", options.measure,

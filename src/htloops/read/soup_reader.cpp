@@ -9,6 +9,7 @@
 
 #include "read/soup_reader.h"
 
+#include "read/non_finite_points.h"
 #include "read/off_reader.h"
 #include "read/ply_guard.h"
 #include "read/stl_guard.h"
@@ -86,6 +87,8 @@ void read_with_cgal(const Input_file& file, const std::string& extension, Soup& 
   } catch(const std::exception& exception) {
     fail_to_read(file, std::string("it cannot be read: ") + exception.what());
   }
+  if(!is_read)
+    check_points_are_finite(file, extension);
   if(!is_read && extension == "obj")
     check_indices(file, soup); // the reason, if all was read
   if(!is_read)

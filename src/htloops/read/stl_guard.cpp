@@ -9,7 +9,7 @@
 
 #include "read/stl_guard.h"
 
-#include "failure.h"
+#include "read/non_finite_points.h"
 
 #include <cmath>
 #include <cstdint>
@@ -40,9 +40,7 @@ void check_points(const Input_file& file, std::size_t facet) {
   const std::size_t points = header_size + count_size + facet * facet_size + 3 * sizeof(float);
   for(std::size_t i = 0; i < 9; ++i)
     if(!std::isfinite(value_at<float>(file.content(), points + i * sizeof(float))))
-      throw Failure(Exit_code::UNACCEPTABLE_MESH,
-                    file.name() + ": face " + std::to_string(facet) +
-                        " has a coordinate that is infinite or not a number");
+      fail_with_non_finite(file, "face " + std::to_string(facet));
 }
 
 } // namespace
