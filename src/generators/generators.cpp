@@ -10,6 +10,7 @@
 #include "generators.h"
 
 #include "Random.h"
+#include "request_checks.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -96,6 +97,11 @@ std::size_t number_of_components(const Soup& soup) {
   for(std::size_t v = 0; v < is_used.size(); ++v)
     count += is_used[v] != 0 && sets.find_set(v) == v;
   return count;
+}
+
+Soup make(const Kind& kind, const Request& request) {
+  require_no_more_than_faces(request, kind);
+  return kind.make(request);
 }
 
 std::size_t genus(const Soup& soup) {

@@ -70,6 +70,10 @@ struct Kind
   std::size_t default_faces = 10000; ///< for the tool; enough for the other defaults
 };
 
+/// makes a mesh as `kind.make()` does, and throws at once if more is asked for of something that
+/// the kind looks at than there are to be faces: such numbers are too large to compute with.
+Soup make(const Kind& kind, const Request& request);
+
 /// all families.
 const std::vector<Kind>& kinds();
 

@@ -68,7 +68,7 @@ private:
 
 Soup make_waves(const Request& request) {
   const std::size_t f = (std::max<std::size_t>)(request.frequency, 1);
-  require_faces(request, "waves", 1000 + 400 * f * f * f);
+  require_faces(request, "waves", 1000. + 400. * std::pow(f, 3));
   Random random(request.seed);
   return mesh_of_field(Waves_in_box(static_cast<double>(f), random), request.faces);
 }

@@ -93,6 +93,10 @@ expect_match("${errors}" "vertex 2 is not finite")
 run(2 reeb mesh.off --height 0,0,0)
 run(2 reeb mesh.off --height 0,0,1 --seed 3)
 run(2 reeb mesh.off --simplify 1.5)
+foreach(number IN ITEMS nan inf -nan 1e999)
+  run(2 reeb mesh.off --simplify ${number})
+  run(2 reeb mesh.off --height 0,${number},1)
+endforeach()
 run(2 reeb mesh.off --measure beauty)
 run(2 reeb mesh.off --graph reeb.txt)
 run(2 reeb mesh.off --parts parts.obj)
@@ -162,6 +166,12 @@ run(0 generate twins --faces 60000 --genus 1 --necks 3 -o twins.off)
 expect_match("${output}" "genus 4")
 run(2 generate torus-link --long-way 2 --short-way 2 -o link.off)
 run(2 generate torus --parts 2 -o torus.off)
+foreach(wish IN ITEMS "multi-torus --genus" "gyroid --genus" "ladder --genus" "ladder --short-way"
+    "torus-link --short-way" "waves --frequency" "scan --bridges" "twins --genus" "hollow --necks"
+    "plates --parts" "torus --faces")
+  string(REPLACE " " ";" wish "${wish}")
+  run(2 generate ${wish} 18446744073709551615 -o torus.off)
+endforeach()
 
 # No handles, no loops, no error.
 run(0 generate sphere --genus 0 --faces 500 -o sphere.off)
@@ -221,6 +231,32 @@ file(WRITE "${FOLDER}/open.off" "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
 run(4 loops open.off)
 expect_match("${errors}" "3 boundary edges")
 run(4 check open.off loops.json)
+
+# A vertex that is nowhere is named, and is the fault of the mesh, in every format.
+foreach(extension IN ITEMS off obj ply stl)
+  run(0 generate torus --faces 1000 -o torus.${extension} --quiet)
+  file(READ "${FOLDER}/torus.${extension}" text)
+  foreach(number IN ITEMS nan inf -inf)
+    # The first coordinate of a point.
+    if(extension STREQUAL "stl")
+      string(REGEX REPLACE "(outer loop\nvertex [^\n]*\nvertex) [^ ]+" "\\1 ${number}" wrong "${text}")
+    elseif(extension STREQUAL "ply")
+      string(REGEX REPLACE "(end_header\n)[^ ]+" "\\1${number}" wrong "${text}")
+    else()
+      string(REGEX REPLACE "(1\\.[^ ]+ [^ ]+ [^ \n]+\n(v )?)[^ ]+ ([^ ]+ [^ \n]+\n)" "\\1${number} \\3"
+        wrong "${text}")
+    endif()
+    file(WRITE "${FOLDER}/wrong.${extension}" "${wrong}")
+    run(4 loops wrong.${extension})
+    expect_match("${errors}" "(vertex|face) [0-9]+")
+  endforeach()
+endforeach()
+
+run(0 loops --help)
+if(output MATCHES "--picture")
+  run(2 loops mesh.off --picture mesh.png --view nan,0,1)
+  run(2 loops mesh.off --picture mesh.png --up 0,inf,1)
+endif()
 
 # A backend is there or it is not.
 run("0|5" loops mesh.off --quiet --backend cuda)

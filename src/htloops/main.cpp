@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "commands/command.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
 #include "terminal/interrupt.h"
@@ -60,8 +61,9 @@ int report_interrupt() {
   return 128 + htloops::interrupting_signal();
 }
 
-int run(const htloops::Command& command) {
+int run(const CLI::App& app, const htloops::Command& command) {
   try {
+    htloops::check_files(app);
     command();
     return static_cast<int>(Exit_code::DONE);
   } catch(const htloops::Failure& failure) {
@@ -107,7 +109,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
     const bool is_request = app.exit(error) == static_cast<int>(CLI::ExitCodes::Success);
+    if(is_request && !std::cout.flush())
+      return report(Exit_code::WRONG_USAGE, "cannot write the standard output");
     return static_cast<int>(is_request ? Exit_code::DONE : Exit_code::WRONG_USAGE);
   }
-  return run(command);
+  return run(app, command);
 }

@@ -4,6 +4,7 @@ set(HTLOOPS_SOURCES
   commands/check_command.cpp
   commands/common_options.cpp
   commands/cut_command.cpp
+  commands/file_options.cpp
   commands/generate_command.cpp
   commands/help_style.cpp
   commands/length_option.cpp

@@ -14,8 +14,8 @@
 #include "Line_layer.h"
 #include "Surface_layer.h"
 #include "ambient_occlusion.h"
+#include "encode_png.h"
 #include "lights.h"
-#include "write_png.h"
 
 #include <stdexcept>
 
@@ -192,31 +192,20 @@ std::vector<Colour> paint(const Scene& scene, const Options& options) {
 
 } // namespace
 
-void write_picture(const std::string& png_file,
-                   const std::vector<Point>& points,
-                   const std::vector<Triangle>& triangles,
-                   const std::vector<Colour>& triangle_colours,
-                   const std::vector<Line>& lines,
-                   const Options& options) {
-  const Scene scene = {points, triangles, triangle_colours, lines};
-  write_png(png_file, options.width, options.height, paint(scene, options));
+std::string encode_picture(const std::vector<Point>& points,
+                           const std::vector<Triangle>& triangles,
+                           const std::vector<Colour>& triangle_colours,
+                           const std::vector<Line>& lines,
+                           const Options& options) {
+  return encode_png(options.width, options.height,
+                    paint({points, triangles, triangle_colours, lines}, options));
 }
 
 std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Triangle>& triangles,
                            const std::vector<Line>& lines,
                            const Options& options) {
-  const std::vector<Colour> no_colours;
-  return encode_png(options.width, options.height,
-                    paint({points, triangles, no_colours, lines}, options));
-}
-
-void write_picture(const std::string& png_file,
-                   const std::vector<Point>& points,
-                   const std::vector<Triangle>& triangles,
-                   const std::vector<Line>& lines,
-                   const Options& options) {
-  write_picture(png_file, points, triangles, {}, lines, options);
+  return encode_picture(points, triangles, {}, lines, options);
 }
 
 } // namespace htl_picture

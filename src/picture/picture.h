@@ -45,25 +45,17 @@ struct Options
   Colour background = {255, 255, 255};
 };
 
-/// writes a PNG file. Throws `std::runtime_error` if the file cannot be written, the size is not
-/// one of a picture, or a coordinate is not finite.
-void write_picture(const std::string& png_file,
-                   const std::vector<Point>& points,
-                   const std::vector<Triangle>& triangles,
-                   const std::vector<Line>& lines,
-                   const Options& options = Options());
-
-/// the same with a colour for each triangle.
-void write_picture(const std::string& png_file,
-                   const std::vector<Point>& points,
-                   const std::vector<Triangle>& triangles,
-                   const std::vector<Colour>& triangle_colours,
-                   const std::vector<Line>& lines,
-                   const Options& options = Options());
-
-/// the content of such a file.
+/// the content of a PNG file. Throws `std::runtime_error` if the size is not one of a picture, or a
+/// coordinate is not finite.
 std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Triangle>& triangles,
+                           const std::vector<Line>& lines,
+                           const Options& options = Options());
+
+/// the same with a colour for each triangle.
+std::string encode_picture(const std::vector<Point>& points,
+                           const std::vector<Triangle>& triangles,
+                           const std::vector<Colour>& triangle_colours,
                            const std::vector<Line>& lines,
                            const Options& options = Options());
 

@@ -7,4 +7,4 @@ set(HTL_PICTURE_SOURCES
   Line_layer.cpp
   picture.cpp
   Surface_layer.cpp
-  write_png.cpp)
+  encode_png.cpp)

@@ -8,6 +8,8 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "commands/command.h"
+#include "commands/common_options.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "commands/loops_file.h"
 #include "read/mesh_reader.h"
@@ -16,7 +18,6 @@
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 
-#include <iostream>
 #include <memory>
 
 namespace htloops {
@@ -65,8 +66,7 @@ void run(const Check_options& options) {
   if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
     require_none(options.loops_file, lines_of(certificate.failure));
   if(!options.is_quiet)
-    std::cout << options.loops_file << ": " << praise(certificate, is_boundary_of_solid)
-              << std::endl;
+    show_text(options.loops_file + ": " + praise(certificate, is_boundary_of_solid) + "\n", false);
 }
 
 constexpr char description[] =
@@ -92,9 +92,11 @@ void add_check_command(CLI::App& app, Command& command) {
   CLI::App* check = app.add_subcommand("check", description)->group("Commands");
   check->add_option("MESH", options->mesh_file, "the mesh that the loops were computed on")
       ->option_text(" ")
+      ->type_name(input_file)
       ->required();
   check->add_option("LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote")
       ->option_text(" ")
+      ->type_name(input_file)
       ->required();
   check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*check, examples);

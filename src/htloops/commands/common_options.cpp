@@ -9,6 +9,7 @@
 
 #include "commands/common_options.h"
 
+#include "commands/file_options.h"
 #include "failure.h"
 #include "write/atomic_file.h"
 #include "write/export_lines.h"
@@ -16,29 +17,15 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
 
 namespace htloops {
-namespace {
-
-void check_output_paths(const std::string& mesh_file, const std::vector<std::string>& targets) {
-  for(auto target = targets.begin(); target != targets.end(); ++target) {
-    std::error_code ignored; // of a file that does not exist
-    if(std::filesystem::equivalent(*target, mesh_file, ignored))
-      throw Failure(Exit_code::WRONG_USAGE, *target + " is the mesh; it is not overwritten");
-    if(std::find(targets.begin(), target, *target) != target)
-      throw Failure(Exit_code::WRONG_USAGE, *target + " is named for two outputs");
-    check_writable(*target);
-  }
-}
-
-} // namespace
 
 void add_mesh_argument(CLI::App& command, Common_options& options) {
   command.add_option("MESH", options.mesh_file, "closed triangle mesh: .off .obj .ply .stl")
       ->option_text(" ")
+      ->type_name(input_file)
       ->required();
 }
 
@@ -48,6 +35,7 @@ void add_json_option(CLI::App& command,
                      const std::string& group) {
   command.add_option("-o,--output", options.json_file, what + " as JSON; - is standard output")
       ->option_text("FILE.json")
+      ->type_name(output_file)
       ->group(group);
 }
 
@@ -59,6 +47,7 @@ void add_lines_option(CLI::App& command,
       .add_option("--lines", options.lines_files,
                   what + " as lines: .ply .obj .vtp .polylines.txt; repeatable")
       ->option_text("FILE")
+      ->type_name(output_file)
       ->allow_extra_args(false)
       ->group(group);
 }
@@ -72,6 +61,7 @@ void add_picture_options(CLI::App& command,
   Picture_options& picture = options.picture;
   command.add_option("--picture", picture.file, "a picture of the mesh and " + what)
       ->option_text("FILE.png")
+      ->type_name(output_file)
       ->group(group);
   const auto add_direction = [&](const char* name, std::vector<double>& direction,
                                  const char* meaning) {
@@ -79,6 +69,7 @@ void add_picture_options(CLI::App& command,
         ->option_text("X,Y,Z")
         ->delimiter(',')
         ->expected(3)
+        ->check(why_not_finite)
         ->needs("--picture")
         ->group(group);
   };
@@ -97,7 +88,7 @@ void add_threads_option(CLI::App& command, Common_options& options, const std::s
       ->group(group);
 }
 
-void check_common_options(const Common_options& options, std::vector<std::string> outputs) {
+void check_common_options(const Common_options& options) {
   const Picture_options& picture = options.picture;
   if(!picture.view.empty() && is_zero(picture.view))
     throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
@@ -105,10 +96,12 @@ void check_common_options(const Common_options& options, std::vector<std::string
     throw Failure(Exit_code::WRONG_USAGE, "--up 0,0,0 is no direction");
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
-  outputs.insert(outputs.end(), options.lines_files.begin(), options.lines_files.end());
-  outputs.insert(outputs.end(), {options.json_file, picture.file});
-  outputs.erase(std::remove(outputs.begin(), outputs.end(), ""), outputs.end());
-  check_output_paths(options.mesh_file, outputs);
+}
+
+std::string why_not_finite(const std::string& text) {
+  double number;
+  const bool is_finite = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
+  return is_finite ? "" : text + " is not a finite number";
 }
 
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {

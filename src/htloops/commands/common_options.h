@@ -49,10 +49,13 @@ void add_picture_options(CLI::App& command,
                          const std::string& group);
 void add_threads_option(CLI::App& command, Common_options& options, const std::string& group);
 
-/// throws `Failure` if an output cannot be written, would overwrite the mesh or another one, or if
-/// the picture is to be seen from no direction. `outputs` are those that no other command has; an
-/// empty name is none.
-void check_common_options(const Common_options& options, std::vector<std::string> outputs);
+/// throws `Failure` if there are lines in no known format, or if the picture is to be seen from no
+/// direction.
+void check_common_options(const Common_options& options);
+
+/// for `CLI::Option::check()`: empty for a finite number, else what is wrong. A range lets pass
+/// what is not a number, as it is neither below nor above.
+std::string why_not_finite(const std::string& text);
 
 /// the vertex that a number stands for; throws `Failure` if there is none, or if it has no face.
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number);

@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/common_options.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
 #include "read/mesh_reader.h"
@@ -42,7 +43,7 @@ void check_options(const Cut_command_options& options) {
     check_opened_mesh_format(options.opened_file);
   if(!options.selection_file.empty())
     check_selection_format(options.selection_file);
-  check_common_options(options, {options.opened_file, options.selection_file});
+  check_common_options(options);
 }
 
 Cut_answer solve(const Mesh& mesh, const Cut_command_options& options) {
@@ -98,9 +99,11 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
       .add_option("-o,--output", options.opened_file,
                   "the opened mesh, with a vertex for each side: .off .obj .ply")
       ->option_text("FILE")
+      ->type_name(output_file)
       ->group(group);
   command.add_option("--selection", options.selection_file, "the edges, as a selection of CGAL")
       ->option_text("FILE.selection.txt")
+      ->type_name(output_file)
       ->group(group);
   add_lines_option(command, options, "the edges", group);
   add_picture_options(command, options, "the cut", group);

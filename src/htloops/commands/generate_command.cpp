@@ -8,15 +8,15 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "commands/command.h"
+#include "commands/common_options.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
 #include "generators/generators.h"
 #include "terminal/interrupt.h"
 #include "words.h"
-#include "write/atomic_file.h"
 #include "write/mesh_writer.h"
 
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 
@@ -32,9 +32,9 @@ struct Generate_options
   bool is_quiet = false;
 };
 
-generators::Soup make(const generators::Kind& kind, const generators::Request& request) {
+generators::Soup generate(const generators::Kind& kind, const generators::Request& request) {
   try {
-    return kind.make(request);
+    return generators::make(kind, request);
   } catch(const std::invalid_argument& reason) {
     throw Failure(Exit_code::WRONG_USAGE, reason.what());
   }
@@ -49,14 +49,13 @@ std::string shape_of(const generators::Soup& mesh) {
 
 void run(const generators::Kind& kind, const Generate_options& options) {
   check_mesh_format(options.mesh_file);
-  check_writable(options.mesh_file);
-  const generators::Soup mesh = make(kind, options.request);
+  const generators::Soup mesh = generate(kind, options.request);
   const Interrupt_guard guard;
   write_mesh(options.mesh_file, mesh);
   if(!options.is_quiet)
-    (options.mesh_file == "-" ? std::cerr : std::cout)
-        << options.mesh_file << ": " << mesh.points.size() << " vertices, " << mesh.triangles.size()
-        << " faces, " << shape_of(mesh) << std::endl;
+    show_text(options.mesh_file + ": " + std::to_string(mesh.points.size()) + " vertices, " +
+                  std::to_string(mesh.triangles.size()) + " faces, " + shape_of(mesh) + "\n",
+              options.mesh_file == "-");
 }
 
 std::string default_of(std::size_t value) { return "; default: " + std::to_string(value); }
@@ -84,6 +83,7 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
       generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
   sub->add_option("-o,--output", options->mesh_file, "the mesh: .off .obj .ply .stl (required)")
       ->option_text("MESH")
+      ->type_name(output_file)
       ->required();
   sub->add_option("--faces", options->request.faces,
                   "about how many triangles" + default_of(options->request.faces))

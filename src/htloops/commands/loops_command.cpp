@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/common_options.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
 #include "read/mesh_reader.h"
@@ -84,7 +85,7 @@ void show(const Loops_options& options, const Answer& answer, double read_second
 
 void run(const Loops_options& options) {
   const Backend& backend = choose_backend(options.backend);
-  check_common_options(options, {options.events_file});
+  check_common_options(options);
   const Stopwatch stopwatch;
   const Mesh mesh = read_mesh(options.mesh_file);
   const double read_seconds = stopwatch.seconds();
@@ -102,6 +103,7 @@ void add_output_options(CLI::App& command, Loops_options& options) {
       .add_option("--events", options.events_file,
                   "what happens to the fronts of the first pass, as JSON")
       ->option_text("FILE.json")
+      ->type_name(output_file)
       ->group(group);
   add_picture_options(command, options, "the loops", group);
 }

@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/common_options.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
 #include "read/mesh_reader.h"
@@ -55,9 +56,7 @@ void check_options(const Reeb_command_options& options) {
     check_graph_format(file);
   if(!options.parts_file.empty())
     check_coloured_mesh_format(options.parts_file);
-  std::vector<std::string> outputs = options.graph_files;
-  outputs.push_back(options.parts_file);
-  check_common_options(options, outputs);
+  check_common_options(options);
 }
 
 std::vector<Mesh::Vertex_index> sources_of(const Reeb_command_options& options, const Mesh& mesh) {
@@ -148,10 +147,12 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   add_lines_option(command, options, "the arcs", group);
   command.add_option("--graph", options.graph_files, "nodes and arcs: .graphml .dot; repeatable")
       ->option_text("FILE")
+      ->type_name(output_file)
       ->allow_extra_args(false)
       ->group(group);
   command.add_option("--parts", options.parts_file, "the mesh with vertices coloured by arc")
       ->option_text("FILE.ply")
+      ->type_name(output_file)
       ->group(group);
   add_picture_options(command, options, "the graph", group);
 }
@@ -171,10 +172,12 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
           ->option_text("X,Y,Z")
           ->delimiter(',')
           ->expected(3)
+          ->check(why_not_finite)
           ->excludes(seed)
           ->group(group);
   command.add_option("--values", options.values_file, "take a number for each vertex from a file")
       ->option_text("FILE")
+      ->type_name(input_file)
       ->excludes(seed)
       ->excludes(height)
       ->group(group);
@@ -183,6 +186,7 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
                   "leaves to take off, as part of the whole, 0 to 1; default: 0.03")
       ->option_text("PART")
       ->check(CLI::Range(0., 1.))
+      ->check(why_not_finite)
       ->group(group);
   command
       .add_option("--measure", options.measure,

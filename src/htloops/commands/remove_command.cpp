@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/common_options.h"
+#include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "commands/length_option.h"
 #include "commands/loops_file.h"
@@ -34,6 +35,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -72,22 +74,27 @@ void check_options(const Remove_options& options) {
     if(!(options.box[i] <= options.box[i + 3]))
       throw Failure(Exit_code::WRONG_USAGE,
                     "--box: its least corner comes first, then its largest");
-  check_common_options(options, {options.result_file, options.page_file});
+  check_common_options(options);
 }
 
 // What of the mesh's data will be in the result; says what will not.
-Vertex_properties properties_to_keep(const Remove_options& options) {
+Vertex_properties properties_to_keep(const Input_file& file, const Remove_options& options) {
   if(options.is_dry_run)
     return {};
-  Vertex_properties kept =
-      kept_by_format(options.result_file, read_vertex_properties(options.mesh_file));
+  Vertex_properties kept = kept_by_format(options.result_file, read_vertex_properties(file));
   std::string list;
-  for(const std::string& data : unread_data(options.mesh_file, kept))
+  for(const std::string& data : unread_data(file, kept))
     list += (list.empty() ? "" : "; ") + data;
   if(!list.empty() && !options.is_quiet)
     std::fprintf(stderr, "htloops: of %s is not kept: %s\n", options.mesh_file.c_str(),
                  list.c_str());
   return kept;
+}
+
+std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
+  const Input_file file(options.mesh_file);
+  Mesh mesh = read_mesh(file);
+  return {std::move(mesh), properties_to_keep(file, options)};
 }
 
 Pairs read_basis(const Mesh& mesh, const std::string& file) {
@@ -156,9 +163,8 @@ void show(const Remove_options& options,
 void run(const Remove_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  Mesh mesh = read_mesh(options.mesh_file);
+  auto [mesh, properties] = read(options);
   const double read_seconds = stopwatch.seconds();
-  Vertex_properties properties = properties_to_keep(options);
   const Interrupt_guard guard;
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;
@@ -220,6 +226,7 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
       ->option_text("LOOPS.json")
+      ->type_name(input_file)
       ->group(group);
   add_threads_option(command, options, group);
 }
@@ -230,16 +237,19 @@ void add_output_options(CLI::App& command, Remove_options& options) {
       .add_option("-o,--output", options.result_file,
                   "the mesh: .off .obj .ply .stl; - is standard output, OFF")
       ->option_text("OUT")
+      ->type_name(output_file)
       ->group(group);
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh")->group(group);
   command.add_option("--report", options.json_file, "what was done, as JSON")
       ->option_text("FILE.json")
+      ->type_name(output_file)
       ->group(group);
   command
       .add_option("--html", options.page_file,
                   has_pictures ? "what was done, as a page with pictures before and after"
                                : "what was done, as a page")
       ->option_text("FILE")
+      ->type_name(output_file)
       ->group(group);
   add_picture_options(command, options, "the loops of what is removed", group);
 }

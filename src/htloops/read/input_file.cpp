@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -31,24 +32,11 @@ struct Close_file
   void operator()(std::FILE* stream) const { std::fclose(stream); }
 };
 
-using Stream = std::unique_ptr<std::FILE, Close_file>;
-
-Stream open(const std::string& file) {
-  Stream stream(std::fopen(file.c_str(), "rb"));
+std::string read_whole_file(const std::string& file) {
+  const std::unique_ptr<std::FILE, Close_file> stream(std::fopen(file.c_str(), "rb"));
   if(!stream)
     fail(file);
-  // A folder opens on some systems; only reading tells.
-  if(std::fgetc(stream.get()) == EOF && std::ferror(stream.get()))
-    fail(file);
-  std::rewind(stream.get());
-  return stream;
-}
-
-} // namespace
-
-std::string read_whole_file(const std::string& file) {
-  const Stream stream = open(file);
-  std::error_code error;
+  std::error_code error; // of what is no regular file
   const std::uintmax_t expected_size = std::filesystem::file_size(file, error);
   std::string content;
   std::size_t size = 0;
@@ -59,11 +47,17 @@ std::string read_whole_file(const std::string& file) {
     if(size == content.size())
       content.resize(2 * size);
   }
-  if(std::ferror(stream.get()))
+  if(std::ferror(stream.get())) // of a folder, for example, which opens on some systems
     fail(file);
   content.resize(size);
   return content;
 }
+
+} // namespace
+
+Input_file::Input_file(std::string name)
+    : name_(std::move(name))
+    , content_(read_whole_file(name_)) {}
 
 void fail_to_read(const std::string& file, const std::string& problem) {
   throw Failure(Exit_code::UNREADABLE_FILE, file + ": " + problem);

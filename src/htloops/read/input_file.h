@@ -11,11 +11,25 @@
 #define HTLOOPS_INPUT_FILE_H
 
 #include <string>
+#include <string_view>
 
 namespace htloops {
 
-/// the whole content of a file; throws `Failure` if it cannot be read.
-std::string read_whole_file(const std::string& file);
+/// A file and its content, which is read once: what came through a pipe does not come again. So all
+/// readers take one of these, and a name stands for the file that has it.
+class Input_file
+{
+public:
+  /// throws `Failure` if the file cannot be read.
+  Input_file(std::string name);
+
+  const std::string& name() const { return name_; }
+  std::string_view content() const { return content_; }
+
+private:
+  std::string name_;
+  std::string content_;
+};
 
 /// throws the `Failure` of a file whose content is wrong.
 [[noreturn]] void fail_to_read(const std::string& file, const std::string& problem);

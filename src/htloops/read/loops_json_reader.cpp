@@ -10,7 +10,6 @@
 #include "read/loops_json_reader.h"
 
 #include "failure.h"
-#include "read/input_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -166,15 +165,14 @@ Loops_record read_document(const Node& document) {
 
 } // namespace
 
-Loops_record read_loops_json(const std::string& file) {
-  const std::string text = read_whole_file(file);
+Loops_record read_loops_json(const Input_file& file) {
   try {
-    const Json document = Json::parse(text);
+    const Json document = Json::parse(file.content());
     return read_document(Node(document));
   } catch(const Json::exception& exception) {
-    throw Failure(Exit_code::UNREADABLE_FILE, file + " is not JSON: " + exception.what());
+    throw Failure(Exit_code::UNREADABLE_FILE, file.name() + " is not JSON: " + exception.what());
   } catch(const Failure& failure) {
-    throw Failure(failure.code(), file + ": " + failure.what());
+    throw Failure(failure.code(), file.name() + ": " + failure.what());
   }
 }
 

@@ -10,13 +10,13 @@
 #ifndef HTLOOPS_LOOPS_JSON_READER_H
 #define HTLOOPS_LOOPS_JSON_READER_H
 
-#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include "read/input_file.h"
 
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace htloops {
@@ -55,7 +55,7 @@ struct Loops_record
 
 /// reads a file of the format "htloops/1"; throws `Failure`, naming what is missing or of the wrong
 /// type, if it is none. Whether the numbers make sense is not looked at.
-Loops_record read_loops_json(const std::string& file);
+Loops_record read_loops_json(const Input_file& file);
 
 } // namespace htloops
 

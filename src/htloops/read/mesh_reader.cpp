@@ -28,11 +28,11 @@ std::string message(const std::string& file, const std::vector<Defect>& defects)
 
 } // namespace
 
-Mesh read_mesh(const std::string& file) {
+Mesh read_mesh(const Input_file& file) {
   const Soup soup = read_soup(file);
   const Diagnosis diagnosis = diagnose(soup);
   if(!diagnosis.defects.empty())
-    throw Failure(Exit_code::UNACCEPTABLE_MESH, message(file, diagnosis.defects));
+    throw Failure(Exit_code::UNACCEPTABLE_MESH, message(file.name(), diagnosis.defects));
   return build_mesh(soup, diagnosis);
 }
 

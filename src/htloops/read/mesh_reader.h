@@ -11,14 +11,13 @@
 #define HTLOOPS_MESH_READER_H
 
 #include "mesh_types.h"
-
-#include <string>
+#include "read/input_file.h"
 
 namespace htloops {
 
 /// reads a closed triangle mesh; its vertices keep the numbers that they have in the file.
 /// Throws `Failure` if the file cannot be read, or with all that is wrong with the mesh.
-Mesh read_mesh(const std::string& file);
+Mesh read_mesh(const Input_file& file);
 
 } // namespace htloops
 

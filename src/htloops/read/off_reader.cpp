@@ -20,7 +20,7 @@ namespace {
 class Off_parser
 {
 public:
-  Off_parser(const std::string& file, const std::string& text)
+  Off_parser(const std::string& file, std::string_view text)
       : size_of_text_(text.size())
       , text_(file, text)
       , header_(read_off_header(text_)) {}
@@ -109,7 +109,7 @@ private:
 
 } // namespace
 
-Soup read_off(const std::string& file, const std::string& text) {
+Soup read_off(const std::string& file, std::string_view text) {
   return Off_parser(file, text).parse();
 }
 

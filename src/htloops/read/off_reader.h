@@ -13,12 +13,13 @@
 #include "read/soup.h"
 
 #include <string>
+#include <string_view>
 
 namespace htloops {
 
 /// reads the text of an OFF file, also with homogeneous coordinates; colours, normals and texture
 /// coordinates are passed over. Throws `Failure`, naming file and line, if it is malformed.
-Soup read_off(const std::string& file, const std::string& text);
+Soup read_off(const std::string& file, std::string_view text);
 
 } // namespace htloops
 

@@ -163,7 +163,7 @@ private:
 
 } // namespace
 
-Soup read_ply(const std::string& file, const std::string& content) {
+Soup read_ply(const std::string& file, std::string_view content) {
   Text_source text(file, content);
   const Ply_header header = read_ply_header(text);
   return with_ply_numbers(file, content, text, header.format, [&](auto numbers) {

@@ -13,13 +13,14 @@
 #include "read/soup.h"
 
 #include <string>
+#include <string_view>
 
 namespace htloops {
 
 /// reads the vertices and faces of the content of a PLY file, in text or binary form, of whatever
 /// type their numbers are; all else is passed over. Throws `Failure`, naming line or byte, if the
 /// content is malformed or ends too early.
-Soup read_ply(const std::string& file, const std::string& content);
+Soup read_ply(const std::string& file, std::string_view content);
 
 } // namespace htloops
 

@@ -9,7 +9,6 @@
 
 #include "read/soup_reader.h"
 
-#include "read/input_file.h"
 #include "read/obj_reader.h"
 #include "read/off_reader.h"
 #include "read/ply_reader.h"
@@ -19,19 +18,19 @@
 
 namespace htloops {
 
-Soup read_soup(const std::string& file) {
+Soup read_soup(const Input_file& file) {
   const auto has_extension = [&file](const char* extension) {
-    return boost::algorithm::iends_with(file, extension);
+    return boost::algorithm::iends_with(file.name(), extension);
   };
   if(has_extension(".off"))
-    return read_off(file, read_whole_file(file));
+    return read_off(file.name(), file.content());
   if(has_extension(".obj"))
-    return read_obj(file, read_whole_file(file));
+    return read_obj(file.name(), std::string(file.content()));
   if(has_extension(".ply"))
-    return read_ply(file, read_whole_file(file));
+    return read_ply(file.name(), file.content());
   if(has_extension(".stl"))
-    return read_stl(file, read_whole_file(file));
-  fail_to_read(file,
+    return read_stl(file.name(), file.content());
+  fail_to_read(file.name(),
                "its format, which follows from the extension, is not supported; those that are: "
                ".off .obj .ply .stl");
 }

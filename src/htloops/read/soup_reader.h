@@ -10,9 +10,8 @@
 #ifndef HTLOOPS_SOUP_READER_H
 #define HTLOOPS_SOUP_READER_H
 
+#include "read/input_file.h"
 #include "read/soup.h"
-
-#include <string>
 
 namespace htloops {
 
@@ -20,7 +19,7 @@ namespace htloops {
 /// The vertices keep the order of the file; those of an STL file, which has none, are numbered as
 /// they come, equal points being one vertex. Throws `Failure` if the file cannot be read, ends too
 /// early, or names a vertex that is not there.
-Soup read_soup(const std::string& file);
+Soup read_soup(const Input_file& file);
 
 } // namespace htloops
 

@@ -118,7 +118,7 @@ private:
   Triangle_collector triangles_;
 };
 
-Soup read_binary(const std::string& file, const std::string& content) {
+Soup read_binary(const std::string& file, std::string_view content) {
   constexpr std::size_t header_size = 80, normal_size = 12, attribute_size = 2, facet_size = 50;
   std::uint32_t announced = 0;
   Binary_source data(file, content, (std::min)(header_size, content.size()), true);
@@ -148,7 +148,7 @@ Soup read_binary(const std::string& file, const std::string& content) {
 
 // The word solid opens many a binary file, but no text has a zero byte, which each binary file of
 // less than 2^24 faces has at the end of their number.
-Soup read_stl(const std::string& file, const std::string& content) {
+Soup read_stl(const std::string& file, std::string_view content) {
   const bool is_binary = content.find('\0') != content.npos;
   return is_binary ? read_binary(file, content) : Stl_text_parser(file, content).parse();
 }

@@ -13,13 +13,14 @@
 #include "read/soup.h"
 
 #include <string>
+#include <string_view>
 
 namespace htloops {
 
 /// reads the triangles of the content of an STL file, in text or binary form; equal points become
 /// one vertex. Throws `Failure`, naming the line of a text, if the content is malformed or ends too
 /// early.
-Soup read_stl(const std::string& file, const std::string& content);
+Soup read_stl(const std::string& file, std::string_view content);
 
 } // namespace htloops
 

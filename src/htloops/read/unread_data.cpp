@@ -9,7 +9,6 @@
 
 #include "read/unread_data.h"
 
-#include "read/input_file.h"
 #include "read/obj_lines.h"
 #include "read/off_header.h"
 #include "read/ply_header.h"
@@ -120,13 +119,13 @@ Words unread_in_ply(const std::string& file,
 
 } // namespace
 
-std::vector<std::string> unread_data(const std::string& file, const Vertex_properties& kept) {
-  if(boost::algorithm::iends_with(file, ".off"))
-    return unread_in_off(file, read_whole_file(file), !kept.empty());
-  if(boost::algorithm::iends_with(file, ".obj"))
-    return unread_in_obj(read_whole_file(file));
-  if(boost::algorithm::iends_with(file, ".ply"))
-    return unread_in_ply(file, read_whole_file(file), kept);
+std::vector<std::string> unread_data(const Input_file& file, const Vertex_properties& kept) {
+  if(boost::algorithm::iends_with(file.name(), ".off"))
+    return unread_in_off(file.name(), file.content(), !kept.empty());
+  if(boost::algorithm::iends_with(file.name(), ".obj"))
+    return unread_in_obj(std::string(file.content()));
+  if(boost::algorithm::iends_with(file.name(), ".ply"))
+    return unread_in_ply(file.name(), file.content(), kept);
   return {};
 }
 

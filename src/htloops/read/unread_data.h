@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_UNREAD_DATA_H
 #define HTLOOPS_UNREAD_DATA_H
 
+#include "read/input_file.h"
 #include "vertex_properties.h"
 
 #include <string>
@@ -20,7 +21,7 @@ namespace htloops {
 /// what a file has besides points, faces and the properties that are kept of it, in words:
 /// "normals", "the vertex properties red, green, blue". Looks no further than is needed to tell;
 /// knows OFF, OBJ and PLY.
-std::vector<std::string> unread_data(const std::string& file, const Vertex_properties& kept);
+std::vector<std::string> unread_data(const Input_file& file, const Vertex_properties& kept);
 
 } // namespace htloops
 

@@ -9,27 +9,26 @@
 
 #include "read/values_reader.h"
 
-#include "read/input_file.h"
 #include "read/text_cursor.h"
 
 #include <cmath>
 
 namespace htloops {
-std::vector<double> read_values(const std::string& file, std::size_t number_of_vertices) {
-  const std::string text = read_whole_file(file);
-  Text_cursor cursor(text);
+std::vector<double> read_values(const Input_file& file, std::size_t number_of_vertices) {
+  Text_cursor cursor(file.content());
   std::vector<double> values;
   while(cursor.skip_to_content()) {
     double value = 0.;
     if(!cursor.read(value))
-      fail_to_read(file, "line " + std::to_string(cursor.line()) + ": no number");
+      fail_to_read(file.name(), "line " + std::to_string(cursor.line()) + ": no number");
     if(!std::isfinite(value))
-      fail_to_read(file, "the value of vertex " + std::to_string(values.size()) + " is not finite");
+      fail_to_read(file.name(),
+                   "the value of vertex " + std::to_string(values.size()) + " is not finite");
     values.push_back(value);
   }
   if(values.size() != number_of_vertices)
-    fail_to_read(file, "there are " + std::to_string(values.size()) + " values for " +
-                           std::to_string(number_of_vertices) + " vertices");
+    fail_to_read(file.name(), "there are " + std::to_string(values.size()) + " values for " +
+                                  std::to_string(number_of_vertices) + " vertices");
   return values;
 }
 

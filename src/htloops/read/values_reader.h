@@ -10,15 +10,16 @@
 #ifndef HTLOOPS_VALUES_READER_H
 #define HTLOOPS_VALUES_READER_H
 
+#include "read/input_file.h"
+
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace htloops {
 
 /// reads as many finite numbers as there are vertices, separated by blanks or line ends; throws
 /// `Failure`, naming the line or the vertex, if they are not there.
-std::vector<double> read_values(const std::string& file, std::size_t number_of_vertices);
+std::vector<double> read_values(const Input_file& file, std::size_t number_of_vertices);
 
 } // namespace htloops
 

@@ -9,7 +9,6 @@
 
 #include "read/vertex_properties_reader.h"
 
-#include "read/input_file.h"
 #include "read/off_header.h"
 #include "read/ply_numbers.h"
 
@@ -101,11 +100,11 @@ Vertex_properties read_from_off(const std::string& file, std::string_view text) 
 
 } // namespace
 
-Vertex_properties read_vertex_properties(const std::string& file) {
-  if(boost::algorithm::iends_with(file, ".ply"))
-    return read_from_ply(file, read_whole_file(file));
-  if(boost::algorithm::iends_with(file, ".off"))
-    return read_from_off(file, read_whole_file(file));
+Vertex_properties read_vertex_properties(const Input_file& file) {
+  if(boost::algorithm::iends_with(file.name(), ".ply"))
+    return read_from_ply(file.name(), file.content());
+  if(boost::algorithm::iends_with(file.name(), ".off"))
+    return read_from_off(file.name(), file.content());
   return {};
 }
 

@@ -11,7 +11,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
+#include <iterator>
 
 namespace htloops {
 namespace {
@@ -28,23 +30,42 @@ extern "C" void note_signal(int signal) {
   std::signal(signal, note_signal); // some systems forget the handler when it is called
 }
 
+struct Guarded_signal
+{
+  int number;
+  void (*handler)(int);
+};
+
+const Guarded_signal guarded_signals[] = {
+    {SIGINT, note_signal},
+    {SIGTERM, note_signal},
+#ifdef SIGHUP
+    {SIGHUP, note_signal},
+#endif
+#ifdef SIGXFSZ
+    {SIGXFSZ, SIG_IGN},
+#endif
+};
+
 // A signal that the parent process chose to ignore stays ignored.
-auto install(int signal) {
-  const auto previous = std::signal(signal, note_signal);
+auto install(const Guarded_signal& signal) {
+  const auto previous = std::signal(signal.number, signal.handler);
   if(previous == SIG_IGN)
-    std::signal(signal, SIG_IGN);
+    std::signal(signal.number, SIG_IGN);
   return previous;
 }
 
 } // namespace
 
-Interrupt_guard::Interrupt_guard()
-    : previous_interrupt_(install(SIGINT))
-    , previous_terminate_(install(SIGTERM)) {}
+Interrupt_guard::Interrupt_guard() {
+  static_assert(std::size(guarded_signals) <= sizeof(previous_) / sizeof(*previous_));
+  for(std::size_t i = 0; i < std::size(guarded_signals); ++i)
+    previous_[i] = install(guarded_signals[i]);
+}
 
 Interrupt_guard::~Interrupt_guard() {
-  std::signal(SIGINT, previous_interrupt_);
-  std::signal(SIGTERM, previous_terminate_);
+  for(std::size_t i = 0; i < std::size(guarded_signals); ++i)
+    std::signal(guarded_signals[i].number, previous_[i]);
 }
 
 Unfinished_file::Unfinished_file() { ++number_of_unfinished_files; }

@@ -21,8 +21,9 @@ public:
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// While an object lives, Ctrl-C and a request to terminate are noted instead of ending the
-/// program; a second one ends it at once, unless a file is being written.
+/// While an object lives, Ctrl-C, a request to terminate and the end of the terminal are noted
+/// instead of ending the program; a second one ends it at once, unless a file is being written. A
+/// file that grows beyond a limit is an error of writing, no signal. Guards may be nested.
 class Interrupt_guard
 {
 public:
@@ -33,10 +34,11 @@ public:
 
 private:
   using Handler = void (*)(int);
-  Handler previous_interrupt_, previous_terminate_;
+  Handler previous_[4];
 };
 
-/// While an object lives, a file exists that would have to be removed: nothing ends the program.
+/// While an object lives, a file exists that would have to be removed: nothing ends the program,
+/// whether or not there is a guard besides the one in here.
 class Unfinished_file
 {
 public:
@@ -44,6 +46,9 @@ public:
   ~Unfinished_file();
   Unfinished_file(const Unfinished_file&) = delete;
   Unfinished_file& operator=(const Unfinished_file&) = delete;
+
+private:
+  Interrupt_guard guard_;
 };
 
 /// the number of the signal that was noted, 0 if there was none.

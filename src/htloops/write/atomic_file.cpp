@@ -28,18 +28,15 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail_with_errno(const std::string& target) { fail(target, std::strerror(errno)); }
 
-std::string follow_links(const std::string& target) {
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(target, error);
-  return error ? target : path.string();
-}
-
-// Beside the file, with its extension: some writers choose the format by it.
+// Beside the file. Not with its name, which may be as long as a name can be.
 std::string name_of_temporary(const fs::path& destination) {
   static std::random_device random;
-  fs::path name = destination.stem();
-  name += ".part-" + std::to_string(random()) + destination.extension().string();
-  return (destination.parent_path() / name).string();
+  return (destination.parent_path() / ("htloops.part-" + std::to_string(random()))).string();
+}
+
+bool is_dangling_link(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(fs::symlink_status(path, error)) && !fs::exists(path, error);
 }
 
 // Creates the file, which must not exist yet.
@@ -60,9 +57,20 @@ void check_may_replace(const std::string& file, const std::string& target) {
 
 } // namespace
 
+std::string destination_of(const std::string& target) {
+  constexpr int largest_number_of_links = 40;
+  std::error_code error;
+  fs::path path = target;
+  for(int i = 0; i < largest_number_of_links && is_dangling_link(path); ++i)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  // Of a name alone, of which nothing exists, the canonical path would be no whole one.
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? path.string() : canonical.string();
+}
+
 Staged_path::Staged_path(const std::string& target)
     : target_(target)
-    , destination_(follow_links(target)) {
+    , destination_(destination_of(target)) {
   std::error_code error;
   const fs::file_status status = fs::status(destination_, error);
   if(fs::is_directory(status))
@@ -71,8 +79,11 @@ Staged_path::Staged_path(const std::string& target)
     temporary_ = destination_;
     return;
   }
+  if(is_dangling_link(destination_))
+    fail(target, "its links lead nowhere");
   if(fs::exists(status))
     check_may_replace(destination_, target);
+  unfinished_.emplace();
   const std::string temporary = name_of_temporary(destination_);
   create(temporary, target);
   temporary_ = temporary;
@@ -133,6 +144,7 @@ void Atomic_file::commit() {
 void check_writable(const std::string& target) {
   if(target != "-")
     Staged_path{target};
+  throw_if_interrupted();
 }
 
 } // namespace htloops

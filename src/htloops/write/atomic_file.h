@@ -19,6 +19,10 @@
 
 namespace htloops {
 
+/// the file that writing to `target` is to change: at the end of its symbolic links, whether or not
+/// there is anything.
+std::string destination_of(const std::string& target);
+
 /// A name under which a file appears complete or not at all. What is to be seen is written to
 /// `temporary()`, in the same folder, and renamed by `commit()`; without that it is removed.
 /// What is no regular file (a device, a pipe) is written in place.
@@ -43,7 +47,7 @@ private:
   std::string destination_; // with symbolic links followed, so that a link stays one
   std::string temporary_;
   bool is_committed_ = false;
-  Unfinished_file unfinished_;
+  std::optional<Unfinished_file> unfinished_; // while there is something to remove
 };
 
 /// A file written through `Staged_path`; the name "-" is the standard output.
@@ -66,7 +70,8 @@ private:
   std::FILE* stream_;               // null when closed
 };
 
-/// throws `Failure` if a file of that name could not be written now; leaves no trace.
+/// throws `Failure` if a file of that name could not be written now, and `Interrupted` if a signal
+/// came meanwhile; leaves no trace.
 void check_writable(const std::string& target);
 
 } // namespace htloops

@@ -13,7 +13,7 @@
 
 #include "failure.h"
 #include "picture/picture.h"
-#include "write/atomic_file.h"
+#include "write/text_writer.h"
 
 #include <stdexcept>
 
@@ -65,14 +65,18 @@ void export_picture(const Picture_options& options,
     picture.view = {options.view[0], options.view[1], options.view[2]};
   if(!options.up.empty())
     picture.up = {options.up[0], options.up[1], options.up[2]};
-  Staged_path path(options.file);
+  std::string content;
   try {
-    htl_picture::write_picture(path.temporary(), points_of(mesh), triangles_of(mesh), face_colours,
-                               tubes_along(lines), picture);
+    content = htl_picture::encode_picture(points_of(mesh), triangles_of(mesh), face_colours,
+                                          tubes_along(lines), picture);
   } catch(const std::runtime_error& error) {
     throw Failure(Exit_code::WRONG_USAGE, "--picture " + options.file + ": " + error.what());
   }
-  path.commit();
+  // The file is begun when the picture is there, which takes its time, and never by libpng, which
+  // would remove what it cannot write to.
+  Text_writer out(options.file);
+  out << content;
+  out.finish();
 }
 
 std::string picture_of(const Mesh& mesh, const Exported_lines& lines) {

@@ -67,11 +67,15 @@ Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report) {
 
 void write_removal_page(const std::string& file, const Removal_shown& shown) {
   const std::string name = std::filesystem::path(shown.mesh_file).filename().string();
+  // Drawn before the page is begun: while a file is unfinished, an interrupt has to wait.
+  const std::string before =
+      picture_of(shown.before, lines_of(pairs_to_remove(shown.pairs, shown.report)));
+  const std::string after = picture_of(shown.after, {});
   Html_page page(file, "Handles removed from " + name);
   page.paragraph(summary(shown.report));
-  page.picture(picture_of(shown.before, lines_of(pairs_to_remove(shown.pairs, shown.report))),
+  page.picture(before,
                "before, with the handle loops (red) and tunnel loops (blue) of these handles");
-  page.picture(picture_of(shown.after, {}), "after");
+  page.picture(after, "after");
   page.table(table_of(shown.report), 2, 5);
   page.finish();
 }

@@ -72,6 +72,45 @@ TEST(Atomic_file, writes_through_a_symbolic_link) {
   EXPECT_EQ(folder.read("real.txt"), "new");
 }
 
+TEST(Atomic_file, writes_through_links_that_lead_to_nothing_yet) {
+  const Temporary_folder folder;
+  fs::create_directory(folder.path("folder"));
+  fs::create_symlink("folder/second.txt", folder.path("first.txt"));
+  fs::create_symlink("../real.txt", folder.path("folder/second.txt"));
+  EXPECT_EQ(code_of_failure(folder.path("first.txt")), Exit_code::DONE);
+  write(folder.path("first.txt"), "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path("first.txt")));
+  EXPECT_TRUE(fs::is_symlink(folder.path("folder/second.txt")));
+  EXPECT_EQ(folder.read("real.txt"), "new");
+}
+
+TEST(Atomic_file, leaves_links_alone_that_lead_in_a_circle) {
+  const Temporary_folder folder;
+  fs::create_symlink("b.txt", folder.path("a.txt"));
+  fs::create_symlink("a.txt", folder.path("b.txt"));
+  EXPECT_EQ(code_of_failure(folder.path("a.txt")), Exit_code::WRONG_USAGE);
+  EXPECT_TRUE(fs::is_symlink(folder.path("a.txt")));
+  EXPECT_EQ(folder.number_of_files(), 2u);
+}
+
+TEST(Atomic_file, has_a_name_as_long_as_a_name_can_be) {
+  const Temporary_folder folder;
+  const std::string name = std::string(251, 'a') + ".txt";
+  write(folder.path(name), "text");
+  EXPECT_EQ(folder.read(name), "text");
+}
+
+TEST(Destination, is_the_same_for_all_names_of_a_file) {
+  const Temporary_folder folder;
+  const std::string file = destination_of(folder.path("a.txt"));
+  EXPECT_EQ(destination_of(folder.path("./x/../a.txt")), file);
+  fs::create_symlink("a.txt", folder.path("link.txt"));
+  EXPECT_EQ(destination_of(folder.path("link.txt")), file);
+  folder.write("a.txt", "");
+  EXPECT_EQ(destination_of(folder.path("link.txt")), file);
+  EXPECT_EQ(destination_of("a.txt"), destination_of("./a.txt"));
+}
+
 TEST(Atomic_file, says_beforehand_that_a_path_cannot_be_written) {
   const Temporary_folder folder;
   EXPECT_EQ(code_of_failure(folder.path("a.txt")), Exit_code::DONE);

@@ -1,16 +1,42 @@
 #include "htloops/terminal/interrupt.h"
 
+#include "Small_answer.h"
 #include "Temporary_folder.h"
 
+#include "htloops/failure.h"
+#include "htloops/write/picture_export.h"
 #include "htloops/write/text_writer.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <string>
+
+#ifndef _WIN32
+#include <sys/resource.h>
+#endif
 
 using namespace htloops;
 
-// One test only: that a signal came is not forgotten as long as the program runs.
+namespace {
+
+// How a program ends that does something, which may be interrupted or fail.
+template <typename Do_something> [[noreturn]] void end_after(Do_something do_something) {
+  try {
+    do_something();
+  } catch(const Interrupted&) {
+    std::_Exit(128 + interrupting_signal());
+  } catch(const Failure& failure) {
+    std::_Exit(static_cast<int>(failure.code()));
+  }
+  std::_Exit(0);
+}
+
+} // namespace
+
+// Without a program of its own one test only: that a signal came is not forgotten as long as the
+// program runs.
 TEST(Interrupt, stops_the_writing_of_a_file_and_leaves_none) {
   const Temporary_folder folder;
   const Interrupt_guard guard;
@@ -24,5 +50,53 @@ TEST(Interrupt, stops_the_writing_of_a_file_and_leaves_none) {
     std::raise(SIGINT); // while a file is unfinished, the second one does not kill either
     EXPECT_THROW(out.finish(), Interrupted);
   }
+  EXPECT_EQ(folder.number_of_files(), 0u);
+}
+
+// By their name these tests come first: what they start must not have noted a signal yet.
+// A file looks after itself, also where nobody else does.
+TEST(Interrupt_DeathTest, no_signal_leaves_an_unfinished_file) {
+  const Temporary_folder folder;
+#ifdef SIGHUP
+  const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+#else
+  const int signals[] = {SIGINT, SIGTERM};
+#endif
+  for(const int signal : signals) {
+    EXPECT_EXIT(end_after([&] {
+                  Text_writer out(folder.path("a.txt"));
+                  std::raise(signal);
+                  out.finish();
+                }),
+                testing::ExitedWithCode(128 + signal), "");
+    EXPECT_EQ(folder.number_of_files(), 0u) << signal;
+  }
+}
+
+#ifndef _WIN32
+TEST(Interrupt_DeathTest, a_file_that_may_not_grow_is_an_error_of_writing) {
+  const Temporary_folder folder;
+  EXPECT_EXIT(end_after([&] {
+                const rlimit limit = {1000, 1000};
+                setrlimit(RLIMIT_FSIZE, &limit);
+                Text_writer out(folder.path("a.txt"));
+                out << std::string(1 << 20, 'x');
+                out.finish();
+              }),
+              testing::ExitedWithCode(static_cast<int>(Exit_code::WRONG_USAGE)), "");
+  EXPECT_EQ(folder.number_of_files(), 0u);
+}
+#endif
+
+TEST(Interrupt_DeathTest, stops_what_draws_a_picture) {
+  if(!has_pictures)
+    GTEST_SKIP() << "no pictures here";
+  const Temporary_folder folder;
+  EXPECT_EXIT(end_after([&] {
+                const Interrupt_guard guard;
+                std::raise(SIGTERM);
+                export_picture({folder.path("a.png"), {}, {}}, small_mesh(), {});
+              }),
+              testing::ExitedWithCode(128 + SIGTERM), "");
   EXPECT_EQ(folder.number_of_files(), 0u);
 }

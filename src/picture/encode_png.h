@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef HTL_PICTURE_WRITE_PNG_H
-#define HTL_PICTURE_WRITE_PNG_H
+#ifndef HTL_PICTURE_ENCODE_PNG_H
+#define HTL_PICTURE_ENCODE_PNG_H
 
 #include "picture.h"
 
@@ -17,12 +17,10 @@
 
 namespace htl_picture {
 
-/// writes pixels, row by row from the top. Throws `std::runtime_error` on failure.
-void write_png(const std::string& file, int width, int height, const std::vector<Colour>& pixels);
-
-/// the same as the content of a file.
+/// the content of a PNG file of pixels, row by row from the top. Throws `std::runtime_error` on
+/// failure.
 std::string encode_png(int width, int height, const std::vector<Colour>& pixels);
 
 } // namespace htl_picture
 
-#endif // HTL_PICTURE_WRITE_PNG_H
+#endif // HTL_PICTURE_ENCODE_PNG_H

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write_png.h"
+#include "encode_png.h"
 
 #include <png.h>
 
@@ -17,27 +17,12 @@ namespace htl_picture {
 
 static_assert(sizeof(Colour) == 3, "pixels are handed over as they are");
 
-namespace {
-
-png_image image_of(int width, int height) {
+std::string encode_png(int width, int height, const std::vector<Colour>& pixels) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
   image.format = PNG_FORMAT_RGB;
-  return image;
-}
-
-} // namespace
-
-void write_png(const std::string& file, int width, int height, const std::vector<Colour>& pixels) {
-  png_image image = image_of(width, height);
-  if(png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, nullptr) == 0)
-    throw std::runtime_error("cannot write the picture '" + file + "': " + image.message);
-}
-
-std::string encode_png(int width, int height, const std::vector<Colour>& pixels) {
-  png_image image = image_of(width, height);
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string content(size, '\0');
   if(png_image_write_to_memory(&image, content.data(), &size, 0, pixels.data(), 0, nullptr) == 0)

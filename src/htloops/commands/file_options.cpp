@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/file_options.h"
+
+#include "failure.h"
+#include "write/atomic_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Named_file
+{
+  std::string option;
+  std::string name;
+};
+
+using Named_files = std::vector<Named_file>;
+
+void collect(const CLI::App& command, const char* type, Named_files& files) {
+  for(const CLI::Option* option : command.get_options())
+    if(option->get_type_name() == type)
+      for(const std::string& name : option->results())
+        if(!name.empty())
+          files.push_back({option->get_name(), name});
+  for(const CLI::App* subcommand : command.get_subcommands())
+    collect(*subcommand, type, files);
+}
+
+std::string path_of_output(const std::string& name) { return name == "-" ? "/dev/stdout" : name; }
+
+// Of two files that do not exist yet, where they would be tells. A device is not overwritten: a
+// terminal may be read from and written to.
+bool is_same_file(const std::string& name, const std::string& other) {
+  std::error_code error;
+  if(name == other)
+    return true;
+  if(fs::is_character_file(name, error))
+    return false;
+  return fs::equivalent(name, other, error) || destination_of(name) == destination_of(other);
+}
+
+void check_differ(const Named_file& file, const std::string& path, const Named_file& output) {
+  if(is_same_file(path, path_of_output(output.name)))
+    throw Failure(Exit_code::WRONG_USAGE, file.option + " " + file.name + " and " + output.option +
+                                              " " + output.name +
+                                              " name the same file, which would be overwritten");
+}
+
+} // namespace
+
+void check_files(const CLI::App& app) {
+  Named_files inputs, outputs;
+  collect(app, input_file, inputs);
+  collect(app, output_file, outputs);
+  for(auto output = outputs.begin(); output != outputs.end(); ++output) {
+    for(const Named_file& input : inputs)
+      check_differ(input, input.name, *output);
+    for(auto other = outputs.begin(); other != output; ++other)
+      check_differ(*other, path_of_output(other->name), *output);
+    check_writable(output->name);
+  }
+}
+
+} // namespace htloops
