@@ -11,6 +11,7 @@
 #define HTLOOPS_WORDS_H
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 
 namespace htloops {
@@ -18,6 +19,13 @@ namespace htloops {
 /// a number with its noun: "1 edge", "3 edges".
 inline std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// a number with as many digits as tell it from all others.
+inline std::string in_words(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
 }
 
 } // namespace htloops

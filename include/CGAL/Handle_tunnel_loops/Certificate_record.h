@@ -33,7 +33,8 @@ struct Certificate
   /// the loops are 2g in number and a basis of the first homology group over the integers.
   bool basis = false;
 
-  /// the two loops of each pair cross once, counted with sign.
+  /// the two loops of each pair cross once, counted with sign. This, and what follows, is left
+  /// undecided, as if it were not so, if there are more or fewer loops than a basis has.
   bool pairing = false;
 
   /// in no pair the linking numbers show that the loop that is called the handle is the tunnel.

@@ -127,8 +127,9 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
                                                  Handle_tunnel_loops::Basis_kind::PURE));
   if(certification.are_closed(execution, pairs)) {
     certification.check_basis(execution);
-    certification.relate(
-        execution, choose_parameter(get_parameter(np, internal_np::do_compute_linking), true));
+    if(certification.are_as_many_as_asked_for())
+      certification.relate(
+          execution, choose_parameter(get_parameter(np, internal_np::do_compute_linking), true));
   }
   return certification.finish();
 }

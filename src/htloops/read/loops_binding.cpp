@@ -9,9 +9,12 @@
 
 #include "read/loops_binding.h"
 
+#include "words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace htloops {
@@ -58,7 +61,8 @@ private:
     double largest = 0.;
     for(const Point& p : mesh_.points())
       largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-    tolerance_ = relative_tolerance * largest;
+    // Of the smallest numbers, each product and each sum loses as much as they are.
+    tolerance_ = relative_tolerance * largest + 8. * std::numeric_limits<double>::denorm_min();
   }
 
   Loop bind_loop(std::size_t pair, CGAL::Loop_type type) {
@@ -137,10 +141,12 @@ private:
     }
     if(points.size() != record.locations.size() || length == record.length)
       return;
-    const double tolerance = relative_tolerance * length + tolerance_;
+    const double tolerance =
+        relative_tolerance * length + tolerance_ +
+        8. * static_cast<double>(points.size()) * std::numeric_limits<double>::denorm_min();
     if(!(std::abs(length - record.length) <= tolerance))
-      add_problem(place_ + ": the length is given as " + std::to_string(record.length) +
-                  " and is " + std::to_string(length));
+      add_problem(place_ + ": the length is given as " + in_words(record.length) + " and is " +
+                  in_words(length));
   }
 
   const Loops_record& record_;

@@ -349,6 +349,10 @@ TEST_P(Certificate_of_loops, RefusesAnExtraPair) {
   changed.insert(changed.end(), {steps[0], steps[1]});
   expect_no_basis(changed, "there are " + std::to_string(changed.size()) +
                                " loops, but the genus asks for " + std::to_string(steps.size()));
+  // Nothing more is found out about them, which might be very many.
+  const Certificate c = certify_handle_tunnel_loops(mesh, pairs_of(changed));
+  EXPECT_FALSE(c.pairing);
+  EXPECT_TRUE(c.linking.empty());
 }
 
 // Integer combinations of the loops, most of them no basis: the certificate and the determinant of

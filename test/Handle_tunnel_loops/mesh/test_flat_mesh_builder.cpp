@@ -81,7 +81,7 @@ TEST(Sum_before_each, IsThatSum) {
 TEST(Unit_box, KeepsTheShape) {
   const Uninitialized_vector<Vector> points = {{-1., 5., 2.}, {3., 5., 2.5}, {1., 5., 4.}};
   const Unit_box box(Execution(), points);
-  EXPECT_EQ(box.scale(), 4.);
+  EXPECT_EQ(box.half_scale(), 2.);
   EXPECT_EQ(box(points[0]), (Vector{0., 0., 0.}));
   EXPECT_EQ(box(points[1]), (Vector{1., 0., 0.125}));
   EXPECT_EQ(box(points[2]), (Vector{0.5, 0., 0.5}));

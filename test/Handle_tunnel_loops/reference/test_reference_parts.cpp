@@ -321,7 +321,7 @@ TEST(Initial_pass, LeavesOutTheLongestFront) {
     if(event.type != Front_event_type::MERGE)
       continue;
     ASSERT_EQ(event.before.size(), 2u);
-    EXPECT_EQ(mesh.scale * length(mesh, pass.tracker().meetings().at(k).loop),
+    EXPECT_EQ(mesh.in_units_of_caller(length(mesh, pass.tracker().meetings().at(k).loop)),
               (std::min)(event.before[0].length, event.before[1].length));
     ++k;
   }

@@ -11,7 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <limits>
+#include <string>
+#include <vector>
 
 using namespace htloops;
 using nlohmann::json;
@@ -143,6 +149,28 @@ TEST_F(Loops_json, an_infinite_length_is_null) {
       Pair(Loop(loop.steps(), loop.points(), infinity, loop.type(), 0), answer.pairs[0].tunnel());
   write_loops_json(folder_.path("a.json"), mesh_, answer, 0.);
   EXPECT_EQ(read_loops_json(folder_.path("a.json")).pairs[0].handle.length, infinity);
+}
+
+TEST_F(Loops_json, allows_for_what_the_smallest_numbers_lose) {
+  constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  Mesh tiny = mesh_;
+  for(const Mesh::Vertex_index v : tiny.vertices())
+    tiny.point(v) = CGAL::ORIGIN + 2000. * smallest * (tiny.point(v) - CGAL::ORIGIN);
+  write_loops_json(folder_.path("a.json"), tiny, small_answer(tiny), 0.);
+  document_ = json::parse(folder_.read("a.json"));
+  for(json& pair : document_["pairs"])
+    for(const char* loop : {"handle", "tunnel"}) {
+      const auto points = pair[loop]["points"].get<std::vector<std::array<double, 3>>>();
+      double length = 2. * smallest; // what is lost
+      for(std::size_t i = 0; i < points.size(); ++i) {
+        const auto &p = points[i], &q = points[(i + 1) % points.size()];
+        length += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+      }
+      pair[loop]["length"] = length;
+    }
+  EXPECT_TRUE(bind_loops(read_again(), tiny).problems.empty());
+  document_["pairs"][1]["handle"]["length"] = 6000. * smallest;
+  EXPECT_EQ(bind_loops(read_again(), tiny).problems.size(), 1u);
 }
 
 TEST_F(Loops_json, says_where_a_document_is_malformed) {

@@ -75,6 +75,10 @@ public:
     certificate_.basis = certifier_.are_basis();
   }
 
+  /// whether the loops are as many as a basis has: of others no more is to be known. After
+  /// `check_basis()`.
+  bool are_as_many_as_asked_for() const { return certifier_.are_as_many_as_asked_for(); }
+
   /// finds where the solid is, and the intersection numbers of the loops; with \p do_link the
   /// linking numbers as well. After `check_basis()`.
   void relate(Execution execution, bool do_link) {
@@ -95,6 +99,7 @@ public:
   void relate(Loop_relations relations) {
     CGAL_precondition(relations.components.size() == loops_.size());
     relations_ = std::move(relations);
+    are_related_ = true;
     if(relations_.is_linked)
       note_linking();
   }
@@ -131,7 +136,7 @@ public:
   /// the certificate of all that has been computed, and of the basis.
   Certificate finish() {
     certificate_.failure = words(certifier_.failures());
-    if(!certificate_.closed_on_surface)
+    if(!are_related_)
       return std::move(certificate_);
     std::vector<std::string> failures = certifier_.failures();
     check_pairing(failures);
@@ -231,6 +236,7 @@ private:
   Certificate certificate_;
   Certifier certifier_;
   Loop_relations relations_;
+  bool are_related_ = false;
   std::vector<const Loop*> loops_;
 };
 

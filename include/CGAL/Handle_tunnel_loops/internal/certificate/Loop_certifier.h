@@ -98,12 +98,16 @@ public:
     return number_of_components_ == 1 ? 0 : pieces_.piece(f);
   }
 
-  bool are_basis() {
+  /// whether there are as many loops as a basis has; after `cut()`.
+  bool are_as_many_as_asked_for() const {
     CGAL_precondition_msg(number_of_components_ > 0 || number_of_loops_ == 0, "after `cut()`");
-    const std::size_t number_of_generators = 2 * genus();
-    if(number_of_generators != number_of_loops_)
+    return number_of_loops_ == 2 * genus();
+  }
+
+  bool are_basis() {
+    if(!are_as_many_as_asked_for())
       return fail("there are " + std::to_string(number_of_loops_) +
-                  " loops, but the genus asks for " + std::to_string(number_of_generators));
+                  " loops, but the genus asks for " + std::to_string(2 * genus()));
     const std::vector<std::string> reasons = why_no_basis(number_of_loops_, chains_, used_edges_);
     failures_.insert(failures_.end(), reasons.begin(), reasons.end());
     return reasons.empty();

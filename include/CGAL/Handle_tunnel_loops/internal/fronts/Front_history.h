@@ -147,7 +147,9 @@ private:
     return layer;
   }
 
-  Front front(Index layer, double length) const { return {layer, mesh_.scale * length}; }
+  Front front(Index layer, double length) const {
+    return {layer, mesh_.in_units_of_caller(length)};
+  }
 
   void log(Front_event_type type,
            std::uint64_t key,

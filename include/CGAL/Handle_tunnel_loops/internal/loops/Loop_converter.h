@@ -58,7 +58,7 @@ public:
       }
       previous = &c;
     }
-    const double length = mesh_.scale * internal::length(mesh_, loop);
+    const double length = mesh_.in_units_of_caller(internal::length(mesh_, loop));
     return Loop(std::move(steps), std::move(points), length, type, pair_index);
   }
 

@@ -73,7 +73,7 @@ struct Flat_mesh
   Uninitialized_vector<Index> original;  ///< the caller's index of each vertex
   Uninitialized_vector<Index> component; ///< by vertex, a position in `seeds`
   std::vector<Index> seeds;              ///< one vertex of each component
-  double scale = 1.;                     ///< caller's unit of length / unit of `points`
+  double half_scale = 0.5;               ///< half of the caller's unit of length / unit of `points`
   std::size_t genus = 0;                 ///< summed over the components
 
   std::size_t number_of_vertices() const { return points.size(); }
@@ -85,6 +85,11 @@ struct Flat_mesh
   double edge_length(Index u, Index v) const {
     const Vector to = points[v] - points[u];
     return rounded_length(to[0], to[1], to[2]);
+  }
+
+  /// a length, or a vector, as the caller measures it: what is in the range of doubles stays so.
+  template <typename Length> Length in_units_of_caller(const Length& length) const {
+    return 2. * (half_scale * length);
   }
 };
 

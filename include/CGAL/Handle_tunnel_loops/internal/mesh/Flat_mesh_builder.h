@@ -111,7 +111,7 @@ private:
     const Unit_box box(execution_, points_);
     const std::size_t n = points_.size();
     order_ = space_filling_order(execution_, n, [&](std::size_t i) { return box(points_[i]); });
-    mesh_.scale = box.scale();
+    mesh_.half_scale = box.half_scale();
     mesh_.points.resize(n);
     mesh_.original.resize(n);
     mesh_.row_begin.resize(n + 1);

@@ -47,8 +47,8 @@ public:
       half_ = 0.5;
   }
 
-  /// the caller's unit of length / that of the box.
-  double scale() const { return 2. * half_; }
+  /// half of the caller's unit of length / that of the box: the whole may be beyond all doubles.
+  double half_scale() const { return half_; }
 
   Vector operator()(const Vector& p) const {
     Vector q;

@@ -70,9 +70,9 @@ find_necks(Execution execution,
   std::vector<Neck<TriangleMesh, typename boost::property_traits<VertexPointMap>::value_type>>
       necks;
   for(const Flat_neck& neck :
-      find_flat_necks(execution, mesh, {maximal_length / mesh.scale, minimal_share}))
-    necks.push_back({convert(neck.loop, Loop_type::HANDLE, necks.size()), mesh.scale * neck.length,
-                     neck.smaller_area_share});
+      find_flat_necks(execution, mesh, {maximal_length / 2. / mesh.half_scale, minimal_share}))
+    necks.push_back({convert(neck.loop, Loop_type::HANDLE, necks.size()),
+                     mesh.in_units_of_caller(neck.length), neck.smaller_area_share});
   return necks;
 }
 

@@ -44,7 +44,7 @@ public:
       , traits_(traits)
       , mesh_(mesh)
       , vertices_(vertices)
-      , origin_(coordinates(0) - mesh.scale * mesh.points[0]) {}
+      , origin_(coordinates(0) - mesh.in_units_of_caller(mesh.points[0])) {}
 
   /// \p value gives the value of the function at a vertex. Of `flat` no more is kept in memory than
   /// is still to be turned.
@@ -72,7 +72,7 @@ private:
                const Point& upper,
                Arc& arc) const {
     CGAL_precondition(flat.line.size() >= 2);
-    arc.length = mesh_.scale * length(flat.line);
+    arc.length = mesh_.in_units_of_caller(length(flat.line));
     arc.polyline.reserve(flat.line.size());
     for(const Vector& p : flat.line)
       arc.polyline.push_back(place(p));
@@ -100,7 +100,7 @@ private:
   }
 
   Point place(const Vector& p) const {
-    const Vector q = origin_ + mesh_.scale * p;
+    const Vector q = origin_ + mesh_.in_units_of_caller(p);
     return traits_.construct_point_3_object()(q[0], q[1], q[2]);
   }
 

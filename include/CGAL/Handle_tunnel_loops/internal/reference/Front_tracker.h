@@ -198,7 +198,7 @@ private:
   }
 
   Front_event::Front record(Index layer, const Crossing_loop& loop) const {
-    return {layer, mesh_.scale * length(mesh_, loop)};
+    return {layer, mesh_.in_units_of_caller(length(mesh_, loop))};
   }
 
   void log(Front_event_type type,
