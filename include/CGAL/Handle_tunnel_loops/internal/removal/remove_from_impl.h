@@ -34,22 +34,23 @@ inline std::size_t number_with(Removal_task::State state, const std::vector<Remo
       tasks.begin(), tasks.end(), [&](const Removal_task& task) { return task.state == state; }));
 }
 
-/// removes handles along other loops nearby, as long as there are any.
+/// removes handles along other loops nearby, as long as there are any that were not tried.
 template <typename Ask>
 void remove_along_loops_nearby(Execution execution,
                                Handle_removal& remove,
                                const Surgery_mesh& mesh,
                                std::vector<Removal_task>& tasks,
                                const Ask& ask) {
+  constexpr int most_loops_tried = 8; // of one handle
   Loops_nearby find_nearby(mesh);
-  for(;;) {
+  for(int i = 0; i < most_loops_tried; ++i) {
     std::vector<Removal_task> nearby = find_nearby(execution, tasks);
     if(number_with(Removal_task::State::OPEN, nearby) == 0)
       break;
     remove(nearby, ask);
-    for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(nearby[i].state == Removal_task::State::REMOVED)
-        tasks[i] = std::move(nearby[i]);
+    for(std::size_t k = 0; k < tasks.size(); ++k)
+      if(nearby[k].state == Removal_task::State::REMOVED)
+        tasks[k] = std::move(nearby[k]);
   }
 }
 
