@@ -18,12 +18,33 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <cstdint>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// the largest integer whose square is not larger than \p n: by Newton's method with as many digits
+/// as are right by then, so that the last of few divisions takes nearly all of the time.
+inline boost::multiprecision::cpp_int integer_square_root(const boost::multiprecision::cpp_int& n) {
+  CGAL_precondition(n >= 0);
+  if(n == 0)
+    return n;
+  const unsigned c = static_cast<unsigned>(boost::multiprecision::msb(n)) / 2;
+  boost::multiprecision::cpp_int root = 1;
+  unsigned steps = 0;
+  while(c >> steps != 0)
+    ++steps;
+  for(unsigned digits = 0; steps-- > 0;) {
+    const unsigned before = std::exchange(digits, c >> steps);
+    // `root` is the root of the leading digits of n, or one more.
+    root = (root << (digits - before - 1)) + (n >> (2 * c - before - digits + 1)) / root;
+  }
+  return root * root > n ? root - 1 : root;
+}
 
 /*!
 A sum of square roots of rational numbers, each added or subtracted, and its exact sign.
@@ -65,6 +86,28 @@ private:
   using Fraction = Fraction_traits<Exact_rational>;
   using Integer = boost::multiprecision::cpp_int;
 
+  // For which of some primes a number is a quadratic residue: the product of two numbers is no
+  // square if these differ for a prime that divides neither.
+  struct Residues
+  {
+    std::uint64_t are_residues = 0, are_divisors = 0;
+
+    explicit Residues(const Integer& number) {
+      std::uint64_t bit = 1;
+      for(unsigned prime = 3; bit != 0; prime += 2)
+        if(is_prime(prime)) {
+          const unsigned rest = static_cast<unsigned>(number % prime);
+          are_residues |= is_residue(rest, prime) ? bit : 0;
+          are_divisors |= rest == 0 ? bit : 0;
+          bit <<= 1;
+        }
+    }
+
+    bool allow_square(const Residues& other) const {
+      return ((are_residues ^ other.are_residues) & ~(are_divisors | other.are_divisors)) == 0;
+    }
+  };
+
   // sign * sqrt(root) / divisor
   struct Term
   {
@@ -76,6 +119,7 @@ private:
   struct Class_sum
   {
     Integer root, numerator, denominator;
+    Residues residues;
   };
 
   // Integers of different libraries have in common how they are written.
@@ -89,8 +133,7 @@ private:
   int sign(unsigned digits) const {
     Integer sum = 0;
     for(const Term& t : terms_)
-      sum += t.sign *
-             Integer(boost::multiprecision::sqrt(Integer(t.root << (2 * digits))) / t.divisor);
+      sum += t.sign * Integer(integer_square_root(Integer(t.root << (2 * digits))) / t.divisor);
     // Each term is less than 2 too small.
     const Integer error = 2 * terms_.size();
     return sum > error ? 1 : sum < -error ? -1 : 0;
@@ -107,10 +150,12 @@ private:
   }
 
   static void add_to_class(const Term& t, std::vector<Class_sum>& classes) {
+    const Residues residues(t.root);
     for(Class_sum& c : classes) {
-      Integer rest;
-      const Integer factor = boost::multiprecision::sqrt(Integer(t.root * c.root), rest);
-      if(rest == 0) {
+      if(!residues.allow_square(c.residues))
+        continue;
+      const Integer product = t.root * c.root, factor = integer_square_root(product);
+      if(factor * factor == product) {
         // sqrt(t.root) = (factor / c.root) sqrt(c.root)
         const Integer divisor = t.divisor * c.root;
         c.numerator = c.numerator * divisor + t.sign * factor * c.denominator;
@@ -118,7 +163,21 @@ private:
         return;
       }
     }
-    classes.push_back({t.root, t.sign, t.divisor});
+    classes.push_back({t.root, t.sign, t.divisor, residues});
+  }
+
+  static bool is_prime(unsigned n) {
+    for(unsigned d = 3; d * d <= n; d += 2)
+      if(n % d == 0)
+        return false;
+    return true;
+  }
+
+  static bool is_residue(unsigned rest, unsigned prime) {
+    for(unsigned x = 1; 2 * x < prime; ++x)
+      if(x * x % prime == rest)
+        return true;
+    return false;
   }
 
   std::vector<Term> terms_;
