@@ -314,7 +314,7 @@ private:
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(
-        tm_, point_, traits_, mesh_, vertices_);
+        tm_, point_, traits_, vertices_);
     std::vector<Pair> pairs(flat_pairs.size());
     impl::for_each_index(
         execution, pairs.size(),

@@ -61,7 +61,8 @@ void expect_geometry_of_steps(const TriangleMesh& tm, VertexPointMap point, cons
   for(const auto& p : loop.points())
     for(const double x : coordinates(p))
       largest = (std::max)(largest, std::abs(x));
-  const double rounding = 16. * std::numeric_limits<double>::epsilon() * largest;
+  const double rounding = 16. * std::numeric_limits<double>::epsilon() * largest +
+                          4. * std::numeric_limits<double>::denorm_min();
   for(std::size_t i = 0; i < loop.size(); ++i) {
     const auto& [h, ratio] = loop.steps()[i];
     const Coordinates p = coordinates(get(point, source(h, tm)));

@@ -17,7 +17,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,6 +32,7 @@ namespace internal {
 template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits> class Loop_converter
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using FT = typename GeomTraits::FT;
 
 public:
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
@@ -38,12 +41,10 @@ public:
   Loop_converter(const TriangleMesh& tm,
                  VertexPointMap point,
                  const GeomTraits& traits,
-                 const Flat_mesh& mesh,
                  const std::vector<vertex_descriptor>& vertices)
       : tm_(tm)
       , point_(point)
       , traits_(traits)
-      , mesh_(mesh)
       , vertices_(vertices) {}
 
   Loop operator()(const Crossing_loop& loop, Loop_type type, std::size_t pair_index) const {
@@ -58,7 +59,7 @@ public:
       }
       previous = &c;
     }
-    const double length = mesh_.in_units_of_caller(internal::length(mesh_, loop));
+    const double length = length_of(points);
     return Loop(std::move(steps), std::move(points), length, type, pair_index);
   }
 
@@ -70,7 +71,6 @@ private:
   Point point_at(const Crossing& c) const {
     if(vertex_of(c) != no_index)
       return get(point_, vertices_[vertex_of(c)]);
-    using FT = typename GeomTraits::FT;
     const auto& p = get(point_, vertices_[c.left]);
     const auto& q = get(point_, vertices_[c.right]);
     if constexpr(std::is_floating_point<FT>::value) { // as below, but with rounded products
@@ -84,10 +84,27 @@ private:
       return traits_.construct_barycenter_3_object()(p, 1. - c.ratio, q, c.ratio);
   }
 
+  // Of the points as they are: on the flat mesh, they are rounded to what the largest coordinate
+  // leaves of them. Halves, so that no difference overflows.
+  static double length_of(const std::vector<Point>& points) {
+    const auto half = [](const FT& a, const FT& b) {
+      if constexpr(std::is_floating_point<FT>::value)
+        return 0.5 * a - 0.5 * b;
+      else
+        return CGAL::to_double(FT(a - b)) / 2.;
+    };
+    double sum = 0.;
+    const Point* p = points.empty() ? nullptr : &points.back();
+    for(const Point& q : points) {
+      sum += std::hypot(half(q.x(), p->x()), half(q.y(), p->y()), half(q.z(), p->z()));
+      p = &q;
+    }
+    return 2. * sum;
+  }
+
   const TriangleMesh& tm_;
   VertexPointMap point_;
   const GeomTraits& traits_;
-  const Flat_mesh& mesh_;
   const std::vector<vertex_descriptor>& vertices_;
 };
 

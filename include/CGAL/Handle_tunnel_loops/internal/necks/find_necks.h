@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/necks/find_flat_necks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,14 +66,17 @@ find_necks(Execution execution,
   Builder builder(execution, tm, index, point);
   const Flat_mesh mesh = builder.build();
   const auto vertices = builder.take_vertices();
-  const Loop_converter<TriangleMesh, VertexPointMap, GeomTraits> convert(tm, point, traits, mesh,
+  const Loop_converter<TriangleMesh, VertexPointMap, GeomTraits> convert(tm, point, traits,
                                                                          vertices);
   std::vector<Neck<TriangleMesh, typename boost::property_traits<VertexPointMap>::value_type>>
       necks;
   for(const Flat_neck& neck :
       find_flat_necks(execution, mesh, {maximal_length / 2. / mesh.half_scale, minimal_share}))
-    necks.push_back({convert(neck.loop, Loop_type::HANDLE, necks.size()),
-                     mesh.in_units_of_caller(neck.length), neck.smaller_area_share});
+  {
+    auto loop = convert(neck.loop, Loop_type::HANDLE, necks.size());
+    const double length = loop.length();
+    necks.push_back({std::move(loop), length, neck.smaller_area_share});
+  }
   return necks;
 }
 
