@@ -147,10 +147,11 @@ private:
     std::vector<Surgery_mesh::Point> points;
     for(Index v : walk)
       points.push_back(mesh_.point(v));
+    const double length_of_walk = length(mesh_, walk);
     const auto distance_from = [&](const Removal_task& other) {
       double least = (std::numeric_limits<double>::infinity)();
       for(const Loop_choice& choice : other.choices)
-        least = (std::min)(least, loop_distance(mesh_, points, length(mesh_, walk), choice));
+        least = (std::min)(least, loop_distance(mesh_, points, length_of_walk, choice));
       return least;
     };
     const double distance = distance_from(task);

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/surface_count.h>
 
 #include <cstddef>
 #include <vector>
@@ -35,25 +36,16 @@ inline std::vector<char> separating_strips(Execution execution,
   for(const Cut_region* strip : strips)
     for(Index f : strip->faces())
       is_taken_out[f] = 1;
-  const auto stays = [&](Index f) { return mesh.is_alive(f) && !is_taken_out[f]; };
-  Concurrent_disjoint_sets pieces(execution, mesh.face_bound());
-  for_each_index(execution, mesh.face_bound(), [&](std::size_t f) {
-    if(stays(static_cast<Index>(f)))
-      pieces.insert(static_cast<Index>(f));
-  });
-  for_each_index(execution, 3 * std::size_t(mesh.face_bound()), [&](std::size_t i) {
-    const Index h = static_cast<Index>(i);
-    if(stays(mesh.face(h)) && h < mesh.twin(h) && stays(mesh.face(mesh.twin(h))))
-      pieces.unite(mesh.face(h), mesh.face(mesh.twin(h)));
-  });
+  Concurrent_disjoint_sets left =
+      pieces(execution, mesh, [&](Index f) { return mesh.is_alive(f) && !is_taken_out[f]; });
   // The last ones that are needed to join what is left stay.
   std::vector<char> separates(strips.size(), 0);
   for(std::size_t i = strips.size(); i-- > 0;) {
     const auto beyond = [&](std::size_t border) {
       return mesh.face(mesh.twin(strips[i]->border(border).front()));
     };
-    separates[i] = pieces.root(beyond(0)) != pieces.root(beyond(1));
-    pieces.unite(beyond(0), beyond(1));
+    separates[i] = left.root(beyond(0)) != left.root(beyond(1));
+    left.unite(beyond(0), beyond(1));
   }
   return separates;
 }

@@ -34,19 +34,29 @@ struct Surface_count
   std::size_t genus = 0; ///< summed over the components
 };
 
-/// the number of pieces of the surface. Linear in its size.
-inline std::size_t number_of_pieces(Execution execution, const Surgery_mesh& mesh) {
+/// the pieces that the faces for which `stays(f)` form, as sets of faces. Linear in the size of the
+/// mesh.
+template <typename Predicate>
+Concurrent_disjoint_sets
+pieces(Execution execution, const Surgery_mesh& mesh, const Predicate& stays) {
   Concurrent_disjoint_sets sets(execution, mesh.face_bound());
   for_each_index(execution, mesh.face_bound(), [&](std::size_t f) {
-    if(mesh.is_alive(static_cast<Index>(f)))
+    if(stays(static_cast<Index>(f)))
       sets.insert(static_cast<Index>(f));
   });
   for_each_index(execution, 3 * std::size_t(mesh.face_bound()), [&](std::size_t i) {
     const Index h = static_cast<Index>(i);
-    if(mesh.is_alive(mesh.face(h)) && h < mesh.twin(h))
+    if(stays(mesh.face(h)) && h < mesh.twin(h) && stays(mesh.face(mesh.twin(h))))
       sets.unite(mesh.face(h), mesh.face(mesh.twin(h)));
   });
-  return sets.flatten(execution).size();
+  return sets;
+}
+
+/// the number of pieces of the surface. Linear in its size.
+inline std::size_t number_of_pieces(Execution execution, const Surgery_mesh& mesh) {
+  return pieces(execution, mesh, [&](Index f) { return mesh.is_alive(f); })
+      .flatten(execution)
+      .size();
 }
 
 /// whether a halfedge has a twin that leads back.
