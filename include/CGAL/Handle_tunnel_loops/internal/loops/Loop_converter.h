@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -85,18 +86,21 @@ private:
   }
 
   // Of the points as they are: on the flat mesh, they are rounded to what the largest coordinate
-  // leaves of them. Halves, so that no difference overflows.
+  // leaves of them.
   static double length_of(const std::vector<Point>& points) {
     const auto half = [](const FT& a, const FT& b) {
       if constexpr(std::is_floating_point<FT>::value)
-        return 0.5 * a - 0.5 * b;
+        return half_difference(a, b);
       else
         return CGAL::to_double(FT(a - b)) / 2.;
     };
     double sum = 0.;
     const Point* p = points.empty() ? nullptr : &points.back();
     for(const Point& q : points) {
-      sum += std::hypot(half(q.x(), p->x()), half(q.y(), p->y()), half(q.z(), p->z()));
+      const double x = half(q.x(), p->x()), y = half(q.y(), p->y()), z = half(q.z(), p->z());
+      const double largest = (std::max)({std::abs(x), std::abs(y), std::abs(z)});
+      if(largest > 0.)
+        sum += rounded_product(largest, rounded_length(x / largest, y / largest, z / largest));
       p = &q;
     }
     return 2. * sum;

@@ -71,12 +71,6 @@ private:
     }
   };
 
-  // Halved before they are subtracted: the difference of the largest doubles overflows. Half of the
-  // smallest ones is rounded.
-  static double half_difference(double a, double b) {
-    return rounded_product(0.5, a) - rounded_product(0.5, b);
-  }
-
   Vector low_;
   double half_ = 0.;
 };

@@ -66,6 +66,12 @@ CGAL_HTL_HOST_DEVICE inline double rounded_product(double a, double b) {
 #endif
 }
 
+/// half the difference of numbers, which are halved first: that of the largest doubles overflows.
+/// Half of the smallest ones is rounded.
+inline double half_difference(double a, double b) {
+  return rounded_product(0.5, a) - rounded_product(0.5, b);
+}
+
 /// the length of a vector, of products that are rounded.
 CGAL_HTL_HOST_DEVICE inline double rounded_length(double x, double y, double z) {
   return std::sqrt(rounded_product(x, x) + rounded_product(y, y) + rounded_product(z, z));
