@@ -10,15 +10,28 @@ set(HTLOOPS_SOURCES
   commands/length_option.cpp
   commands/loops_command.cpp
   commands/loops_file.cpp
+  commands/mesh_options.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  mend/duplicate_faces.cpp
+  mend/edge_division.cpp
+  mend/face_dropping.cpp
+  mend/face_gluing.cpp
+  mend/face_pieces.cpp
+  mend/faces_around_edge.cpp
+  mend/mending.cpp
+  mend/mesh_reader.cpp
+  mend/point_welding.cpp
+  mend/polygon_triangulation.cpp
+  mend/remedy_words.cpp
+  mend/soup_triangulation.cpp
+  mend/vertex_splitting.cpp
   read/binary_source.cpp
   read/edge_table.cpp
   read/input_file.cpp
   read/loops_binding.cpp
   read/loops_json_reader.cpp
   read/mesh_builder.cpp
-  read/mesh_reader.cpp
   read/obj_lines.cpp
   read/obj_reader.cpp
   read/off_header.cpp
@@ -48,6 +61,7 @@ set(HTLOOPS_SOURCES
   terminal/progress_bar.cpp
   terminal/terminal.cpp
   write/atomic_file.cpp
+  write/change_table.cpp
   write/cut_exports.cpp
   write/events_writer.cpp
   write/export_lines.cpp

@@ -12,7 +12,7 @@
 #include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "commands/loops_file.h"
-#include "read/mesh_reader.h"
+#include "commands/mesh_options.h"
 #include "solve/self_contact.h"
 #include "write/linking_words.h"
 
@@ -23,11 +23,9 @@
 namespace htloops {
 namespace {
 
-struct Check_options
+struct Check_options : Mesh_options
 {
-  std::string mesh_file;
   std::string loops_file;
-  bool is_quiet = false;
 };
 
 using CGAL::Handle_tunnel_loops::Certificate;
@@ -56,7 +54,9 @@ std::string praise(const Certificate& certificate, bool is_boundary_of_solid) {
 }
 
 void run(const Check_options& options) {
-  const Mesh mesh = read_mesh(options.mesh_file);
+  check_mesh_options(options);
+  const Mesh mesh = read_mesh(options);
+  write_read_mesh(options, mesh);
   const Bound_loops loops = read_loops_on(mesh, options.loops_file);
   const Certificate certificate =
       CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
@@ -90,14 +90,12 @@ constexpr char examples[] =
 void add_check_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Check_options>();
   CLI::App* check = app.add_subcommand("check", description)->group("Commands");
-  check->add_option("MESH", options->mesh_file, "the mesh that the loops were computed on")
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
+  add_mesh_argument(*check, *options, "the mesh that the loops were computed on");
   check->add_option("LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote")
       ->option_text(" ")
       ->type_name(input_file)
       ->required();
+  add_remedy_options(*check, *options);
   check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*check, examples);
   check->callback([options, &command] { command = [options] { run(*options); }; });

@@ -22,13 +22,6 @@
 
 namespace htloops {
 
-void add_mesh_argument(CLI::App& command, Common_options& options) {
-  command.add_option("MESH", options.mesh_file, "closed triangle mesh: .off .obj .ply .stl")
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
-}
-
 void add_json_option(CLI::App& command,
                      Common_options& options,
                      const std::string& what,
@@ -89,6 +82,7 @@ void add_threads_option(CLI::App& command, Common_options& options, const std::s
 }
 
 void check_common_options(const Common_options& options) {
+  check_mesh_options(options);
   const Picture_options& picture = options.picture;
   if(!picture.view.empty() && is_zero(picture.view))
     throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");

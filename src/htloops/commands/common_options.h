@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_COMMON_OPTIONS_H
 #define HTLOOPS_COMMON_OPTIONS_H
 
+#include "commands/mesh_options.h"
 #include "write/picture_export.h"
 
 #include <cstdint>
@@ -23,18 +24,15 @@ class App;
 namespace htloops {
 
 /// Options that the commands have that compute something on a mesh.
-struct Common_options
+struct Common_options : Mesh_options
 {
-  std::string mesh_file;
   std::string json_file;
   std::vector<std::string> lines_files;
   Picture_options picture;
   int number_of_threads = 0;
-  bool is_quiet = false;
 };
 
 // Each declares some of them; `what` is "the loops", say.
-void add_mesh_argument(CLI::App& command, Common_options& options);
 void add_json_option(CLI::App& command,
                      Common_options& options,
                      const std::string& what,

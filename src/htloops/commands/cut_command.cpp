@@ -12,7 +12,6 @@
 #include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
-#include "read/mesh_reader.h"
 #include "solve/cut_solver.h"
 #include "solve/stopwatch.h"
 #include "terminal/interrupt.h"
@@ -83,14 +82,16 @@ std::string summary(const Cut_answer& answer, double read_seconds) {
 void run(const Cut_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mesh mesh = read_mesh(options.mesh_file);
+  const Mesh mesh = read_mesh(options);
   const double read_seconds = stopwatch.seconds();
   const Interrupt_guard guard;
+  write_read_mesh(options, mesh);
   const Cut_answer answer = solve(mesh, options);
   write_files(options, mesh, answer);
   if(!options.is_quiet)
-    show_text(summary(answer, read_seconds),
-              options.opened_file == "-" || options.selection_file == "-");
+    show_text(summary(answer, read_seconds), options.opened_file == "-" ||
+                                                 options.selection_file == "-" ||
+                                                 options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
@@ -142,8 +143,9 @@ constexpr char examples[] =
 void add_cut_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Cut_command_options>();
   CLI::App* cut = app.add_subcommand("cut", description)->group("Commands");
-  add_mesh_argument(*cut, *options);
+  add_mesh_argument(*cut, *options, mesh_kinds);
   add_output_options(*cut, *options);
+  add_remedy_options(*cut, *options);
   add_computation_options(*cut, *options);
   cut->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*cut, examples);

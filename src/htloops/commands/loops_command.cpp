@@ -12,7 +12,6 @@
 #include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
-#include "read/mesh_reader.h"
 #include "solve/backends.h"
 #include "solve/stopwatch.h"
 #include "terminal/interrupt.h"
@@ -75,7 +74,7 @@ void write_files(const Loops_options& options,
 void show(const Loops_options& options, const Answer& answer, double read_seconds) {
   if(options.is_quiet)
     return;
-  const bool is_output_taken = options.json_file == "-";
+  const bool is_output_taken = options.json_file == "-" || options.is_mesh_on_standard_output();
   std::FILE* stream = is_output_taken ? stderr : stdout;
   const Table_options table{options.show_all, use_colour(options.colour, stream)};
   const std::string text =
@@ -87,9 +86,10 @@ void run(const Loops_options& options) {
   const Backend& backend = choose_backend(options.backend);
   check_common_options(options);
   const Stopwatch stopwatch;
-  const Mesh mesh = read_mesh(options.mesh_file);
+  const Mesh mesh = read_mesh(options);
   const double read_seconds = stopwatch.seconds();
   const Interrupt_guard guard;
+  write_read_mesh(options, mesh);
   const Answer answer = solve(backend, mesh, options);
   write_files(options, mesh, answer, read_seconds);
   show(options, answer, read_seconds);
@@ -179,8 +179,9 @@ constexpr char examples[] =
 void add_loops_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Loops_options>();
   CLI::App* loops = app.add_subcommand("loops", description)->group("Commands");
-  add_mesh_argument(*loops, *options);
+  add_mesh_argument(*loops, *options, mesh_kinds);
   add_output_options(*loops, *options);
+  add_remedy_options(*loops, *options);
   add_computation_options(*loops, *options);
   add_display_options(*loops, *options);
   complete_help(*loops, examples);

@@ -12,7 +12,6 @@
 #include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
-#include "read/mesh_reader.h"
 #include "read/values_reader.h"
 #include "solve/reeb_solver.h"
 #include "solve/stopwatch.h"
@@ -132,13 +131,15 @@ std::string summary(const Reeb_answer& answer, double read_seconds) {
 void run(const Reeb_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mesh mesh = read_mesh(options.mesh_file);
+  const Mesh mesh = read_mesh(options);
   const double read_seconds = stopwatch.seconds();
   const Interrupt_guard guard;
+  write_read_mesh(options, mesh);
   const Reeb_answer answer = solve(mesh, options);
   write_files(options, mesh, answer, read_seconds);
   if(!options.is_quiet)
-    show_text(summary(answer, read_seconds), options.json_file == "-");
+    show_text(summary(answer, read_seconds),
+              options.json_file == "-" || options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Reeb_command_options& options) {
@@ -218,8 +219,9 @@ constexpr char examples[] =
 void add_reeb_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Reeb_command_options>();
   CLI::App* reeb = app.add_subcommand("reeb", description)->group("Commands");
-  add_mesh_argument(*reeb, *options);
+  add_mesh_argument(*reeb, *options, mesh_kinds);
   add_output_options(*reeb, *options);
+  add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);
   reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*reeb, examples);

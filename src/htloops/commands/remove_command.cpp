@@ -14,7 +14,6 @@
 #include "commands/length_option.h"
 #include "commands/loops_file.h"
 #include "failure.h"
-#include "read/mesh_reader.h"
 #include "read/unread_data.h"
 #include "read/vertex_properties_reader.h"
 #include "solve/removal_solver.h"
@@ -91,10 +90,19 @@ Vertex_properties properties_to_keep(const Input_file& file, const Remove_option
   return kept;
 }
 
+// A copy of a vertex has its values.
+void extend(Vertex_properties& properties, const std::vector<std::uint32_t>& origins) {
+  for(Vertex_property& property : properties)
+    for(const std::uint32_t origin : origins)
+      property.values.push_back(double(property.values[origin]));
+}
+
 std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
   const Input_file file(options.mesh_file);
-  Mesh mesh = read_mesh(file);
-  return {std::move(mesh), properties_to_keep(file, options)};
+  Mended_mesh mended = read_mended_mesh(options, file);
+  Vertex_properties properties = properties_to_keep(file, options);
+  extend(properties, mended.origins);
+  return {std::move(mended.mesh), std::move(properties)};
 }
 
 Pairs read_basis(const Mesh& mesh, const std::string& file) {
@@ -156,7 +164,8 @@ void show(const Remove_options& options,
       table_of_removals(answer.report, options.show_all) + summary(answer.report) + seconds +
       counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
       (options.is_dry_run ? "this was a dry run: no mesh is written\n" : "");
-  const bool is_mesh_shown = options.result_file == "-" && !options.is_dry_run;
+  const bool is_mesh_shown =
+      (options.result_file == "-" && !options.is_dry_run) || options.is_mesh_on_standard_output();
   show_text(text, is_mesh_shown || options.json_file == "-" || options.page_file == "-");
 }
 
@@ -166,6 +175,7 @@ void run(const Remove_options& options) {
   auto [mesh, properties] = read(options);
   const double read_seconds = stopwatch.seconds();
   const Interrupt_guard guard;
+  write_read_mesh(options, mesh);
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;
   const Pairs pairs = pairs_of(mesh, options, show_progress);
@@ -276,8 +286,9 @@ constexpr char examples[] =
 void add_remove_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Remove_options>();
   CLI::App* remove = app.add_subcommand("remove", description)->group("Commands");
-  add_mesh_argument(*remove, *options);
+  add_mesh_argument(*remove, *options, mesh_kinds);
   add_output_options(*remove, *options);
+  add_remedy_options(*remove, *options);
   add_selection_options(*remove, *options);
   add_computation_options(*remove, *options);
   const char group[] = "What to show";

@@ -93,7 +93,7 @@ private:
     while(!text_.is_at_line_end()) {
       const std::uint32_t vertex = read_vertex();
       face.resize(face.size() + 1);
-      face[face.size() - 1] = vertex;
+      soup_.set_corner(face, face.size() - 1, vertex);
     }
     soup_.faces.push_back(face);
   }

@@ -83,7 +83,7 @@ private:
     Soup_face& face = soup_.faces.emplace_back();
     face.resize(static_cast<std::size_t>(size));
     for(std::size_t i = 0; i < face.size(); ++i)
-      face[i] = read_vertex(index, i);
+      soup_.set_corner(face, i, read_vertex(index, i));
   }
 
   std::uint32_t read_vertex(std::size_t face, std::size_t corner) {

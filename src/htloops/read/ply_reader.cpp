@@ -128,7 +128,7 @@ private:
     for(std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       const double value = read(element, property, property.type);
       if(has_corners)
-        face_[i] = vertex(value);
+        soup_.set_corner(face_, i, vertex(value));
     }
   }
 

@@ -19,9 +19,8 @@
 
 namespace htloops {
 
-/// The vertices of a face. Only the first three are kept, as a face with more is refused anyway:
-/// so a million faces need no million allocations, and a damaged file that announces a face of a
-/// billion vertices does no harm.
+/// The vertices of a face. Only the first three are kept here: so a million faces need no million
+/// allocations, and a damaged file that announces a face of a billion vertices does no harm.
 class Soup_face
 {
 public:
@@ -52,6 +51,16 @@ struct Soup
 {
   std::vector<Point> points;
   std::vector<Soup_face> faces;
+  /// What faces of more than three vertices have from the fourth on, one face after the other.
+  std::vector<std::uint32_t> further_corners = {};
+
+  /// sets a corner of the face that is being read; corners come in their order.
+  void set_corner(Soup_face& face, std::size_t i, std::uint32_t vertex) {
+    if(i < 3)
+      face[i] = vertex;
+    else
+      further_corners.push_back(vertex);
+  }
 
   /// the vertex at which halfedge 3 * face + i, from corner i to corner i + 1, begins.
   std::uint32_t source(std::uint32_t halfedge) const { return faces[halfedge / 3][halfedge % 3]; }

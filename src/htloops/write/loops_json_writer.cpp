@@ -9,6 +9,7 @@
 
 #include "write/loops_json_writer.h"
 
+#include "face_cuts.h"
 #include "write/json_writer.h"
 #include "write/linking_words.h"
 
@@ -54,6 +55,15 @@ Json json_of(const std::vector<Loop_linking>& linking) {
   return array;
 }
 
+// The positions of the locations on edges that are in no face of the file.
+Json positions_across_faces(const Loop& loop, const Mesh& mesh, const Face_cuts& cuts) {
+  Json positions = Json::array();
+  for(std::size_t i = 0; i < loop.steps().size(); ++i)
+    if(cuts[mesh.edge(loop.steps()[i].halfedge)])
+      positions.push_back(i);
+  return positions;
+}
+
 Json json_of(const Loop& loop, const Mesh& mesh, const Loop_linking* linking) {
   Json json = {{"length", loop.length()}};
   if(linking != nullptr) {
@@ -65,6 +75,8 @@ Json json_of(const Loop& loop, const Mesh& mesh, const Loop_linking* linking) {
     locations.push_back(Json::array(
         {mesh.source(step.halfedge).idx(), mesh.target(step.halfedge).idx(), step.ratio}));
   json["locations"] = std::move(locations);
+  if(const auto cuts = cuts_of_faces(mesh))
+    json["across_faces"] = positions_across_faces(loop, mesh, *cuts);
   json["points"] = json_of_points(loop.points());
   return json;
 }

@@ -2,7 +2,7 @@
 
 #include "Temporary_folder.h"
 
-#include "htloops/read/mesh_reader.h"
+#include "htloops/mend/mesh_reader.h"
 #include "htloops/read/unread_data.h"
 #include "htloops/solve/spread_properties.h"
 #include "htloops/write/mesh_writer.h"

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "mend/mending.h"
+
+#include "mend/edge_division.h"
+#include "mend/face_dropping.h"
+#include "mend/face_gluing.h"
+#include "mend/point_welding.h"
+#include "mend/soup_triangulation.h"
+#include "mend/vertex_splitting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+bool is_finite(const Point& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+// Nothing exact can be said of points that are nowhere, and halfedges have numbers of 32 bits.
+bool can_be_mended(const Soup& soup) {
+  constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
+  return 3 * (soup.faces.size() + soup.further_corners.size()) <= largest_number_of_halfedges &&
+         soup.points.size() <= largest_number_of_halfedges &&
+         std::all_of(soup.points.begin(), soup.points.end(), is_finite);
+}
+
+void repair_triangles(Mended_soup& mended) {
+  drop_degenerate_faces(mended);
+  drop_duplicate_faces(mended);
+  std::optional<Neighbors> neighbors = glue_faces(mended);
+  mended.is_one_sided = !neighbors;
+  if(!neighbors)
+    return;
+  split_vertices(mended, *neighbors);
+  divide_parallel_edges(mended, *neighbors);
+}
+
+} // namespace
+
+Mended_soup mend(Soup soup, const Remedies& remedies) {
+  Mended_soup mended;
+  mended.soup = std::move(soup);
+  if(!can_be_mended(mended.soup))
+    return mended;
+  mended.face_in_file.resize(mended.soup.faces.size());
+  std::iota(mended.face_in_file.begin(), mended.face_in_file.end(), 0u);
+  if(remedies.do_repair) {
+    drop_degenerate_faces(mended); // whose sides are no edges
+    weld_points(mended);
+    drop_degenerate_faces(mended);
+  }
+  if(remedies.do_triangulate)
+    triangulate(mended);
+  if(remedies.do_repair && mended.soup.further_corners.empty())
+    repair_triangles(mended);
+  return mended;
+}
+
+} // namespace htloops

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_POLYGONS_H
+#define HTLOOPS_POLYGONS_H
+
+#include "read/soup.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace htloops {
+
+/// The vertices of a face of any size, in their order.
+using Corners = std::vector<std::uint32_t>;
+
+/// calls `visit(number of the face, corners)` for each face of a soup.
+template <typename Visit> void for_each_polygon(const Soup& soup, Visit visit) {
+  Corners corners;
+  const std::uint32_t* further = soup.further_corners.data();
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const Soup_face& face = soup.faces[f];
+    corners.assign(face.begin(), face.end());
+    if(face.size() > 3) {
+      const std::uint32_t* const end = further + (face.size() - 3);
+      corners.insert(corners.end(), further, end);
+      further = end;
+    }
+    visit(f, corners);
+  }
+}
+
+/// calls `visit(u, v)` for each side of a polygon.
+template <typename Visit> void for_each_side(const Corners& corners, Visit visit) {
+  for(std::size_t i = 0; i < corners.size(); ++i)
+    visit(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
+}
+
+inline void add_face(Soup& soup, const Corners& corners) {
+  Soup_face& face = soup.faces.emplace_back();
+  face.resize(corners.size());
+  for(std::size_t i = 0; i < corners.size(); ++i)
+    soup.set_corner(face, i, corners[i]);
+}
+
+/// one number for an edge, whatever its direction; the smaller vertex counts first.
+inline std::uint64_t key_of_edge(std::uint32_t u, std::uint32_t v) {
+  return u < v ? std::uint64_t(u) << 32 | v : std::uint64_t(v) << 32 | u;
+}
+
+} // namespace htloops
+
+#endif // HTLOOPS_POLYGONS_H

@@ -1,0 +1,619 @@
+// What --triangulate and --repair do to a soup.
+
+#include "htloops/mend/mending.h"
+
+#include "generators/generators.h"
+#include "htloops/mend/polygon_triangulation.h"
+#include "htloops/mend/polygons.h"
+#include "htloops/mend/remedy_words.h"
+#include "htloops/read/soup_diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+
+using namespace htloops;
+
+namespace {
+
+using Faces = std::vector<Corners>;
+
+constexpr Remedies triangulation = {true, false};
+constexpr Remedies repair = {false, true};
+constexpr Remedies both = {true, true};
+
+Soup soup_of(const std::vector<Point>& points, const Faces& faces) {
+  Soup soup;
+  soup.points = points;
+  for(const Corners& face : faces)
+    add_face(soup, face);
+  return soup;
+}
+
+Faces faces_of(const Soup& soup) {
+  Faces faces;
+  for_each_polygon(soup, [&](std::size_t, const Corners& corners) { faces.push_back(corners); });
+  return faces;
+}
+
+const std::vector<Point> corners_of_tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const Faces tetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+const std::vector<Point> corners_of_cube = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                            {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+const Faces cube = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                    {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+Soup generated(const std::string& kind, std::size_t faces, std::size_t genus) {
+  namespace generators = CGAL::Handle_tunnel_loops::generators;
+  generators::Request request;
+  request.faces = faces;
+  request.genus = genus;
+  Soup soup;
+  for(const generators::Kind& candidate : generators::kinds())
+    if(candidate.name == kind) {
+      const generators::Soup mesh = generators::make(candidate, request);
+      for(const auto& p : mesh.points)
+        soup.points.emplace_back(p[0], p[1], p[2]);
+      for(const auto& t : mesh.triangles)
+        add_face(soup, {t[0], t[1], t[2]});
+    }
+  return soup;
+}
+
+// Euler characteristic of what is used of a soup of triangles.
+long long euler_characteristic(const Soup& soup) {
+  std::set<std::uint32_t> vertices;
+  std::set<std::uint64_t> edges;
+  for(const Corners& face : faces_of(soup))
+    for_each_side(face, [&](std::uint32_t u, std::uint32_t v) {
+      vertices.insert(u);
+      edges.insert(key_of_edge(u, v));
+    });
+  return static_cast<long long>(vertices.size()) - static_cast<long long>(edges.size()) +
+         static_cast<long long>(soup.faces.size());
+}
+
+std::string words(const Mended_soup& mended) {
+  std::string text;
+  for(const Change& change : mended.changes)
+    text += std::to_string(change.count) + " " + change.words + "\n";
+  return text;
+}
+
+void expect_sound(const Soup& soup) {
+  for(const Defect& defect : diagnose(soup).defects)
+    ADD_FAILURE() << defect.message;
+}
+
+// Sound but for boundary.
+void expect_manifold(const Soup& soup) {
+  for(const Defect& defect : diagnose(soup).defects)
+    EXPECT_EQ(defect.kind, Mesh_defect::BOUNDARY_EDGE) << defect.message;
+}
+
+} // namespace
+
+// ---- triangulation
+
+TEST(Triangulation, cuts_all_faces_of_a_cube) {
+  const Mended_soup mended = mend(soup_of(corners_of_cube, cube), triangulation);
+  EXPECT_EQ(mended.soup.faces.size(), 12u);
+  EXPECT_EQ(mended.diagonals.size(), 6u);
+  EXPECT_EQ(words(mended),
+            "6 faces of more than three vertices made triangles, the first is face 0\n");
+  expect_sound(mended.soup);
+  EXPECT_EQ(euler_characteristic(mended.soup), 2);
+}
+
+TEST(Triangulation, leaves_triangles_alone) {
+  const Mended_soup mended = mend(soup_of(corners_of_tetrahedron, tetrahedron), triangulation);
+  EXPECT_TRUE(mended.changes.empty());
+  EXPECT_TRUE(mended.diagonals.empty());
+  EXPECT_EQ(faces_of(mended.soup), tetrahedron);
+}
+
+TEST(Triangulation, takes_the_diagonal_that_lies_inside) {
+  const std::vector<Point> arrow = {{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}};
+  const auto is_free = [](std::uint32_t, std::uint32_t) { return true; };
+  // From the tip to the notch, whichever corner comes first.
+  for(const Corners& corners : Faces{{0, 1, 2, 3}, {1, 2, 3, 0}, {3, 2, 1, 0}, {2, 1, 0, 3}})
+    for(const auto& triangle : triangulate_polygon(arrow, corners, is_free)) {
+      EXPECT_TRUE(std::count(triangle.begin(), triangle.end(), 0u));
+      EXPECT_TRUE(std::count(triangle.begin(), triangle.end(), 2u));
+    }
+}
+
+namespace {
+
+// In the plane of the first two coordinates, without sign.
+double area(const std::vector<Point>& points, const Triangles& triangles) {
+  double sum = 0.;
+  for(const auto& [u, v, w] : triangles) {
+    const auto a = points[v] - points[u], b = points[w] - points[u];
+    sum += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST(Triangulation, covers_polygons_that_are_not_convex) {
+  const auto is_free = [](std::uint32_t, std::uint32_t) { return true; };
+  std::vector<Point> comb;
+  Corners corners;
+  for(int i = 0; i < 10; ++i) {
+    comb.emplace_back(2 * i, 10, i);
+    comb.emplace_back(2 * i + 1, 10, i);
+    comb.emplace_back(2 * i + 1, 1, i);
+    comb.emplace_back(2 * i + 2, 1, i);
+  }
+  comb.emplace_back(20, 0, 10);
+  comb.emplace_back(0, 0, 0);
+  for(std::uint32_t v = 0; v < comb.size(); ++v)
+    corners.push_back(v);
+  const Triangles triangles = triangulate_polygon(comb, corners, is_free);
+  EXPECT_EQ(triangles.size(), corners.size() - 2);
+  EXPECT_DOUBLE_EQ(area(comb, triangles), 20. + 10. * 9.);
+}
+
+// A square with a square hole, which the polygon goes to and comes back from along one edge.
+TEST(Triangulation, goes_around_a_hole) {
+  const auto is_free = [](std::uint32_t, std::uint32_t) { return true; };
+  const std::vector<Point> points = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
+                                     {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
+  const Triangles triangles = triangulate_polygon(points, {0, 1, 2, 3, 0, 4, 5, 6, 7, 4}, is_free);
+  EXPECT_EQ(triangles.size(), 8u);
+  EXPECT_DOUBLE_EQ(area(points, triangles), 8.);
+}
+
+TEST(Triangulation, makes_triangles_of_polygons_that_cross_themselves_or_have_no_area) {
+  const auto is_free = [](std::uint32_t, std::uint32_t) { return true; };
+  std::vector<Point> points;
+  Corners corners;
+  for(std::uint32_t i = 0; i < 7; ++i) {
+    points.emplace_back(std::cos(2.7 * i), std::sin(2.7 * i), 0.1 * i);
+    corners.push_back(i);
+  }
+  EXPECT_EQ(triangulate_polygon(points, corners, is_free).size(), 5u);
+  for(Point& p : points)
+    p = Point(p.x(), 0., 0.);
+  EXPECT_EQ(triangulate_polygon(points, corners, is_free).size(), 5u);
+  for(Point& p : points)
+    p = Point(1., 1., 1.);
+  EXPECT_EQ(triangulate_polygon(points, corners, is_free).size(), 5u);
+}
+
+// Two faces that share two sides, and with them a vertex of two edges: the same diagonal in both
+// would have four faces.
+TEST(Triangulation, uses_no_diagonal_twice) {
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.4, 0.4, 0.2}};
+  const Faces roof = {{0, 1, 2, 3}, {2, 1, 0, 4}, {0, 3, 4}, {3, 2, 4}};
+  const Mended_soup mended = mend(soup_of(points, roof), triangulation);
+  expect_sound(mended.soup);
+  EXPECT_EQ(euler_characteristic(mended.soup), 2);
+}
+
+TEST(Triangulation, of_quadrangles_keeps_the_surface) {
+  // A torus of n times m quadrangles, n and m as small as they can be and larger.
+  for(const std::uint32_t n : {3u, 4u, 20u})
+    for(const std::uint32_t m : {3u, 5u}) {
+      std::vector<Point> points;
+      Faces faces;
+      for(std::uint32_t i = 0; i < n; ++i)
+        for(std::uint32_t j = 0; j < m; ++j) {
+          const double a = 6.283185 * i / n, b = 6.283185 * j / m;
+          points.emplace_back((3 + std::cos(b)) * std::cos(a), (3 + std::cos(b)) * std::sin(a),
+                              std::sin(b));
+          const std::uint32_t i1 = (i + 1) % n, j1 = (j + 1) % m;
+          faces.push_back({m * i + j, m * i1 + j, m * i1 + j1, m * i + j1});
+        }
+      const Mended_soup mended = mend(soup_of(points, faces), triangulation);
+      EXPECT_EQ(mended.soup.faces.size(), 2 * faces.size());
+      expect_sound(mended.soup);
+      EXPECT_EQ(euler_characteristic(mended.soup), 0);
+    }
+}
+
+// ---- repair
+
+TEST(Repair, leaves_sound_meshes_as_they_are) {
+  std::vector<Soup> soups = {generated("torus", 500, 1), generated("lattice", 3000, 5),
+                             soup_of(corners_of_tetrahedron, tetrahedron)};
+  soups.push_back(soups[2]);
+  soups.back().points.emplace_back(0., 0., 0.); // isolated, and where another one is
+  // Two that touch, in vertices of their own.
+  Soup pair = soups[0];
+  for(const Corners& face : faces_of(soups[0]))
+    add_face(pair, {face[0] + 250, face[1] + 250, face[2] + 250});
+  pair.points.insert(pair.points.end(), soups[0].points.begin(), soups[0].points.end());
+  if(soups[0].points.size() == 250)
+    soups.push_back(pair);
+  for(const Soup& soup : soups) {
+    const Mended_soup mended = mend(soup, both);
+    EXPECT_TRUE(mended.changes.empty()) << words(mended);
+    EXPECT_EQ(faces_of(mended.soup), faces_of(soup));
+    EXPECT_EQ(mended.soup.points, soup.points);
+  }
+}
+
+TEST(Repair, welds_faces_that_share_no_vertex) {
+  Soup soup;
+  for(const Corners& face : tetrahedron) {
+    Corners own;
+    for(const std::uint32_t v : face) {
+      own.push_back(static_cast<std::uint32_t>(soup.points.size()));
+      soup.points.push_back(corners_of_tetrahedron[v]);
+    }
+    add_face(soup, own);
+  }
+  soup.points[0] = Point(-0., 0., 0.); // equal, if not the same bits
+  const Mended_soup mended = mend(soup, repair);
+  EXPECT_EQ(words(mended), "8 vertices welded with others at the same place, the first is vertex 3 "
+                           "with vertex 0\n");
+  expect_sound(mended.soup);
+  EXPECT_EQ(mended.soup.points.size(), 12u); // numbers stay
+  EXPECT_EQ(euler_characteristic(mended.soup), 2);
+}
+
+TEST(Repair, welds_quadrangles_before_they_are_cut) {
+  Soup soup;
+  for(const Corners& face : cube) {
+    Corners own;
+    for(const std::uint32_t v : face) {
+      own.push_back(static_cast<std::uint32_t>(soup.points.size()));
+      soup.points.push_back(corners_of_cube[v]);
+    }
+    add_face(soup, own);
+  }
+  expect_sound(mend(soup, both).soup);
+}
+
+TEST(Repair, does_not_weld_what_merely_touches) {
+  // Two tents without floor, whose tops are at one place.
+  const std::vector<Point> points = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0},
+                                     {0, 0, 1}, {1, 0, 2}, {0, 1, 2}, {-1, -1, 2}};
+  const Mended_soup mended = mend(
+      soup_of(points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {4, 6, 5}, {4, 7, 6}, {4, 5, 7}}), repair);
+  EXPECT_TRUE(mended.changes.empty()) << words(mended);
+}
+
+TEST(Repair, drops_degenerate_and_duplicate_faces) {
+  Faces faces = tetrahedron;
+  faces.insert(faces.begin() + 1, {2, 0, 2});
+  faces.push_back({1, 0, 2});
+  faces.push_back({0, 1});
+  const Mended_soup mended = mend(soup_of(corners_of_tetrahedron, faces), repair);
+  EXPECT_EQ(words(mended), "2 degenerate faces dropped, the first is face 1\n"
+                           "1 duplicate face dropped: face 5\n");
+  EXPECT_EQ(faces_of(mended.soup), tetrahedron);
+}
+
+TEST(Repair, drops_duplicates_of_polygons) {
+  for(const Corners& duplicate : Faces{{3, 2, 1, 0}, {0, 1, 2, 3}, {1, 0, 3, 2}, {6, 7, 4, 5}}) {
+    Faces faces = cube;
+    faces.push_back(duplicate);
+    const Mended_soup mended = mend(soup_of(corners_of_cube, faces), both);
+    EXPECT_NE(words(mended).find("2 duplicate faces dropped, the first is face 6"),
+              std::string::npos);
+    expect_sound(mended.soup);
+    EXPECT_EQ(euler_characteristic(mended.soup), 2);
+  }
+}
+
+TEST(Repair, drops_flaps_altogether) {
+  Soup soup = generated("torus", 500, 1);
+  const std::uint32_t u = soup.faces[17][0], v = soup.faces[17][1];
+  const auto tip = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.emplace_back(5., 5., 5.);
+  soup.points.emplace_back(6., 5., 5.);
+  const Faces sound = faces_of(soup);
+  for(const Corners& face : Faces{{u, v, tip}, {v, u, tip}, {v, tip + 1, tip}, {v, tip, tip + 1}})
+    add_face(soup, face);
+  const Mended_soup mended = mend(soup, repair);
+  EXPECT_EQ(mended.changes.size(), 1u);
+  EXPECT_NE(words(mended).find("4 faces of flaps without thickness dropped"), std::string::npos);
+  EXPECT_EQ(faces_of(mended.soup), sound);
+}
+
+TEST(Repair, keeps_one_side_of_what_is_there_twice) {
+  const Soup torus = generated("torus", 500, 1);
+  for(const std::size_t number_of_faces : {std::size_t(100), torus.faces.size()}) {
+    Soup soup = torus;
+    for(std::size_t f = 0; f < number_of_faces; ++f)
+      add_face(soup, {torus.faces[f][1], torus.faces[f][0], torus.faces[f][2]});
+    EXPECT_EQ(faces_of(mend(soup, repair).soup), faces_of(torus));
+  }
+}
+
+TEST(Repair, takes_corners_off_that_repeat_a_vertex) {
+  Faces faces = cube;
+  faces[1] = {4, 5, 5, 6, 7, 4};
+  const Mended_soup mended = mend(soup_of(corners_of_cube, faces), both);
+  EXPECT_NE(words(mended).find("1 face relieved of corners"), std::string::npos) << words(mended);
+  expect_sound(mended.soup);
+}
+
+TEST(Repair, turns_the_fewer_faces_over) {
+  Soup soup = generated("torus", 500, 1);
+  for(const std::size_t f : {7, 8, 300})
+    std::swap(soup.faces[f][0], soup.faces[f][1]);
+  const Mended_soup mended = mend(soup, repair);
+  EXPECT_EQ(words(mended), "3 faces turned over, the first is face 7\n");
+  expect_sound(mended.soup);
+}
+
+TEST(Repair, leaves_what_has_one_side_only) {
+  std::vector<Point> points;
+  Faces faces; // a strip with half a turn in it
+  for(std::uint32_t i = 0; i < 9; ++i) {
+    points.emplace_back(std::cos(0.7 * i), std::sin(0.7 * i), -0.3);
+    points.emplace_back(std::cos(0.7 * i), std::sin(0.7 * i), 0.3);
+    const std::uint32_t a = 2 * i, b = a + 1, c = i == 8 ? 1 : a + 2, d = i == 8 ? 0 : a + 3;
+    faces.push_back({a, c, b});
+    faces.push_back({b, c, d});
+  }
+  const Mended_soup mended = mend(soup_of(points, faces), repair);
+  EXPECT_TRUE(mended.changes.empty()) << words(mended);
+  const auto defects = diagnose(mended.soup).defects;
+  ASSERT_FALSE(defects.empty());
+  EXPECT_NE(defects.back().message.find("not orientable"), std::string::npos);
+  EXPECT_EQ(words_on_remedy(soup_of(points, faces), defects, {}),
+            "no option mends this, as the surface is not orientable");
+}
+
+TEST(Repair, splits_a_vertex_of_two_surfaces) {
+  Soup soup = soup_of(corners_of_tetrahedron, tetrahedron);
+  for(const std::uint32_t v : {1, 2, 3})
+    soup.points.emplace_back(-corners_of_tetrahedron[v].x(), -corners_of_tetrahedron[v].y(),
+                             -corners_of_tetrahedron[v].z());
+  for(const Corners& face : tetrahedron) {
+    Corners other;
+    for(const std::uint32_t v : face)
+      other.push_back(v == 0 ? 0 : v + 3);
+    add_face(soup, {other[0], other[2], other[1]});
+  }
+  const Mended_soup mended = mend(soup, repair);
+  EXPECT_EQ(words(mended), "1 vertex split: vertex 0 into 2\n");
+  expect_sound(mended.soup);
+  ASSERT_EQ(mended.origins, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mended.soup.points[7], mended.soup.points[0]);
+}
+
+// Two boxes that have an edge in common come apart, whether they are told by pieces or, joined
+// elsewhere, by what is solid.
+TEST(Repair, takes_solids_apart_at_an_edge) {
+  std::vector<Point> points = corners_of_cube;
+  for(const Point& p : corners_of_cube)
+    points.emplace_back(p.x() + 1., p.y() + 1., p.z());
+  Faces faces = cube;
+  for(Corners face : cube) {
+    for(std::uint32_t& v : face)
+      v = v == 0 ? 2 : v == 4 ? 6 : v + 8;
+    faces.push_back(face);
+  }
+  const Mended_soup mended = mend(soup_of(points, faces), both);
+  EXPECT_NE(words(mended).find("1 edge with more than two faces split: edge 2-6 with 4 faces"),
+            std::string::npos);
+  EXPECT_NE(words(mended).find("2 vertices split"), std::string::npos);
+  expect_sound(mended.soup);
+  EXPECT_EQ(euler_characteristic(mended.soup), 4);
+}
+
+TEST(Repair, lets_a_surface_go_on_below_a_fin) {
+  for(const bool is_upright : {false, true}) {
+    Soup soup = generated("torus", 500, 1);
+    const std::uint32_t u = soup.faces[17][0], v = soup.faces[17][1];
+    const auto tip = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.emplace_back(5., 5., 5.);
+    add_face(soup, is_upright ? Corners{u, v, tip} : Corners{v, u, tip});
+    const Mended_soup mended = mend(soup, repair);
+    expect_manifold(mended.soup);
+    EXPECT_EQ(euler_characteristic(mended.soup), 1); // a torus and a triangle
+    EXPECT_EQ(mended.origins.size(), 2u);
+  }
+}
+
+TEST(Repair, makes_boundary_curves_simple) {
+  // Two triangles of one fan each, which have a vertex in common.
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  const Mended_soup mended = mend(soup_of(points, {{0, 1, 2}, {0, 3, 4}}), repair);
+  EXPECT_EQ(words(mended), "1 vertex split: vertex 0 into 2\n");
+  expect_manifold(mended.soup);
+}
+
+// Three half planes, with ends that are joined: no vertex has two fans, and still three faces are
+// at an edge.
+TEST(Repair, divides_edges_that_cannot_be_told_apart_by_their_ends) {
+  std::mt19937 random(5);
+  for(int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE("soup " + std::to_string(i));
+    std::uniform_int_distribution<std::uint32_t> vertex(0, 4 + i % 5), coordinate(0, 2);
+    std::vector<Point> points;
+    for(int v = 0; v < 9; ++v)
+      points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    Faces faces;
+    for(int f = 0; f < 4 + i % 17; ++f)
+      faces.push_back({vertex(random), vertex(random), vertex(random)});
+    const Mended_soup mended = mend(soup_of(points, faces), repair);
+    if(mended.is_one_sided || mended.soup.faces.empty())
+      continue;
+    expect_manifold(mended.soup);
+    expect_manifold(mend(mended.soup, repair).soup);
+  }
+}
+
+TEST(Repair, does_nothing_about_points_that_are_nowhere) {
+  Soup soup = soup_of(corners_of_cube, cube);
+  soup.points[3] = Point(0., std::numeric_limits<double>::quiet_NaN(), 0.);
+  const Mended_soup mended = mend(soup, both);
+  EXPECT_TRUE(mended.changes.empty());
+  EXPECT_EQ(words_on_remedy(soup, diagnose(soup).defects, {}), "no option mends this");
+}
+
+// ---- damage that is undone
+
+namespace {
+
+class Vandal
+{
+public:
+  Vandal(const Soup& soup, std::uint32_t seed)
+      : random_(seed)
+      , points_(soup.points)
+      , faces_(faces_of(soup)) {}
+
+  std::uint32_t number_below(std::size_t bound) {
+    return std::uniform_int_distribution<std::uint32_t>(0, std::uint32_t(bound) - 1)(random_);
+  }
+
+  void flip_faces() {
+    for(std::size_t i = 0; i < faces_.size() / 3; ++i) {
+      Corners& face = faces_[number_below(faces_.size())];
+      std::swap(face[0], face[1]);
+    }
+  }
+
+  // The vertices of some faces become their own.
+  void unweld() {
+    for(std::size_t i = 0; i < faces_.size() / 2; ++i)
+      for(std::uint32_t& v : faces_[number_below(faces_.size())]) {
+        points_.push_back(Point(points_[v]));
+        v = static_cast<std::uint32_t>(points_.size() - 1);
+      }
+  }
+
+  void duplicate_faces() {
+    for(int i = 0; i < 20; ++i) {
+      Corners face = faces_[number_below(faces_.size())];
+      std::rotate(face.begin(), face.begin() + number_below(3), face.end());
+      if(number_below(2) == 0)
+        std::swap(face[0], face[1]);
+      faces_.push_back(face);
+    }
+  }
+
+  void add_degenerate_faces() {
+    for(int i = 0; i < 20; ++i) {
+      const std::uint32_t u = number_below(points_.size()), v = number_below(points_.size());
+      faces_.insert(faces_.begin() + number_below(faces_.size()), {u, v, i % 2 == 0 ? u : v});
+    }
+  }
+
+  // Vertices so far apart that no edge gets more than two faces.
+  void glue_vertices() {
+    for(int i = 0; i < 5; ++i) {
+      const std::uint32_t v = number_below(points_.size()), w = number_below(points_.size());
+      const std::set<std::uint32_t> near = neighbors(v, 4);
+      if(near.count(w) == 0)
+        replace(v, w);
+    }
+  }
+
+  Soup soup() const { return soup_of(points_, faces_); }
+
+private:
+  std::set<std::uint32_t> neighbors(std::uint32_t v, int distance) const {
+    std::set<std::uint32_t> near = {v};
+    for(int i = 0; i < distance; ++i) {
+      std::set<std::uint32_t> next = near;
+      for(const Corners& face : faces_)
+        if(std::any_of(face.begin(), face.end(), [&](auto u) { return near.count(u) != 0; }))
+          next.insert(face.begin(), face.end());
+      near = next;
+    }
+    return near;
+  }
+
+  void replace(std::uint32_t v, std::uint32_t by) {
+    for(Corners& face : faces_)
+      std::replace(face.begin(), face.end(), v, by);
+  }
+
+  std::mt19937 random_;
+  std::vector<Point> points_;
+  Faces faces_;
+};
+
+} // namespace
+
+TEST(Repair, undoes_random_damage) {
+  const std::pair<const char*, std::size_t> kinds[] = {
+      {"torus", 1}, {"multi-torus", 3}, {"lattice", 4}};
+  std::uint32_t seed = 0;
+  for(const auto& [kind, genus] : kinds) {
+    const Soup original = generated(kind, 1500, genus);
+    for(int damage = 1; damage < 32; ++damage) {
+      SCOPED_TRACE(std::string(kind) + ", damage " + std::to_string(damage));
+      Vandal vandal(original, ++seed);
+      if(damage & 1)
+        vandal.glue_vertices();
+      if(damage & 2)
+        vandal.flip_faces();
+      if(damage & 4)
+        vandal.duplicate_faces();
+      if(damage & 8)
+        vandal.unweld();
+      if(damage & 16)
+        vandal.add_degenerate_faces();
+      const Soup damaged = vandal.soup();
+      const Mended_soup mended = mend(damaged, repair);
+      expect_sound(mended.soup);
+      EXPECT_EQ(mended.soup.faces.size(), original.faces.size());
+      EXPECT_EQ(euler_characteristic(mended.soup), euler_characteristic(original));
+      EXPECT_EQ(faces_of(mend(damaged, repair).soup), faces_of(mended.soup));
+      const auto defects = diagnose(damaged).defects;
+      if(!defects.empty()) {
+        EXPECT_NE(words_on_remedy(damaged, defects, {}).find("--repair"), std::string::npos);
+      }
+    }
+  }
+}
+
+// ---- which remedy is named
+
+TEST(Remedy, is_the_one_that_helps) {
+  const auto words_on = [](const Soup& soup, const Remedies& given = {}) {
+    return words_on_remedy(soup, diagnose(mend(soup, given).soup).defects, given);
+  };
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate makes them triangles");
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair),
+            "--triangulate and --repair together mend this");
+  Faces faces = cube;
+  faces.push_back({0, 0, 1});
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, faces)),
+            "--triangulate and --repair together mend this");
+  faces = tetrahedron;
+  faces.push_back({0, 0, 1});
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair drops it");
+  faces.back() = {0, 1, 2};
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair mends this");
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {})), "no option mends this");
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {}), both), "no other option mends this");
+}
+
+// ---- effort
+
+// One vertex in all faces, and one edge in all faces.
+TEST(Repair, takes_no_quadratic_time) {
+  std::vector<Point> points = {{0, 0, 0}, {0, 0, 1}};
+  Faces fan, book;
+  constexpr std::uint32_t n = 100000;
+  for(std::uint32_t i = 0; i < n; ++i) {
+    const double a = 6.28 * i / n;
+    points.emplace_back(std::cos(a), std::sin(a), 0.);
+    fan.push_back({0, 2 + i, 2 + (7919 * i + 1) % n});
+    book.push_back({0, 1, 2 + i});
+  }
+  expect_manifold(mend(soup_of(points, fan), repair).soup);
+  expect_manifold(mend(soup_of(points, book), repair).soup);
+  Corners corners;
+  for(std::uint32_t i = 2; i < n; ++i)
+    corners.push_back(i);
+  EXPECT_EQ(mend(soup_of(points, {corners}), triangulation).soup.faces.size(), corners.size() - 2);
+}
