@@ -172,7 +172,9 @@ constexpr char examples[] =
     "  htloops loops cup.off -o cup.json --lines cup.ply\n"
     "                                                  the loops for a program and for a viewer\n"
     "  htloops loops cup.off -qo - | jq '.pairs | length'\n"
-    "                                                  JSON into a pipe\n";
+    "                                                  JSON into a pipe\n"
+    "  htloops loops soup.obj --triangulate --repair --write-mesh sound.obj\n"
+    "                                                  a mesh that is not fit as it is\n";
 
 } // namespace
 
