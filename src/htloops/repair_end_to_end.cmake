@@ -177,6 +177,10 @@ file(STRINGS "${FOLDER}/same.ply" marked REGEX "^[-0-9.e]+ [-0-9.e]+ [-0-9.e]+ 7
 list(LENGTH marked number_marked)
 expect_equal("${number_marked}" 2)
 
+string(REPEAT "1\n2\n" 16 values)
+file(WRITE "${FOLDER}/values.txt" "${values}")
+run(0 reeb pinched.off --repair --values values.txt --simplify 0)
+
 # What no option helps against.
 write_off(one_sided.off "0 0 0;1 0 0;0 1 0;0 0 1;1 1 1" "3 0 1 2;3 1 3 2;3 2 3 4;3 3 0 4;3 4 0 1")
 run(4 loops one_sided.off)

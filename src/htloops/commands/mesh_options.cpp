@@ -40,7 +40,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
       ->group(group);
   command
       .add_option("--write-mesh", options.written_mesh_file,
-                  "the mesh that the answer is about: .off .obj .ply .stl")
+                  "the mesh as it is then, which the answer is about: .off .obj .ply .stl")
       ->option_text("FILE")
       ->type_name(output_file)
       ->group(group);

@@ -65,9 +65,19 @@ std::vector<Mesh::Vertex_index> sources_of(const Reeb_command_options& options, 
   return sources;
 }
 
-std::vector<double> values_of(const Reeb_command_options& options, const Mesh& mesh) {
+// Those of the file are for the vertices of the file; a copy of one of these has its value.
+std::vector<double> read_values_of(const std::string& file, const Mended_mesh& mended) {
+  std::vector<double> values =
+      read_values(file, mended.mesh.number_of_vertices() - mended.origins.size());
+  for(const std::uint32_t origin : mended.origins)
+    values.push_back(double(values[origin]));
+  return values;
+}
+
+std::vector<double> values_of(const Reeb_command_options& options, const Mended_mesh& mended) {
   if(!options.values_file.empty())
-    return read_values(options.values_file, mesh.number_of_vertices());
+    return read_values_of(options.values_file, mended);
+  const Mesh& mesh = mended.mesh;
   std::vector<double> values;
   if(!options.height.empty())
     for(const Point& p : mesh.points())
@@ -76,16 +86,16 @@ std::vector<double> values_of(const Reeb_command_options& options, const Mesh& m
   return values;
 }
 
-Reeb_answer solve(const Mesh& mesh, const Reeb_command_options& options) {
+Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options) {
   Reeb_options reeb;
-  reeb.sources = sources_of(options, mesh);
-  reeb.values = values_of(options, mesh);
+  reeb.sources = sources_of(options, mended.mesh);
+  reeb.values = values_of(options, mended);
   if(!options.measure.empty())
     reeb.measure = measures.at(options.measure);
   reeb.threshold = options.threshold;
   reeb.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
-  return find_reeb_graph(mesh, reeb, bar);
+  return find_reeb_graph(mended.mesh, reeb, bar);
 }
 
 void write_files(const Reeb_command_options& options,
@@ -131,11 +141,12 @@ std::string summary(const Reeb_answer& answer, double read_seconds) {
 void run(const Reeb_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mesh mesh = read_mesh(options);
+  const Mended_mesh mended = read_mended_mesh(options, options.mesh_file);
+  const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
   const Interrupt_guard guard;
   write_read_mesh(options, mesh);
-  const Reeb_answer answer = solve(mesh, options);
+  const Reeb_answer answer = solve(mended, options);
   write_files(options, mesh, answer, read_seconds);
   if(!options.is_quiet)
     show_text(summary(answer, read_seconds),

@@ -249,6 +249,24 @@ TEST_F(Soup_reader, reads_obj_with_continued_lines) {
   expect_failure("a.obj", file + "f 1 2 x\n", ":12: 'x' is no corner");
 }
 
+TEST_F(Soup_reader, keeps_all_corners_of_polygons) {
+  const std::string list = "element face 3\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string head = ply_header("ascii");
+  const std::pair<const char*, std::string> files[] = {
+      {"polygons.off", std::string("OFF\n4 3 0\n") + points + "4 3 2 1 0\n3 0 1 2\n5 0 1 2 3 1\n"},
+      {"polygons.obj", std::string(obj_vertices) + "f 4 3 2 1\nf 1 2 3\nf -4 -3/1 3//2 4 2\n"},
+      {"polygons.ply", head.substr(0, head.find("element face")) + list + points +
+                           "4 3 2 1 0\n3 0 1 2\n5 0 1 2 3 1\n"}};
+  for(const auto& [name, content] : files) {
+    const Soup soup = read_soup(folder_.write(name, content));
+    ASSERT_EQ(soup.faces.size(), 3u) << name;
+    EXPECT_EQ(soup.faces[0].size(), 4u);
+    EXPECT_EQ(soup.faces[0][0], 3u);
+    EXPECT_EQ(soup.faces[2].size(), 5u);
+    EXPECT_EQ(soup.further_corners, (std::vector<std::uint32_t>{0, 3, 1})) << name;
+  }
+}
+
 TEST_F(Soup_reader, says_what_is_wrong_with_an_obj_file) {
   const std::string good = obj_file();
   expect_failure("a.obj", "", "neither vertices nor faces");
