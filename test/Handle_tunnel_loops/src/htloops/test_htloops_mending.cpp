@@ -160,6 +160,13 @@ TEST(Triangulation, covers_polygons_that_are_not_convex) {
   const Triangles triangles = triangulate_polygon(comb, corners, is_free);
   EXPECT_EQ(triangles.size(), corners.size() - 2);
   EXPECT_DOUBLE_EQ(area(comb, triangles), 20. + 10. * 9.);
+  // However large or small it is.
+  for(const double scale : {std::ldexp(1., 500), std::ldexp(1., -500)}) {
+    std::vector<Point> scaled;
+    for(const Point& p : comb)
+      scaled.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+    EXPECT_EQ(triangulate_polygon(scaled, corners, is_free), triangles) << scale;
+  }
 }
 
 // A square with a square hole, which the polygon goes to and comes back from along one edge.
@@ -427,10 +434,10 @@ TEST(Repair, makes_boundary_curves_simple) {
   expect_manifold(mended.soup);
 }
 
-// Three half planes, with ends that are joined: no vertex has two fans, and still three faces are
-// at an edge.
-TEST(Repair, divides_edges_that_cannot_be_told_apart_by_their_ends) {
+// Among them some in which a fan passes an edge twice, so that splitting vertices is not enough.
+TEST(Repair, makes_manifolds_of_random_triangles) {
   std::mt19937 random(5);
+  int number_with_divisions = 0;
   for(int i = 0; i < 2000; ++i) {
     SCOPED_TRACE("soup " + std::to_string(i));
     std::uniform_int_distribution<std::uint32_t> vertex(0, 4 + i % 5), coordinate(0, 2);
@@ -445,6 +452,31 @@ TEST(Repair, divides_edges_that_cannot_be_told_apart_by_their_ends) {
       continue;
     expect_manifold(mended.soup);
     expect_manifold(mend(mended.soup, repair).soup);
+    number_with_divisions += words(mended).find("divided in the middle") != std::string::npos;
+  }
+  EXPECT_GT(number_with_divisions, 10);
+}
+
+TEST(Repair, makes_manifolds_of_random_polygons) {
+  std::mt19937 random(7);
+  for(int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE("soup " + std::to_string(i));
+    std::uniform_int_distribution<std::uint32_t> vertex(0, 4 + i % 9), coordinate(0, 3), size(1, 7);
+    std::vector<Point> points;
+    for(int v = 0; v < 13; ++v)
+      points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    Faces faces;
+    for(int f = 0; f < 2 + i % 11; ++f) {
+      Corners corners(size(random));
+      for(std::uint32_t& v : corners)
+        v = vertex(random);
+      faces.push_back(corners);
+    }
+    const Mended_soup mended = mend(soup_of(points, faces), both);
+    if(!mended.is_one_sided && !mended.soup.faces.empty())
+      expect_manifold(mended.soup);
+    for(const Corners& face : faces_of(mended.soup))
+      EXPECT_EQ(face.size(), 3u);
   }
 }
 
