@@ -6,6 +6,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include "generators/generators.h"
+#include "generators/holes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -45,16 +46,26 @@ inline void write_off(const CGAL::Handle_tunnel_loops::generators::Soup& soup,
 
 inline CGAL::Handle_tunnel_loops::generators::Soup generate(const std::string& request) {
   std::istringstream in(request);
-  std::string name, faces, genus;
+  std::string name, faces, genus, holes, hole_faces, is_ragged;
   std::getline(in, name, ':');
   std::getline(in, faces, ':');
   std::getline(in, genus, ':');
+  std::getline(in, holes, ':');
+  std::getline(in, hole_faces, ':');
+  std::getline(in, is_ragged, ':');
   for(const auto& kind : CGAL::Handle_tunnel_loops::generators::kinds())
     if(kind.name == name) {
       CGAL::Handle_tunnel_loops::generators::Request r;
       r.faces = std::stoul(faces);
       r.genus = std::stoul(genus);
-      return kind.make(r);
+      if(holes.empty())
+        return kind.make(r);
+      CGAL::Handle_tunnel_loops::generators::Hole_request h;
+      h.number = std::stoul(holes);
+      if(!hole_faces.empty())
+        h.faces = std::stoul(hole_faces);
+      h.is_ragged = is_ragged == "ragged";
+      return with_holes(kind.make(r), h);
     }
   throw std::runtime_error("no such kind of mesh: " + name);
 }
@@ -75,7 +86,8 @@ inline std::string as_off(const std::string& input, const std::string& scratch) 
   return scratch;
 }
 
-/// An OFF file of a mesh that is given as KIND:FACES:GENUS or as a file of any format; made for the
+/// An OFF file of a mesh that is given as KIND:FACES:GENUS[:HOLES[:FACES OF EACH[:ragged]]] or as a
+/// file of any format; made for the
 /// lifetime of the object if it is not there.
 class Off_file
 {

@@ -104,9 +104,36 @@ Soup make(const Kind& kind, const Request& request) {
   return kind.make(request);
 }
 
+std::size_t number_of_boundaries(const Soup& soup) {
+  std::vector<std::pair<std::uint64_t, bool>> sides; // of edges, and whether they lead upwards
+  for(const auto& triangle : soup.triangles)
+    for(int i = 0; i < 3; ++i) {
+      const std::uint32_t u = triangle[i], v = triangle[(i + 1) % 3];
+      const auto [low, high] = std::minmax(u, v);
+      sides.emplace_back(std::uint64_t(low) << 32 | high, u < v);
+    }
+  std::sort(sides.begin(), sides.end());
+  boost::disjoint_sets_with_storage<> sets(soup.points.size());
+  std::vector<char> is_on_boundary(soup.points.size(), 0);
+  for(std::size_t i = 0; i < sides.size(); ++i) {
+    const std::uint64_t edge = sides[i].first;
+    if((i > 0 && sides[i - 1].first == edge) ||
+       (i + 1 < sides.size() && sides[i + 1].first == edge))
+      continue;
+    const auto u = static_cast<std::uint32_t>(edge >> 32), v = static_cast<std::uint32_t>(edge);
+    sets.union_set(u, v);
+    is_on_boundary[u] = is_on_boundary[v] = 1;
+  }
+  std::size_t count = 0;
+  for(std::size_t v = 0; v < is_on_boundary.size(); ++v)
+    count += is_on_boundary[v] != 0 && sets.find_set(v) == v;
+  return count;
+}
+
 std::size_t genus(const Soup& soup) {
-  const auto components = static_cast<std::ptrdiff_t>(number_of_components(soup));
-  return static_cast<std::size_t>(components - euler_characteristic(soup) / 2);
+  const auto pieces =
+      static_cast<std::ptrdiff_t>(2 * number_of_components(soup) - number_of_boundaries(soup));
+  return static_cast<std::size_t>((pieces - euler_characteristic(soup)) / 2);
 }
 
 std::ptrdiff_t euler_characteristic(const Soup& soup) {

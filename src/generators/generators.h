@@ -95,7 +95,10 @@ Soup reversed(Soup soup);
 /// the number of connected components, leaving out vertices without a triangle.
 std::size_t number_of_components(const Soup& soup);
 
-/// the genus of a closed surface, summed over its components.
+/// the number of boundary curves, none of which comes to a vertex twice.
+std::size_t number_of_boundaries(const Soup& soup);
+
+/// the genus of a surface, summed over its components.
 std::size_t genus(const Soup& soup);
 
 /// \f$ V - E + F \f$, counting the vertices that a triangle uses.

@@ -10,6 +10,7 @@ set(HTL_GENERATOR_SOURCES
   interlaced.cpp
   kinds.cpp
   grid_surface.cpp
+  holes.cpp
   gyroid.cpp
   isosurface.cpp
   knot.cpp

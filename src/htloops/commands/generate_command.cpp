@@ -13,6 +13,7 @@
 #include "commands/help_style.h"
 #include "failure.h"
 #include "generators/generators.h"
+#include "generators/holes.h"
 #include "terminal/interrupt.h"
 #include "words.h"
 #include "write/mesh_writer.h"
@@ -28,6 +29,7 @@ namespace generators = CGAL::Handle_tunnel_loops::generators;
 struct Generate_options
 {
   generators::Request request;
+  generators::Hole_request holes;
   std::string mesh_file;
   bool is_quiet = false;
 };
@@ -40,16 +42,20 @@ generators::Soup generate(const generators::Kind& kind, const generators::Reques
   }
 }
 
-/// of what a mesh is: "genus 3", "genus 3 in 2 components".
+/// of what a mesh is: "genus 3", "genus 3 in 2 components, 5 boundary curves".
 std::string shape_of(const generators::Soup& mesh) {
   const std::size_t components = generators::number_of_components(mesh);
   const std::string genus = "genus " + std::to_string(generators::genus(mesh));
-  return components == 1 ? genus : genus + " in " + counted(components, "component", "components");
+  const std::size_t boundaries = generators::number_of_boundaries(mesh);
+  return genus + (components == 1 ? "" : " in " + counted(components, "component", "components")) +
+         (boundaries == 0 ? "" : ", " + counted(boundaries, "boundary curve", "boundary curves"));
 }
 
 void run(const generators::Kind& kind, const Generate_options& options) {
   check_mesh_format(options.mesh_file);
-  const generators::Soup mesh = generate(kind, options.request);
+  generators::Soup mesh = generate(kind, options.request);
+  if(options.holes.number > 0)
+    mesh = generators::with_holes(mesh, options.holes);
   const Interrupt_guard guard;
   write_mesh(options.mesh_file, mesh);
   if(!options.is_quiet)
@@ -96,6 +102,14 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
                   "of the random numbers, if the kind uses any" + default_of(options->request.seed))
       ->option_text("N");
   add_options_of_kind(*sub, kind.options, options->request);
+  sub->add_option("--holes", options->holes.number,
+                  "how many holes, so that the mesh has a boundary" + default_of(0))
+      ->option_text("N");
+  sub->add_option("--hole-faces", options->holes.faces,
+                  "about how many triangles each of them takes" + default_of(options->holes.faces))
+      ->option_text("N");
+  sub->add_flag("--ragged-holes", options->holes.is_ragged,
+                "holes with as long a boundary as can be");
   sub->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
   complete_help(*sub);
   sub->callback(
