@@ -20,6 +20,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/classification/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Capped_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
@@ -36,6 +37,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -92,8 +94,8 @@ public:
     `face_index_map`, `geom_traits`, as in `CGAL::handle_tunnel_loops()`; the maps are those of all
     computations
 
-  \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
-    triangle mesh with finite coordinates
+  \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
+    mesh, with or without boundary, with finite coordinates
   */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Handle_tunnel_loops_solver(const TriangleMesh& tm,
@@ -117,28 +119,18 @@ public:
                                      Device_options()),
         num_vertices(tm));
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
-    name_and_certify_ = [&tm, point = point_, vertex_index,
-                         face_index = CGAL::get_initialized_face_index_map(tm, np)](
-                            impl::Execution execution, const impl::Class_options& wanted,
-                            std::optional<impl::Loop_relations> relations, std::vector<Pair>& pairs,
-                            impl::Progress& progress) {
-      return name_and_certify(
-          execution, impl::certification<Pair>(tm, point, vertex_index, face_index, wanted.kind),
-          impl::Offset_classifier<TriangleMesh, Vertex_point_map>(tm, point), wanted.do_link,
-          std::move(relations), pairs, progress);
-    };
-    relate_ = [&tm, point = point_, vertex_index](impl::Execution execution,
-                                                  const std::vector<Pair>& pairs,
-                                                  const std::vector<std::size_t>& components) {
-      return relations(execution, tm, point, vertex_index, pairs, components);
-    };
     impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
         builder(impl::execution_of<ConcurrencyTag>(), tm, vertex_index, point_);
     mesh_ = builder.build();
     vertices_ = builder.take_vertices();
-    statistics_.number_of_vertices = mesh_.number_of_vertices();
-    statistics_.number_of_faces = mesh_.number_of_faces();
+    if(mesh_.number_of_hubs == 0)
+      look_at_closed_surface(vertex_index, CGAL::get_initialized_face_index_map(tm, np));
+    else
+      look_at_capped_surface(vertex_index);
+    statistics_.number_of_vertices = mesh_.number_of_vertices() - mesh_.number_of_hubs;
+    statistics_.number_of_faces = mesh_.number_of_faces() - mesh_.number_of_faces_of_caps();
     statistics_.number_of_components = mesh_.seeds.size();
+    statistics_.number_of_boundaries = mesh_.number_of_hubs;
     statistics_.genus = mesh_.genus;
     statistics_.seconds[static_cast<std::size_t>(Stage::ADAPTOR)] =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -149,6 +141,9 @@ public:
 
   /// the number of connected components.
   std::size_t number_of_components() const { return mesh_.seeds.size(); }
+
+  /// the number of boundary curves.
+  std::size_t number_of_boundaries() const { return mesh_.number_of_hubs; }
 
   /// what the last computation did.
   const Handle_tunnel_loops::Statistics& statistics() const { return statistics_; }
@@ -177,7 +172,8 @@ public:
     namespace impl = Handle_tunnel_loops::internal;
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    CGAL_expensive_precondition_msg(halfedges(tm_).size() == mesh_.neighbor.size(),
+    CGAL_expensive_precondition_msg(halfedges(tm_).size() + 2 * mesh_.number_of_faces_of_caps() ==
+                                        mesh_.neighbor.size(),
                                     "the mesh has changed since the solver was made");
     forget_last_run();
     auto visitor = choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
@@ -193,6 +189,70 @@ public:
 
 private:
   friend struct Handle_tunnel_loops::internal::Solver_access;
+
+  using Capped_surface = Handle_tunnel_loops::internal::Capped_surface<Point>;
+
+  // What relates loops and certifies them needs a closed mesh. The index maps, whose types are
+  // those of the constructor's parameters, are known to these functions only.
+
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  void look_at_closed_surface(VertexIndexMap vertex_index, FaceIndexMap face_index) {
+    using namespace Handle_tunnel_loops;
+    namespace impl = Handle_tunnel_loops::internal;
+    name_and_certify_ = [&tm = tm_, point = point_, vertex_index,
+                         face_index](impl::Execution execution, const impl::Class_options& wanted,
+                                     std::optional<impl::Loop_relations> relations,
+                                     std::vector<Pair>& pairs, impl::Progress& progress) {
+      return name_and_certify(
+          execution, impl::certification<Pair>(tm, point, vertex_index, face_index, wanted.kind),
+          impl::Offset_classifier<TriangleMesh, Vertex_point_map>(tm, point), wanted.do_link,
+          std::move(relations), pairs, pairs, progress);
+    };
+    relate_ = [&tm = tm_, point = point_,
+               vertex_index](impl::Execution execution, const std::vector<Pair>& pairs,
+                             const std::vector<std::size_t>& components) {
+      return relations(execution, tm, point, vertex_index, pairs, components, {});
+    };
+  }
+
+  template <typename VertexIndexMap> void look_at_capped_surface(VertexIndexMap vertex_index) {
+    using namespace Handle_tunnel_loops;
+    namespace impl = Handle_tunnel_loops::internal;
+    using Mesh = typename Capped_surface::Mesh;
+    // Without handles there is nothing to relate.
+    if(mesh_.genus == 0) {
+      name_and_certify_ = [](impl::Execution, const impl::Class_options& wanted,
+                             std::optional<impl::Loop_relations>, std::vector<Pair>&,
+                             impl::Progress& progress) {
+        progress.start(Stage::CLASSIFY);
+        return Certificate::of_no_loops(wanted.kind, wanted.do_link);
+      };
+      return;
+    }
+    const auto capped = std::make_shared<const Capped_surface>(mesh_, vertices_, point_);
+    const auto point = capped->mesh().points();
+    const auto on_capped = [&tm = tm_, capped, vertex_index](const std::vector<Pair>& pairs) {
+      return capped->pairs(pairs, tm, vertex_index);
+    };
+    name_and_certify_ = [capped, point,
+                         on_capped](impl::Execution execution, const impl::Class_options& wanted,
+                                    std::optional<impl::Loop_relations> relations,
+                                    std::vector<Pair>& pairs, impl::Progress& progress) {
+      auto certification = impl::certification<typename Capped_surface::Pair>(
+          capped->mesh(), point, capped->vertex_index(), get(face_index, capped->mesh()),
+          wanted.kind);
+      certification.set_boundaries(capped->boundaries());
+      return name_and_certify(
+          execution, std::move(certification),
+          impl::Offset_classifier<Mesh, std::decay_t<decltype(point)>>(capped->mesh(), point),
+          wanted.do_link, std::move(relations), on_capped(pairs), pairs, progress);
+    };
+    relate_ = [capped, point, on_capped](impl::Execution execution, const std::vector<Pair>& pairs,
+                                         const std::vector<std::size_t>& components) {
+      return relations(execution, capped->mesh(), point, capped->vertex_index(), on_capped(pairs),
+                       components, capped->boundaries());
+    };
+  }
 
   void forget_last_run() {
     using namespace Handle_tunnel_loops;
@@ -264,28 +324,34 @@ private:
 
   // By the caller's index of the vertices.
   std::vector<std::size_t> components() const {
-    std::vector<std::size_t> components(num_vertices(tm_), 0);
+    const auto& original = mesh_.original;
+    std::vector<std::size_t> components(
+        (std::max)(std::size_t(num_vertices(tm_)),
+                   std::size_t(1) + *std::max_element(original.begin(), original.end())),
+        0);
     if(mesh_.seeds.size() > 1)
       for(std::size_t v = 0; v < mesh_.original.size(); ++v)
         components[mesh_.original[v]] = mesh_.component[v];
     return components;
   }
 
-  template <typename Vertex_index_map>
+  template <typename Mesh, typename PointMap, typename VertexIndexMap, typename MeshPair>
   static Handle_tunnel_loops::internal::Loop_relations
   relations(Handle_tunnel_loops::internal::Execution execution,
-            const TriangleMesh& tm,
-            Vertex_point_map point,
-            Vertex_index_map vertex_index,
-            const std::vector<Pair>& pairs,
-            const std::vector<std::size_t>& components) {
+            const Mesh& tm,
+            PointMap point,
+            VertexIndexMap vertex_index,
+            const std::vector<MeshPair>& pairs,
+            const std::vector<std::size_t>& components,
+            std::vector<std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>>
+                boundaries) {
     namespace impl = Handle_tunnel_loops::internal;
-    using Loop = typename Pair::Loop;
+    using Loop = typename MeshPair::Loop;
     std::vector<const Loop*> loops;
-    for(const Pair& pair : pairs)
+    for(const MeshPair& pair : pairs)
       loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
-    impl::Loop_linker<TriangleMesh, Loop, Vertex_point_map, Vertex_index_map> linker(tm, point,
-                                                                                     vertex_index);
+    impl::Loop_linker<Mesh, Loop, PointMap, VertexIndexMap> linker(tm, point, vertex_index);
+    linker.set_boundaries(std::move(boundaries));
     const auto component = [&](const auto& f) {
       return components[get(vertex_index, target(halfedge(f, tm), tm))];
     };
@@ -327,19 +393,20 @@ private:
   }
 
   // The linking numbers that tell handles from tunnels are part of the certificate. The stage that
-  // tells them is left to be ended.
-  template <typename Certification, typename Classifier>
+  // tells them is left to be ended. What is looked at are the same pairs, on a closed surface.
+  template <typename Certification, typename Classifier, typename ClosedPair>
   static Handle_tunnel_loops::Certificate
   name_and_certify(Handle_tunnel_loops::internal::Execution execution,
                    Certification certification,
                    const Classifier& classifier,
                    bool do_link,
                    std::optional<Handle_tunnel_loops::internal::Loop_relations> relations,
+                   const std::vector<ClosedPair>& closed_pairs,
                    std::vector<Pair>& pairs,
                    Handle_tunnel_loops::internal::Progress& progress) {
     using Handle_tunnel_loops::Stage;
     progress.start(Stage::CERTIFICATE);
-    const bool are_closed = certification.are_closed(execution, pairs);
+    const bool are_closed = certification.are_closed(execution, closed_pairs);
     if(are_closed)
       certification.check_basis(execution);
     progress.end(Stage::CERTIFICATE);
@@ -349,17 +416,18 @@ private:
         certification.relate(std::move(*relations));
       else
         certification.relate(execution, do_link);
-      classify(execution, certification, classifier, pairs);
+      classify(execution, certification, classifier, closed_pairs, pairs);
     }
     return certification.finish();
   }
 
   // Handles and tunnels by their linking numbers, or by their growth along the normals where these
   // do not tell (paper, 4.5).
-  template <typename Certification, typename Classifier>
+  template <typename Certification, typename Classifier, typename ClosedPair>
   static void classify(Handle_tunnel_loops::internal::Execution execution,
                        Certification& certification,
                        const Classifier& classifier,
+                       const std::vector<ClosedPair>& closed_pairs,
                        std::vector<Pair>& pairs) {
     namespace impl = Handle_tunnel_loops::internal;
     std::vector<char> is_exchanged(pairs.size(), 0);
@@ -369,7 +437,7 @@ private:
           int handle = certification.handle_of_pair(k);
           if(handle == 0)
             handle = certification.outward_of_pair(k) *
-                     classifier.compare_growth(pairs[k].handle(), pairs[k].tunnel());
+                     classifier.compare_growth(closed_pairs[k].handle(), closed_pairs[k].tunnel());
           is_exchanged[k] = handle < 0;
         },
         1);
@@ -384,7 +452,6 @@ private:
   Geom_traits traits_;
   Handle_tunnel_loops::internal::Flat_mesh mesh_;
   std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
-  // Knows the index maps, whose types are those of the constructor's parameters.
   std::function<Handle_tunnel_loops::Certificate(
       Handle_tunnel_loops::internal::Execution,
       const Handle_tunnel_loops::internal::Class_options&,

@@ -53,6 +53,7 @@ void read_parameters(Request& request, const NamedParameters& np) {
   if constexpr(!is_default_parameter<NamedParameters, internal_np::cone_vertices_t>::value)
     request.add_cones(get_parameter(np, internal_np::cone_vertices));
   request.cut_spheres(choose_parameter(get_parameter(np, internal_np::do_cut_spheres), false));
+  request.open_at_boundaries();
 }
 
 } // namespace internal
@@ -61,15 +62,15 @@ void read_parameters(Request& request, const NamedParameters& np) {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-finds edges along which a closed surface falls open: cut along them, every connected component of
-positive genus is one disk. The cut is short: it begins with the loops of the shortest basis that
-`handle_tunnel_loops()` finds, moved onto the edges, connected by shortest arcs. Then each of its
-arcs gives way to the shortest path that may take its place, until none is shorter than what it
-would replace. That the components are disks then, with Euler characteristic 1 and one boundary
-cycle, is counted before anything is written.
+finds edges along which a surface falls open: cut along them, every connected component of positive
+genus, or with several boundary curves, is one disk. The cut is short: it begins with the loops of
+the shortest basis that `handle_tunnel_loops()` finds, moved onto the edges, connected by shortest
+arcs. Then each of its arcs gives way to the shortest path that may take its place, until none is
+shorter than what it would replace. That the components are disks then, with Euler characteristic 1
+and one boundary cycle, is counted before anything is written.
 
-Components of genus 0 are left as they are, unless they have cones or edges to keep, or
-`do_cut_spheres` says otherwise.
+Closed components of genus 0 are left as they are, unless they have cones or edges to keep, or
+`do_cut_spheres` says otherwise. So are disks.
 
 The result does not depend on the number of threads.
 
@@ -137,8 +138,8 @@ The result does not depend on the number of threads.
 
 \return `out`, past the last edge written
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
-  triangle mesh with finite coordinates
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
+  mesh, with or without boundary, with finite coordinates
 \throws Handle_tunnel_loops::No_cut_exception if the edges to keep or to avoid leave no cut; that is
   decided before loops are looked for
 \throws std::invalid_argument if a cone is not a vertex with faces of `tm`, or a weight is negative

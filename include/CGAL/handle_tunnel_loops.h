@@ -32,7 +32,7 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes, for a closed surface of genus g, g handle loops and g tunnel loops: short closed curves
+computes, for a surface of genus g, g handle loops and g tunnel loops: short closed curves
 that form a basis of the first homology group over the integers, in pairs that cross once. This is
 proved for every answer, by a method of its own, before it is returned
 (`certify_handle_tunnel_loops()`, which says what is independent of what).
@@ -162,7 +162,7 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
 
 \return `out`, past the last pair written
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates; the message names an element
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
 \throws Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that

@@ -34,7 +34,7 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes the Reeb graph of a diffusion on a closed surface, or that of any function on its vertices.
+computes the Reeb graph of a diffusion on a surface, or that of any function on its vertices.
 
 The Reeb graph of a function has a point for each contour, that is, for each connected component of
 a level set. Its nodes are the critical points, where contours begin, meet, part and end; its arcs
@@ -149,7 +149,7 @@ returning `false`}
 
 \return what the computation did
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates
 \throws Handle_tunnel_loops::Invalid_function_exception if the function is infinite or not a number
   at a vertex

@@ -28,7 +28,7 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes the Reeb graph of a function on the vertices of a closed surface: what
+computes the Reeb graph of a function on the vertices of a surface: what
 `CGAL::reeb_graph()` does with the named parameter `vertex_function_map`, with the same result. This
 header compiles in less time, as it includes nothing that finds loops.
 
@@ -52,7 +52,7 @@ header compiles in less time, as it includes nothing that finds loops.
 
 \return what the computation did
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates
 \throws Handle_tunnel_loops::Invalid_function_exception if the function is infinite or not a number
   at a vertex

@@ -25,7 +25,7 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-removes handles from a closed surface, and leaves the rest of it as it is: the topological noise of
+removes handles from a surface, and leaves the rest of it as it is: the topological noise of
 scans and segmentations, say.
 
 Each handle is removed along one loop of its pair. Cut along its handle loop, it becomes two ends
@@ -38,7 +38,8 @@ loops are so short against the faces that there is no strip, or where no caps fi
 
 It is a theorem that the genus is one less for each handle that is removed, and that no piece comes
 off: strips are annuli along loops that do not separate the surface, both found by counting. The
-result is counted once more before it is written. It is closed, oriented and manifold, and it has
+result is counted once more before it is written. It is oriented and manifold, with the boundary
+that it had, and it has
 *no intersection that was not there before*: caps are checked by exact predicates against the whole
 surface and each other (coordinates are taken as doubles for that; those of an exact kernel are
 rounded). Where caps would meet something, narrower strips are tried, loops beside, the other loop
@@ -72,7 +73,8 @@ are refined and plane otherwise.
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
   same.
-\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`, a closed triangle mesh
+\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`, a triangle mesh with or
+  without boundary
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
@@ -174,7 +176,7 @@ callback. That is not done in a dry run}
 
 \return what was removed, and what was refused
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not a closed, oriented 2-manifold
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates; the message names an element
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
 \throws std::invalid_argument if the target is above the genus, no loop lies in the box, the pairs

@@ -40,7 +40,9 @@ template <typename Visit> void for_each_loop(const Pairs& pairs, Visit visit) {
 
 /// the word for a kind, as it stands in files and messages.
 inline const char* name_of(CGAL::Loop_type type) {
-  return type == CGAL::Loop_type::HANDLE ? "handle" : "tunnel";
+  return type == CGAL::Loop_type::HANDLE   ? "handle"
+         : type == CGAL::Loop_type::TUNNEL ? "tunnel"
+                                           : "boundary";
 }
 
 } // namespace htloops

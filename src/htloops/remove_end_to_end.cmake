@@ -221,9 +221,13 @@ string(JSON wrong SET "${loops}" pairs 1 handle "${handle}")
 file(WRITE "${FOLDER}/wrong.json" "${wrong}")
 run(1 remove mesh.off --dry-run --loops wrong.json)
 expect_match("${errors}" "fails its certificate")
-file(WRITE "${FOLDER}/open.off" "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-run(4 remove open.off --dry-run)
-expect_match("${errors}" "3 boundary edges")
+
+# A boundary stays as it is.
+run(0 generate multi-torus --genus 3 --faces 4000 --holes 4 -o holes.off)
+run(0 remove holes.off -o removed.off)
+expect_match("${output}" "genus 3 -> 0, 3 removed")
+run(0 loops removed.off)
+expect_match("${output}" "^genus 0 in 1 component, 4 boundary curves: no loops")
 
 file(GLOB unfinished "${FOLDER}/*.part-*")
 expect_equal("${unfinished}" "")

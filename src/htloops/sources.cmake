@@ -49,6 +49,7 @@ set(HTLOOPS_SOURCES
   read/values_reader.cpp
   read/vertex_properties_reader.cpp
   solve/backends.cpp
+  solve/boundaries.cpp
   solve/cut_solver.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp

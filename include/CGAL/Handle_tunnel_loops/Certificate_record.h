@@ -64,6 +64,17 @@ struct Certificate
   /// in words, what failed, a line for each failure; empty if nothing did.
   std::string failure;
 
+  /// of the empty basis, where the genus is 0.
+  static Certificate of_no_loops(Basis_kind kind, bool do_link) {
+    Certificate c;
+    c.closed_on_surface = c.basis = c.pairing = c.types = true;
+    if(do_link)
+      c.handles_bound_inside = c.tunnels_bound_outside = c.handles_bound_inside_alone =
+          c.tunnels_bound_outside_alone = 0;
+    c.basis_kind = kind;
+    return c;
+  }
+
   /// whether everything holds that is required.
   explicit operator bool() const {
     return closed_on_surface && basis && (basis_kind == Basis_kind::SHORTEST || (pairing && types));

@@ -23,11 +23,11 @@
 namespace CGAL {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// The two kinds of loops: a handle loop bounds a surface in the solid inside the surface, a tunnel
+/// The kinds of loops: a handle loop bounds a surface in the solid inside the surface, a tunnel
 /// loop bounds one in the space outside it. A short loop need not bound on either side
 /// (`Handle_tunnel_loops::Loop_linking` tells); then these are the names of the loop that is more
-/// like a handle, and of the other.
-enum class Loop_type { HANDLE, TUNNEL };
+/// like a handle, and of the other. Boundary curves are of a kind of their own.
+enum class Loop_type { HANDLE, TUNNEL, BOUNDARY };
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -82,10 +82,11 @@ public:
   /// the length of the closed polyline, in the unit of the coordinates.
   double length() const { return length_; }
 
-  /// whether the loop is a handle or a tunnel loop.
+  /// whether the loop is a handle or a tunnel loop, or follows a boundary curve.
   Loop_type type() const { return type_; }
 
-  /// the position, in the output, of the pair that this loop belongs to.
+  /// the position, in the output, of the pair that this loop belongs to, or of the loop itself if
+  /// it follows a boundary curve.
   std::size_t pair_index() const { return pair_index_; }
 
   /// the same loop with another type.

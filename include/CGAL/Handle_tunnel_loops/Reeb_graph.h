@@ -121,6 +121,7 @@ struct Reeb_statistics
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
   std::size_t number_of_components = 0;
+  std::size_t number_of_boundaries = 0;     ///< boundary curves
   std::size_t genus = 0;                    ///< summed over the components
   std::size_t number_of_critical_nodes = 0; ///< before the simplification
   std::uint64_t number_of_steps = 0;        ///< edges walked over where contours part

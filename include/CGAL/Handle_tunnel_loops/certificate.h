@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Capped_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
@@ -25,6 +27,8 @@
 #include <CGAL/tags.h>
 
 #include <iterator>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 
@@ -34,6 +38,15 @@ namespace CGAL {
 computes whether the loops of `pairs` are closed curves on `tm` that form a basis of the first
 homology group with integer coefficients, whether the loops of each pair cross once, and which
 of them bound inside and outside the solid that the surface encloses.
+
+The boundary curves of a surface with boundary are closed by caps, which no loop enters. If g is the
+genus and b > 0 the number of boundary curves of a component, H1 of the surface has the rank 2g + b
+- 1, and is mapped onto H1 of the capped surface with the classes of the boundary curves as kernel,
+of which all but one are independent. So the loops are a basis of H1 of the capped surface if and
+only if they are one of H1 of the surface together with all boundary curves but one of each
+component. With linking numbers, a loop bounds inside if, pushed behind the faces, it bounds a
+surface that meets none of the given one. Behind the faces is, where there is a boundary, as they
+are oriented.
 
 The loops are moved onto the edges, and the mesh is cut along them. The intersection numbers of the
 loops with the closed curves of a tree-cotree decomposition of the dual graph that crosses them as
@@ -60,7 +73,7 @@ loops to bound in.
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
   same.
-\tparam TriangleMesh a model of `FaceListGraph`, a closed triangle mesh
+\tparam TriangleMesh a model of `FaceListGraph`, a triangle mesh with or without boundary
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -97,10 +110,10 @@ loops to bound in.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre `tm` is a closed triangle mesh.
+\pre `tm` is a 2-manifold triangle mesh.
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if a face of `tm` is no triangle, or an edge has
-  a face on one side only
+\throws Handle_tunnel_loops::Invalid_mesh_exception if a face of `tm` is no triangle, or if `tm` has
+  a boundary and is no oriented 2-manifold with finite coordinates
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,
@@ -116,22 +129,31 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
   using Pair = typename std::iterator_traits<typename PairRange::const_iterator>::value_type;
   const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
   const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
-  impl::check_closed_triangles(execution, tm, vertex_index);
+  const auto point = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(vertex_point, tm));
+  const Handle_tunnel_loops::Basis_kind kind = choose_parameter(
+      get_parameter(np, internal_np::basis_kind), Handle_tunnel_loops::Basis_kind::PURE);
+  const bool do_link = choose_parameter(get_parameter(np, internal_np::do_compute_linking), true);
+  const bool is_closed = impl::is_closed_after_check(execution, tm, vertex_index);
   CGAL_expensive_precondition(impl::are_loops_of(tm, pairs));
-  auto certification =
-      impl::certification<Pair>(tm,
-                                choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                 get_const_property_map(vertex_point, tm)),
-                                vertex_index, CGAL::get_initialized_face_index_map(tm, np),
-                                choose_parameter(get_parameter(np, internal_np::basis_kind),
-                                                 Handle_tunnel_loops::Basis_kind::PURE));
-  if(certification.are_closed(execution, pairs)) {
-    certification.check_basis(execution);
-    if(certification.are_as_many_as_asked_for())
-      certification.relate(
-          execution, choose_parameter(get_parameter(np, internal_np::do_compute_linking), true));
-  }
-  return certification.finish();
+  if(is_closed)
+    return impl::certify(execution,
+                         impl::certification<Pair>(tm, point, vertex_index,
+                                                   CGAL::get_initialized_face_index_map(tm, np),
+                                                   kind),
+                         pairs, do_link);
+  impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>,
+                          std::decay_t<decltype(point)>>
+      builder(execution, tm, vertex_index, point);
+  const impl::Flat_mesh mesh = builder.build();
+  const impl::Capped_surface<typename Pair::Loop::Point> capped(mesh, builder.take_vertices(),
+                                                                point);
+  auto certification = impl::certification<typename std::decay_t<decltype(capped)>::Pair>(
+      capped.mesh(), capped.mesh().points(), capped.vertex_index(), get(face_index, capped.mesh()),
+      kind);
+  certification.set_boundaries(capped.boundaries());
+  return impl::certify(execution, std::move(certification), capped.pairs(pairs, tm, vertex_index),
+                       do_link);
 }
 
 } // namespace CGAL

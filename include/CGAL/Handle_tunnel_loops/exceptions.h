@@ -26,7 +26,7 @@ namespace Handle_tunnel_loops {
 enum class Mesh_defect {
   EMPTY,                    ///< the mesh has no face
   NOT_TRIANGULATED,         ///< a face is not a triangle
-  BOUNDARY_EDGE,            ///< an edge has a face on one side only
+  BOUNDARY_EDGE,            ///< no edge has more than one face: a file without common vertices
   NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
   NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
   INCONSISTENT_ORIENTATION, ///< two faces traverse their common edge in the same direction
@@ -37,7 +37,7 @@ enum class Mesh_defect {
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when the mesh is not a closed, oriented 2-manifold triangle mesh with finite
+/// is thrown when the mesh is not an oriented 2-manifold triangle mesh with finite
 /// coordinates. The message names the element in the numbering of the caller's index maps.
 class Invalid_mesh_exception : public std::invalid_argument
 {

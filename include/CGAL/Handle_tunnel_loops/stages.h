@@ -69,6 +69,7 @@ struct Statistics
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
   std::size_t number_of_components = 0;
+  std::size_t number_of_boundaries = 0;           ///< boundary curves
   std::size_t genus = 0;                          ///< summed over the components
   std::array<double, number_of_stages> seconds{}; ///< by stage
   std::size_t kept_sweep_tunnels = 0; ///< tunnels for which the loop of the initial pass was kept

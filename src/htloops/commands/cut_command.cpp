@@ -73,7 +73,7 @@ std::string summary(const Cut_answer& answer, double read_seconds) {
   char text[160];
   std::snprintf(text, sizeof(text),
                 " of length %.6g, boundary of %.6g; %.2f s after %.2f s of reading, ",
-                answer.length, 2. * answer.length, answer.total_seconds, read_seconds);
+                answer.length, answer.boundary_length, answer.total_seconds, read_seconds);
   return "genus " + std::to_string(answer.genus) + ": cut along " +
          counted(answer.edges.size(), "edge", "edges") + text +
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";

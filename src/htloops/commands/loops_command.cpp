@@ -36,6 +36,7 @@ struct Loops_options : Common_options
   std::optional<std::uint32_t> seed;
   bool do_not_refine = false;
   bool do_not_tighten = false;
+  bool do_find_waists = false;
   std::string basis = "pure";
   std::string classifier = "linking";
   bool show_all = false;
@@ -66,9 +67,9 @@ void write_files(const Loops_options& options,
   if(!options.events_file.empty())
     write_events(options.events_file, answer);
   for(const std::string& file : options.lines_files)
-    export_lines(file, lines_of(answer.pairs));
+    export_lines(file, lines_of(answer));
   if(!options.picture.file.empty())
-    export_picture(options.picture, mesh, lines_of(answer.pairs));
+    export_picture(options.picture, mesh, lines_of(answer));
 }
 
 void show(const Loops_options& options, const Answer& answer, double read_seconds) {
@@ -90,7 +91,9 @@ void run(const Loops_options& options) {
   const double read_seconds = stopwatch.seconds();
   const Interrupt_guard guard;
   write_read_mesh(options, mesh);
-  const Answer answer = solve(backend, mesh, options);
+  Answer answer = solve(backend, mesh, options);
+  if(answer.statistics.number_of_boundaries > 0)
+    answer.boundaries = find_boundaries(mesh, options.do_find_waists);
   write_files(options, mesh, answer, read_seconds);
   show(options, answer, read_seconds);
 }
@@ -130,6 +133,10 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       ->check(CLI::IsMember({"pure", "shortest"}))
       ->group(group);
   command
+      .add_flag("--waists", options.do_find_waists,
+                "for each boundary curve a short loop of its class, too: the waist of a sleeve")
+      ->group(group);
+  command
       .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")
       ->group(group);
   command
@@ -156,7 +163,7 @@ void add_display_options(CLI::App& command, Loops_options& options) {
 }
 
 constexpr char description[] =
-    "Finds the handle and tunnel loops of a closed triangle mesh.\n"
+    "Finds the handle and tunnel loops of a triangle mesh, closed or with boundary.\n"
     "\n"
     "A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside "
     "the\n"
@@ -164,7 +171,9 @@ constexpr char description[] =
     "once.\n"
     "With --basis shortest loops are short instead, whatever side they bound on, and those of a\n"
     "pair cross an odd number of times.\n"
-    "They are checked to be a basis of H1(S; Z) before they are written.\n";
+    "They are checked to be a basis of H1(S; Z) before they are written; on a surface with "
+    "boundary,\n"
+    "together with all boundary curves but one of each component.\n";
 
 constexpr char examples[] =
     "Examples:\n"

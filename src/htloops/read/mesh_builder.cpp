@@ -12,6 +12,18 @@
 #include <vector>
 
 namespace htloops {
+namespace {
+
+// Links the halfedges without a face; one begins at each vertex of the boundary, and one ends
+// there.
+void close_borders(Mesh& mesh, const std::vector<Mesh::Halfedge_index>& borders) {
+  for(const Mesh::Halfedge_index h : borders)
+    mesh.set_halfedge(mesh.target(h), h);
+  for(const Mesh::Halfedge_index h : borders)
+    mesh.set_next(mesh.halfedge(mesh.source(h)), h);
+}
+
+} // namespace
 
 Mesh build_mesh(const Soup& soup, const Diagnosis& diagnosis) {
   using Vertex = Mesh::Vertex_index;
@@ -26,9 +38,16 @@ Mesh build_mesh(const Soup& soup, const Diagnosis& diagnosis) {
     mesh.add_vertex(point);
 
   std::vector<Halfedge> halfedges(3 * soup.faces.size());
+  std::vector<Halfedge> borders;
   for(const auto& [h, g] : diagnosis.edges) {
     halfedges[h] = mesh.add_edge();
-    halfedges[g] = mesh.opposite(halfedges[h]);
+    const Halfedge opposite = mesh.opposite(halfedges[h]);
+    if(g != Diagnosis::no_halfedge)
+      halfedges[g] = opposite;
+    else {
+      mesh.set_target(opposite, Vertex(soup.source(h)));
+      borders.push_back(opposite);
+    }
   }
   for(std::uint32_t f = 0; f < number_of_faces; ++f) {
     const Face face = mesh.add_face();
@@ -42,6 +61,7 @@ Mesh build_mesh(const Soup& soup, const Diagnosis& diagnosis) {
       mesh.set_next(halfedges[h], halfedges[next_in_triangle(h)]);
     }
   }
+  close_borders(mesh, borders);
   return mesh;
 }
 

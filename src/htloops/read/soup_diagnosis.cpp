@@ -136,6 +136,7 @@ private:
       const std::uint32_t g = edge.halfedge(edge.size() - 1);
       if(edge.size() == 1) {
         boundary.add([&] { return name_of_edge(edge) + " of " + name_of_face(h / 3); });
+        diagnosis_.edges.push_back({h, Diagnosis::no_halfedge});
       } else if(edge.size() > 2) {
         crowded.add(
             [&] { return name_of_edge(edge) + " with " + std::to_string(edge.size()) + " faces"; });
@@ -154,7 +155,7 @@ private:
     report_duplicate_faces(suspects);
     crowded.report(defects(), Mesh_defect::NON_MANIFOLD_EDGE, "edge has more than two faces",
                    "edges have more than two faces");
-    report_boundary(boundary);
+    report_unwelded(boundary);
     report_orientation(disoriented);
   }
 
@@ -185,24 +186,23 @@ private:
                       "faces are duplicates");
   }
 
-  void report_boundary(const Finding& boundary) {
-    if(boundary.count() == 0)
+  // A surface may have a boundary. But where no two faces share a vertex, that is a matter of the
+  // file.
+  void report_unwelded(const Finding& boundary) {
+    const std::size_t corners = 3 * soup_.faces.size();
+    if(boundary.count() != corners || soup_.faces.size() == 1)
       return;
-    Disjoint_sets vertices(soup_.points.size());
-    std::vector<std::uint32_t> on_boundary;
-    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
-      if(edge.size() != 1)
-        return;
-      vertices.union_set(edge.vertices[0], edge.vertices[1]);
-      on_boundary.insert(on_boundary.end(), {edge.vertices[0], edge.vertices[1]});
-    });
-    std::sort(on_boundary.begin(), on_boundary.end());
-    on_boundary.erase(std::unique(on_boundary.begin(), on_boundary.end()), on_boundary.end());
-    const std::size_t pieces = vertices.count_sets(on_boundary.begin(), on_boundary.end());
-    const bool is_unwelded = on_boundary.size() == 3 * soup_.faces.size();
-    boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
-                    ", in " + counted(pieces, "loop", "loops") +
-                        (is_unwelded && soup_.faces.size() > 1 ? remark_on_unwelded_faces() : ""));
+    std::vector<char> is_used(soup_.points.size(), 0);
+    std::size_t vertices = 0;
+    for(const Soup_face& face : soup_.faces)
+      for(const std::uint32_t v : face) {
+        vertices += is_used[v] == 0;
+        is_used[v] = 1;
+      }
+    if(vertices == corners)
+      boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
+                      ", in " + counted(soup_.faces.size(), "loop", "loops") +
+                          remark_on_unwelded_faces());
   }
 
   std::string remark_on_unwelded_faces() const {

@@ -24,7 +24,7 @@ namespace htloops {
 
 using CGAL::Handle_tunnel_loops::Mesh_defect;
 
-/// What keeps a soup from being a closed, oriented 2-manifold of triangles.
+/// What keeps a soup from being an oriented 2-manifold of triangles, with or without boundary.
 struct Defect
 {
   Mesh_defect kind;
@@ -36,7 +36,9 @@ struct Defect
 struct Diagnosis
 {
   std::vector<Defect> defects;
-  std::vector<std::array<std::uint32_t, 2>> edges; ///< the two halfedges of each
+  std::vector<std::array<std::uint32_t, 2>> edges; ///< the two halfedges of each, or one
+
+  static constexpr std::uint32_t no_halfedge = static_cast<std::uint32_t>(-1); ///< the other one
 };
 
 /// finds all defects, of every kind. Vertices that no face uses are none, nor is a face without

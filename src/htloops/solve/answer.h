@@ -12,6 +12,8 @@
 
 #include "mesh_types.h"
 
+#include "solve/boundaries.h"
+
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -23,6 +25,7 @@ namespace htloops {
 struct Answer
 {
   Pairs pairs;
+  Boundaries boundaries;
   CGAL::Handle_tunnel_loops::Statistics statistics;
   std::string backend;
   int number_of_threads = 1;

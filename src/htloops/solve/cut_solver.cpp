@@ -13,6 +13,7 @@
 #include "solve/thread_limit.h"
 #include "terminal/interrupt.h"
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/cut_to_disk.h>
 
@@ -25,7 +26,7 @@
 namespace htloops {
 namespace {
 
-// V - E + F = 2 c - 2 g.
+// V - E + F = 2 c - 2 g - b.
 std::size_t genus_of(const Mesh& mesh) {
   std::vector<std::size_t> component(mesh.number_of_faces());
   const std::size_t components = CGAL::Polygon_mesh_processing::connected_components(
@@ -33,7 +34,16 @@ std::size_t genus_of(const Mesh& mesh) {
   std::size_t vertices = 0;
   for(const Mesh::Vertex_index v : mesh.vertices())
     vertices += !mesh.is_isolated(v);
-  return (2 * components + mesh.number_of_edges() - mesh.number_of_faces() - vertices) / 2;
+  std::vector<Mesh::Halfedge_index> boundaries; // a halfedge of each
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(boundaries));
+  return (2 * components + mesh.number_of_edges() - mesh.number_of_faces() - vertices -
+          boundaries.size()) /
+         2;
+}
+
+double length_of(const Mesh& mesh, Mesh::Edge_index e) {
+  return std::sqrt(
+      CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
 
 } // namespace
@@ -58,8 +68,11 @@ Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress_bar& 
   bar.erase();
   answer.genus = genus_of(mesh);
   for(const Mesh::Edge_index e : answer.edges)
-    answer.length += std::sqrt(
-        CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    answer.length += length_of(mesh, e);
+  answer.boundary_length = 2. * answer.length;
+  for(const Mesh::Edge_index e : mesh.edges())
+    if(mesh.is_border(e))
+      answer.boundary_length += length_of(mesh, e);
   return answer;
 }
 

@@ -29,6 +29,7 @@ struct Cut_answer
   std::vector<Mesh::Edge_index> edges;
   std::size_t genus = 0; ///< of the mesh, summed over its components
   double length = 0.;
+  double boundary_length = 0.; ///< of the opened mesh
   double total_seconds = 0.;
   int number_of_threads = 0;
 };

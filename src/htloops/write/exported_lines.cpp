@@ -36,4 +36,12 @@ Exported_lines lines_of(const Pairs& pairs) {
   return result;
 }
 
+Exported_lines lines_of(const Answer& answer) {
+  Exported_lines result = lines_of(answer.pairs);
+  for(const Loop& loop : answer.boundaries.waists)
+    result.lines.push_back({loop.points(), true, colour_of(loop.type()), name_of(loop.type()), 2,
+                            loop.pair_index(), loop.length()});
+  return result;
+}
+
 } // namespace htloops

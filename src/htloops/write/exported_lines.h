@@ -11,6 +11,7 @@
 #define HTLOOPS_EXPORTED_LINES_H
 
 #include "mesh_types.h"
+#include "solve/answer.h"
 
 #include <array>
 #include <cstddef>
@@ -47,6 +48,9 @@ struct Exported_lines
 
 /// the loops of pairs; the kind of a handle is 0, that of a tunnel 1.
 Exported_lines lines_of(const Pairs& pairs);
+
+/// those of an answer; and its waists of boundary curves, if there are any, of kind 2.
+Exported_lines lines_of(const Answer& answer);
 
 } // namespace htloops
 

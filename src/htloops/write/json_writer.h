@@ -82,6 +82,7 @@ template <typename Statistics> Json json_of_mesh(const Mesh& mesh, const Statist
   return {{"vertices", mesh.number_of_vertices()},
           {"faces", mesh.number_of_faces()},
           {"components", statistics.number_of_components},
+          {"boundaries", statistics.number_of_boundaries},
           {"genus", statistics.genus}};
 }
 

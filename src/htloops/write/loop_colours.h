@@ -19,7 +19,9 @@ namespace htloops {
 /// the colour (red, green, blue) of a kind of loops, in exports and pictures alike.
 constexpr std::array<unsigned char, 3> colour_of(CGAL::Loop_type type) {
   using Colour = std::array<unsigned char, 3>;
-  return type == CGAL::Loop_type::HANDLE ? Colour{214, 39, 40} : Colour{31, 119, 180};
+  return type == CGAL::Loop_type::HANDLE   ? Colour{214, 39, 40}
+         : type == CGAL::Loop_type::TUNNEL ? Colour{31, 119, 180}
+                                           : Colour{44, 160, 44};
 }
 
 } // namespace htloops

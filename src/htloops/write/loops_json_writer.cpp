@@ -64,12 +64,7 @@ Json positions_across_faces(const Loop& loop, const Mesh& mesh, const Face_cuts&
   return positions;
 }
 
-Json json_of(const Loop& loop, const Mesh& mesh, const Loop_linking* linking) {
-  Json json = {{"length", loop.length()}};
-  if(linking != nullptr) {
-    json["bounds"] = word_for_side(*linking);
-    json["bounds_alone"] = word_for_side_alone(*linking);
-  }
+Json json_of_line(const Loop& loop, const Mesh& mesh, Json json = Json()) {
   Json locations = Json::array();
   for(const Loop::Step& step : loop.steps())
     locations.push_back(Json::array(
@@ -81,6 +76,37 @@ Json json_of(const Loop& loop, const Mesh& mesh, const Loop_linking* linking) {
   return json;
 }
 
+// Of the surface at a loop.
+std::size_t
+component_of(const Loop& loop, const Mesh& mesh, const std::vector<std::size_t>& components) {
+  return components[mesh.source(loop.steps().front().halfedge).idx()];
+}
+
+Json json_of(const Loop& loop,
+             const Mesh& mesh,
+             const std::vector<std::size_t>& components,
+             const Loop_linking* linking) {
+  Json json = {{"length", loop.length()}, {"component", component_of(loop, mesh, components)}};
+  if(linking != nullptr) {
+    json["bounds"] = word_for_side(*linking);
+    json["bounds_alone"] = word_for_side_alone(*linking);
+  }
+  return json_of_line(loop, mesh, std::move(json));
+}
+
+// A boundary curve, with its waist if that was looked for.
+Json json_of(const Loop& curve,
+             const Boundaries& boundaries,
+             const Mesh& mesh,
+             const std::vector<std::size_t>& components) {
+  Json json = {{"length", curve.length()}, {"component", component_of(curve, mesh, components)}};
+  if(!boundaries.waists.empty()) {
+    const Loop& waist = boundaries.waists[curve.pair_index()];
+    json["waist"] = json_of_line(waist, mesh, {{"length", waist.length()}});
+  }
+  return json_of_line(curve, mesh, std::move(json));
+}
+
 } // namespace
 
 void write_loops_json(const std::string& target,
@@ -88,6 +114,7 @@ void write_loops_json(const std::string& target,
                       const Answer& answer,
                       double read_seconds) {
   const auto& linking = answer.certificate.linking;
+  const std::vector<std::size_t> components = components_of_vertices(mesh);
   Json_writer out(target);
   out.member("format", "htloops/1");
   out.member("mesh", json_of_mesh(mesh, answer.statistics));
@@ -103,11 +130,13 @@ void write_loops_json(const std::string& target,
     Json json;
     for(const CGAL::Loop_type type : loop_types) {
       json[name_of(type)] =
-          json_of(pair.loop(type), mesh, linking.empty() ? nullptr : &linking[index]);
+          json_of(pair.loop(type), mesh, components, linking.empty() ? nullptr : &linking[index]);
       ++index;
     }
     return json;
   });
+  out.array("boundaries", answer.boundaries.curves,
+            [&](const Loop& curve) { return json_of(curve, answer.boundaries, mesh, components); });
   out.finish();
 }
 

@@ -108,12 +108,17 @@ std::string table_of_pairs(const Pairs& pairs, const Table_options& options) {
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {
   const auto& statistics = answer.statistics;
   std::string text = "genus " + std::to_string(statistics.genus) + " in " +
-                     counted(statistics.number_of_components, "component", "components") + ": ";
+                     counted(statistics.number_of_components, "component", "components");
+  const bool has_boundary = statistics.number_of_boundaries > 0;
+  if(has_boundary)
+    text += ", " + counted(statistics.number_of_boundaries, "boundary curve", "boundary curves");
+  text += ": ";
   if(answer.pairs.empty())
     text += "no loops\n";
   else
     text += counted(answer.pairs.size(), "pair", "pairs") +
-            " of loops, certified as a basis of H1(S; Z)\n" +
+            " of loops, certified as a basis of H1(S; Z)" +
+            (has_boundary ? " with the boundary curves but one of each component\n" : "\n") +
             formatted("total length %.6g of the handles, %.6g of the tunnels\n",
                       total_length(answer.pairs, CGAL::Loop_type::HANDLE),
                       total_length(answer.pairs, CGAL::Loop_type::TUNNEL));

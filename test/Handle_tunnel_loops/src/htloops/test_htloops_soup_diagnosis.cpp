@@ -107,11 +107,10 @@ TEST(Soup_diagnosis, names_a_point_that_is_nowhere) {
   }
 }
 
-TEST(Soup_diagnosis, counts_boundary_edges_and_loops) {
-  expect_defects(without(grid_surface(6), 0), 36,
-                 {{Mesh_defect::BOUNDARY_EDGE, 3, "3 boundary edges, in 1 loop,"}});
-  expect_defects(without(without(grid_surface(6), 40), 0), 36,
-                 {{Mesh_defect::BOUNDARY_EDGE, 6, "in 2 loops"}});
+TEST(Soup_diagnosis, accepts_boundaries) {
+  expect_defects({{0, 1, 2}}, 3, {});
+  expect_defects(without(grid_surface(6), 0), 36, {});
+  expect_defects(without(without(grid_surface(6), 40), 0), 36, {});
 }
 
 // As programs write a mesh that have no vertices of their own: each face has its points.
@@ -130,8 +129,7 @@ TEST(Soup_diagnosis, recognizes_faces_that_share_no_vertex) {
 
 TEST(Soup_diagnosis, names_edges_with_too_many_faces) {
   expect_defects(with(tetrahedron, {0, 1, 4}), 5,
-                 {{Mesh_defect::NON_MANIFOLD_EDGE, 1, "edge 0-1 with 3 faces"},
-                  {Mesh_defect::BOUNDARY_EDGE, 2, "in 1 loop"}});
+                 {{Mesh_defect::NON_MANIFOLD_EDGE, 1, "edge 0-1 with 3 faces"}});
 }
 
 TEST(Soup_diagnosis, names_duplicate_faces) {
@@ -176,8 +174,22 @@ TEST(Soup_diagnosis, finds_all_defects_at_once) {
   Faces faces = without(grid_surface(6), 0);
   std::swap(faces[40][0], faces[40][1]);
   expect_defects(
-      faces, 36,
-      {{Mesh_defect::BOUNDARY_EDGE, 3, ""}, {Mesh_defect::INCONSISTENT_ORIENTATION, 3, ""}});
+      with(with(with(faces, {40, 41, 42}), {43, 44, 45}), {40, 46, 47}), 48,
+      {{Mesh_defect::INCONSISTENT_ORIENTATION, 3, ""}, {Mesh_defect::NON_MANIFOLD_VERTEX, 1, ""}});
+}
+
+TEST(Mesh_builder, links_the_halfedges_of_a_boundary) {
+  const Soup soup = soup_of(without(without(grid_surface(6), 40), 0), 36);
+  const Mesh mesh = build_mesh(soup, diagnose(soup));
+  EXPECT_TRUE(mesh.is_valid());
+  std::size_t borders = 0;
+  for(const Mesh::Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h)) {
+      ++borders;
+      EXPECT_EQ(mesh.next(mesh.next(mesh.next(h))), h);
+      EXPECT_TRUE(mesh.is_border(mesh.next(h)));
+    }
+  EXPECT_EQ(borders, 6u);
 }
 
 TEST(Mesh_builder, keeps_the_numbers_of_vertices_and_faces) {

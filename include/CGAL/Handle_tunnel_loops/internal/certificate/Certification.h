@@ -43,6 +43,8 @@ class Certification
 {
   using Certifier = Loop_certifier<TriangleMesh, VertexIndexMap, FaceIndexMap>;
   using Loop = typename Pair::Loop;
+  using Boundaries =
+      std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>>;
 
 public:
   Certification(const TriangleMesh& tm,
@@ -56,6 +58,10 @@ public:
       , certifier_(tm, vertex_index, face_index) {
     certificate_.basis_kind = kind;
   }
+
+  /// takes the boundary curves of the surface, of which the mesh has the caps as well; first of
+  /// all.
+  void set_boundaries(Boundaries boundaries) { boundaries_ = std::move(boundaries); }
 
   /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
   /// on the surface. What follows is for such loops only.
@@ -85,6 +91,7 @@ public:
     CGAL_precondition(certificate_.closed_on_surface);
     Loop_linker<TriangleMesh, Loop, VertexPointMap, VertexIndexMap> linker(tm_, point_,
                                                                            vertex_index_);
+    linker.set_boundaries(boundaries_);
     linker.set_loops(
         execution, loops_, [this](const auto& f) { return certifier_.component(f); },
         certifier_.number_of_components());
@@ -235,10 +242,23 @@ private:
   VertexIndexMap vertex_index_;
   Certificate certificate_;
   Certifier certifier_;
+  Boundaries boundaries_;
   Loop_relations relations_;
   bool are_related_ = false;
   std::vector<const Loop*> loops_;
 };
+
+/// the whole of it, but for names.
+template <typename Certification, typename PairRange>
+Certificate
+certify(Execution execution, Certification certification, const PairRange& pairs, bool do_link) {
+  if(certification.are_closed(execution, pairs)) {
+    certification.check_basis(execution);
+    if(certification.are_as_many_as_asked_for())
+      certification.relate(execution, do_link);
+  }
+  return certification.finish();
+}
 
 /// whether all steps of the loops that are anywhere are on halfedges of the mesh.
 template <typename TriangleMesh, typename PairRange>

@@ -165,10 +165,13 @@ private:
   }
 
   template <typename Step> bool have_common_face(const Step& a, const Step& b) const {
+    const auto meets = [&](halfedge_descriptor h) {
+      return !is_border(h, tm_) && lies_on(b, face(h, tm_));
+    };
     if(!a.is_vertex())
-      return lies_on(b, face(a.halfedge, tm_)) || lies_on(b, face(opposite(a.halfedge, tm_), tm_));
+      return meets(a.halfedge) || meets(opposite(a.halfedge, tm_));
     for(halfedge_descriptor h : halfedges_around_target(nearest_end(a), tm_))
-      if(lies_on(b, face(h, tm_)))
+      if(meets(h))
         return true;
     return false;
   }

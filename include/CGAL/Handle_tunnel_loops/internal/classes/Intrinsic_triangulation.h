@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -38,6 +39,8 @@ What has to be right is the class of a way. The triangulation after the splits s
 of the mesh: each vertex has a *corner*, a vertex of the mesh that belongs to all faces that it lies
 on, so that a walk on this subdivision can be pulled to one on the edges of the mesh. And each
 flipped edge has a walk on the subdivision that can be pulled to it.
+
+Caps stay as they are: edges to their hubs are infinitely long, and neither split nor flipped.
 */
 class Intrinsic_triangulation
 {
@@ -52,7 +55,9 @@ public:
 
   explicit Intrinsic_triangulation(const Flat_mesh& mesh)
       : points_(mesh.points.begin(), mesh.points.end())
-      , corners_(mesh.number_of_vertices()) {
+      , corners_(mesh.number_of_vertices())
+      , first_hub_(mesh.first_hub)
+      , number_of_hubs_(mesh.number_of_hubs) {
     for(Index v = 0; v < corners_.size(); ++v) {
       corners_[v] = v;
       places_.push_back({v, v, 0.});
@@ -76,6 +81,8 @@ public:
   Flat_mesh subdivision() const {
     CGAL_precondition(lengths_.empty());
     Flat_mesh mesh;
+    mesh.first_hub = first_hub_;
+    mesh.number_of_hubs = number_of_hubs_;
     mesh.points.resize(points_.size());
     std::copy(points_.begin(), points_.end(), mesh.points.begin());
     std::vector<Index> first(points_.size(), no_index); // halfedge from a vertex
@@ -168,9 +175,13 @@ private:
 
   double distance(Index h) const { return norm(points_[targets_[h]] - points_[source(h)]); }
 
+  bool is_hub(Index v) const { return v - first_hub_ < number_of_hubs_; }
+  bool is_spoke(Index h) const { return is_hub(targets_[h]) || is_hub(source(h)); }
+  bool is_in_cap(Index h) const { return is_spoke(h) || is_hub(targets_[next(h)]); }
+
   // One of the two halfedges stands for the edge.
   void push(Index h, double longest) {
-    if(h < twins_[h] && distance(h) > longest)
+    if(h < twins_[h] && distance(h) > longest && !is_spoke(h))
       queue_.push({distance(h), h});
   }
 
@@ -224,7 +235,7 @@ private:
   void start_walks() {
     walks_.resize(targets_.size());
     for(Index h = 0; h < targets_.size(); ++h) {
-      lengths_.push_back(distance(h));
+      lengths_.push_back(is_spoke(h) ? std::numeric_limits<double>::infinity() : distance(h));
       walks_[h] = {targets_[h]};
     }
   }
@@ -245,6 +256,8 @@ private:
   bool is_to_be_flipped(Index h) const {
     constexpr double rounding = 1e-7;
     const Index g = twins_[h];
+    if(is_in_cap(h) || is_in_cap(g))
+      return false;
     const auto [x1, y1] = apex(h);
     const auto [x2, y2] = apex(g);
     const double base = lengths_[h];
@@ -334,8 +347,9 @@ private:
   }
 
   std::vector<Vector> points_;
-  std::vector<Index> corners_;            // by vertex
-  std::vector<Place> places_;             // by vertex
+  std::vector<Index> corners_; // by vertex
+  std::vector<Place> places_;  // by vertex
+  Index first_hub_, number_of_hubs_;
   std::vector<Index> targets_, twins_;    // by halfedge
   std::vector<char> is_on_edge_;          // by halfedge, of the mesh; before flips
   std::vector<double> lengths_;           // by halfedge, once they are flipped

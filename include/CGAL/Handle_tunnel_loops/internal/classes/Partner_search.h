@@ -83,7 +83,7 @@ private:
     const Vector from = position(mesh_, c);
     const Vector p =
         part > 0. ? from + ((s - along_[i]) / part) * (position(mesh_, next) - from) : from;
-    return search_mesh_.vertex_near(p, c.ratio < 0.5 ? c.left : c.right);
+    return search_mesh_.vertex_near(p, ratio_on_surface(mesh_, c) < 0.5 ? c.left : c.right);
   }
 
   const Flat_mesh& mesh_;

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -32,7 +33,7 @@ namespace internal {
 
 /// A graph to search for loops on: the edges of the mesh, or of a better triangulation of the same
 /// surface. Its steps from a vertex have consecutive numbers; for each stands a walk on the edges
-/// of the mesh, or of a subdivision of it.
+/// of the mesh, or of a subdivision of it. Steps to hubs of caps are infinitely long.
 class Search_mesh
 {
 public:
@@ -65,7 +66,7 @@ public:
     lengths_.resize(mesh_.neighbor.size());
     for(Index v = 0; v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s)
-        lengths_[s] = static_cast<float>(mesh_.edge_length(v, head(s)));
+        lengths_[s] = length_of_edge(v, head(s));
   }
 
   /// counts what the steps cross.
@@ -93,7 +94,7 @@ public:
   Index head(Index step) const { return is_refined() ? heads_[step] : mesh_.neighbor[step]; }
 
   float length(Index v, Index step) const {
-    return lengths_.empty() ? static_cast<float>(mesh_.edge_length(v, head(step))) : lengths_[step];
+    return lengths_.empty() ? length_of_edge(v, head(step)) : lengths_[step];
   }
 
   /// what a step from `v` crosses, by the edge classes that were last counted.
@@ -132,13 +133,13 @@ public:
     return loop;
   }
 
-  /// a vertex near a place, by steps towards it from a corner near it.
+  /// a vertex near a place, by steps towards it from a corner near it that is no hub.
   Index vertex_near(const Vector& place, Index corner) const {
     Index v = corner;
     for(double best = squared_distance(v, place);;) {
       const Index from = v;
       for(Index s = begin(from); s != end(from); ++s)
-        if(const double d = squared_distance(head(s), place); d < best) {
+        if(const double d = squared_distance(head(s), place); d < best && !mesh_.is_hub(head(s))) {
           best = d;
           v = head(s);
         }
@@ -154,7 +155,7 @@ public:
       const Ring ring = mesh_.ring(v);
       for(Index p = 0; p < ring.size(); ++p) {
         const Index a = ring[p], b = ring[ring.next(p)];
-        if(v < a && v < b)
+        if(v < a && v < b && !mesh_.is_hub(v) && !mesh_.is_spoke(a, b))
           sum += 0.5 *
                  norm(cross(mesh_.points[a] - mesh_.points[v], mesh_.points[b] - mesh_.points[v]));
       }
@@ -166,6 +167,11 @@ private:
   using Place = Intrinsic_triangulation::Place;
 
   bool is_refined() const { return !corners_.empty(); }
+
+  float length_of_edge(Index u, Index v) const {
+    return mesh_.is_spoke(u, v) ? std::numeric_limits<float>::infinity()
+                                : static_cast<float>(mesh_.edge_length(u, v));
+  }
 
   // Of an edge of the subdivision, if it lies on one of the mesh.
   static std::optional<Crossing> crossing_between(const Place& left, const Place& right, double r) {

@@ -24,7 +24,9 @@ namespace internal {
 /// What the caller wants of an edge.
 enum class Edge_rule : unsigned char { FREE, KEEP, AVOID };
 
-/// A surface, and what its cut has to be like.
+/// A surface, and what its cut has to be like. If the surface has a boundary, the cut is one of the
+/// surface with its caps that goes to all hubs: without the caps, a disk remains of each disk.
+/// Edges to hubs cost nothing, and those on the boundary are not to be cut.
 struct Cut_problem
 {
   Cut_problem(Execution execution, const Flat_mesh& m)
@@ -38,6 +40,7 @@ struct Cut_problem
   std::vector<char> cones;               ///< by vertex, whether the cut goes there; empty: nowhere
   std::vector<std::vector<Index>> walks; ///< closed, on the edges, to begin with
   bool do_cut_spheres = false;
+  bool has_rules_of_caller = false;
 
   Edge_rule rule(Index h) const { return rules.empty() ? Edge_rule::FREE : rules[h]; }
   bool is_kept(Index h) const { return rule(h) == Edge_rule::KEEP; }

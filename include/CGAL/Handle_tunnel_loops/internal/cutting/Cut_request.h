@@ -81,6 +81,7 @@ public:
   }
 
   template <typename EdgeMarkMap> void set_rule(const EdgeMarkMap& marks, Edge_rule rule) {
+    problem_.has_rules_of_caller = true;
     problem_.rules.resize(problem_.halfedges.size(), Edge_rule::FREE);
     for(const edge_descriptor e : edges(tm_))
       if(get(marks, e)) {
@@ -96,8 +97,26 @@ public:
       const Index i = index_of(v);
       if(i == no_index || vertices_[i] != v)
         throw std::invalid_argument("a cone is no vertex of the mesh, or belongs to no face");
-      problem_.cones.resize(vertices_.size(), 0);
+      problem_.cones.resize(problem_.mesh.number_of_vertices(), 0);
       problem_.cones[i] = 1;
+    }
+  }
+
+  /// to be called last. The boundary is open, whatever the rules say of its edges.
+  void open_at_boundaries() {
+    const Flat_mesh& mesh = problem_.mesh;
+    const Flat_halfedges& halfedges = problem_.halfedges;
+    if(mesh.number_of_hubs == 0)
+      return;
+    problem_.rules.resize(halfedges.size(), Edge_rule::FREE);
+    problem_.cones.resize(mesh.number_of_vertices(), 0);
+    for(Index hub = mesh.first_hub; hub < mesh.number_of_vertices(); ++hub) {
+      problem_.cones[hub] = 1;
+      for(Index h = halfedges.begin(hub); h < halfedges.end(hub); ++h) {
+        problem_.weight[h] = problem_.weight[halfedges.twin(h)] = 0.;
+        const Index side = halfedges.next(h);
+        problem_.rules[side] = problem_.rules[halfedges.twin(side)] = Edge_rule::AVOID;
+      }
     }
   }
 

@@ -43,7 +43,9 @@ public:
         is_kept[problem_.mesh.component[problem_.halfedges.source(h)]] = 1;
     for(std::size_t c = 0; c < sizes.size(); ++c)
       if(sizes[c].genus() == 0 && !is_kept[c]) {
-        if(number_of_cones[c] == 1)
+        if(number_of_cones[c] == 1 && problem_.mesh.is_hub(some_cone[c]))
+          problem_.cones[some_cone[c]] = 0; // a disk as it is
+        else if(number_of_cones[c] == 1)
           add_cone(farthest_from(some_cone[c]));
         else if(number_of_cones[c] == 0 && problem_.do_cut_spheres) {
           const Index end = farthest_from(problem_.mesh.seeds[c]);

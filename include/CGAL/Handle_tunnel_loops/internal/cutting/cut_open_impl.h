@@ -23,7 +23,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 CGAL_HTL_CORE void check_rules(const Cut_problem& problem) {
-  if(!problem.rules.empty())
+  if(problem.has_rules_of_caller)
     Cut_start(problem).find();
 }
 
@@ -33,9 +33,11 @@ CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem) {
   Cut_shortening(problem, cut).run();
   Cut_check(problem, cut).run();
   std::vector<Index> edges;
-  for(Index h = 0; h < problem.halfedges.size(); ++h)
-    if(cut.contains(h) && problem.halfedges.source(h) < problem.halfedges.target(h))
+  for(Index h = 0; h < problem.halfedges.size(); ++h) {
+    const Index u = problem.halfedges.source(h), v = problem.halfedges.target(h);
+    if(cut.contains(h) && u < v && !problem.mesh.is_spoke(u, v))
       edges.push_back(h);
+  }
   return edges;
 }
 

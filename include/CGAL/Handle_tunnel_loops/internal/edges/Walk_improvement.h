@@ -88,11 +88,15 @@ private:
 
   std::size_t following(std::size_t i) const { return i + 1 == walk_.size() ? 0 : i + 1; }
 
-  // The way around the vertex between two halfedges, on its left; empty if it is longer than that.
+  // The way around the vertex between two halfedges, on its left; empty if it is longer than that,
+  // or if there is the boundary.
   Walk left_of(halfedge_descriptor in, halfedge_descriptor out, double most, double& sum) const {
+    using CGAL::is_border;
     Walk path;
     sum = 0.;
     for(halfedge_descriptor h = in;; h = opposite(next(h, tm_), tm_)) {
+      if(is_border(h, tm_))
+        return Walk();
       path.push_back(opposite(prev(h, tm_), tm_));
       sum += length_(path.back());
       if(sum > most)

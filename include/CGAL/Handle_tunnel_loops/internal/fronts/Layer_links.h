@@ -108,18 +108,19 @@ private:
   // The edge is one that a front goes up if an earlier neighbour is behind it, or, at a minimum,
   // where there are none, if it is the first.
   CGAL_HTL_HOST_DEVICE void note(Index from, Index to, Index contour) const {
-    const Ring ring = links.saddles.mesh.ring(from);
-    const Index p = ring.position(to), before = ring.previous(p);
-    if(links.is_earlier(ring[before], from) || (p == 0 && links.way_up(from) == 0))
-      fetch_min(links.first[edge_up(from, before)], contour);
+    const auto& mesh = links.saddles.mesh;
+    const Index previous = internal::before(mesh.ring(from), mesh.ring(to), from, to);
+    if(links.is_earlier(previous, from) || (mesh.ring(from)[0] == to && links.way_up(from) == 0))
+      fetch_min(links.first[edge_up(from, previous)], contour);
   }
 
   // The place of the edge that follows upon an earlier neighbour.
-  CGAL_HTL_HOST_DEVICE Index edge_up(Index from, Index before) const {
+  CGAL_HTL_HOST_DEVICE Index edge_up(Index from, Index previous) const {
     if(!links.is_end(links.link[from]))
       return from;
+    const Ring ring = links.saddles.mesh.ring(from);
     Index lower_component = links.number_of_end(links.link[from]);
-    while(links.saddles.lower_components[lower_component].last != before)
+    while(ring[links.saddles.lower_components[lower_component].last] != previous)
       ++lower_component;
     return links.gap_after(lower_component);
   }

@@ -45,6 +45,9 @@ is consistent in itself.
 The sign of the volume is exact. A component is said to lie within another if its bounding box
 does and the first of its vertices does, which is decided exactly by counting the faces above it. So
 components that cross each other count as lying beside each other unless the boxes say otherwise.
+
+A component with boundary, of which the faces given are those of its caps as well, encloses nothing:
+its faces look out of the solid as they are oriented.
 */
 template <typename TriangleMesh, typename VertexPointMap, typename ComponentOfFace>
 class Component_orientation
@@ -54,16 +57,18 @@ class Component_orientation
 
 public:
   /// \p component maps a face to the number of its component. What is asked for later are
-  /// components with `is_wanted`.
+  /// components with `is_wanted`. Those with `has_boundary` have caps.
   Component_orientation(Execution execution,
                         const TriangleMesh& tm,
                         VertexPointMap point,
                         const ComponentOfFace& component,
-                        std::vector<char> is_wanted)
+                        std::vector<char> is_wanted,
+                        std::vector<char> has_boundary)
       : tm_(tm)
       , point_(point)
       , component_(component)
       , is_wanted_(std::move(is_wanted))
+      , has_boundary_(std::move(has_boundary))
       , parts_(is_wanted_.size()) {
     if(std::find(is_wanted_.begin(), is_wanted_.end(), 1) == is_wanted_.end())
       return;
@@ -216,7 +221,9 @@ private:
   void find_signs() {
     std::vector<char> is_open(parts_.size(), 0);
     for(std::size_t i = 0; i < parts_.size(); ++i) {
-      if(!is_wanted_[i])
+      if(has_boundary_[i])
+        parts_[i].sign = 1;
+      if(!is_wanted_[i] || has_boundary_[i])
         continue;
       // Each term is off by a few roundings, each sum by one; nothing is known of what underflows.
       Part& part = parts_[i];
@@ -246,7 +253,7 @@ private:
 
   bool may_contain(std::size_t outer, std::size_t inner) const {
     const Extent &a = parts_[outer].extent, &b = parts_[inner].extent;
-    bool is_within = outer != inner;
+    bool is_within = outer != inner && !has_boundary_[outer] && !has_boundary_[inner];
     for(int d = 0; d < 3; ++d)
       is_within = is_within && a.low[d] <= b.low[d] && b.high[d] <= a.high[d];
     return is_within;
@@ -301,8 +308,8 @@ private:
   const TriangleMesh& tm_;
   VertexPointMap point_;
   const ComponentOfFace& component_;
-  std::vector<char> is_wanted_; // by component
-  std::vector<Part> parts_;     // by component
+  std::vector<char> is_wanted_, has_boundary_; // by component
+  std::vector<Part> parts_;                    // by component
 };
 
 } // namespace internal

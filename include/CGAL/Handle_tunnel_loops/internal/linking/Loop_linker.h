@@ -33,6 +33,10 @@ namespace internal {
 
 /// The intersection and linking numbers of loops on a mesh, and the reasons where the latter mean
 /// nothing. Loops that run through places where the surface touches itself are led around them.
+///
+/// A loop on a surface with boundary bounds on one side if, pushed there, it bounds a surface that
+/// does not meet the one it is on: if its linking numbers with the boundary curves are zero, too.
+/// The mesh is the surface with caps, but where these are plays no part then.
 template <typename TriangleMesh, typename Loop, typename VertexPointMap, typename VertexIndexMap>
 class Loop_linker
 {
@@ -47,6 +51,9 @@ public:
       , vertex_index_(vertex_index)
       , walker_(tm, point, vertex_index) {}
 
+  /// takes the boundary curves, with the surface to their left; before `set_loops()`.
+  void set_boundaries(std::vector<Walk> boundaries) { boundaries_ = std::move(boundaries); }
+
   /// takes pointers to loops that are closed and lie on the surface; \p component gives the number
   /// of the component of a face. Finds where the solid is.
   template <typename ComponentOfFace>
@@ -60,6 +67,8 @@ public:
       components_.push_back(component(face(loop->steps().front().halfedge, tm_)));
       CGAL_assertion(components_.back() < number_of_components);
     }
+    for(const Walk& boundary : boundaries_)
+      boundary_components_.push_back(component(face(boundary.front(), tm_)));
     find_outward(execution, component, number_of_components);
   }
 
@@ -91,24 +100,41 @@ public:
 private:
   static constexpr int maximum_number_of_rounds = 8;
 
+  bool is_boundary(std::size_t number) const { return number >= loops_.size(); }
+
   void add_problem(std::size_t loop, const std::string& problem) {
-    problems_.emplace(loop, problem);
+    if(!is_boundary(loop))
+      problems_.emplace(loop, problem);
   }
 
   template <typename ComponentOfFace>
   void find_outward(Execution execution,
                     const ComponentOfFace& component,
                     std::size_t number_of_components) {
-    std::vector<char> has_loop(number_of_components, 0);
+    std::vector<char> has_loop(number_of_components, 0), has_boundary = has_loop;
     for(std::size_t c : components_)
       has_loop[c] = 1;
+    for(std::size_t c : boundary_components_)
+      has_boundary[c] = 1;
+    keep_boundaries_if(has_loop);
     const Component_orientation<TriangleMesh, VertexPointMap, ComponentOfFace> sides(
-        execution, tm_, point_, component, has_loop);
+        execution, tm_, point_, component, std::move(has_loop), std::move(has_boundary));
     for(std::size_t i = 0; i < components_.size(); ++i) {
       outward_.push_back(sides.outward(components_[i]));
       if(outward_[i] == 0)
         lasting_problems_.emplace(i, sides.reason(components_[i]));
     }
+  }
+
+  void keep_boundaries_if(const std::vector<char>& is_wanted) {
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < boundaries_.size(); ++i)
+      if(is_wanted[boundary_components_[i]]) {
+        boundary_components_[kept] = boundary_components_[i];
+        std::swap(boundaries_[kept++], boundaries_[i]);
+      }
+    boundaries_.resize(kept);
+    boundary_components_.resize(kept);
   }
 
   // Whether there are walks that have not been tried. In the first round these are all; later,
@@ -149,27 +175,72 @@ private:
   // Whether another round may do better.
   bool link_walks(Execution execution) {
     Builder builder(tm_, point_, vertex_index_);
-    const Surface_curves curves = builder.build(execution, walks_, outward_);
+    const Surface_curves curves = build_with_boundaries(execution, builder);
     problems_ = lasting_problems_;
     const bool do_link = problems_.size() < loops_.size();
     Linking numbers = internal::link(execution, curves, do_link);
     intersections_ = std::move(numbers.intersections);
+    drop_boundaries(intersections_);
     if(!do_link)
       return false;
     linking_ = std::move(numbers.linking);
+    note_linked_boundaries();
+    drop_boundaries(linking_);
     if(numbers.has_too_many_contacts) {
       for(std::size_t i = 0; i < loops_.size(); ++i)
         add_problem(i, "the surface touches itself in very many places");
       return false;
     }
-    for(const Contact& contact : numbers.contacts) {
-      note_contact(contact, curves, builder);
-      avoid(contact, curves, builder);
-    }
+    bool is_any_avoided = false;
+    for(const Contact& contact : numbers.contacts)
+      if(is_any_loop_at(contact, curves)) {
+        note_contact(contact, curves, builder);
+        avoid(contact, curves, builder);
+        is_any_avoided = true;
+      }
     for(const Matrix_entry& e : numbers.defect)
       for(const Index loop : {e.row, e.column})
         add_problem(loop, "the surface crosses itself near it");
-    return !numbers.contacts.empty();
+    return is_any_avoided;
+  }
+
+  // The numbers of the boundary curves come after those of the loops.
+  Surface_curves build_with_boundaries(Execution execution, Builder& builder) const {
+    if(boundaries_.empty())
+      return builder.build(execution, walks_, outward_);
+    std::vector<Walk> walks = walks_;
+    walks.insert(walks.end(), boundaries_.begin(), boundaries_.end());
+    std::vector<int> outward = outward_;
+    outward.resize(walks.size(), 1);
+    return builder.build(execution, walks, std::move(outward));
+  }
+
+  void note_linked_boundaries() {
+    for(const Matrix_entry& e : linking_)
+      if(is_boundary(e.row) != is_boundary(e.column)) {
+        const auto [loop, boundary] = std::minmax(e.row, e.column);
+        if(boundary_components_[boundary - loops_.size()] == components_[loop])
+          add_problem(loop, "a boundary curve is linked with it");
+      }
+  }
+
+  void drop_boundaries(Sparse_matrix& matrix) const {
+    matrix.erase(std::remove_if(matrix.begin(), matrix.end(),
+                                [this](const Matrix_entry& e) {
+                                  return is_boundary(e.row) || is_boundary(e.column);
+                                }),
+                 matrix.end());
+  }
+
+  // How boundary curves lie to each other is not asked for.
+  bool is_any_loop_at(const Contact& contact, const Surface_curves& curves) const {
+    const auto is_of_loop = [this](const Chains::Term& t) { return !is_boundary(t.loop); };
+    const Chains::Terms walks = curves.walks.of(contact.edge),
+                        copies = curves.crossings.of(contact.edge);
+    const bool has_corner = contact.corner != Contact::no_corner;
+    return std::any_of(walks.begin(), walks.end(), is_of_loop) ||
+           (has_corner ? !is_boundary(curves.corners[contact.corner].loop)
+                       : std::any_of(copies.begin(), copies.end(), is_of_loop));
   }
 
   // The vertices that the edge and the corner share are to be avoided, or all if they share none.
@@ -212,6 +283,8 @@ private:
   std::vector<std::size_t> components_; // by loop
   std::vector<int> outward_;            // by loop
   std::vector<Walk> walks_;
+  std::vector<Walk> boundaries_; // of components that have loops
+  std::vector<std::size_t> boundary_components_;
   Sparse_matrix intersections_, linking_;
   bool is_linked_ = false;
   std::map<std::size_t, std::string> lasting_problems_, problems_;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +70,8 @@ public:
 
   /// whether the edge u - v is crossed by one of the given loops.
   template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const {
+    if(number_of_entries(v) < number_of_entries(u))
+      std::swap(u, v);
     // The entries are sorted by loop, so the loops of a set are found from the end.
     for(auto it = end(u); it != begin(u) && !loops.are_all_after((--it)->loop);)
       if(it->other == v && loops.contains(it->loop))
@@ -78,9 +81,12 @@ public:
 
   /// adds what the walk from `u` to `v`, an edge, contributes to the intersection numbers.
   void add_crossings(Index u, Index v, Sparse_numbers& numbers) const {
+    const bool is_swapped = number_of_entries(v) < number_of_entries(u);
+    if(is_swapped)
+      std::swap(u, v);
     for(auto it = begin(u); it != end(u); ++it)
       if(it->other == v)
-        numbers[it->loop] += it->sign;
+        numbers[it->loop] += is_swapped ? -it->sign : it->sign;
   }
 
   /// the intersection numbers of a closed walk on the edges with the loops.
@@ -104,6 +110,9 @@ public:
 
 private:
   using Iterator = std::vector<Crossing_entry>::const_iterator;
+
+  // An edge is known at both ends; a vertex with many may have as many entries.
+  Index number_of_entries(Index v) const { return begin_[v + 1] - begin_[v]; }
 
   Iterator begin(Index v) const { return entries_.begin() + begin_[v]; }
   Iterator end(Index v) const { return entries_.begin() + begin_[v + 1]; }

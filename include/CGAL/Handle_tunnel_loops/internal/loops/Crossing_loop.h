@@ -26,6 +26,7 @@ namespace internal {
 /// A loop passes an edge, with one end of it to the left and the other to the right. The place is
 /// `left + ratio * (right - left)`; a loop that goes through a vertex passes the edges on one side
 /// of it at ratio 0 or 1. The place is geometry; the class of the loop rests on the ends alone.
+/// Edges to hubs of caps are passed at their other end, whatever the ratio says.
 struct Crossing
 {
   Index left;
@@ -40,12 +41,17 @@ using Crossing_loop = std::vector<Crossing>;
 
 /// the vertex ahead of a crossing, opposite to the edge.
 inline Index apex_ahead(const Flat_mesh& mesh, const Crossing& c) {
-  return mesh.ring(c.left).after(c.right);
+  return after(mesh.ring(c.left), mesh.ring(c.right), c.left, c.right);
+}
+
+/// the ratio of a crossing on the surface.
+inline double ratio_on_surface(const Flat_mesh& mesh, const Crossing& c) {
+  return mesh.is_hub(c.right) ? 0. : mesh.is_hub(c.left) ? 1. : c.ratio;
 }
 
 inline Vector position(const Flat_mesh& mesh, const Crossing& c) {
   const Vector& p = mesh.points[c.left];
-  return p + c.ratio * (mesh.points[c.right] - p);
+  return p + ratio_on_surface(mesh, c) * (mesh.points[c.right] - p);
 }
 
 /// the length in the unit of `mesh.points`.

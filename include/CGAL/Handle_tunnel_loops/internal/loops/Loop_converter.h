@@ -29,7 +29,8 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Turns loops on the flat mesh into loops on the caller's mesh.
+/// Turns loops on the flat mesh into loops on the caller's mesh, which has no hubs: where a loop
+/// crosses an edge to one, it is at the vertex on the boundary.
 template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits> class Loop_converter
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
@@ -55,7 +56,7 @@ public:
     for(const Crossing& c : loop) {
       // Many edges are passed at one vertex.
       if(vertex_of(c) == no_index || vertex_of(c) != vertex_of(*previous)) {
-        steps.push_back({halfedge(vertices_[c.left], vertices_[c.right], tm_).first, c.ratio});
+        steps.push_back(step(c));
         points.push_back(point_at(c));
       }
       previous = &c;
@@ -65,8 +66,18 @@ public:
   }
 
 private:
-  static Index vertex_of(const Crossing& c) {
-    return c.ratio == 0. ? c.left : (c.ratio == 1. ? c.right : no_index);
+  bool is_hub(Index v) const { return v >= vertices_.size(); }
+
+  typename Loop::Step step(const Crossing& c) const {
+    if(is_hub(c.left) || is_hub(c.right))
+      return {opposite(halfedge(vertices_[vertex_of(c)], tm_), tm_), 0.};
+    return {halfedge(vertices_[c.left], vertices_[c.right], tm_).first, c.ratio};
+  }
+
+  Index vertex_of(const Crossing& c) const {
+    return is_hub(c.right) || (c.ratio == 0. && !is_hub(c.left)) ? c.left
+           : is_hub(c.left) || c.ratio == 1.                     ? c.right
+                                                                 : no_index;
   }
 
   Point point_at(const Crossing& c) const {

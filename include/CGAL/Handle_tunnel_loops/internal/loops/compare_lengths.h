@@ -39,7 +39,7 @@ inline std::vector<Edge_place> edge_places(const Flat_mesh& mesh, const Crossing
   std::vector<Edge_place> places;
   places.reserve(loop.size());
   for(const Crossing& c : loop)
-    places.push_back({mesh.points[c.left], mesh.points[c.right], c.ratio});
+    places.push_back({mesh.points[c.left], mesh.points[c.right], ratio_on_surface(mesh, c)});
   return places;
 }
 

@@ -17,11 +17,13 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/host_device.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -61,20 +63,41 @@ private:
   Index size_;
 };
 
+/// the vertex after `v` in the ring of `u`, and the one before it: the third corners of the faces
+/// to the left and to the right of their edge. Looked up where there are fewer neighbours: a vertex
+/// may have a million.
+CGAL_HTL_HOST_DEVICE inline Index
+after(const Ring& ring_of_u, const Ring& ring_of_v, Index u, Index v) {
+  return ring_of_u.size() <= ring_of_v.size() ? ring_of_u.after(v) : ring_of_v.before(u);
+}
+CGAL_HTL_HOST_DEVICE inline Index
+before(const Ring& ring_of_u, const Ring& ring_of_v, Index u, Index v) {
+  return ring_of_u.size() <= ring_of_v.size() ? ring_of_u.before(v) : ring_of_v.after(u);
+}
+
 /// A closed oriented triangle mesh as plain arrays. The ordered rings hold all of its
 /// connectivity: (u, ring[i], ring[i+1]) are the faces at u. Vertices are numbered along a
 /// space-filling curve, so that neighbours are near in memory; coordinates are moved and scaled
 /// into the unit box, so that neither underflow nor overflow has to be thought of again.
+///
+/// Each boundary curve of a surface is closed by a cap: a fan of faces around a vertex more, its
+/// hub. What is asked of the surface with its caps can be asked of closed surfaces only; but a
+/// curve on the surface crosses an edge to a hub at its other end.
 struct Flat_mesh
 {
   Uninitialized_vector<Vector> points;
   Uninitialized_vector<Index> row_begin; ///< size n + 1
   Uninitialized_vector<Index> neighbor;  ///< the rings, one after the other
-  Uninitialized_vector<Index> original;  ///< the caller's index of each vertex
+  Uninitialized_vector<Index> original;  ///< the caller's index of each vertex; larger of hubs
   Uninitialized_vector<Index> component; ///< by vertex, a position in `seeds`
   std::vector<Index> seeds;              ///< one vertex of each component
   double half_scale = 0.5;               ///< half of the caller's unit of length / unit of `points`
   std::size_t genus = 0;                 ///< summed over the components
+  Index first_hub = 0;                   ///< hubs have consecutive numbers
+  Index number_of_hubs = 0;              ///< of the boundary curves
+  std::vector<std::pair<Index, Index>> places_at_hubs; ///< vertices, and positions; sorted
+
+  bool is_hub(Index v) const { return v - first_hub < number_of_hubs; }
 
   std::size_t number_of_vertices() const { return points.size(); }
   std::size_t number_of_faces() const { return neighbor.size() / 3; }
@@ -82,6 +105,23 @@ struct Flat_mesh
   Ring ring(Index v) const {
     return Ring(neighbor.data() + row_begin[v], row_begin[v + 1] - row_begin[v]);
   }
+  /// whether the edge of two neighbours leads to a hub.
+  bool is_spoke(Index u, Index v) const { return is_hub(u) || is_hub(v); }
+
+  /// the faces that are no part of the surface.
+  std::size_t number_of_faces_of_caps() const {
+    return number_of_hubs == 0 ? 0 : row_begin[first_hub + number_of_hubs] - row_begin[first_hub];
+  }
+
+  /// the position of a neighbour in the ring of a vertex.
+  Index position(Index v, Index neighbor_of_v) const {
+    if(!is_hub(v))
+      return ring(v).position(neighbor_of_v);
+    return std::lower_bound(places_at_hubs.begin(), places_at_hubs.end(),
+                            std::make_pair(neighbor_of_v, Index(0)))
+        ->second;
+  }
+
   double edge_length(Index u, Index v) const {
     const Vector to = points[v] - points[u];
     return rounded_length(to[0], to[1], to[2]);

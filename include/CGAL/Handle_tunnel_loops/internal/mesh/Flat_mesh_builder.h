@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Boundary_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Rings_of_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Unit_box.h>
@@ -36,10 +37,9 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Turns any `FaceListGraph` into a `Flat_mesh`, and refuses, naming the element, whatever is not a
-/// closed oriented 2-manifold triangle mesh. Linear in the size of the mesh. Isolated vertices are
-/// left out. The mesh is walked once and in its own order, which its halfedges are likely to
-/// follow.
+/// Turns any `FaceListGraph` into a `Flat_mesh`, and refuses, naming the element, whatever is not
+/// an oriented 2-manifold triangle mesh. Linear in the size of the mesh. Isolated vertices are left
+/// out. The mesh is walked once and in its own order, which its halfedges are likely to follow.
 template <typename TriangleMesh, typename VertexIndexMap, typename VertexPointMap>
 class Flat_mesh_builder
 {
@@ -62,14 +62,17 @@ public:
   Flat_mesh build() {
     collect_vertices();
     rings_.read(execution_, vertices_);
+    curves_ = Boundary_curves(tm_, index_, rings_.take_borders(), index_bound_);
     read_points();
     number_vertices();
     fill_rings();
+    add_caps();
     find_components();
     return std::move(mesh_);
   }
 
-  /// the vertex of each index of the flat mesh; to be called after `build()`.
+  /// the vertex of each index of the flat mesh but for the hubs, which come last; to be called
+  /// after `build()`.
   std::vector<vertex_descriptor> take_vertices() { return std::move(vertices_); }
 
 private:
@@ -85,7 +88,7 @@ private:
       if(halfedge(v, tm_) != Graph_traits::null_halfedge())
         vertices_.push_back(v);
     }
-    if(index_bound_ >= no_index)
+    if(index_bound_ >= no_index / 2)
       throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many vertices");
   }
 
@@ -111,10 +114,13 @@ private:
     const Unit_box box(execution_, points_);
     const std::size_t n = points_.size();
     order_ = space_filling_order(execution_, n, [&](std::size_t i) { return box(points_[i]); });
+    const std::size_t n_with_hubs = n + curves_.size();
     mesh_.half_scale = box.half_scale();
-    mesh_.points.resize(n);
-    mesh_.original.resize(n);
-    mesh_.row_begin.resize(n + 1);
+    mesh_.first_hub = static_cast<Index>(n);
+    mesh_.number_of_hubs = static_cast<Index>(curves_.size());
+    mesh_.points.resize(n_with_hubs);
+    mesh_.original.resize(n_with_hubs);
+    mesh_.row_begin.resize(n_with_hubs + 1);
     flat_index_.assign(index_bound_, no_index);
     std::vector<vertex_descriptor> sorted(n);
     for_each_index(execution_, n, [&](std::size_t i) {
@@ -129,7 +135,9 @@ private:
     });
     Uninitialized_vector<Vector>().swap(points_);
     vertices_ = std::move(sorted);
-    mesh_.row_begin[n] = 0;
+    for(std::size_t i = 0; i < curves_.size(); ++i)
+      mesh_.row_begin[n + i] = static_cast<Index>(curves_[i].size());
+    mesh_.row_begin[n_with_hubs] = 0;
     mesh_.neighbor.resize(sum_before_each(execution_, mesh_.row_begin));
   }
 
@@ -139,7 +147,7 @@ private:
     for_each_index(execution_, order_.size(), [&](std::size_t i) {
       Index position = mesh_.row_begin[i];
       for(Index u : rings_[order_[i]])
-        mesh_.neighbor[position++] = flat_index_[u];
+        mesh_.neighbor[position++] = u == no_index ? hub_at(i) : flat_index_[u];
       CGAL_assertion(position == mesh_.row_begin[i + 1]);
       const Ring ring = mesh_.ring(static_cast<Index>(i));
       if(rings_.has_several_fans(order_[i]))
@@ -155,6 +163,32 @@ private:
     if(parallel_edges.found())
       throw_vertex_defect(Mesh_defect::PARALLEL_EDGES, mesh_.original[parallel_edges.get()],
                           "two edges join a vertex to the same neighbour");
+  }
+
+  Index hub_at(std::size_t i) const {
+    return mesh_.first_hub + curves_.curve_at(mesh_.original[i]);
+  }
+
+  // A hub lies in the middle of the vertices of its curve.
+  void add_caps() {
+    for_each_index(
+        execution_, curves_.size(),
+        [this](std::size_t i) {
+          const Index hub = mesh_.first_hub + static_cast<Index>(i);
+          Vector sum = {0., 0., 0.};
+          Index position = mesh_.row_begin[hub];
+          for(Index u : curves_[i]) {
+            sum = sum + mesh_.points[flat_index_[u]];
+            mesh_.neighbor[position++] = flat_index_[u];
+          }
+          mesh_.points[hub] = (1. / double(curves_[i].size())) * sum;
+          mesh_.original[hub] = static_cast<Index>(index_bound_ + i);
+        },
+        1);
+    for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
+      for(Index p = 0; p < mesh_.ring(hub).size(); ++p)
+        mesh_.places_at_hubs.emplace_back(mesh_.ring(hub)[p], p);
+    std::sort(mesh_.places_at_hubs.begin(), mesh_.places_at_hubs.end());
   }
 
   static bool is_permutation(std::vector<Index> numbers) {
@@ -219,9 +253,10 @@ private:
   std::size_t index_bound_ = 0;                       // above the caller's indices
   std::vector<vertex_descriptor> vertices_;           // in the order of the mesh, then sorted
   Rings_of_mesh<TriangleMesh, VertexIndexMap> rings_; // in the order of the mesh
-  Uninitialized_vector<Vector> points_;               // in the order of the mesh
-  std::vector<Index> order_;      // by flat index, the place in the order of the mesh
-  std::vector<Index> flat_index_; // by caller's index
+  Boundary_curves curves_;
+  Uninitialized_vector<Vector> points_; // in the order of the mesh
+  std::vector<Index> order_;            // by flat index, the place in the order of the mesh
+  std::vector<Index> flat_index_;       // by caller's index
 };
 
 } // namespace internal

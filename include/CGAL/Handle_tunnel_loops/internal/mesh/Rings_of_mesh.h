@@ -27,8 +27,9 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The rings of the vertices of a mesh, as caller's indices, each read once. That they are all the
-/// halfedges is known from their number; only if it is not, the halfedges are looked at one by one.
+/// The rings of the vertices of a mesh, as caller's indices, each read once; `no_index` is where
+/// the boundary is. That they are all the halfedges is known from their number; only if it is not,
+/// the halfedges are looked at one by one.
 template <typename TriangleMesh, typename VertexIndexMap> class Rings_of_mesh
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -49,7 +50,7 @@ public:
     std::size_t number_of_halfedges = 0;
     bool are_triangles = true;
     for(const Range& range : ranges_) {
-      number_of_halfedges += range.neighbor.size();
+      number_of_halfedges += range.neighbor.size() - range.borders.size();
       are_triangles = are_triangles && range.are_triangles;
     }
     if(!are_triangles || number_of_halfedges != num_halfedges(tm_))
@@ -67,9 +68,22 @@ public:
     return Ring(range.neighbor.data() + begin, range.row_end[i % grain] - begin);
   }
 
-  /// whether more halfedges lead to the i-th vertex than those of its ring.
+  /// whether the faces around the i-th vertex are not one fan: its ring has the boundary twice, or
+  /// more halfedges lead to it than those of its ring.
   bool has_several_fans(std::size_t i) const {
-    return !valence_.empty() && valence_[i] != (*this)[i].size();
+    const Ring ring = (*this)[i];
+    const auto gaps = std::count(ring.begin(), ring.end(), no_index);
+    return gaps > 1 || (!valence_.empty() && valence_[i] != ring.size() - gaps);
+  }
+
+  /// the halfedges without a face, in the order of the vertices to which they lead.
+  std::vector<halfedge_descriptor> take_borders() {
+    std::vector<halfedge_descriptor> borders;
+    for(Range& range : ranges_) {
+      borders.insert(borders.end(), range.borders.begin(), range.borders.end());
+      range.borders.clear();
+    }
+    return borders;
   }
 
   void clear() { ranges_ = {}; }
@@ -79,6 +93,7 @@ private:
   {
     std::vector<Index> neighbor;
     std::vector<Index> row_end;
+    std::vector<halfedge_descriptor> borders;
     bool are_triangles = true;
   };
 
@@ -96,14 +111,19 @@ private:
       do {
         range.neighbor.push_back(static_cast<Index>(caller_index(source(h, tm_))));
         range.are_triangles = range.are_triangles && is_in_triangle(h);
-        h = prev(opposite(h, tm_), tm_);
+        const halfedge_descriptor out = opposite(h, tm_);
+        h = prev(out, tm_);
+        if(is_border(out, tm_)) {
+          range.neighbor.push_back(no_index);
+          range.borders.push_back(h);
+        }
       } while(h != first);
       range.row_end.push_back(static_cast<Index>(range.neighbor.size()));
     }
   }
 
   bool is_in_triangle(halfedge_descriptor h) const {
-    return !is_border(h, tm_) && next(next(h, tm_), tm_) == prev(h, tm_);
+    return is_border(h, tm_) || next(next(h, tm_), tm_) == prev(h, tm_);
   }
 
   // Names the first halfedge that is wrong. If there is none, the rings may still have missed some,
@@ -112,9 +132,6 @@ private:
     std::vector<Index> valence; // by caller's index
     for(halfedge_descriptor h : halfedges(tm_)) {
       const std::size_t from = caller_index(source(h, tm_)), to = caller_index(target(h, tm_));
-      if(is_border(h, tm_))
-        throw_edge_defect(Mesh_defect::BOUNDARY_EDGE, from, to,
-                          "the mesh is not closed, boundary edge");
       if(!is_in_triangle(h))
         throw_edge_defect(Mesh_defect::NOT_TRIANGULATED, from, to,
                           "a face is not a triangle, at its");

@@ -55,28 +55,27 @@ throw_edge_defect(Mesh_defect defect, std::size_t u, std::size_t v, const std::s
                                what + ": edge " + std::to_string(u) + " - " + std::to_string(v));
 }
 
-/// throws `Invalid_mesh_exception`, naming an edge, unless all faces are triangles and no edge has
-/// a face on one side only.
+/// throws `Invalid_mesh_exception`, naming an edge, unless all faces are triangles. Returns whether
+/// every edge has faces on both sides.
 template <typename TriangleMesh, typename VertexIndexMap>
-void check_closed_triangles(Execution execution, const TriangleMesh& tm, VertexIndexMap index) {
+bool is_closed_after_check(Execution execution, const TriangleMesh& tm, VertexIndexMap index) {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  const auto is_good = [&](Halfedge h) {
-    return !is_border(h, tm) && next(next(next(h, tm), tm), tm) == h;
-  };
-  std::atomic<bool> are_good{true};
+  const auto is_good = [&](Halfedge h) { return next(next(next(h, tm), tm), tm) == h; };
+  std::atomic<bool> are_good{true}, is_closed{true};
   parts_of(halfedges(tm)).for_each(execution, [&](Halfedge h) {
-    if(!is_good(h))
+    if(is_border(h, tm))
+      is_closed = false;
+    else if(!is_good(h))
       are_good = false;
   });
-  if(are_good)
-    return;
-  for(Halfedge h : halfedges(tm))
-    if(!is_good(h))
-      throw_edge_defect(is_border(h, tm) ? Mesh_defect::BOUNDARY_EDGE
-                                         : Mesh_defect::NOT_TRIANGULATED,
-                        get(index, source(h, tm)), get(index, target(h, tm)),
-                        is_border(h, tm) ? "the mesh is not closed, boundary edge"
-                                         : "a face is not a triangle, at its");
+  for(Halfedge h : halfedges(tm)) {
+    if(are_good)
+      break;
+    if(!is_border(h, tm) && !is_good(h))
+      throw_edge_defect(Mesh_defect::NOT_TRIANGULATED, get(index, source(h, tm)),
+                        get(index, target(h, tm)), "a face is not a triangle, at its");
+  }
+  return is_closed;
 }
 
 } // namespace internal

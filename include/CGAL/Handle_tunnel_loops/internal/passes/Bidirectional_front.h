@@ -107,6 +107,8 @@ public:
 private:
   using Walls = Loop_walls<Loop_set>;
 
+  static constexpr Index many = 1000; // neighbours
+
   // An edge, or one vertex, at which what was reached from the left meets what was reached from the
   // right.
   struct Meeting
@@ -156,8 +158,9 @@ private:
   bool continues_a_meeting(const Meeting& meeting) {
     for(Index v : {meeting.left, meeting.right}) {
       bool is_marked = band_.is_marked(v);
-      for(Index u : mesh_.ring(v))
-        is_marked = is_marked || band_.is_marked(u);
+      if(mesh_.ring(v).size() <= many)
+        for(Index u : mesh_.ring(v))
+          is_marked = is_marked || band_.is_marked(u);
       if(is_marked) {
         mark(meeting);
         return true;
@@ -166,9 +169,15 @@ private:
     return false;
   }
 
+  // The neighbours of a vertex that has many are not asked: it is marked with them.
   void mark(const Meeting& meeting) {
-    band_.mark(meeting.left);
-    band_.mark(meeting.right);
+    for(Index v : {meeting.left, meeting.right}) {
+      band_.mark(v);
+      if(mesh_.ring(v).size() <= many)
+        for(Index u : mesh_.ring(v))
+          if(mesh_.ring(u).size() > many && band_.is_reached(u))
+            band_.mark(u);
+    }
   }
 
   // From `v` to a source.

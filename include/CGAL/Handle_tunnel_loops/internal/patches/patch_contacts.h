@@ -140,11 +140,13 @@ private:
       new_ = boxes(execution, end_of_old_, end_of_new_ = bound);
   }
 
-  // What is gone has no box.
+  // What is gone has no box, and caps are none of the surface.
+  bool counts(Index f) const { return mesh_.is_alive(f) && !mesh_.is_in_cap(f); }
+
   Placed_boxes boxes(Execution execution, Index begin, Index end) const {
     return Placed_boxes(execution, end - begin, [this, begin](std::size_t i) {
       const Index f = begin + static_cast<Index>(i);
-      return mesh_.is_alive(f) ? placed_triangle(mesh_, f).box() : Box<3>::empty();
+      return counts(f) ? placed_triangle(mesh_, f).box() : Box<3>::empty();
     });
   }
 
@@ -154,7 +156,7 @@ private:
     for(std::size_t t = 0; t < patch.triangles().size() && !meets; ++t) {
       const Box<3>& box = patch.box(t);
       const auto check = [&](Index f) {
-        if(meets || !mesh_.is_alive(f) || is_in(f, *replacement.out))
+        if(meets || !counts(f) || is_in(f, *replacement.out))
           return;
         const Placed_triangle face = placed_triangle(mesh_, f);
         meets = face.box().meets(box) && patch.meets(t, face);

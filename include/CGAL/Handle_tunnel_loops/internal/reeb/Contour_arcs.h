@@ -128,7 +128,7 @@ public:
       , order_(&order)
       , level_(level)
       , left_(left)
-      , position_(mesh.ring(left).position(right)) {
+      , position_(mesh.position(left, right)) {
     CGAL_precondition(position_ < mesh.ring(left).size());
     CGAL_precondition(order.rank(left) < level && order.rank(right) >= level);
   }
@@ -148,7 +148,7 @@ public:
     else {
       const Index right = ring[position_];
       left_ = apex;
-      position_ = mesh_->ring(apex).position(right);
+      position_ = mesh_->position(apex, right);
       CGAL_assertion(position_ < mesh_->ring(apex).size());
     }
     return true;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/middle_of_curve.h>
 
 #include <CGAL/number_utils.h>
 
@@ -29,11 +30,11 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// A function of the caller, as numbers to calculate with and as integers to sort by. Integers are
-/// sorted exactly, all else as double.
+/// sorted exactly, all else as double. On a cap it leads from side to side, without a peak.
 class Function_on_vertices
 {
 public:
-  /// \p vertices are those of the flat mesh. Throws `Invalid_function_exception`.
+  /// \p vertices are those of the flat mesh but for the hubs. Throws `Invalid_function_exception`.
   template <typename Map, typename Vertices>
   Function_on_vertices(const Flat_mesh& mesh, const Map& map, const Vertices& vertices) {
     using Scalar = std::decay_t<typename boost::property_traits<Map>::value_type>;
@@ -55,6 +56,11 @@ public:
     }
     if(not_finite != no_index)
       throw Invalid_function_exception(not_finite);
+    for(Index hub = mesh.first_hub; hub < mesh.number_of_vertices(); ++hub) {
+      const Index v = middle_of_curve(mesh, hub, [this](Index u) { return keys_[u]; });
+      values_.push_back(values_[v]);
+      keys_.push_back(keys_[v]);
+    }
   }
 
   double value(Index v) const { return values_[v]; }

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Function_on_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/find_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/middle_of_curve.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -66,9 +67,10 @@ public:
         builder(execution, tm, vertex_index_, point_);
     mesh_ = builder.build();
     vertices_ = builder.take_vertices();
-    statistics_.number_of_vertices = mesh_.number_of_vertices();
-    statistics_.number_of_faces = mesh_.number_of_faces();
+    statistics_.number_of_vertices = mesh_.number_of_vertices() - mesh_.number_of_hubs;
+    statistics_.number_of_faces = mesh_.number_of_faces() - mesh_.number_of_faces_of_caps();
     statistics_.number_of_components = mesh_.seeds.size();
+    statistics_.number_of_boundaries = mesh_.number_of_hubs;
     statistics_.genus = mesh_.genus;
     statistics_.seconds_of_adaptor = seconds_since(began);
   }
@@ -86,7 +88,7 @@ public:
     if(given.empty())
       return {};
     std::vector<Index> flat_index;
-    for(std::size_t i = 0; i < vertices_.size(); ++i) {
+    for(Index i = 0; i < mesh_.number_of_vertices() - mesh_.number_of_hubs; ++i) {
       flat_index.resize((std::max)(flat_index.size(), std::size_t(mesh_.original[i]) + 1),
                         no_index);
       flat_index[mesh_.original[i]] = static_cast<Index>(i);
@@ -137,8 +139,10 @@ private:
     Embedded_reeb_graph flat =
         find_reeb_graph(execution_, mesh_, key, value, measure, threshold_, statistics_);
     const auto began = Clock::now();
+    name_hubs(key);
     if(!allows_parallel_arcs)
       make_simple(flat);
+    leave_out_hubs(flat);
     if constexpr(is_given<internal_np::vertex_arc_map_t>) {
       const auto map = parameters::get_parameter(np_, internal_np::vertex_arc_map);
       for(std::size_t a = 0; a < flat.arcs.size(); ++a)
@@ -149,6 +153,21 @@ private:
         .convert(execution_, std::move(flat), value, graph);
     statistics_.seconds_of_finishing += seconds_since(began);
     return statistics_;
+  }
+
+  // What is at a hub is said to be at a vertex on its curve.
+  template <typename Key> void name_hubs(const Key& key) {
+    vertices_.resize(mesh_.number_of_vertices() - mesh_.number_of_hubs);
+    for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
+      vertices_.push_back(vertices_[middle_of_curve(mesh_, hub, key)]);
+  }
+
+  void leave_out_hubs(Embedded_reeb_graph& flat) const {
+    if(mesh_.number_of_hubs > 0)
+      for(Embedded_reeb_graph::Arc& arc : flat.arcs)
+        arc.vertices.erase(std::remove_if(arc.vertices.begin(), arc.vertices.end(),
+                                          [this](Index v) { return mesh_.is_hub(v); }),
+                           arc.vertices.end());
   }
 
   Execution execution_;

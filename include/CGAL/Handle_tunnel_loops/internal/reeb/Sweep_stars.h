@@ -36,8 +36,9 @@ struct Star
 
 /// the slot of the edge from `u` to its neighbour `v`, among those of `u`.
 inline Index slot_of(const Flat_mesh& mesh, Index u, Index v) {
-  CGAL_precondition_msg(mesh.ring(u).position(v) < mesh.ring(u).size(), "they are neighbours");
-  return mesh.row_begin[u] + mesh.ring(u).position(v);
+  const Index position = mesh.position(u, v);
+  CGAL_precondition_msg(position < mesh.ring(u).size(), "they are neighbours");
+  return mesh.row_begin[u] + position;
 }
 
 inline Star star_of(const Flat_mesh& mesh, const Sweep_order& order, Index v) {

@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The volume that a closed surface bounds, and how it changes if faces take the place of others.
+/// The volume that a surface with its caps bounds, and how it changes if faces take the place of
+/// others. Where there is a boundary, inside is behind the faces.
 class Enclosed_volume
 {
   using Point = Surgery_mesh::Point;
@@ -36,7 +37,7 @@ public:
     for(Index f = first; f < mesh.face_bound(); ++f)
       if(mesh.is_alive(f))
         sum += below(mesh, f);
-    outward_ = sum < 0. ? -1. : 1.;
+    outward_ = sum < 0. && mesh.number_of_hubs() == 0 ? -1. : 1.;
   }
 
   /// of what lies between a face, or a triangle, and the origin: positive if that is inside. It

@@ -83,7 +83,9 @@ public:
       else if((proposal_ = layout.proposal(way(), walks_, reserved_)))
         return;
       else
-        fail("the mesh is too coarse along the loop", false);
+        fail(is_on_boundary(mesh, walks_[way().choice]) ? "the loop comes to the boundary"
+                                                        : "the mesh is too coarse along the loop",
+             false);
     }
   }
 

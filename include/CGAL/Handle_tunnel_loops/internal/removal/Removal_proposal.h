@@ -47,9 +47,11 @@ public:
   }
 
   /// the faces at a simple closed walk after a subdivision. None only if the walk goes around a
-  /// face.
+  /// face, or along the boundary.
   static std::optional<Removal_proposal> subdivided(const Surgery_mesh& mesh,
                                                     const Closed_walk& walk) {
+    if(is_on_boundary(mesh, walk))
+      return std::nullopt;
     auto part = std::make_unique<Part_of_mesh>(mesh, walk);
     const Closed_walk walk_of_part = part->walk_of_part(walk);
     const std::vector<Index> parents = Subdivision_along_walk(part->mesh(), walk_of_part).parents();

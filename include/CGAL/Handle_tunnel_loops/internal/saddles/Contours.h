@@ -143,7 +143,7 @@ private:
   }
 
   CGAL_HTL_HOST_DEVICE Index apex_ahead(Index left, Index right) const {
-    return mesh_.ring(left).after(right);
+    return after(mesh_.ring(left), mesh_.ring(right), left, right);
   }
 
   CGAL_HTL_HOST_DEVICE bool advance(Lower_component_arc& arc) const {

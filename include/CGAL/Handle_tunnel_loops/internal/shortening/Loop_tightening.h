@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Funnel.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/lead_around_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/remove_turns.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
@@ -39,6 +40,10 @@ found with a funnel; the place moves from round to round). And where that path b
 the faces on the other side of the vertex span less than a straight angle, the strip is led around
 that other side; where the strip goes all around the vertex, the turn is left out. All are
 homotopies whatever the numbers say: rounding can cost length, not the class.
+
+A loop that crosses a cap of a boundary curve is led along that curve, the shorter way around, which
+is homotopic on the surface with its caps. No strip is led around the side of a vertex on which
+there is a cap.
 */
 class Loop_tightening
 {
@@ -63,6 +68,7 @@ public:
   void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     CGAL_expensive_precondition(are_consecutive(mesh_, loop));
     remove_backtracks(loop);
+    lead_around_caps(mesh_, loop);
     remove_turns(mesh_, loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
@@ -118,13 +124,19 @@ private:
     const std::vector<Point_2>&left = strip_.left(), &right = strip_.right();
     const std::uint32_t n = static_cast<std::uint32_t>(strip_.size());
     funnel_.start({0, between(left[0], right[0], ratio_at_start_)});
-    funnel_.narrow(Funnel::RIGHT, {1, right[1]});
-    funnel_.narrow(Funnel::LEFT, {1, left[1]});
-    for(std::uint32_t i = 2; i < n; ++i)
-      if(strip_[i].left == strip_[i - 1].left)
+    bool are_both_new = true;
+    for(std::uint32_t i = 1; i < n; ++i) {
+      if(strip_.is_point(i)) {
+        funnel_.go_through({i, left[i]});
+        are_both_new = true;
+        continue;
+      }
+      if(are_both_new || strip_[i].left == strip_[i - 1].left)
         funnel_.narrow(Funnel::RIGHT, {i, right[i]});
-      else
+      if(are_both_new || strip_[i].left != strip_[i - 1].left)
         funnel_.narrow(Funnel::LEFT, {i, left[i]});
+      are_both_new = false;
+    }
     funnel_.finish({n, between(left[n], right[n], ratio_at_start_)});
   }
 
@@ -223,7 +235,8 @@ private:
   }
 
   Fan fan_of(const Bend& bend) const {
-    const bool at_left = strip_.left()[bend.portal] == bend.point;
+    const bool at_left =
+        strip_.left()[bend.portal] == bend.point && !mesh_.is_hub(strip_[bend.portal].left);
     const Index corner = at_left ? strip_[bend.portal].left : strip_[bend.portal].right;
     CGAL_assertion_msg(at_left || strip_.right()[bend.portal] == bend.point,
                        "a path bends at an end of a portal");
@@ -288,9 +301,11 @@ private:
     const Ring ring = mesh_.ring(v);
     const Index end = ring.position(to);
     CGAL_assertion(end < ring.size() && ring.position(from) < ring.size());
+    if(mesh_.is_hub(from))
+      return false;
     for(Index p = ring.position(from); p != end;) {
       const Index q = fan.at_left ? ring.previous(p) : ring.next(p);
-      if(!add_corner(v, ring[p], ring[q], sum))
+      if(mesh_.is_hub(ring[q]) || !add_corner(v, ring[p], ring[q], sum))
         return false;
       p = q;
     }

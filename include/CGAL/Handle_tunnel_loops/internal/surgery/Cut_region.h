@@ -31,10 +31,10 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /*!
-Faces that are taken out to remove handles: a strip along a loop, which is an annulus and leaves two
-holes, so that the genus is one less once these are closed by discs, if the rest of the surface is
-in one piece; or a piece with one hole that holds whole handles. The holes are simple closed curves
-of at least three edges, and they do not touch each other.
+Faces, of no cap, that are taken out to remove handles: a strip along a loop, which is an annulus
+and leaves two holes, so that the genus is one less once these are closed by discs, if the rest of
+the surface is in one piece; or a piece with one hole that holds whole handles. The holes are simple
+closed curves of at least three edges, and they do not touch each other.
 */
 class Cut_region
 {
@@ -115,6 +115,8 @@ private:
   }
 
   static std::optional<Cut_region> of(const Surgery_mesh& mesh, std::vector<Index> faces) {
+    if(std::any_of(faces.begin(), faces.end(), [&](Index f) { return mesh.is_in_cap(f); }))
+      return std::nullopt;
     Cut_region region;
     region.faces_ = std::move(faces);
     if(!region.find_borders(mesh))

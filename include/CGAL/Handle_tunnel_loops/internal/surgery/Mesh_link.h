@@ -38,7 +38,9 @@ Reads a mesh into a `Surgery_mesh`, and changes it later as that has been change
 out is removed, what was put in is added, the rest is not touched. The vertices and faces of the
 mesh have the numbers that its index maps give them.
 
-\tparam TriangleMesh a model of `MutableFaceGraph`, a closed triangle mesh
+Boundary curves get caps, which follow the vertices and faces of the mesh.
+
+\tparam TriangleMesh a model of `MutableFaceGraph`, a triangle mesh
 */
 template <typename TriangleMesh, typename VertexPointMap> class Mesh_link
 {
@@ -61,6 +63,7 @@ public:
         put_at(vertices_, get(vertex_index, v), v, Graph_traits::null_vertex());
     for(face_descriptor f : faces(tm_))
       put_at(faces_, get(face_index, f), f, Graph_traits::null_face());
+    number_of_faces_ = static_cast<Index>(faces_.size());
     std::vector<Surgery_mesh::Point> points(vertices_.size());
     for_each_index(execution, vertices_.size(), [&](std::size_t v) {
       if(vertices_[v] != Graph_traits::null_vertex())
@@ -75,10 +78,16 @@ public:
       halfedge_descriptor h = halfedge(faces_[f], tm_);
       for(std::size_t i = 0; i < 3; ++i, h = next(h, tm_)) {
         corners[f][i] = static_cast<Index>(get(vertex_index, source(h, tm_)));
-        twins[3 * f + i] = number(opposite(h, tm_), face_index);
+        if(!is_border(opposite(h, tm_), tm_))
+          twins[3 * f + i] = number(opposite(h, tm_), face_index);
       }
     });
-    return Surgery_mesh(std::move(points), std::move(corners), std::move(twins));
+    const Index first_hub = static_cast<Index>(points.size());
+    add_caps(vertex_index, face_index, points, corners, twins);
+    const Index number_of_hubs = static_cast<Index>(points.size()) - first_hub;
+    Surgery_mesh mesh(std::move(points), std::move(corners), std::move(twins));
+    mesh.set_hubs(first_hub, number_of_hubs);
+    return mesh;
   }
 
   /// calls `f` with the faces and `v` with the vertices that are added, numbers first. Leaves the
@@ -100,6 +109,46 @@ public:
   }
 
 private:
+  // The first halfedge of each face of a cap is the border.
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  void add_caps(VertexIndexMap vertex_index,
+                FaceIndexMap face_index,
+                std::vector<Surgery_mesh::Point>& points,
+                std::vector<Surgery_mesh::Face>& corners,
+                std::vector<Index>& twins) {
+    std::vector<char> has_cap; // by the halfedges on the other side
+    for(face_descriptor f : faces(tm_))
+      for(halfedge_descriptor inner : halfedges_around_face(halfedge(f, tm_), tm_)) {
+        const halfedge_descriptor first = opposite(inner, tm_);
+        if(!is_border(first, tm_))
+          continue;
+        has_cap.resize(twins.size(), 0);
+        if(has_cap[number(inner, face_index)])
+          continue;
+        const Index hub = static_cast<Index>(points.size()), begin = 3 * number_of_faces_;
+        Surgery_mesh::Kernel::Vector_3 sum(0., 0., 0.);
+        halfedge_descriptor h = first;
+        do {
+          const Index side = number(opposite(h, tm_), face_index);
+          const Index u = static_cast<Index>(get(vertex_index, source(h, tm_)));
+          const Index v = static_cast<Index>(get(vertex_index, target(h, tm_)));
+          has_cap[side] = 1;
+          twins[side] = 3 * number_of_faces_++;
+          corners.push_back({u, v, hub});
+          borders_.push_back(h);
+          const Index next = 3 * number_of_faces_;
+          twins.insert(twins.end(), {side, next + 2, no_index});
+          sum = sum + (points[u] - CGAL::ORIGIN);
+          h = CGAL::next(h, tm_);
+        } while(h != first);
+        const Index end = 3 * number_of_faces_;
+        twins[end - 2] = begin + 2;
+        for(Index i = begin; i < end; i += 3)
+          twins[i + 2] = (i == begin ? end : i) - 2;
+        points.push_back(CGAL::ORIGIN + sum / ((end - begin) / 3));
+      }
+  }
+
   // Elements that belong to nothing yet; they go again if that remains so.
   struct Additions
   {
@@ -143,20 +192,25 @@ private:
   }
 
   halfedge_descriptor halfedge_of(Index h) const {
+    if(h / 3 >= faces_.size())
+      return borders_[h / 3 - faces_.size()];
     halfedge_descriptor descriptor = halfedge(faces_[h / 3], tm_);
     for(Index i = 0; i < h % 3; ++i)
       descriptor = next(descriptor, tm_);
     return descriptor;
   }
 
-  bool is_original(Index f) const { return f < faces_.size(); }
+  bool is_original(Index f) const { return f < number_of_faces_; }
 
   void make_additions(const Surgery_mesh& mesh, Additions& additions) {
-    const Index begin = static_cast<Index>(faces_.size());
+    const Index begin = number_of_faces_;
+    const bool is_read = begin > 0; // and so has no hubs, whatever the copy has
     additions.halfedges.resize(3 * (mesh.face_bound() - begin));
     vertices_.resize(mesh.vertex_bound(), Graph_traits::null_vertex());
     for(Index v = 0; v < mesh.vertex_bound(); ++v)
-      if(vertices_[v] == Graph_traits::null_vertex() && mesh.outgoing(v) != no_index) {
+      if(vertices_[v] == Graph_traits::null_vertex() && mesh.outgoing(v) != no_index &&
+         !(is_read && mesh.is_hub(v)))
+      {
         additions.vertices.push_back({v, vertices_[v] = add_vertex(tm_)});
         const Surgery_mesh::Point& p = mesh.point(v);
         put(point_, vertices_[v], Point(p.x(), p.y(), p.z()));
@@ -210,7 +264,7 @@ private:
   }
 
   void connect(const Surgery_mesh& mesh, const Additions& additions) {
-    const Index begin = static_cast<Index>(faces_.size());
+    const Index begin = number_of_faces_;
     for(const auto& [f, face] : additions.faces) {
       set_halfedge(face, additions.halfedges[3 * (f - begin)], tm_);
       for(Index h : {3 * f, 3 * f + 1, 3 * f + 2}) {
@@ -222,12 +276,16 @@ private:
         set_halfedge(v, descriptor, tm_);
       }
     }
+    for(halfedge_descriptor h : borders_) // by which vertices on the boundary are known
+      set_halfedge(target(h, tm_), h, tm_);
   }
 
   TriangleMesh& tm_;
   VertexPointMap point_;
-  std::vector<vertex_descriptor> vertices_; // by number
-  std::vector<face_descriptor> faces_;      // by number, as they were read
+  std::vector<vertex_descriptor> vertices_;  // by number
+  std::vector<face_descriptor> faces_;       // by number, as they were read
+  std::vector<halfedge_descriptor> borders_; // of the faces of caps, which follow
+  Index number_of_faces_ = 0;                // with those
 };
 
 } // namespace internal

@@ -52,6 +52,12 @@ public:
         twins.push_back(halfedge_of_part(whole.twin(h)));
     }
     mesh_ = Surgery_mesh(std::move(points), std::move(corners), std::move(twins));
+    const auto number_below = [this](Index v) {
+      return static_cast<Index>(std::lower_bound(vertices_.begin(), vertices_.end(), v) -
+                                vertices_.begin());
+    };
+    const Index first_hub = number_below(whole.first_hub());
+    mesh_.set_hubs(first_hub, number_below(whole.first_hub() + whole.number_of_hubs()) - first_hub);
   }
 
   Surgery_mesh& mesh() { return mesh_; }

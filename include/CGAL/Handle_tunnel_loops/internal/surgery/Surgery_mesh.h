@@ -33,6 +33,9 @@ namespace internal {
 A closed oriented triangle mesh whose patches can be exchanged for others. Halfedges 3f, 3f + 1 and
 3f + 2 lead around face f. Faces and vertices are numbered once and for all: what is taken out
 leaves a gap, what is put in comes at the end, so that whatever is not touched keeps its number.
+
+A surface with boundary has caps, fans of faces around hubs, as in `Flat_mesh`. They stay as they
+are, and are not in the way of anything.
 */
 class Surgery_mesh
 {
@@ -56,11 +59,25 @@ public:
       }
   }
 
+  /// says which vertices are hubs.
+  void set_hubs(Index first, Index number) {
+    first_hub_ = first;
+    number_of_hubs_ = number;
+  }
+
   // ---- numbers, gaps included
 
   Index vertex_bound() const { return static_cast<Index>(points_.size()); }
   Index face_bound() const { return static_cast<Index>(faces_.size()); }
   std::size_t number_of_faces() const { return number_of_faces_; }
+
+  /// whether a vertex lies on the boundary of the surface.
+  bool is_on_boundary(Index v) const {
+    bool is_beside_hub = false;
+    if(number_of_hubs_ > 0)
+      for_each_outgoing(v, [&](Index h) { is_beside_hub = is_beside_hub || is_hub(target(h)); });
+    return is_beside_hub;
+  }
 
   // ---- connectivity
 
@@ -76,6 +93,16 @@ public:
   const Point& point(Index v) const { return points_[v]; }
 
   bool is_alive(Index f) const { return faces_[f][0] != no_index; }
+
+  Index first_hub() const { return first_hub_; }
+  Index number_of_hubs() const { return number_of_hubs_; }
+  bool is_hub(Index v) const { return v - first_hub_ < number_of_hubs_; }
+
+  /// whether a face that is alive belongs to a cap.
+  bool is_in_cap(Index f) const {
+    return number_of_hubs_ > 0 &&
+           (is_hub(faces_[f][0]) || is_hub(faces_[f][1]) || is_hub(faces_[f][2]));
+  }
 
   /// a halfedge from a vertex, if it has any.
   Index outgoing(Index v) const { return first_[v]; }
@@ -180,6 +207,7 @@ private:
   std::vector<Index> twins_; // by halfedge
   std::vector<Index> first_; // a halfedge from each vertex
   std::size_t number_of_faces_ = 0;
+  Index first_hub_ = 0, number_of_hubs_ = 0;
 };
 
 /// the vertices of some faces, in ascending order.

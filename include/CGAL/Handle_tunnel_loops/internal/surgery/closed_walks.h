@@ -18,8 +18,10 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -50,7 +52,10 @@ inline bool is_intact(const Surgery_mesh& mesh, const Closed_walk& walk) {
   return true;
 }
 
+/// along an edge; infinite to a hub, so that walks stay on the surface.
 inline double distance(const Surgery_mesh& mesh, Index u, Index v) {
+  if(mesh.is_hub(u) || mesh.is_hub(v))
+    return std::numeric_limits<double>::infinity();
   return std::sqrt(CGAL::squared_distance(mesh.point(u), mesh.point(v)));
 }
 
@@ -67,6 +72,11 @@ inline bool is_simple(Closed_walk walk) {
   const std::size_t size = walk.size();
   make_set(walk);
   return walk.size() == size;
+}
+
+/// whether a closed walk comes to the boundary of the surface.
+inline bool is_on_boundary(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  return std::any_of(walk.begin(), walk.end(), [&](Index v) { return mesh.is_on_boundary(v); });
 }
 
 /// of a closed walk.

@@ -42,6 +42,9 @@ inline Index next(Index h, const Surgery_mesh&) { return Surgery_mesh::next(h); 
 inline Index prev(Index h, const Surgery_mesh&) { return Surgery_mesh::previous(h); }
 inline Index opposite(Index h, const Surgery_mesh& mesh) { return mesh.twin(h); }
 inline Index target(Index h, const Surgery_mesh& mesh) { return mesh.target(h); }
+inline bool is_border(Index h, const Surgery_mesh& mesh) {
+  return mesh.is_in_cap(Surgery_mesh::face(h));
+}
 
 /// a shorter closed walk in the homotopy class of another one, that comes to no vertex twice where
 /// that can be.

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_BOUNDARY_CURVES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_BOUNDARY_CURVES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// the boundary curve around a hub, the surface to its left.
+inline Crossing_loop boundary_curve(const Flat_mesh& mesh, Index hub) {
+  const Ring ring = mesh.ring(hub);
+  Crossing_loop loop;
+  for(Index p = ring.size(); p-- > 0;)
+    loop.push_back({ring[p], hub, 0.});
+  return loop;
+}
+
+/// a short loop in the homotopy class of the curve on the surface, without any cap; the curve
+/// itself where that is a point. It begins beside the curve, and loops enter no cap.
+inline Crossing_loop tightened_boundary(const Flat_mesh& mesh, Index hub) {
+  const Ring ring = mesh.ring(hub);
+  Crossing_loop curve = boundary_curve(mesh, hub);
+  std::vector<Index> walk(ring.begin(), ring.end());
+  std::reverse(walk.begin(), walk.end());
+  Crossing_loop loop = pushed_left(mesh, walk);
+  Loop_tightening(mesh).tighten(loop);
+  return loop.empty() || length(mesh, loop) > length(mesh, curve) ? curve : loop;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_BOUNDARY_CURVES_H

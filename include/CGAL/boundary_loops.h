@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_BOUNDARY_LOOPS_H
+#define CGAL_BOUNDARY_LOOPS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/boundary_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+/// \file boundary_loops.h
+/// The boundary curves of a surface.
+
+namespace CGAL {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+writes the boundary curves of a surface as loops, the surface to their left; or, with `do_tighten`,
+for each a loop of the same homotopy class that is locally shortest: the waist of a sleeve.
+
+All but one of the curves of each component, whichever that is, are a basis of its first homology
+group together with the loops of `handle_tunnel_loops()`. A tightened loop may take the place of its
+curve. It crosses no boundary, but may run along it; where the curve bounds a disk it would shrink
+to a point, and the curve itself is written.
+
+Linear in the size of the mesh; tightening takes up to a multiple of that for each curve, and mostly
+a few rounds along it.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
+  same.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam OutputIterator a model of `OutputIterator` that accepts `Loop_on_surface<TriangleMesh>`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param out the iterator that the loops are written to: of type `Loop_type::BOUNDARY`, and
+  numbered by `pair_index()`
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{do_tighten}
+    \cgalParamDescription{whether the loops are to be shortened}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `out`, past the last loop written
+
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
+  mesh, with or without boundary, with finite coordinates
+
+\sa `handle_tunnel_loops()`
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator boundary_loops(const TriangleMesh& tm,
+                              OutputIterator out,
+                              const NamedParameters& np = parameters::default_values()) {
+  namespace impl = Handle_tunnel_loops::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  const Vertex_point_map point = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                  get_const_property_map(vertex_point, tm));
+  impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
+      builder(execution, tm, vertex_index, point);
+  const impl::Flat_mesh mesh = builder.build();
+  const auto vertices = builder.take_vertices();
+  const auto traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
+  const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(tm, point, traits,
+                                                                                  vertices);
+  const bool do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), false);
+  std::vector<
+      Loop_on_surface<TriangleMesh, typename boost::property_traits<Vertex_point_map>::value_type>>
+      loops(mesh.number_of_hubs);
+  impl::for_each_index(
+      execution, loops.size(),
+      [&](std::size_t i) {
+        const impl::Index hub = mesh.first_hub + static_cast<impl::Index>(i);
+        loops[i] = convert(do_tighten ? impl::tightened_boundary(mesh, hub)
+                                      : impl::boundary_curve(mesh, hub),
+                           Loop_type::BOUNDARY, i);
+      },
+      1);
+  return std::copy(loops.begin(), loops.end(), out);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_LOOPS_H

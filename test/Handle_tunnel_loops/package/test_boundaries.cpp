@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surfaces with boundary: loops stay on the surface, and are a basis of its first homology group
+// together with all boundary curves but one of each component.
+
+#include "Caps_on_holes.h"
+#include "Disks.h"
+#include "Homology_by_collapse.h"
+#include "Loop_definitions.h"
+#include "Meshes_of_soups.h"
+
+#include "generators/Random.h"
+#include "generators/holes.h"
+
+#include <CGAL/Handle_tunnel_loops/loops_as_edges.h>
+#include <CGAL/boundary_loops.h>
+#include <CGAL/cut_to_disk.h>
+#include <CGAL/reeb_graph.h>
+#include <CGAL/reeb_graph_of_function.h>
+#include <CGAL/remove_handles.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using generators::Random;
+
+// Of a connected surface.
+std::vector<Edge_walk<Mesh>> boundary_walks(const Mesh& mesh) {
+  std::vector<Edge_walk<Mesh>> walks;
+  std::set<Mesh::Halfedge_index> seen;
+  for(const auto first : halfedges(mesh))
+    if(is_border(first, mesh) && seen.count(first) == 0) {
+      walks.emplace_back();
+      for(auto h = first; walks.back().empty() || h != first; h = next(h, mesh)) {
+        seen.insert(h);
+        walks.back().push_back(h);
+      }
+    }
+  return walks;
+}
+
+void expect_basis_with_boundaries(const Mesh& mesh, const Pairs& pairs) {
+  const Homology_by_collapse<Mesh> homology(mesh);
+  std::vector<Edge_walk<Mesh>> walks = boundary_walks(mesh);
+  ASSERT_FALSE(walks.empty());
+  walks.pop_back();
+  for(const auto& pair : pairs) {
+    walks.push_back(walk_beside(mesh, pair.handle()));
+    walks.push_back(walk_beside(mesh, pair.tunnel()));
+  }
+  Integer_matrix matrix;
+  for(const auto& walk : walks)
+    matrix.push_back(homology.coordinates(walk));
+  ASSERT_EQ(walks.size(), homology.rank());
+  EXPECT_EQ(abs(determinant(matrix)), 1);
+}
+
+Soup soup_with_holes(const Recipe& recipe, std::size_t number, std::size_t size, Random& random) {
+  generators::Hole_request holes;
+  holes.number = number;
+  holes.faces = size;
+  holes.is_ragged = random.below(2) == 0;
+  holes.seed = static_cast<unsigned>(random.next());
+  return generators::with_holes(soup_of(recipe), holes);
+}
+
+void expect_loops(const Soup& soup, std::size_t genus) {
+  const Mesh mesh = mesh_of(soup);
+  const std::size_t number_of_boundaries = generators::number_of_boundaries(soup);
+  ASSERT_GT(number_of_boundaries, 0u);
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  EXPECT_EQ(solver.genus(), genus);
+  EXPECT_EQ(solver.number_of_boundaries(), number_of_boundaries);
+  Pairs pairs;
+  solver.find_loops(std::back_inserter(pairs));
+  ASSERT_EQ(pairs.size(), genus);
+  for(const auto& pair : pairs)
+    for(const auto* loop : {&pair.handle(), &pair.tunnel()})
+      expect_loop(mesh, get(CGAL::vertex_point, mesh), *loop);
+  expect_paired_basis(with_caps(mesh), pairs);
+  expect_basis_with_boundaries(mesh, pairs);
+  EXPECT_TRUE(CGAL::certify_handle_tunnel_loops(mesh, pairs));
+}
+
+TEST(Boundaries, AreNotLeft) {
+  Random random(1);
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 5}, 2))
+    for(const std::size_t size : {1, 20, 200}) {
+      SCOPED_TRACE(testing::Message() << recipe << ", holes of " << size << " faces");
+      expect_loops(soup_with_holes(recipe, 1 + random.below(12), size, random),
+                   recipe.request.genus);
+    }
+}
+
+TEST(Boundaries, MayBeEverywhere) {
+  Random random(2);
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 4}, 2)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    expect_loops(soup_with_holes(recipe, recipe.request.faces, 1, random), recipe.request.genus);
+  }
+}
+
+// ---- what loops are for
+
+Mesh mesh_with_holes(const Recipe& recipe, std::size_t number, std::size_t size, Random& random) {
+  return mesh_of(soup_with_holes(recipe, number, size, random));
+}
+
+TEST(Boundaries, AreReachedByCuts) {
+  Random random(3);
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 2))
+    for(const std::size_t size : {1, 30}) {
+      SCOPED_TRACE(testing::Message() << recipe << ", holes of " << size << " faces");
+      const Mesh mesh = mesh_with_holes(recipe, 1 + random.below(6), size, random);
+      std::vector<Mesh::Edge_index> cut;
+      CGAL::cut_to_disk(mesh, std::back_inserter(cut));
+      for(const auto e : cut)
+        ASSERT_FALSE(is_border(e, mesh));
+      for(const auto e : edges(mesh))
+        if(is_border(e, mesh))
+          cut.push_back(e);
+      const Opened_surface<Mesh> opened(mesh, cut);
+      EXPECT_EQ(opened.number_of_pieces(), 1u);
+      EXPECT_TRUE(opened.are_disks());
+    }
+}
+
+TEST(Boundaries, AreFilledByReebGraphs) {
+  using Graph = CGAL::Reeb_graph<Mesh>;
+  Random random(4);
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 2)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Mesh mesh = mesh_with_holes(recipe, 1 + random.below(9), 1 + random.below(60), random);
+    for(const bool of_function : {false, true}) {
+      Graph graph;
+      const auto height = [&](Mesh::Vertex_index v) { return mesh.point(v).z(); };
+      const auto map = boost::make_function_property_map<Mesh::Vertex_index>(height);
+      if(of_function)
+        CGAL::reeb_graph_of_function(mesh, map, graph);
+      else
+        CGAL::reeb_graph(mesh, graph);
+      EXPECT_EQ(num_edges(graph) + 1 - num_vertices(graph), recipe.request.genus);
+      std::set<Mesh::Vertex_index> seen;
+      for(const auto arc : boost::make_iterator_range(boost::edges(graph)))
+        for(const Mesh::Vertex_index v : graph[arc].vertices)
+          EXPECT_TRUE(mesh.has_valid_index(v) && !mesh.is_removed(v) && seen.insert(v).second);
+    }
+  }
+}
+
+TEST(Boundaries, StayWhereHandlesAreRemoved) {
+  Random random(5);
+  std::size_t before = 0, after = 0;
+  for(const char* kind : {"torus", "multi-torus", "lattice", "gyroid", "random"}) {
+    Recipe recipe = {kind, {4000, kind == std::string("torus") ? 1u : 4u, 1}};
+    SCOPED_TRACE(testing::Message() << recipe);
+    Mesh mesh = mesh_with_holes(recipe, 5, 20, random);
+    const auto walks = boundary_walks(mesh);
+    const auto report = CGAL::remove_handles(mesh, CGAL::parameters::target_genus(0));
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    EXPECT_EQ(boundary_walks(mesh).size(), walks.size());
+    for(const auto& walk : walks)
+      for(const auto h : walk)
+        EXPECT_TRUE(!mesh.is_removed(h) && is_border(h, mesh));
+    EXPECT_EQ(CGAL::Handle_tunnel_loops_solver<Mesh>(mesh).genus(), report.genus_after);
+    before += report.genus_before;
+    after += report.genus_after;
+  }
+  EXPECT_LE(4 * after, before);
+}
+
+TEST(Boundaries, DoNotKeepLoopsFromEdges) {
+  Random random(6);
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 4}, 2)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    Mesh mesh = mesh_with_holes(recipe, 1 + random.below(9), 1 + random.below(60), random);
+    const std::size_t boundaries = boundary_walks(mesh).size();
+    const Pairs pairs = find_loops(mesh);
+    for(const auto& pair : pairs) {
+      std::vector<Mesh::Halfedge_index> walk;
+      CGAL::loop_to_halfedges(pair.handle(), mesh, std::back_inserter(walk));
+      ASSERT_FALSE(walk.empty());
+      for(std::size_t i = 0; i < walk.size(); ++i)
+        EXPECT_EQ(mesh.target(walk[i]), mesh.source(walk[(i + 1) % walk.size()]));
+    }
+    CGAL::imprint_loops(pairs, mesh, CGAL::Emptyset_iterator());
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh) && CGAL::is_triangle_mesh(mesh));
+    EXPECT_EQ(boundary_walks(mesh).size(), boundaries);
+    EXPECT_EQ(CGAL::Handle_tunnel_loops_solver<Mesh>(mesh).genus(), recipe.request.genus);
+  }
+}
+
+// ---- inside and outside
+
+std::vector<bool> sides(const Mesh& mesh) {
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  Pairs pairs;
+  solver.find_loops(std::back_inserter(pairs));
+  std::vector<bool> result;
+  for(const auto& linking : solver.certificate().linking)
+    result.insert(result.end(),
+                  {linking.bounds_inside(), linking.bounds_outside(), linking.problem.empty()});
+  return result;
+}
+
+TEST(Boundaries, LeaveInsideAndOutsideKnown) {
+  Random random(7);
+  for(const Recipe& recipe : {Recipe{"multi-torus", {2000, 3, 0}}, Recipe{"knot", {1500, 1, 0}},
+                              Recipe{"lattice", {3000, 5, 0}}})
+  {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Soup soup = soup_with_holes(recipe, 5, 10, random);
+    std::vector<bool> expected;
+    for(std::size_t k = 0; k < recipe.request.genus; ++k)
+      expected.insert(expected.end(), {true, false, true, false, true, true});
+    EXPECT_EQ(sides(mesh_of(soup)), expected);
+    // The other way around, too: a handle is what bounds behind the faces.
+    EXPECT_EQ(sides(mesh_of(generators::reversed(soup))), expected);
+  }
+}
+
+TEST(Boundaries, TellBehindByTheirFaces) {
+  Random random(8);
+  const Soup soup = soup_with_holes({"torus", {2000, 1, 0}}, 3, 10, random);
+  const Pairs pairs = find_loops(mesh_of(soup)),
+              reversed = find_loops(mesh_of(generators::reversed(soup)));
+  EXPECT_LT(pairs[0].handle().length(), pairs[0].tunnel().length());
+  EXPECT_NEAR(pairs[0].handle().length(), reversed[0].tunnel().length(), 1e-3);
+  EXPECT_NEAR(pairs[0].tunnel().length(), reversed[0].handle().length(), 1e-3);
+}
+
+// ---- boundary loops
+
+TEST(Boundary_loops, FollowTheBoundary) {
+  Random random(10);
+  const Mesh mesh = mesh_with_holes({"multi-torus", {3000, 2, 0}}, 6, 40, random);
+  std::vector<CGAL::Loop_on_surface<Mesh>> curves, tight;
+  CGAL::boundary_loops(mesh, std::back_inserter(curves));
+  CGAL::boundary_loops(mesh, std::back_inserter(tight), CGAL::parameters::do_tighten(true));
+  ASSERT_EQ(curves.size(), 6u);
+  ASSERT_EQ(tight.size(), 6u);
+  const Homology_by_collapse<Mesh> homology(mesh);
+  for(std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(curves[i].type(), CGAL::Loop_type::BOUNDARY);
+    EXPECT_EQ(curves[i].pair_index(), i);
+    expect_loop(mesh, get(CGAL::vertex_point, mesh), curves[i]);
+    expect_loop(mesh, get(CGAL::vertex_point, mesh), tight[i]);
+    for(const auto h : walk_beside(mesh, curves[i]))
+      EXPECT_TRUE(is_border(opposite(h, mesh), mesh));
+    EXPECT_LE(tight[i].length(), curves[i].length());
+    EXPECT_EQ(homology.coordinates(walk_beside(mesh, tight[i])),
+              homology.coordinates(walk_beside(mesh, curves[i])));
+  }
+}
+
+// A tube that is narrow in the middle.
+TEST(Boundary_loops, ShrinkToTheWaist) {
+  const unsigned around = 40, along = 60;
+  Soup soup;
+  for(unsigned i = 0; i <= along; ++i)
+    for(unsigned j = 0; j < around; ++j) {
+      const double z = 4. * i / along - 2., radius = 0.5 + 0.25 * z * z,
+                   a = 2. * CGAL_PI * j / around;
+      soup.points.push_back({radius * std::cos(a), radius * std::sin(a), z});
+    }
+  for(unsigned i = 0; i < along; ++i)
+    for(unsigned j = 0; j < around; ++j) {
+      const unsigned v = i * around + j, w = i * around + (j + 1) % around;
+      soup.triangles.push_back({v, w, v + around});
+      soup.triangles.push_back({w, w + around, v + around});
+    }
+  const Mesh mesh = mesh_of(soup);
+  std::vector<CGAL::Loop_on_surface<Mesh>> waists;
+  CGAL::boundary_loops(mesh, std::back_inserter(waists), CGAL::parameters::do_tighten(true));
+  ASSERT_EQ(waists.size(), 2u);
+  for(const auto& waist : waists)
+    EXPECT_NEAR(waist.length(), CGAL_PI, 0.02 * CGAL_PI);
+}
+
+} // namespace
