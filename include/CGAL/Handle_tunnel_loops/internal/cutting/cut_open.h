@@ -28,6 +28,9 @@ CGAL_HTL_CORE void check_rules(const Cut_problem& problem);
 /// components of genus 0 unless they have cones or kept edges, or spheres are to be cut.
 CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem);
 
+/// the same with the edges to hubs, if there are any.
+CGAL_HTL_CORE std::vector<Index> cut_graph(Cut_problem problem);
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

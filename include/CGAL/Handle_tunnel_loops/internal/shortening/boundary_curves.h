@@ -31,14 +31,30 @@ inline Crossing_loop boundary_curve(const Flat_mesh& mesh, Index hub) {
   return loop;
 }
 
+/// the curve a little inside of the surface. It enters no cap.
+inline Crossing_loop beside_boundary(const Flat_mesh& mesh, Index hub) {
+  const Ring ring = mesh.ring(hub);
+  std::vector<Index> walk(ring.begin(), ring.end());
+  std::reverse(walk.begin(), walk.end());
+  return pushed_left(mesh, walk);
+}
+
+/// adds, of the boundary curves of each component, all but the last.
+inline void add_boundaries_of_basis(const Flat_mesh& mesh, std::vector<Crossing_loop>& loops) {
+  std::vector<Index> last(mesh.seeds.size(), no_index);
+  const Index end = mesh.first_hub + mesh.number_of_hubs;
+  for(Index hub = mesh.first_hub; hub < end; ++hub)
+    last[mesh.component[hub]] = hub;
+  for(Index hub = mesh.first_hub; hub < end; ++hub)
+    if(last[mesh.component[hub]] != hub)
+      loops.push_back(beside_boundary(mesh, hub));
+}
+
 /// a short loop in the homotopy class of the curve on the surface, without any cap; the curve
 /// itself where that is a point. It begins beside the curve, and loops enter no cap.
 inline Crossing_loop tightened_boundary(const Flat_mesh& mesh, Index hub) {
-  const Ring ring = mesh.ring(hub);
-  Crossing_loop curve = boundary_curve(mesh, hub);
-  std::vector<Index> walk(ring.begin(), ring.end());
-  std::reverse(walk.begin(), walk.end());
-  Crossing_loop loop = pushed_left(mesh, walk);
+  const Crossing_loop curve = boundary_curve(mesh, hub);
+  Crossing_loop loop = beside_boundary(mesh, hub);
   Loop_tightening(mesh).tighten(loop);
   return loop.empty() || length(mesh, loop) > length(mesh, curve) ? curve : loop;
 }

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_DUAL_CUTS_H
+#define CGAL_DUAL_CUTS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Dual_chains.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/boundary_curves.h>
+#include <CGAL/cut_to_disk.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file dual_cuts.h
+/// Cuts that are dual to a basis of loops.
+
+namespace CGAL {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+computes, for each loop of a basis of the first homology group, a cut along edges that crosses this
+loop once and no other, counted with sign: what makes a potential single-valued on a multiply
+connected surface, with one jump for each cut. Cuts of a surface with boundary may begin and end
+there: arcs from boundary to boundary, and loops.
+
+The basis are the loops of the pairs and, of each component with boundary, all boundary curves but
+the last, as `boundary_loops()` writes them, with the surface to their left.
+
+A cut is a chain: halfedges and, for each, how often the cut runs along it (never negative nor
+zero). Apart from the boundary, as many arrive at a vertex as leave it. A loop crosses its cut once
+from right to left. A jump is added wherever an edge of the cut is crossed, as often as it says.
+
+The cuts are combinations of the edges of `cut_to_disk()` that uses the loops of the pairs, hence
+along them where it can be; that they are dual is a matter of integers: the inverse of a matrix of
+intersection numbers. They are short, not shortest.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation, as in `cut_to_disk()`; the
+  result is the same
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
+\tparam OutputIterator a model of `OutputIterator` that accepts
+  `std::vector<std::pair<boost::graph_traits<TriangleMesh>::%halfedge_descriptor, std::int64_t>>`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param pairs its pairs, such as `handle_tunnel_loops()` writes them: all of them
+\param out the iterator that the cuts are written to: of the handle and the tunnel of each pair in
+  turn, then of the boundary curves
+\param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map`
+
+\return `out`, past the last cut written
+
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
+  mesh, with or without boundary, with finite coordinates
+\throws std::invalid_argument if the loops of the pairs are no basis
+
+\sa `cut_to_disk()`
+\sa `boundary_loops()`
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename PairRange,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator dual_cuts(const TriangleMesh& tm,
+                         const PairRange& pairs,
+                         OutputIterator out,
+                         const NamedParameters& np = parameters::default_values()) {
+  namespace impl = Handle_tunnel_loops::internal;
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  const Vertex_point_map point =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(vertex_point, tm));
+  impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
+      builder(execution, tm, vertex_index, point);
+  const impl::Flat_mesh mesh = builder.build();
+  const auto vertices = builder.take_vertices();
+  impl::Cut_request<TriangleMesh, std::decay_t<decltype(vertex_index)>> request(
+      execution, tm, vertex_index, mesh, vertices);
+  request.use_lengths();
+  request.open_at_boundaries();
+  for(const auto& pair : pairs)
+    impl::for_each_loop_of(pair, [&](const auto& loop) { request.add_loop(loop); });
+  std::vector<impl::Crossing_loop> basis;
+  for(const auto& walk : request.problem().walks)
+    basis.push_back(impl::pushed_left(mesh, walk));
+  impl::add_boundaries_of_basis(mesh, basis);
+  const std::vector<impl::Index> cut = impl::cut_graph(request.problem());
+  for(const auto& chain : impl::Dual_chains(request.problem(), cut).dual_to(basis)) {
+    std::vector<std::pair<Halfedge, std::int64_t>> edges;
+    for(const auto& [h, times] : chain) {
+      const impl::Index u = request.problem().halfedges.source(h),
+                        v = request.problem().halfedges.target(h);
+      if(!mesh.is_spoke(u, v))
+        edges.emplace_back(times > 0 ? halfedge(vertices[u], vertices[v], tm).first
+                                     : halfedge(vertices[v], vertices[u], tm).first,
+                           times > 0 ? times : -times);
+    }
+    *out++ = std::move(edges);
+  }
+  return out;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DUAL_CUTS_H
