@@ -51,6 +51,7 @@ set(HTLOOPS_SOURCES
   solve/backends.cpp
   solve/boundaries.cpp
   solve/cut_solver.cpp
+  solve/dual_cut_solver.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
@@ -64,6 +65,7 @@ set(HTLOOPS_SOURCES
   write/atomic_file.cpp
   write/change_table.cpp
   write/cut_exports.cpp
+  write/dual_cuts_json_writer.cpp
   write/events_writer.cpp
   write/export_lines.cpp
   write/export_vtp.cpp

@@ -13,11 +13,13 @@
 #include "commands/help_style.h"
 #include "failure.h"
 #include "solve/cut_solver.h"
+#include "solve/dual_cut_solver.h"
 #include "solve/stopwatch.h"
 #include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
 #include "write/cut_exports.h"
+#include "write/dual_cuts_json_writer.h"
 #include "write/export_lines.h"
 #include "write/mesh_writer.h"
 
@@ -33,6 +35,7 @@ struct Cut_command_options : Common_options
 {
   std::string opened_file;
   std::string selection_file;
+  std::string dual_file;
   std::vector<std::uint32_t> cones;
   bool do_cut_spheres = false;
 };
@@ -88,6 +91,11 @@ void run(const Cut_command_options& options) {
   write_read_mesh(options, mesh);
   const Cut_answer answer = solve(mesh, options);
   write_files(options, mesh, answer);
+  if(!options.dual_file.empty()) {
+    Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+    write_dual_cuts_json(options.dual_file, mesh,
+                         find_dual_cuts(mesh, options.number_of_threads, bar));
+  }
   if(!options.is_quiet)
     show_text(summary(answer, read_seconds), options.opened_file == "-" ||
                                                  options.selection_file == "-" ||
@@ -104,6 +112,13 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
       ->group(group);
   command.add_option("--selection", options.selection_file, "the edges, as a selection of CGAL")
       ->option_text("FILE.selection.txt")
+      ->type_name(output_file)
+      ->group(group);
+  command
+      .add_option("--dual", options.dual_file,
+                  "for each handle and tunnel loop, and all boundary curves but one of each\n"
+                  "component, a cut that crosses it once and no other")
+      ->option_text("FILE.json")
       ->type_name(output_file)
       ->group(group);
   add_lines_option(command, options, "the edges", group);
@@ -125,9 +140,10 @@ void add_computation_options(CLI::App& command, Cut_command_options& options) {
 }
 
 constexpr char description[] =
-    "Cuts a closed triangle mesh open, along short arcs of its edges.\n"
+    "Cuts a triangle mesh open, along short arcs of its edges.\n"
     "\n"
-    "Each component of positive genus becomes one disk, as parametrizations ask for.\n";
+    "Each component of positive genus, or with several boundary curves, becomes one disk, as\n"
+    "parametrizations ask for.\n";
 
 constexpr char examples[] =
     "Examples:\n"
@@ -136,7 +152,8 @@ constexpr char examples[] =
     "                                                  for CGAL::Seam_mesh, and for CGAL's "
     "programs\n"
     "  htloops cut part.off --through 17,4 --picture cut.png\n"
-    "                                                  through two vertices, and a look at it\n";
+    "                                                  through two vertices, and a look at it\n"
+    "  htloops cut plate.off --dual cuts.json          jumps of potentials on a plate with holes\n";
 
 } // namespace
 
