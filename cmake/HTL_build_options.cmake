@@ -12,6 +12,10 @@ else()
     $<$<BOOL:${HTL_NATIVE}>:-march=native>)
 endif()
 
+if(HTL_BUILD_FUZZERS) # coverage, of everything that is linked
+  target_compile_options(htl_build_options INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(htl_build_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(HTL_SANITIZE)
   target_compile_options(htl_build_options INTERFACE
     -fsanitize=${HTL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

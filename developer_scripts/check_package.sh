@@ -16,7 +16,7 @@ complain() { echo "$*" >>"$findings"; }
 
 # What git would commit from here: its files, and those it does not ignore.
 files() {
-  git ls-files --cached --others --exclude-standard -- "$@" | while read -r file; do
+  git ls-files --cached --others --exclude-standard -- "$@" ':!fuzz/corpus' | while read -r file; do
     [ ! -f "$file" ] || echo "$file"
   done
 }

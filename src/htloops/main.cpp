@@ -26,12 +26,12 @@ namespace {
 
 using htloops::Exit_code;
 
-constexpr char description[] = "Finds handle and tunnel loops, and Reeb graphs, on closed triangle "
+constexpr char description[] = "Finds handle and tunnel loops, and Reeb graphs, on triangle "
                                "meshes, and cuts them open.\n";
 
 constexpr char footer[] =
     "Exit codes: 0 done, 1 no certified answer, 2 wrong usage or unwritable output,\n"
-    "  3 a file cannot be read, 4 the mesh is not a closed oriented manifold of triangles,\n"
+    "  3 a file cannot be read, 4 the mesh is not an oriented manifold of triangles,\n"
     "  5 the backend asked for is not there, 130 interrupted.\n"
     "\n"
     "Examples:\n"

@@ -211,7 +211,7 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
 }
 
 constexpr char description[] =
-    "Computes the Reeb graph of a closed triangle mesh.\n"
+    "Computes the Reeb graph of a triangle mesh.\n"
     "\n"
     "Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an "
     "animal,\n"

@@ -265,7 +265,7 @@ void add_output_options(CLI::App& command, Remove_options& options) {
 }
 
 constexpr char description[] =
-    "Removes handles of a closed triangle mesh.\n"
+    "Removes handles of a triangle mesh.\n"
     "\n"
     "A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the "
     "ends\n"

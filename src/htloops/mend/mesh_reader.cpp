@@ -26,7 +26,7 @@ namespace {
 std::string message(const std::string& file, const std::vector<Defect>& defects) {
   if(defects.size() == 1)
     return file + ": " + defects.front().message + "; ";
-  std::string text = file + " is no closed oriented manifold of triangles:";
+  std::string text = file + " is no oriented manifold of triangles:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   return text + "\n";

@@ -12,6 +12,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace htloops {
 
@@ -22,6 +23,11 @@ class Input_file
 public:
   /// throws `Failure` if the file cannot be read.
   Input_file(std::string name);
+
+  /// a file that is in memory already; its name says of which format it is.
+  Input_file(std::string name, std::string content)
+      : name_(std::move(name))
+      , content_(std::move(content)) {}
 
   const std::string& name() const { return name_; }
   std::string_view content() const { return content_; }

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_FUZZ_TARGET_H
+#define HTL_FUZZ_TARGET_H
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+/// What a target does with an input. It returns, whatever that is.
+void fuzz(const std::string& input);
+
+/// ends the program if something does not hold.
+inline void require(bool condition, const char* what) {
+  if(condition)
+    return;
+  std::fprintf(stderr, "this does not hold: %s\n", what);
+  std::abort();
+}
+
+#endif // HTL_FUZZ_TARGET_H

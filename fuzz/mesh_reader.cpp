@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+//
+// A file of a mesh, of the format HTL_FUZZED_FORMAT: read, mended, and made a mesh. All that may
+// happen is that it is refused.
+
+#include "fuzz_target.h"
+
+#include "failure.h"
+#include "mend/mending.h"
+#include "read/mesh_builder.h"
+#include "read/soup_diagnosis.h"
+#include "read/soup_reader.h"
+
+namespace {
+
+using namespace htloops;
+
+void build_if_sound(const Soup& soup) {
+  const Diagnosis diagnosis = diagnose(soup);
+  if(diagnosis.defects.empty())
+    require(build_mesh(soup, diagnosis).is_valid(), "a sound soup is a valid mesh");
+}
+
+} // namespace
+
+void fuzz(const std::string& input) {
+  try {
+    const Soup soup = read_soup(Input_file("mesh." HTL_FUZZED_FORMAT, input));
+    build_if_sound(soup);
+    for(const Remedies& remedies :
+        {Remedies{true, false}, Remedies{false, true}, Remedies{true, true}})
+      build_if_sound(mend(soup, remedies).soup);
+  } catch(const Failure&) {
+  }
+}
