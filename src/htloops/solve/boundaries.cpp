@@ -29,7 +29,9 @@ Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists) {
   return boundaries;
 }
 
-std::vector<std::size_t> components_of_vertices(const Mesh& mesh) {
+std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t number_of_them) {
+  if(number_of_them <= 1)
+    return std::vector<std::size_t>(mesh.number_of_vertices(), 0);
   std::vector<std::size_t> of_face(mesh.number_of_faces());
   const std::size_t bound = CGAL::Polygon_mesh_processing::connected_components(
       mesh, boost::make_iterator_property_map(of_face.begin(), get(CGAL::face_index, mesh)));

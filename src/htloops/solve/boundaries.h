@@ -27,8 +27,8 @@ struct Boundaries
 
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists);
 
-/// by vertex, the number of its component: in the order of their smallest vertices.
-std::vector<std::size_t> components_of_vertices(const Mesh& mesh);
+/// by vertex, the number of its component, of so many: in the order of their smallest vertices.
+std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t number);
 
 } // namespace htloops
 

@@ -114,7 +114,8 @@ void write_loops_json(const std::string& target,
                       const Answer& answer,
                       double read_seconds) {
   const auto& linking = answer.certificate.linking;
-  const std::vector<std::size_t> components = components_of_vertices(mesh);
+  const std::vector<std::size_t> components =
+      components_of_vertices(mesh, answer.statistics.number_of_components);
   Json_writer out(target);
   out.member("format", "htloops/1");
   out.member("mesh", json_of_mesh(mesh, answer.statistics));
