@@ -40,7 +40,7 @@ public:
     Index place = 0;       ///< its number in the last layout, or one of those below
     Index apex = no_index; ///< of the triangle whose shape is known
     double along = 0.;     ///< the shape: where the apex is, from left to right
-    double ahead = 0.;     ///< and across; negative if the edge has no length
+    double ahead = 0.;     ///< and across; negative if the edge has no length to speak of
   };
 
   /// in place of a number: the portal is new, and the loop crosses it at this end.
@@ -97,6 +97,9 @@ private:
     right_[i] = mesh_.is_hub(portal.right) ? l : r;
   }
 
+  // Of lengths in the unit box. With smaller ones, quotients are not in the range of numbers.
+  static constexpr double smallest_square = 1e-140;
+
   double squared_length(Index u, Index v) const {
     const Vector e = mesh_.points[v] - mesh_.points[u];
     return dot(e, e);
@@ -107,7 +110,7 @@ private:
     const double to_left = squared_length(portal.left, apex);
     const double to_right = squared_length(portal.right, apex);
     portal.apex = apex;
-    if(base == 0.) {
+    if(base < smallest_square) {
       portal.along = std::sqrt(to_left);
       portal.ahead = -1.;
     } else {
