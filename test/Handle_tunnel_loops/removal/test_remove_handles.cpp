@@ -378,7 +378,7 @@ TEST(Handle_removal, RefusesWhatMakesNoSense) {
   steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
   pairs = {{{steps, {}, 1., CGAL::Loop_type::HANDLE, 0}, pairs.front().tunnel()}};
   expect_refusal(mesh, params::known_pairs(pairs), "not of this mesh");
-  CGAL::Euler::remove_face(halfedge(*faces(mesh).begin(), mesh), mesh);
+  CGAL::Euler::join_face(halfedge(*faces(mesh).begin(), mesh), mesh);
   EXPECT_THROW(CGAL::remove_handles(mesh), htl::Invalid_mesh_exception);
 }
 

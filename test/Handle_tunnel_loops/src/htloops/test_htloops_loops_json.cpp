@@ -72,7 +72,8 @@ protected:
 
 TEST_F(Loops_json, has_the_fields_of_the_format) {
   EXPECT_EQ(document_["format"], "htloops/1");
-  const json mesh = {{"vertices", 4}, {"faces", 4}, {"components", 1}, {"genus", 2}};
+  const json mesh = {
+      {"vertices", 4}, {"faces", 4}, {"components", 1}, {"boundaries", 0}, {"genus", 2}};
   EXPECT_EQ(document_["mesh"], mesh);
   EXPECT_EQ(document_["backend"], "host");
   EXPECT_EQ(document_["threads"], 3);
@@ -92,6 +93,8 @@ TEST_F(Loops_json, has_the_fields_of_the_format) {
   EXPECT_EQ(document_["certificate"], certificate);
   EXPECT_EQ(document_["basis"], "pure");
   EXPECT_EQ(document_["pairs"].size(), 2u);
+  EXPECT_EQ(document_["pairs"][0]["handle"]["component"], 0);
+  EXPECT_EQ(document_["boundaries"], json::array());
   EXPECT_FALSE(document_.contains("linking"));
   EXPECT_FALSE(document_["pairs"][0]["handle"].contains("bounds"));
 }

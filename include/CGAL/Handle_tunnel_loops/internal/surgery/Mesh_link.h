@@ -109,44 +109,44 @@ public:
   }
 
 private:
-  // The first halfedge of each face of a cap is the border.
   template <typename VertexIndexMap, typename FaceIndexMap>
   void add_caps(VertexIndexMap vertex_index,
                 FaceIndexMap face_index,
                 std::vector<Surgery_mesh::Point>& points,
                 std::vector<Surgery_mesh::Face>& corners,
                 std::vector<Index>& twins) {
-    std::vector<char> has_cap; // by the halfedges on the other side
     for(face_descriptor f : faces(tm_))
-      for(halfedge_descriptor inner : halfedges_around_face(halfedge(f, tm_), tm_)) {
-        const halfedge_descriptor first = opposite(inner, tm_);
-        if(!is_border(first, tm_))
-          continue;
-        has_cap.resize(twins.size(), 0);
-        if(has_cap[number(inner, face_index)])
-          continue;
-        const Index hub = static_cast<Index>(points.size()), begin = 3 * number_of_faces_;
-        Surgery_mesh::Kernel::Vector_3 sum(0., 0., 0.);
-        halfedge_descriptor h = first;
-        do {
-          const Index side = number(opposite(h, tm_), face_index);
-          const Index u = static_cast<Index>(get(vertex_index, source(h, tm_)));
-          const Index v = static_cast<Index>(get(vertex_index, target(h, tm_)));
-          has_cap[side] = 1;
-          twins[side] = 3 * number_of_faces_++;
-          corners.push_back({u, v, hub});
-          borders_.push_back(h);
-          const Index next = 3 * number_of_faces_;
-          twins.insert(twins.end(), {side, next + 2, no_index});
-          sum = sum + (points[u] - CGAL::ORIGIN);
-          h = CGAL::next(h, tm_);
-        } while(h != first);
-        const Index end = 3 * number_of_faces_;
-        twins[end - 2] = begin + 2;
-        for(Index i = begin; i < end; i += 3)
-          twins[i + 2] = (i == begin ? end : i) - 2;
-        points.push_back(CGAL::ORIGIN + sum / ((end - begin) / 3));
-      }
+      for(halfedge_descriptor inner : halfedges_around_face(halfedge(f, tm_), tm_))
+        if(is_border(opposite(inner, tm_), tm_) && twins[number(inner, face_index)] == no_index)
+          add_cap(opposite(inner, tm_), vertex_index, face_index, points, corners, twins);
+  }
+
+  // The first halfedge of each face of a cap is the border.
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  void add_cap(halfedge_descriptor border,
+               VertexIndexMap vertex_index,
+               FaceIndexMap face_index,
+               std::vector<Surgery_mesh::Point>& points,
+               std::vector<Surgery_mesh::Face>& corners,
+               std::vector<Index>& twins) {
+    const Index hub = static_cast<Index>(points.size()), begin = 3 * number_of_faces_;
+    Surgery_mesh::Kernel::Vector_3 sum(0., 0., 0.);
+    halfedge_descriptor h = border;
+    do {
+      const Index side = number(opposite(h, tm_), face_index), own = 3 * number_of_faces_++;
+      const Index u = static_cast<Index>(get(vertex_index, source(h, tm_)));
+      const Index v = static_cast<Index>(get(vertex_index, target(h, tm_)));
+      twins[side] = own;
+      twins.insert(twins.end(), {side, own + 5, own - 2}); // of the faces after and before
+      corners.push_back({u, v, hub});
+      borders_.push_back(h);
+      sum = sum + (points[u] - CGAL::ORIGIN);
+      h = next(h, tm_);
+    } while(h != border);
+    const Index end = 3 * number_of_faces_;
+    twins[end - 2] = begin + 2;
+    twins[begin + 2] = end - 2;
+    points.push_back(CGAL::ORIGIN + sum / ((end - begin) / 3));
   }
 
   // Elements that belong to nothing yet; they go again if that remains so.
