@@ -156,7 +156,7 @@ private:
            const std::vector<Front>& before,
            const std::vector<Front>& after) {
     events_.push_back({type, step_of(static_cast<Time>(key >> 32)),
-                       mesh_.original[static_cast<Index>(key)], before, after});
+                       mesh_.index_of_caller(static_cast<Index>(key)), before, after});
   }
 
   const Flat_mesh& mesh_;

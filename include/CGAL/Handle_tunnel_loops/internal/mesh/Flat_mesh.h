@@ -105,6 +105,9 @@ struct Flat_mesh
   Ring ring(Index v) const {
     return Ring(neighbor.data() + row_begin[v], row_begin[v + 1] - row_begin[v]);
   }
+  /// the caller's index of a vertex; of a hub, that of one on its curve.
+  Index index_of_caller(Index v) const { return original[is_hub(v) ? ring(v)[0] : v]; }
+
   /// whether the edge of two neighbours leads to a hub.
   bool is_spoke(Index u, Index v) const { return is_hub(u) || is_hub(v); }
 

@@ -206,7 +206,7 @@ private:
            Index v,
            std::vector<Front_event::Front> before,
            std::vector<Front_event::Front> after) {
-    events_.push_back({type, step, mesh_.original[v], std::move(before), std::move(after)});
+    events_.push_back({type, step, mesh_.index_of_caller(v), std::move(before), std::move(after)});
   }
 
   const Flat_mesh& mesh_;
