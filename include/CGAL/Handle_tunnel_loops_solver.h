@@ -238,12 +238,8 @@ private:
                          on_capped](impl::Execution execution, const impl::Class_options& wanted,
                                     std::optional<impl::Loop_relations> relations,
                                     std::vector<Pair>& pairs, impl::Progress& progress) {
-      auto certification = impl::certification<typename Capped_surface::Pair>(
-          capped->mesh(), point, capped->vertex_index(), get(face_index, capped->mesh()),
-          wanted.kind);
-      certification.set_boundaries(capped->boundaries());
       return name_and_certify(
-          execution, std::move(certification),
+          execution, impl::certification_of_capped(*capped, wanted.kind),
           impl::Offset_classifier<Mesh, std::decay_t<decltype(point)>>(capped->mesh(), point),
           wanted.do_link, std::move(relations), on_capped(pairs), pairs, progress);
     };

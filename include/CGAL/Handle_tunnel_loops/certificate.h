@@ -148,12 +148,8 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
   const impl::Flat_mesh mesh = builder.build();
   const impl::Capped_surface<typename Pair::Loop::Point> capped(mesh, builder.take_vertices(),
                                                                 point);
-  auto certification = impl::certification<typename std::decay_t<decltype(capped)>::Pair>(
-      capped.mesh(), capped.mesh().points(), capped.vertex_index(), get(face_index, capped.mesh()),
-      kind);
-  certification.set_boundaries(capped.boundaries());
-  return impl::certify(execution, std::move(certification), capped.pairs(pairs, tm, vertex_index),
-                       do_link);
+  return impl::certify(execution, impl::certification_of_capped(capped, kind),
+                       capped.pairs(pairs, tm, vertex_index), do_link);
 }
 
 } // namespace CGAL

@@ -291,6 +291,16 @@ certification(const TriangleMesh& tm,
   return {tm, point, vertex_index, face_index, kind};
 }
 
+/// that of a surface with boundary, looked at with its caps.
+template <typename CappedSurface>
+auto certification_of_capped(const CappedSurface& capped, Basis_kind kind) {
+  auto result = internal::certification<typename CappedSurface::Pair>(
+      capped.mesh(), capped.mesh().points(), capped.vertex_index(), get(face_index, capped.mesh()),
+      kind);
+  result.set_boundaries(capped.boundaries());
+  return result;
+}
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
