@@ -291,7 +291,7 @@ private:
           choose_parameter(get_parameter(np, internal_np::device_options), Device_options()));
       flat_pairs = impl::Loop_pipeline(*passes, options, progress).run(statistics_);
     }
-    const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+    const impl::Execution execution = impl::execution_of<ConcurrencyTag>().watched_by(progress);
     impl::Class_options wanted;
     wanted.kind = choose_parameter(get_parameter(np, internal_np::basis_kind), Basis_kind::PURE);
     wanted.do_link = choose_parameter(get_parameter(np, internal_np::do_compute_linking), true);

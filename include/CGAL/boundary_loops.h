@@ -16,7 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/boundary_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
@@ -37,15 +37,20 @@ namespace CGAL {
 \ingroup PkgHandleTunnelLoopsRef
 
 writes the boundary curves of a surface as loops, the surface to their left; or, with `do_tighten`,
-for each a loop of the same homotopy class that is locally shortest: the waist of a sleeve.
+for each a short loop that is homologous to it: the waist of a sleeve.
 
 All but one of the curves of each component, whichever that is, are a basis of its first homology
 group together with the loops of `handle_tunnel_loops()`. A tightened loop may take the place of its
-curve. It crosses no boundary, but may run along it; where the curve bounds a disk it would shrink
-to a point, and the curve itself is written.
+curve. It crosses no boundary, but may run along it.
 
-Linear in the size of the mesh; tightening takes up to a multiple of that for each curve, and mostly
-a few rounds along it.
+A chain is homologous to a boundary curve if it separates that from all others. So the shortest is a
+minimum cut, wherever on the surface it lies: of a graph on the mesh, which makes its length a few
+percent too large. Then it is tightened to a closed geodesic. Where the shortest chain is several
+loops (the two legs of trousers may be narrower than the waist), or the curve is the only one of its
+component and separates nothing, the curve itself is tightened, which does not change its homotopy
+class; and where it bounds a disk it would shrink to a point, and is written as it is.
+
+Linear in the size of the mesh; with `do_tighten` mostly near linear for each curve.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
@@ -112,19 +117,18 @@ OutputIterator boundary_loops(const TriangleMesh& tm,
   const auto traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
   const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(tm, point, traits,
                                                                                   vertices);
-  const bool do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), false);
+  std::vector<impl::Crossing_loop> flat_loops;
+  if(choose_parameter(get_parameter(np, internal_np::do_tighten), false))
+    flat_loops = impl::waists(execution, mesh);
+  else
+    for(impl::Index hub = mesh.first_hub; hub < mesh.first_hub + mesh.number_of_hubs; ++hub)
+      flat_loops.push_back(impl::boundary_curve(mesh, hub));
   std::vector<
       Loop_on_surface<TriangleMesh, typename boost::property_traits<Vertex_point_map>::value_type>>
-      loops(mesh.number_of_hubs);
+      loops(flat_loops.size());
   impl::for_each_index(
       execution, loops.size(),
-      [&](std::size_t i) {
-        const impl::Index hub = mesh.first_hub + static_cast<impl::Index>(i);
-        loops[i] = convert(do_tighten ? impl::tightened_boundary(mesh, hub)
-                                      : impl::boundary_curve(mesh, hub),
-                           Loop_type::BOUNDARY, i);
-      },
-      1);
+      [&](std::size_t i) { loops[i] = convert(flat_loops[i], Loop_type::BOUNDARY, i); }, 1);
   return std::copy(loops.begin(), loops.end(), out);
 }
 

@@ -26,16 +26,22 @@ using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Exact_rational;
 using CGAL::Handle_tunnel_loops::generators::Random;
 
+using Rational_vector = Vector_of_numbers<Exact_rational>;
+
+Rational_vector rational(const Vector& v) {
+  return {Exact_rational(v[0]), Exact_rational(v[1]), Exact_rational(v[2])};
+}
+
 int sign(const Exact_rational& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 // Points with rational coordinates, projected by the definition.
 struct By_definition
 {
-  std::vector<Exact_vector> points;
+  std::vector<Rational_vector> points;
   Projected_points::Direction direction;
 
-  Exact_vector projected(Index p) const {
-    const Exact_vector& v = points[p];
+  Rational_vector projected(Index p) const {
+    const Rational_vector& v = points[p];
     return {Exact_rational(v[0] - Exact_rational(direction.a) * v[2]),
             Exact_rational(v[1] - Exact_rational(direction.b) * v[2]), Exact_rational(0)};
   }
@@ -46,7 +52,7 @@ struct By_definition
 
   // With r moved by (s, s^2), where s is tiny beside all differences.
   int turn_to_moved(Index p, Index q, Index r, const Exact_rational& s) const {
-    const Exact_vector step = {s, Exact_rational(s * s), Exact_rational(0)};
+    const Rational_vector step = {s, Exact_rational(s * s), Exact_rational(0)};
     return sign(cross(projected(q) - projected(p), projected(r) + step - projected(p))[2]);
   }
 
@@ -68,12 +74,12 @@ protected:
     points.see_along(direction);
     By_definition expected{{}, direction};
     for(const Vector& v : vertices)
-      expected.points.push_back(Exact_rational(2) * exact(v));
+      expected.points.push_back(rational(v) + rational(v));
     while(expected.points.size() < number_of_points) {
       const Index u = static_cast<Index>(random.below(number_of_vertices));
       const Index v = static_cast<Index>(random.below(number_of_vertices));
       points.add_midpoint(u, v);
-      expected.points.push_back(exact(vertices[u]) + exact(vertices[v]));
+      expected.points.push_back(rational(vertices[u]) + rational(vertices[v]));
     }
     const auto any = [&] { return static_cast<Index>(random.below(number_of_points)); };
     Exact_rational tiny = 1e-300;

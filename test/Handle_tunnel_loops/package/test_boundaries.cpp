@@ -4,9 +4,8 @@
 // Surfaces with boundary: loops stay on the surface, and are a basis of its first homology group
 // together with all boundary curves but one of each component.
 
-#include "Caps_on_holes.h"
+#include "Boundary_definitions.h"
 #include "Disks.h"
-#include "Homology_by_collapse.h"
 #include "Loop_definitions.h"
 #include "Meshes_of_soups.h"
 
@@ -35,37 +34,6 @@ namespace {
 
 using generators::Random;
 
-// Of a connected surface.
-std::vector<Edge_walk<Mesh>> boundary_walks(const Mesh& mesh) {
-  std::vector<Edge_walk<Mesh>> walks;
-  std::set<Mesh::Halfedge_index> seen;
-  for(const auto first : halfedges(mesh))
-    if(is_border(first, mesh) && seen.count(first) == 0) {
-      walks.emplace_back();
-      for(auto h = first; walks.back().empty() || h != first; h = next(h, mesh)) {
-        seen.insert(h);
-        walks.back().push_back(h);
-      }
-    }
-  return walks;
-}
-
-void expect_basis_with_boundaries(const Mesh& mesh, const Pairs& pairs) {
-  const Homology_by_collapse<Mesh> homology(mesh);
-  std::vector<Edge_walk<Mesh>> walks = boundary_walks(mesh);
-  ASSERT_FALSE(walks.empty());
-  walks.pop_back();
-  for(const auto& pair : pairs) {
-    walks.push_back(walk_beside(mesh, pair.handle()));
-    walks.push_back(walk_beside(mesh, pair.tunnel()));
-  }
-  Integer_matrix matrix;
-  for(const auto& walk : walks)
-    matrix.push_back(homology.coordinates(walk));
-  ASSERT_EQ(walks.size(), homology.rank());
-  EXPECT_EQ(abs(determinant(matrix)), 1);
-}
-
 Soup soup_with_holes(const Recipe& recipe, std::size_t number, std::size_t size, Random& random) {
   generators::Hole_request holes;
   holes.number = number;
@@ -84,12 +52,7 @@ void expect_loops(const Soup& soup, std::size_t genus) {
   EXPECT_EQ(solver.number_of_boundaries(), number_of_boundaries);
   Pairs pairs;
   solver.find_loops(std::back_inserter(pairs));
-  ASSERT_EQ(pairs.size(), genus);
-  for(const auto& pair : pairs)
-    for(const auto* loop : {&pair.handle(), &pair.tunnel()})
-      expect_loop(mesh, get(CGAL::vertex_point, mesh), *loop);
-  expect_paired_basis(with_caps(mesh), pairs);
-  expect_basis_with_boundaries(mesh, pairs);
+  expect_pairs_with_boundaries(mesh, pairs, genus);
   EXPECT_TRUE(CGAL::certify_handle_tunnel_loops(mesh, pairs));
 }
 
@@ -264,15 +227,14 @@ TEST(Boundary_loops, FollowTheBoundary) {
   }
 }
 
-// A tube that is narrow in the middle.
-TEST(Boundary_loops, ShrinkToTheWaist) {
+// Around the z axis, from z = -2 to z = 2.
+template <typename Radius> Mesh tube(const Radius& radius) {
   const unsigned around = 40, along = 60;
   Soup soup;
   for(unsigned i = 0; i <= along; ++i)
     for(unsigned j = 0; j < around; ++j) {
-      const double z = 4. * i / along - 2., radius = 0.5 + 0.25 * z * z,
-                   a = 2. * CGAL_PI * j / around;
-      soup.points.push_back({radius * std::cos(a), radius * std::sin(a), z});
+      const double z = 4. * i / along - 2., a = 2. * CGAL_PI * j / around;
+      soup.points.push_back({radius(z) * std::cos(a), radius(z) * std::sin(a), z});
     }
   for(unsigned i = 0; i < along; ++i)
     for(unsigned j = 0; j < around; ++j) {
@@ -280,12 +242,56 @@ TEST(Boundary_loops, ShrinkToTheWaist) {
       soup.triangles.push_back({v, w, v + around});
       soup.triangles.push_back({w, w + around, v + around});
     }
-  const Mesh mesh = mesh_of(soup);
+  return mesh_of(soup);
+}
+
+std::vector<CGAL::Loop_on_surface<Mesh>> waists_of(const Mesh& mesh) {
   std::vector<CGAL::Loop_on_surface<Mesh>> waists;
   CGAL::boundary_loops(mesh, std::back_inserter(waists), CGAL::parameters::do_tighten(true));
+  return waists;
+}
+
+TEST(Boundary_loops, ShrinkToTheWaist) {
+  const auto waists = waists_of(tube([](double z) { return 0.5 + 0.25 * z * z; }));
   ASSERT_EQ(waists.size(), 2u);
   for(const auto& waist : waists)
     EXPECT_NEAR(waist.length(), CGAL_PI, 0.02 * CGAL_PI);
+}
+
+// The curve at the upper end would rest at the wider waist beside it.
+TEST(Boundary_loops, ShrinkToTheNarrowestWaist) {
+  const auto waists =
+      waists_of(tube([](double z) { return 0.75 + 0.1 * z + 0.2 * std::cos(2. * CGAL_PI * z); }));
+  ASSERT_EQ(waists.size(), 2u);
+  EXPECT_NEAR(waists[0].length(), waists[1].length(), 1e-3);
+  for(const auto& waist : waists) {
+    EXPECT_LT(waist.length(), 2. * CGAL_PI * 0.41);
+    for(const auto& p : waist.points())
+      EXPECT_NEAR(p.z(), -1.5, 0.1);
+  }
+}
+
+TEST(Boundary_loops, ShrinkInTheirClass) {
+  Random random(11);
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 2))
+    for(const std::size_t number : {2, 5}) {
+      SCOPED_TRACE(testing::Message() << recipe << ", " << number << " holes");
+      const Mesh mesh = mesh_with_holes(recipe, number, 1 + random.below(100), random);
+      const Homology_by_collapse<Mesh> homology(mesh);
+      std::vector<CGAL::Loop_on_surface<Mesh>> curves;
+      CGAL::boundary_loops(mesh, std::back_inserter(curves));
+      const auto waists = waists_of(mesh);
+      ASSERT_EQ(waists.size(), curves.size());
+      for(std::size_t i = 0; i < waists.size(); ++i) {
+        expect_loop(mesh, get(CGAL::vertex_point, mesh), waists[i]);
+        EXPECT_LE(waists[i].length(), (1. + 1e-12) * curves[i].length());
+        EXPECT_EQ(homology.coordinates(walk_beside(mesh, waists[i])),
+                  homology.coordinates(walk_beside(mesh, curves[i])));
+      }
+      if(waists.size() == 2) { // of one class but for the sense
+        EXPECT_NEAR(waists[0].length(), waists[1].length(), 1e-12 * waists[0].length());
+      }
+    }
 }
 
 } // namespace

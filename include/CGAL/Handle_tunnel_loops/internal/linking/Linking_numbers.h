@@ -264,9 +264,11 @@ private:
         execution, corners.boxes.size(),
         [&](std::size_t begin, std::size_t end) {
           std::vector<Matrix_entry> part;
-          for(std::size_t i = begin; i < end; i += corners_at_once)
+          for(std::size_t i = begin; i < end; i += corners_at_once) {
+            execution.look();
             add_crossings(tree, edges.numbers, corners, i, (std::min)(end, i + corners_at_once),
                           part);
+          }
           add_up(part);
           return part;
         },

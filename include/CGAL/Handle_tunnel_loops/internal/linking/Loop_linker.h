@@ -143,6 +143,7 @@ private:
     bool is_any_new = is_first && !loops_.empty();
     walks_.resize(loops_.size());
     for(std::size_t i = is_first ? find_straight_walks(execution) : 0; i < loops_.size(); ++i) {
+      execution.look();
       Walk walk = walker_(*loops_[i]);
       if(walker_.has_failed() && is_first) {
         walk = walker_.straight(*loops_[i]);

@@ -38,7 +38,7 @@ midpoints of pairs of vertices. They are projected along (a, b, 1) to the plane 
 coordinates, that is to (x - a z, y - b z), so that the viewer is where z is large. Predicates are
 evaluated in floating point with a bound of the error. Where that does not decide, they are
 evaluated from close by, with each axis scaled to the points at hand, as one point far away or one
-long axis would else leave nothing to see of the others; and at last with rational numbers.
+long axis would else leave nothing to see of the others; and at last exactly.
 */
 class Projected_points
 {
@@ -237,14 +237,14 @@ private:
   // ... projected; the last coordinate is of no use then.
   Exact_vector exact_projected_difference(Index p, Index q) const {
     Exact_vector v = exact_difference(p, q);
-    v[0] -= Exact_rational(direction_.a) * v[2];
-    v[1] -= Exact_rational(direction_.b) * v[2];
+    v[0] -= Exact_number(direction_.a) * v[2];
+    v[1] -= Exact_number(direction_.b) * v[2];
     return v;
   }
 
   int exact_turn(Index p, Index q, Index r) const {
     const Exact_vector u = exact_projected_difference(p, q), v = exact_projected_difference(p, r);
-    return sign_of(Exact_rational(u[0] * v[1] - u[1] * v[0]));
+    return sign_of(Exact_number(u[0] * v[1] - u[1] * v[0]));
   }
 
   // The sign of a coordinate of the projection of q, seen from that of p.

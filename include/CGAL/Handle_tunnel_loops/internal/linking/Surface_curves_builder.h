@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_position.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Even_axes.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -59,6 +60,7 @@ public:
       pieces[i].index_bound = index_bound(walks[i], pieces[i].entered);
     });
     number_vertices(execution, walks, pieces);
+    Even_axes(curves_.vertices).scale(); // linking numbers stay what they are
     number_edges(execution, walks);
     for_each_loop(execution, walks, [&](std::size_t i) {
       add_copy(pieces[i].entered, static_cast<Index>(i), pieces[i]);

@@ -27,12 +27,12 @@ CGAL_HTL_CORE std::vector<int> signs_of_volumes(
     std::size_t number_of_components,
     const std::function<void(const std::function<void(std::size_t, const Triangle&)>&)>&
         for_each_triangle) {
-  std::vector<Exact_rational> volumes(number_of_components);
+  std::vector<Exact_number> volumes(number_of_components);
   for_each_triangle([&](std::size_t component, const Triangle& t) {
     volumes[component] += dot(exact(t[0]), cross(exact(t[1]), exact(t[2])));
   });
   std::vector<int> signs;
-  for(const Exact_rational& volume : volumes)
+  for(const Exact_number& volume : volumes)
     signs.push_back(sign_of(volume));
   return signs;
 }

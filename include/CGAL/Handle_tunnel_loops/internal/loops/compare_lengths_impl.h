@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Square_root_sum.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>

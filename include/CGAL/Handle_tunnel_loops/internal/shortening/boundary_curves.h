@@ -13,7 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <algorithm>
 #include <vector>
@@ -48,15 +47,6 @@ inline void add_boundaries_of_basis(const Flat_mesh& mesh, std::vector<Crossing_
   for(Index hub = mesh.first_hub; hub < end; ++hub)
     if(last[mesh.component[hub]] != hub)
       loops.push_back(beside_boundary(mesh, hub));
-}
-
-/// a short loop in the homotopy class of the curve on the surface, without any cap; the curve
-/// itself where that is a point. It begins beside the curve, and loops enter no cap.
-inline Crossing_loop tightened_boundary(const Flat_mesh& mesh, Index hub) {
-  const Crossing_loop curve = boundary_curve(mesh, hub);
-  Crossing_loop loop = beside_boundary(mesh, hub);
-  Loop_tightening(mesh).tighten(loop);
-  return loop.empty() || length(mesh, loop) > length(mesh, curve) ? curve : loop;
 }
 
 } // namespace internal

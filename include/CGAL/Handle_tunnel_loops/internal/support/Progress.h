@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <CGAL/assertions.h>
@@ -30,7 +31,7 @@ namespace internal {
 
 /// Tells the visitor of the stages and the callback of the progress, measures the stages, and
 /// remembers a wish to stop. The callback is never called by two threads at once.
-class Progress
+class Progress final : public Watch
 {
 public:
   using Stage_function = std::function<void(Stage)>;
@@ -110,6 +111,13 @@ public:
     return !is_interrupted_;
   }
 
+  /// asks whether to go on, unless it has been asked just before; for many threads.
+  void look() override {
+    if(callback_ && Clock::now().time_since_epoch().count() > next_look_)
+      goes_on();
+    throw_if_interrupted();
+  }
+
   bool is_interrupted() const { return is_interrupted_; }
 
   void throw_if_interrupted() const {
@@ -136,6 +144,7 @@ private:
       sum += weight;
     }
     reported_ = (std::max)(reported_, before / sum);
+    next_look_ = (Clock::now() + std::chrono::milliseconds(20)).time_since_epoch().count();
     if(!callback_((std::min)(reported_, 1.)))
       is_interrupted_ = true;
   }
@@ -148,6 +157,7 @@ private:
   Clock::time_point began_;
   std::atomic<std::size_t> done_{0};
   std::atomic<bool> is_interrupted_{false};
+  std::atomic<Clock::rep> next_look_{0};
   std::atomic_flag is_reporting_ = ATOMIC_FLAG_INIT; // in a thread
   double reported_ = 0.;
 };

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Mpzf.h>
 
 #include <array>
 
@@ -22,30 +23,41 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-using Exact_vector = std::array<Exact_rational, 3>;
+/// Sums and products of doubles. Without common divisors to be looked for it is some times as fast
+/// as a rational number.
+#ifdef CGAL_HAS_MPZF
+using Exact_number = Mpzf;
+#else
+using Exact_number = Exact_rational;
+#endif
+
+template <typename Number> using Vector_of_numbers = std::array<Number, 3>;
+using Exact_vector = Vector_of_numbers<Exact_number>;
 
 inline Exact_vector exact(const Vector& a) {
-  return {Exact_rational(a[0]), Exact_rational(a[1]), Exact_rational(a[2])};
+  return {Exact_number(a[0]), Exact_number(a[1]), Exact_number(a[2])};
 }
-inline Exact_vector operator+(const Exact_vector& a, const Exact_vector& b) {
-  return {Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1]), Exact_rational(a[2] + b[2])};
+template <typename N>
+Vector_of_numbers<N> operator+(const Vector_of_numbers<N>& a, const Vector_of_numbers<N>& b) {
+  return {N(a[0] + b[0]), N(a[1] + b[1]), N(a[2] + b[2])};
 }
-inline Exact_vector operator-(const Exact_vector& a, const Exact_vector& b) {
-  return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1]), Exact_rational(a[2] - b[2])};
+template <typename N>
+Vector_of_numbers<N> operator-(const Vector_of_numbers<N>& a, const Vector_of_numbers<N>& b) {
+  return {N(a[0] - b[0]), N(a[1] - b[1]), N(a[2] - b[2])};
 }
-inline Exact_vector operator*(const Exact_rational& s, const Exact_vector& a) {
-  return {Exact_rational(s * a[0]), Exact_rational(s * a[1]), Exact_rational(s * a[2])};
+template <typename N> N dot(const Vector_of_numbers<N>& a, const Vector_of_numbers<N>& b) {
+  return N(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
-inline Exact_rational dot(const Exact_vector& a, const Exact_vector& b) {
-  return Exact_rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+template <typename N>
+Vector_of_numbers<N> cross(const Vector_of_numbers<N>& a, const Vector_of_numbers<N>& b) {
+  return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]), N(a[0] * b[1] - a[1] * b[0])};
 }
-inline Exact_vector cross(const Exact_vector& a, const Exact_vector& b) {
-  return {Exact_rational(a[1] * b[2] - a[2] * b[1]), Exact_rational(a[2] * b[0] - a[0] * b[2]),
-          Exact_rational(a[0] * b[1] - a[1] * b[0])};
-}
-inline bool is_zero(const Exact_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
-inline int sign_of(const Exact_rational& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+template <typename N> int sign_of(const N& x) { return x > N(0) ? 1 : x < N(0) ? -1 : 0; }
+
+template <typename N> bool is_zero(const Vector_of_numbers<N>& a) {
+  return sign_of(a[0]) == 0 && sign_of(a[1]) == 0 && sign_of(a[2]) == 0;
+}
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -30,8 +30,20 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
+/// Knows whether there is use in going on.
+class Watch
+{
+public:
+  /// throws if there is none; for many threads, and so cheap that it can be called very often.
+  virtual void look() = 0;
+
+protected:
+  ~Watch() = default;
+};
+
 /// How to do what can be done in any order: in the calling thread, or in all threads that there
-/// are. It is the first argument of whatever makes use of it, and no answer depends on it.
+/// are. It is the first argument of whatever makes use of it, and no answer depends on it. All that
+/// is done with one that is watched ends soon when the watch says so, by an exception.
 class Execution
 {
 public:
@@ -49,6 +61,19 @@ public:
 
   constexpr bool is_parallel() const { return is_parallel_; }
 
+  /// the same, watched by what lives longer.
+  Execution watched_by(Watch& watch) const {
+    Execution execution = *this;
+    execution.watch_ = &watch;
+    return execution;
+  }
+
+  /// for what takes long in one thread: throws if there is no use in going on.
+  void look() const {
+    if(watch_ != nullptr)
+      watch_->look();
+  }
+
   /// how many threads there may be.
   std::size_t number_of_threads() const;
 
@@ -56,7 +81,10 @@ public:
   /// that size, whatever the number of threads, so that sums kept per range are reproducible.
   template <typename Function>
   void for_ranges(std::size_t n, std::size_t grain, const Function& f) const {
-    const auto call = [&](std::size_t i) { f(i * grain, (std::min)(n, (i + 1) * grain)); };
+    const auto call = [&](std::size_t i) {
+      look();
+      f(i * grain, (std::min)(n, (i + 1) * grain));
+    };
     for_each_range((n + grain - 1) / grain, {&call, [](const void* c, std::size_t i) {
                                                (*static_cast<decltype(&call)>(c))(i);
                                              }});
@@ -73,6 +101,7 @@ private:
   void for_each_range(std::size_t number, const Range_function& f) const;
 
   bool is_parallel_ = false;
+  Watch* watch_ = nullptr;
 };
 
 /// the execution that a concurrency tag stands for.
