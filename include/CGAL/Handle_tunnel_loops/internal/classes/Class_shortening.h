@@ -327,7 +327,7 @@ private:
       c.loop = search_mesh_.loop_along(found.walk);
       if(c.loop.empty())
         continue;
-      Loop_tightening(mesh_).tighten(c.loop);
+      Loop_tightening(execution_, mesh_).tighten(c.loop);
       c.length = length(mesh_, c.loop);
       c.numbers = classes_->numbers(c.loop);
       if(is_pure && !is_of_kind(c.numbers, is_tunnel))

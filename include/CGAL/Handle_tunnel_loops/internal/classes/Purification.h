@@ -234,7 +234,7 @@ private:
       return loops_[m.loop];
     Crossing_loop loop = pushed_left(mesh_, sums.borrow()->walk(m.coordinates));
     if(do_tighten_)
-      Loop_tightening(mesh_).tighten(loop);
+      Loop_tightening(execution_, mesh_).tighten(loop);
     return loop;
   }
 

@@ -106,7 +106,7 @@ public:
       Gauss_reduction(mesh_).reduce(handles_[k], tunnels_[k]);
       progress.advance_one(handles_.size());
     });
-    Dual_loop_improvement(execution_, mesh_, progress).improve(handles_, tunnels_);
+    Dual_loop_improvement(context.execution, mesh_, progress).improve(handles_, tunnels_);
   }
 
   std::vector<Flat_pair> take_pairs() override {
@@ -131,8 +131,12 @@ private:
   }
 
   Pass_context context_with(Progress& progress) const {
-    return {execution_,          mesh_,   *backend_, coefficients_for_searching(coefficients_),
-            options_.do_tighten, progress};
+    return {execution_.watched_by(progress),
+            mesh_,
+            *backend_,
+            coefficients_for_searching(coefficients_),
+            options_.do_tighten,
+            progress};
   }
 
   Execution execution_;

@@ -27,7 +27,7 @@ namespace internal {
 /// What the passes have in common: where fields come from, and how loops are handled side by side.
 struct Pass_context
 {
-  Execution execution;
+  Execution execution; ///< watched by the progress
   const Flat_mesh& mesh;
   Backend& backend;
   Step_coefficients searching; ///< of the fields of the loop passes
@@ -43,20 +43,13 @@ struct Pass_context
 
   /// calls `f(i)` for i in [0, n), each of which is much work, until somebody wants to stop.
   template <typename Function> void for_each(std::size_t n, const Function& f) const {
-    for_each_index(
-        execution, n,
-        [&](std::size_t i) {
-          if(progress.goes_on())
-            f(i);
-        },
-        1);
-    progress.throw_if_interrupted();
+    for_each_index(execution, n, f, 1);
   }
 
   /// tightens a loop, if that is wanted; in the given number of rounds, if there is one.
   template <typename... Rounds> void tighten(Crossing_loop& loop, Rounds... rounds) const {
     if(do_tighten)
-      Loop_tightening(mesh).tighten(loop, rounds...);
+      Loop_tightening(execution, mesh).tighten(loop, rounds...);
   }
 };
 

@@ -144,7 +144,7 @@ private:
     if(walk.empty())
       return {};
     Crossing_loop found = pushed_left(mesh_, walk);
-    Loop_tightening(mesh_).tighten(found);
+    Loop_tightening(execution_, mesh_).tighten(found);
     if(length(mesh_, found) >= gain_worth_having * length_before ||
        !can_replace(found, k, loop, partner, index, partner_index))
       return {};

@@ -81,17 +81,6 @@ public:
     corners.push_back(corner);
   }
 
-  /// lets the path go through a point; a bend, even where it goes straight ahead.
-  void go_through(const Bend& point) {
-    narrow(LEFT, point);
-    const Chain& left = chains_[LEFT];
-    for(std::size_t i = left.first; i < left.corners.size(); ++i)
-      if(left.corners[i].point != bends_.back().point)
-        bends_.push_back(left.corners[i]);
-    for(Chain& chain : chains_)
-      chain.clear();
-  }
-
   /// ends the path.
   void finish(const Bend& goal) {
     narrow(LEFT, goal);

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/lead_around_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/remove_turns.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <CGAL/assertions.h>
@@ -41,15 +42,20 @@ the faces on the other side of the vertex span less than a straight angle, the s
 that other side; where the strip goes all around the vertex, the turn is left out. All are
 homotopies whatever the numbers say: rounding can cost length, not the class.
 
-A loop that crosses a cap of a boundary curve is led along that curve, the shorter way around, which
-is homotopic on the surface with its caps. No strip is led around the side of a vertex on which
-there is a cap.
+A loop that crosses a cap of a boundary curve is led along that curve first, the shorter way around,
+which is homotopic on the surface with its caps. No strip is led around the side of a vertex on
+which there is a cap, so that it enters none.
 */
 class Loop_tightening
 {
 public:
   explicit Loop_tightening(const Flat_mesh& mesh)
-      : mesh_(mesh)
+      : Loop_tightening(Execution(), mesh) {}
+
+  /// as above; ends early where the execution is watched. There is one thread only.
+  Loop_tightening(Execution execution, const Flat_mesh& mesh)
+      : execution_(execution)
+      , mesh_(mesh)
       , strip_(mesh) {}
 
   /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
@@ -84,11 +90,16 @@ public:
     };
     int idle_rounds = 0;
     // Where many points coincide, going around them may seem to gain without end.
-    const std::size_t largest_size = 8 * loop.size() + 64;
-    for(std::size_t round = 1; round <= maximum_number_of_rounds && next_.size() >= 3 &&
-                               next_.size() <= largest_size && idle_rounds < 2;
+    const std::size_t largest_size = 8 * loop.size() + 64,
+                      largest_work = 2 * maximum_number_of_rounds * (loop.size() + 64);
+    std::size_t work = 0;
+    for(std::size_t round = 1;
+        round <= maximum_number_of_rounds && next_.size() >= 3 && next_.size() <= largest_size &&
+        work <= largest_work && idle_rounds < 2;
         ++round)
     {
+      execution_.look();
+      work += next_.size();
       // The place where the path is held moves by an irrational part of the loop each time.
       const std::size_t start = static_cast<std::size_t>(next_.size() * 0.381966);
       ratio_at_start_ = round == 1 ? loop[start].ratio : ratio_of(next_[start]);
@@ -124,18 +135,11 @@ private:
     const std::vector<Point_2>&left = strip_.left(), &right = strip_.right();
     const std::uint32_t n = static_cast<std::uint32_t>(strip_.size());
     funnel_.start({0, between(left[0], right[0], ratio_at_start_)});
-    bool are_both_new = true;
     for(std::uint32_t i = 1; i < n; ++i) {
-      if(strip_.is_point(i)) {
-        funnel_.go_through({i, left[i]});
-        are_both_new = true;
-        continue;
-      }
-      if(are_both_new || strip_[i].left == strip_[i - 1].left)
+      if(i == 1 || strip_[i].left == strip_[i - 1].left)
         funnel_.narrow(Funnel::RIGHT, {i, right[i]});
-      if(are_both_new || strip_[i].left != strip_[i - 1].left)
+      if(i == 1 || strip_[i].left != strip_[i - 1].left)
         funnel_.narrow(Funnel::LEFT, {i, left[i]});
-      are_both_new = false;
     }
     funnel_.finish({n, between(left[n], right[n], ratio_at_start_)});
   }
@@ -235,8 +239,7 @@ private:
   }
 
   Fan fan_of(const Bend& bend) const {
-    const bool at_left =
-        strip_.left()[bend.portal] == bend.point && !mesh_.is_hub(strip_[bend.portal].left);
+    const bool at_left = strip_.left()[bend.portal] == bend.point;
     const Index corner = at_left ? strip_[bend.portal].left : strip_[bend.portal].right;
     CGAL_assertion_msg(at_left || strip_.right()[bend.portal] == bend.point,
                        "a path bends at an end of a portal");
@@ -301,8 +304,6 @@ private:
     const Ring ring = mesh_.ring(v);
     const Index end = ring.position(to);
     CGAL_assertion(end < ring.size() && ring.position(from) < ring.size());
-    if(mesh_.is_hub(from))
-      return false;
     for(Index p = ring.position(from); p != end;) {
       const Index q = fan.at_left ? ring.previous(p) : ring.next(p);
       if(mesh_.is_hub(ring[q]) || !add_corner(v, ring[p], ring[q], sum))
@@ -345,6 +346,7 @@ private:
       next_.push_back({c.left, c.right, 0});
   }
 
+  Execution execution_;
   const Flat_mesh& mesh_;
   Strip strip_;
   Funnel funnel_;

@@ -28,8 +28,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// The strip of triangles that a loop passes, and its layout in the plane. From round to round most
-/// of its triangles stay, so each keeps its shape. Where it leads across a cap, it is as narrow as
-/// its boundary.
+/// of its triangles stay, so each keeps its shape.
 class Strip
 {
 public:
@@ -62,9 +61,6 @@ public:
   std::vector<Portal>::const_iterator begin() const { return portals_.begin(); }
   std::vector<Portal>::const_iterator end() const { return portals_.end(); }
 
-  /// whether a portal is a point: an edge to the hub of a cap.
-  bool is_point(std::size_t i) const { return mesh_.is_spoke(portals_[i].left, portals_[i].right); }
-
   /// the ends of the portals in the plane; portal n is the first one again.
   const std::vector<Point_2>& left() const { return left_; }
   const std::vector<Point_2>& right() const { return right_; }
@@ -76,7 +72,8 @@ private:
     right_.resize(n + 1);
     Point_2 l = {0., 0.}, r = {0., -std::sqrt(squared_length(portals_[0].left, portals_[0].right))};
     for(std::size_t i = 0; i < n; ++i) {
-      set_ends(i, l, r);
+      left_[i] = l;
+      right_[i] = r;
       Portal& from = portals_[i];
       const Portal& to = portals_[i + 1 == n ? 0 : i + 1];
       const bool keeps_left = to.left == from.left;
@@ -88,13 +85,8 @@ private:
       const Point_2 p = apex_position(l, r, from);
       (keeps_left ? r : l) = p;
     }
-    set_ends(n, l, r);
-  }
-
-  void set_ends(std::size_t i, const Point_2& l, const Point_2& r) {
-    const Portal& portal = portals_[i == portals_.size() ? 0 : i];
-    left_[i] = mesh_.is_hub(portal.left) ? r : l;
-    right_[i] = mesh_.is_hub(portal.right) ? l : r;
+    left_[n] = l;
+    right_[n] = r;
   }
 
   // Of lengths in the unit box. With smaller ones, quotients are not in the range of numbers.

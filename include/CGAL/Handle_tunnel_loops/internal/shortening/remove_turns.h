@@ -22,43 +22,63 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// the first crossings, one after the other, that are a turn around a vertex, as [first, end): the
-/// next one would be the first again. Or all, where all of them are turns around one vertex. The
-/// edges are those of a loop or of a strip.
-template <typename Edge>
-std::pair<std::size_t, std::size_t> first_turn(const Flat_mesh& mesh,
-                                               const std::vector<Edge>& edges) {
-  std::size_t first_at_left = 0, first_at_right = 0; // the first that ends where edge i does
-  std::pair<std::size_t, std::size_t> turn = {edges.size(), edges.size()};
-  const auto set_turn = [&](Index v, std::size_t first, std::size_t end) {
-    if(end - first == edges.size())
-      turn = {first, end};
-    else if(end - first > 3 && end - first > mesh.ring(v).size())
-      turn = {first, end - 1};
-    return turn.first < turn.second;
-  };
-  for(std::size_t i = 1; i < edges.size(); ++i) {
-    if(edges[i].left != edges[i - 1].left)
-      first_at_left = i;
-    if(edges[i].right != edges[i - 1].right)
-      first_at_right = i;
-    if(set_turn(edges[i].left, first_at_left, i + 1) ||
-       set_turn(edges[i].right, first_at_right, i + 1))
-      break;
-  }
-  return turn;
-}
-
-/// takes out, from a loop without backtracks, turns around a vertex, which are no way at all. Every
+/// Takes out, from a loop without backtracks, turns around a vertex, which are no way at all. Every
 /// path becomes shorter by that: after a turn it is on an edge where it was before, and nearer by
-/// the edge.
-template <typename Edge> void remove_turns(const Flat_mesh& mesh, std::vector<Edge>& edges) {
-  for(;;) {
-    const auto [first, end] = first_turn(mesh, edges);
-    if(first == end)
-      return;
-    edges.erase(edges.begin() + first, edges.begin() + end);
+/// the edge. The edges are those of a loop or of a strip. Linear.
+template <typename Edge> class Turn_removal
+{
+public:
+  Turn_removal(const Flat_mesh& mesh, std::vector<Edge>& edges)
+      : mesh_(mesh)
+      , edges_(edges)
+      , begins_(edges.size()) {}
+
+  void run() {
+    for(const Edge& edge : edges_) {
+      edges_[kept_] = edge;
+      note_begins();
+      drop_turn(edge.left, begins_[kept_].at_left);
+      drop_turn(edge.right, begins_[kept_].at_right);
+      ++kept_;
+    }
+    // All of it may be turns around one vertex.
+    const bool is_turn =
+        kept_ > 1 && (begins_[kept_ - 1].at_left == 0 || begins_[kept_ - 1].at_right == 0);
+    edges_.erase(edges_.begin() + (is_turn ? 0 : kept_), edges_.end());
   }
+
+private:
+  // The first of the edges, one after the other, that end at a vertex.
+  struct Begins
+  {
+    std::size_t at_left, at_right;
+  };
+
+  void note_begins() {
+    begins_[kept_] = {kept_, kept_};
+    if(kept_ > 0 && edges_[kept_].left == edges_[kept_ - 1].left)
+      begins_[kept_].at_left = begins_[kept_ - 1].at_left;
+    if(kept_ > 0 && edges_[kept_].right == edges_[kept_ - 1].right)
+      begins_[kept_].at_right = begins_[kept_ - 1].at_right;
+  }
+
+  // If the last edge is the first one at a vertex again, it takes its place.
+  void drop_turn(Index v, std::size_t first) {
+    if(kept_ - first < 3 || kept_ - first < mesh_.ring(v).size())
+      return;
+    edges_[first] = edges_[kept_];
+    kept_ = first;
+    note_begins();
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<Edge>& edges_;
+  std::vector<Begins> begins_;
+  std::size_t kept_ = 0; // edges
+};
+
+template <typename Edge> void remove_turns(const Flat_mesh& mesh, std::vector<Edge>& edges) {
+  Turn_removal<Edge>(mesh, edges).run();
 }
 
 } // namespace internal
