@@ -141,7 +141,7 @@ TEST(Gauss_reduction, TakesTheTwistOutOfAPair) {
     ASSERT_EQ(torus.turns(around), std::pair(1, 0));
     ASSERT_EQ(torus.turns(twisted), std::pair(twist, 1));
     Crossing_loop a = pushed_left(mesh, around), b = pushed_left(mesh, twisted);
-    CGAL::Handle_tunnel_loops::internal::Gauss_reduction(mesh).reduce(a, b);
+    CGAL::Handle_tunnel_loops::internal::Gauss_reduction({}, mesh).reduce(a, b);
     a = taut(mesh, a);
     b = taut(mesh, b);
     const auto turns = [&torus](const Crossing_loop& loop) {

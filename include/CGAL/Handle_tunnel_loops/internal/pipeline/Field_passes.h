@@ -103,7 +103,7 @@ public:
     context.for_each(handles_.size(), [&](std::size_t k) {
       if(!is_refined_[k])
         context.tighten(handles_[k]);
-      Gauss_reduction(mesh_).reduce(handles_[k], tunnels_[k]);
+      Gauss_reduction(context.execution, mesh_).reduce(handles_[k], tunnels_[k]);
       progress.advance_one(handles_.size());
     });
     Dual_loop_improvement(context.execution, mesh_, progress).improve(handles_, tunnels_);

@@ -36,9 +36,9 @@ Adding one element of a basis to another gives a basis again, so nothing has to 
 class Gauss_reduction
 {
 public:
-  explicit Gauss_reduction(const Flat_mesh& mesh)
+  Gauss_reduction(Execution execution, const Flat_mesh& mesh)
       : mesh_(mesh)
-      , tightening_(mesh) {}
+      , tightening_(execution, mesh) {}
 
   void reduce(Crossing_loop& a, Crossing_loop& b) {
     Crossing_loop *shorter = &a, *longer = &b;
@@ -69,8 +69,10 @@ private:
   // does so from the first rounds on: soon there is less left to gain than has been gained.
   bool becomes_shorter(Crossing_loop& loop, double threshold) {
     const double first = length(mesh_, loop);
-    const std::size_t rounds = (std::max)(std::size_t(8), loop.size() / 64);
-    const std::size_t most_work = (std::max)(tightening_.share_of_work(), 200 * loop.size());
+    const std::size_t most_work =
+        (std::max)(tightening_.share_of_work(), tightening_.least_work(loop));
+    const std::size_t rounds =
+        (std::max)(std::size_t(8), (std::min)(loop.size() / 64, most_work / loop.size()));
     double before = first, most_left = 1.5;
     for(std::size_t work = 0; work < most_work; work += rounds * loop.size()) {
       tightening_.tighten(loop, rounds);

@@ -62,12 +62,18 @@ public:
   /// as long as the loop, however fine the mesh is, within a share of work.
   void tighten(Crossing_loop& loop) {
     const std::size_t rounds = (std::min)(loop.size(), share_of_work() / (loop.size() + 1));
-    tighten(loop, (std::max)(std::size_t(200), rounds));
+    tighten(loop, (std::max)(least_work(loop) / (loop.size() + 1), rounds));
   }
 
   /// Crossings times rounds. On a mesh of n faces a loop crosses about as many edges as the square
   /// root of n; only on ugly ones there are loops that need more than the share.
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
+
+  /// what is done even if it is more than the share: 200 rounds, unless the loop crosses more edges
+  /// than there are faces.
+  std::size_t least_work(const Crossing_loop& loop) const {
+    return 200 * (std::min)(loop.size() + 1, mesh_.number_of_faces());
+  }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
   /// latest after the given number of rounds. A loop that becomes a point is empty.
