@@ -47,9 +47,9 @@ public:
   explicit Waist_search(const Flat_mesh& mesh)
       : mesh_(mesh)
       , hub_beside_(mesh.number_of_vertices(), no_index)
-      , distance_(mesh.number_of_vertices())
+      , distance_(mesh.number_of_vertices(), never)
       , previous_(mesh.number_of_vertices())
-      , node_(mesh.number_of_vertices()) {
+      , node_(mesh.number_of_vertices(), no_index) {
     for(Index hub = mesh.first_hub; hub < mesh.first_hub + mesh.number_of_hubs; ++hub)
       for(Index v : mesh.ring(hub))
         hub_beside_[v] = hub;
@@ -63,8 +63,7 @@ public:
     if(way.empty())
       return {};
     find_region(way, longest);
-    number_nodes(hub);
-    if(node_[way.front()] == node_[way.back()])
+    if(!number_nodes(hub))
       return {};
     Minimum_cut cut;
     for_each_edge_of_region([&](Index u, Index v) {
@@ -99,9 +98,15 @@ private:
 
   // ---- distances along edges
 
-  void clear_distances() { std::fill(distance_.begin(), distance_.end(), never); }
+  void clear_distances() {
+    for(const Index v : region_)
+      distance_[v] = never;
+    region_.clear();
+  }
 
   void reach(Index v, double distance, Index previous, Queue& queue) {
+    if(!is_near(v))
+      region_.push_back(v);
     distance_[v] = distance;
     previous_[v] = previous;
     queue.push({distance, v});
@@ -150,29 +155,38 @@ private:
     for(const Index v : way)
       reach(v, 0., no_index, queue);
     grow(queue, share_of_length * longest, [](Index) { return false; });
-    region_.clear();
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
-      if(is_near(v))
-        region_.push_back(v);
+    std::sort(region_.begin(), region_.end()); // neighbours are near in memory
   }
 
   // ---- the graph that is cut
 
   // The vertices of all boundary curves are two nodes, each other one of the region is a node, and
-  // so is each connected part of what is outside.
-  void number_nodes(Index hub) {
-    std::fill(node_.begin(), node_.end(), no_index);
+  // so is each connected part of what is outside. Returns false if no loop in the region parts the
+  // curves.
+  bool number_nodes(Index hub) {
+    for(const Index v : numbered_)
+      node_[v] = no_index;
+    numbered_.clear();
     number_of_nodes_ = 2;
     for(const Index v : region_) {
-      node_[v] = node_at_boundary(v, hub);
-      if(node_[v] == no_index)
-        node_[v] = number_of_nodes_++;
+      const Index at_boundary = node_at_boundary(v, hub);
+      set_node(v, at_boundary == no_index ? number_of_nodes_++ : at_boundary);
     }
+    const Ring curve = mesh_.ring(hub);
+    const bool is_curve_near =
+        std::all_of(curve.begin(), curve.end(), [this](Index v) { return is_near(v); });
+    bool are_parted = true;
     for(const Index u : region_)
       for_each_surface_edge(u, [&](Index v) {
         if(node_[v] == no_index)
-          number_part_outside(v, hub);
+          are_parted = number_part_outside(v, hub, is_curve_near) && are_parted;
       });
+    return are_parted;
+  }
+
+  void set_node(Index v, Index node) {
+    node_[v] = node;
+    numbered_.push_back(v);
   }
 
   Index node_at_boundary(Index v, Index hub) const {
@@ -181,25 +195,32 @@ private:
                                       : Minimum_cut::sink;
   }
 
-  // It is one with the boundary curves that it comes to. Where these are on both sides no loop in
-  // the region parts them, and either side will do.
-  void number_part_outside(Index first, Index hub) {
+  // It is one with the boundary curves that it comes to, which must not be on both sides. Where
+  // only those on one side can be, it is looked at up to the first one.
+  bool number_part_outside(Index first, Index hub, bool is_curve_near) {
+    const std::size_t begin = numbered_.size();
     const Index number = number_of_nodes_;
-    Index node = number;
-    std::vector<Index> part = {first};
-    node_[first] = number;
-    for(std::size_t i = 0; i < part.size(); ++i) {
-      node = (std::min)(node, node_at_boundary(part[i], hub));
-      for_each_surface_edge(part[i], [&](Index v) {
-        if(node_[v] == no_index) {
-          node_[v] = number;
-          part.push_back(v);
-        }
+    bool is_at[2] = {false, false};
+    set_node(first, number);
+    for(std::size_t i = begin; i < numbered_.size() && !(is_curve_near && is_at[Minimum_cut::sink]);
+        ++i)
+    {
+      const Index at_boundary = node_at_boundary(numbered_[i], hub);
+      if(at_boundary != no_index)
+        is_at[at_boundary] = true;
+      for_each_surface_edge(numbered_[i], [&](Index v) {
+        if(node_[v] == no_index)
+          set_node(v, number);
+        else if(!is_near(v) && node_[v] == Minimum_cut::sink) // looked at before
+          is_at[Minimum_cut::sink] = true;
       });
     }
-    for(const Index v : part)
-      node_[v] = node;
-    number_of_nodes_ += node == number;
+    const Index node = is_at[Minimum_cut::sink]     ? Minimum_cut::sink
+                       : is_at[Minimum_cut::source] ? Minimum_cut::source
+                                                    : number_of_nodes_++;
+    for(std::size_t i = begin; i < numbered_.size(); ++i)
+      node_[numbered_[i]] = node;
+    return !is_at[Minimum_cut::sink] || !is_at[Minimum_cut::source];
   }
 
   // From the middle of one face at an edge to that of the other: three times that.
@@ -238,8 +259,9 @@ private:
   std::vector<Index> hub_beside_; // of vertices on boundary curves
   std::vector<double> distance_;  // by vertex
   std::vector<Index> previous_;   // by vertex, on the way to it
-  std::vector<Index> region_;     // vertices
+  std::vector<Index> region_;     // vertices that have a distance
   std::vector<Index> node_;       // by vertex
+  std::vector<Index> numbered_;   // vertices that have a node
   Index number_of_nodes_ = 0;
   std::vector<char> is_beside_curve_; // by node
 };
