@@ -32,7 +32,7 @@ struct Mesh_options
 };
 
 /// What the mesh of most commands is.
-constexpr char mesh_kinds[] = "closed triangle mesh: .off .obj .ply .stl";
+constexpr char mesh_kinds[] = "triangle mesh: .off .obj .ply .stl";
 
 /// declares the mesh, which comes first, `what` it is.
 void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what);

@@ -122,25 +122,29 @@ TEST(Boundaries, AreFilledByReebGraphs) {
   }
 }
 
+// Loops come to large holes, and are led beside them; these are round, so that there is room.
 TEST(Boundaries, StayWhereHandlesAreRemoved) {
-  Random random(5);
   std::size_t before = 0, after = 0;
-  for(const char* kind : {"torus", "multi-torus", "lattice", "gyroid", "random"}) {
-    Recipe recipe = {kind, {4000, kind == std::string("torus") ? 1u : 4u, 1}};
-    SCOPED_TRACE(testing::Message() << recipe);
-    Mesh mesh = mesh_with_holes(recipe, 5, 20, random);
-    const auto walks = boundary_walks(mesh);
-    const auto report = CGAL::remove_handles(mesh, CGAL::parameters::target_genus(0));
-    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
-    EXPECT_EQ(boundary_walks(mesh).size(), walks.size());
-    for(const auto& walk : walks)
-      for(const auto h : walk)
-        EXPECT_TRUE(!mesh.is_removed(h) && is_border(h, mesh));
-    EXPECT_EQ(CGAL::Handle_tunnel_loops_solver<Mesh>(mesh).genus(), report.genus_after);
-    before += report.genus_before;
-    after += report.genus_after;
-  }
-  EXPECT_LE(4 * after, before);
+  for(const char* kind : {"torus", "multi-torus", "lattice", "gyroid"})
+    for(const std::size_t size : {20, 300}) {
+      const Recipe recipe = {kind, {4000, kind == std::string("torus") ? 1u : 4u, 1}};
+      SCOPED_TRACE(testing::Message() << recipe << ", holes of " << size << " faces");
+      generators::Hole_request holes;
+      holes.number = 5;
+      holes.faces = size;
+      Mesh mesh = mesh_of(generators::with_holes(soup_of(recipe), holes));
+      const auto walks = boundary_walks(mesh);
+      const auto report = CGAL::remove_handles(mesh, CGAL::parameters::target_genus(0));
+      EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+      EXPECT_EQ(boundary_walks(mesh).size(), walks.size());
+      for(const auto& walk : walks)
+        for(const auto h : walk)
+          EXPECT_TRUE(!mesh.is_removed(h) && is_border(h, mesh));
+      EXPECT_EQ(CGAL::Handle_tunnel_loops_solver<Mesh>(mesh).genus(), report.genus_after);
+      before += report.genus_before;
+      after += report.genus_after;
+    }
+  EXPECT_LE(8 * after, before) << after << " of " << before << " handles are left";
 }
 
 TEST(Boundaries, DoNotKeepLoopsFromEdges) {

@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/led_off_boundary.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/shortened.h>
 
 #include <cstddef>
@@ -44,7 +45,7 @@ public:
       , separates_(task.choices.size(), 0) {
     task.reasons.assign(task.choices.size(), std::string());
     for(const Loop_choice& choice : task.choices)
-      add_walk(mesh, simple_part(walk_beside(mesh, choice.places)));
+      add_walk(mesh, simple_part(led_off_boundary(mesh, walk_beside(mesh, choice.places))));
   }
 
   Removal_task& task() const { return *task_; }
@@ -118,7 +119,7 @@ public:
     Closed_walk& walk = walks_[choice];
     if(walk.size() < 3 || is_intact(mesh, walk))
       return false;
-    walk = shortened(mesh, detour.around(walk));
+    walk = led_off_boundary(mesh, shortened(mesh, detour.around(walk)));
     if(!is_simple(walk) || length(mesh, walk) > most_growth * lengths_[choice])
       walk.clear();
     is_damaged_[choice] = true;

@@ -34,7 +34,7 @@ public:
   /// leads a loop without backtracks around each cap that it crosses the shorter way, so that it
   /// enters none any more. A homotopy on the surface with its caps. Linear in the number of edges
   /// that are crossed, before and after.
-  void lead(Crossing_loop& loop) {
+  void lead(Crossing_loop& loop) const {
     if(!begin_outside(loop))
       return loop.clear();
     Crossing_loop result;
@@ -45,8 +45,7 @@ public:
       if(out == i + 1)
         result.push_back(loop[i]);
       else {
-        const Crossing& after = loop[out == loop.size() ? 0 : out];
-        append_way(loop[i], {loop.begin() + i + 1, loop.begin() + out}, after, result);
+        append_way(loop[i], {loop.begin() + i + 1, loop.begin() + out}, loop[out], result);
         i = out;
       }
     }
