@@ -38,11 +38,15 @@ public:
     };
     int idle_rounds = 0;
     // Where many points coincide, going around them may seem to gain without end.
-    const std::size_t largest_size = 8 * loop.size() + 64;
+    const std::size_t largest_size = 8 * loop.size() + 64,
+                      largest_work = 2 * maximum_number_of_rounds * (loop.size() + 64);
+    std::size_t work = 0;
     for(std::size_t round = 1; round <= maximum_number_of_rounds && loop.size() >= 3 &&
-                               loop.size() <= largest_size && idle_rounds < 2;
+                               loop.size() <= largest_size && work <= largest_work &&
+                               idle_rounds < 2;
         ++round)
     {
+      work += loop.size();
       rotate_start(loop);
       shorten_within_strip(loop);
       const double current = length_in_plane();

@@ -44,6 +44,7 @@ struct Pass_context
   /// calls `f(i)` for i in [0, n), each of which is much work, until somebody wants to stop.
   template <typename Function> void for_each(std::size_t n, const Function& f) const {
     for_each_index(execution, n, f, 1);
+    progress.throw_if_interrupted();
   }
 
   /// tightens a loop, if that is wanted; in the given number of rounds, if there is one.
