@@ -41,9 +41,9 @@ public:
     const std::size_t largest_size = 8 * loop.size() + 64,
                       largest_work = 2 * maximum_number_of_rounds * (loop.size() + 64);
     std::size_t work = 0;
-    for(std::size_t round = 1; round <= maximum_number_of_rounds && loop.size() >= 3 &&
-                               loop.size() <= largest_size && work <= largest_work &&
-                               idle_rounds < 2;
+    for(std::size_t round = 1;
+        round <= maximum_number_of_rounds && loop.size() >= 3 && loop.size() <= largest_size &&
+        work <= largest_work && idle_rounds < 2;
         ++round)
     {
       work += loop.size();

@@ -57,7 +57,8 @@ TEST(Callback, IsToldTheEndWhereThereIsNothingToDo) {
   EXPECT_EQ(last, 1.);
 }
 
-// Stops wherever it was called in another run; nothing is written, and the solver is as good as new.
+// Stops wherever it was called in another run; nothing is written, and the solver is as good as
+// new.
 TEST(Callback, StopsTheComputation) {
   const Mesh mesh = mesh_of(small_recipe);
   Solver solver(mesh);

@@ -159,8 +159,10 @@ private:
       ++corners;
       h = cut_.following(h);
     } while(h != some_halfedge && corners <= 2 * edges_);
-    some_halfedge_ = some_halfedge;
-    return corners == 2 * edges_;
+    const bool is_disk = corners == 2 * edges_;
+    if(is_disk) // else it is taken out again
+      some_halfedge_ = some_halfedge;
+    return is_disk;
   }
 
   void undo() {
