@@ -14,11 +14,15 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/patches/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/patches/make_smooth.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index_range_set.h>
 
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/iterator.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,6 +36,33 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// The points of a mesh, with predicates that are not exact: enough where any answer is a right
+/// one.
+template <typename SurfaceMesh> class Approximate_points
+{
+  using Original = typename SurfaceMesh::Point;
+
+public:
+  using key_type = typename SurfaceMesh::Vertex_index;
+  using value_type = Simple_cartesian<double>::Point_3;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  explicit Approximate_points(SurfaceMesh& mesh)
+      : points_(mesh.points()) {}
+
+  friend value_type get(const Approximate_points& map, key_type v) {
+    const Original& p = map.points_[v];
+    return {p.x(), p.y(), p.z()};
+  }
+  friend void put(const Approximate_points& map, key_type v, const value_type& p) {
+    put(map.points_, v, Original(p.x(), p.y(), p.z()));
+  }
+
+private:
+  typename SurfaceMesh::template Property_map<key_type, Original> points_;
+};
 
 /// A copy of what is around a region, in which its holes are filled.
 class Holes_of_region
@@ -52,14 +83,16 @@ public:
 
   bool are_triangulated() const { return is_good_; }
 
-  /// inserts vertices, as dense as those around.
+  /// inserts vertices, as dense as those around. The edges that it flips for that have points on a
+  /// plane and a circle as a rule, for which exact predicates would take a third of its time.
   void refine() {
     std::vector<Mesh::Face_index> caps;
     for(Index f = first_cap_face_; f < copy_.number_of_faces(); ++f)
       caps.push_back(Mesh::Face_index(f));
     std::vector<Mesh::Face_index> new_faces;
     Polygon_mesh_processing::refine(copy_, caps, std::back_inserter(new_faces),
-                                    std::back_inserter(own_));
+                                    std::back_inserter(own_),
+                                    parameters::vertex_point_map(Approximate_points<Mesh>(copy_)));
   }
 
   /// makes them smooth, if there are any.
@@ -92,21 +125,22 @@ private:
 
   // All faces at the holes, so that each edge there is known, and those around them where they fit.
   bool copy_surroundings(const Cut_region& region) {
+    const Index_range_set out(region.faces());
     bool is_complete = true;
     for(std::size_t i = 0; i < region.number_of_borders(); ++i)
       for(Index v : region.vertices_of(mesh_, i))
-        is_complete = copy_faces_at(v, region) && is_complete;
+        is_complete = copy_faces_at(v, out) && is_complete;
     const std::size_t number_of_vertices = originals_.size();
     for(std::size_t i = 0; i < number_of_vertices; ++i)
-      copy_faces_at(originals_[i], region);
+      copy_faces_at(originals_[i], out);
     return is_complete;
   }
 
-  bool copy_faces_at(Index v, const Cut_region& region) {
+  bool copy_faces_at(Index v, const Index_range_set& out) {
     bool is_complete = true;
     mesh_.for_each_outgoing(v, [&](Index h) {
       const Index f = mesh_.face(h);
-      if(region.contains(f) || !copied_faces_.insert(f).second)
+      if(out.contains(f) || !copied_faces_.insert(f).second)
         return;
       const Surgery_mesh::Face& c = mesh_.corners(f);
       is_complete = copy_.add_face(copied(c[0]), copied(c[1]), copied(c[2])) != Mesh::null_face() &&

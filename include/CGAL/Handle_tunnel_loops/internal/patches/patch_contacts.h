@@ -64,13 +64,14 @@ public:
   bool meets(const Placed_patch& other) const {
     if(!box_.meets(other.box_))
       return false;
-    const Placed_boxes near = placed_boxes();
     bool meets = false;
-    for(std::size_t j = 0; j < other.triangles_.size(); ++j)
-      near.for_each_near(other.boxes_[j], [&](Index i) {
-        meets = meets || (boxes_[i].meets(other.boxes_[j]) && this->meets(i, other.triangles_[j]) &&
-                          !(is_part(i) && other.is_part(j)));
-      });
+    placed_boxes().for_each_meeting(
+        other.placed_boxes(), [this](Index i) { return boxes_[i]; },
+        [&](Index j) { return other.boxes_[j]; },
+        [&](Index i, Index j) {
+          meets =
+              meets || (this->meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j)));
+        });
     return meets;
   }
 
@@ -80,25 +81,22 @@ public:
       if(triangles_[i].is_degenerate())
         return false;
     const Placed_boxes near = placed_boxes();
+    const auto box = [this](Index i) { return boxes_[i]; };
+    bool is_embedded = true;
     // Parts come first, and do not meet each other.
-    for(Index i = static_cast<Index>(parents_.size()); i < triangles_.size(); ++i) {
-      bool meets = false;
-      near.for_each_near(boxes_[i], [&](Index j) {
-        meets = meets || (j < i && boxes_[i].meets(boxes_[j]) &&
-                          are_in_contact(triangles_[i], triangles_[j]));
-      });
-      if(meets)
-        return false;
-    }
-    return true;
+    near.for_each_meeting(near, box, box, [&](Index i, Index j) {
+      is_embedded =
+          is_embedded && (i <= j || is_part(i) || !are_in_contact(triangles_[i], triangles_[j]));
+    });
+    return is_embedded;
   }
-
-private:
-  bool is_part(std::size_t i) const { return i < parents_.size(); }
 
   Placed_boxes placed_boxes() const {
     return Placed_boxes(Execution(), boxes_.size(), [this](std::size_t i) { return boxes_[i]; });
   }
+
+private:
+  bool is_part(std::size_t i) const { return i < parents_.size(); }
 
   std::vector<Placed_triangle> triangles_, parents_;
   std::vector<Box<3>> boxes_; // of the triangles
@@ -131,45 +129,58 @@ public:
   }
 
 private:
-  // Faces that have come since are few, and kept by themselves.
+  // Some faces that follow each other.
+  struct Layer
+  {
+    Index begin, end;
+    Placed_boxes boxes;
+  };
+
+  // Faces that have come since make a layer by themselves, with layers before that are no larger.
+  // So there are few layers, and no face is put into one more often than that.
   void update(Execution execution) {
-    const Index bound = mesh_.face_bound();
-    if(end_of_old_ == 0)
-      old_ = boxes(execution, 0, end_of_old_ = end_of_new_ = bound);
-    else if(end_of_new_ != bound)
-      new_ = boxes(execution, end_of_old_, end_of_new_ = bound);
+    const Index end = mesh_.face_bound();
+    Index begin = layers_.empty() ? 0 : layers_.back().end;
+    if(begin == end)
+      return;
+    while(!layers_.empty() && layers_.back().end - layers_.back().begin <= end - begin) {
+      begin = layers_.back().begin;
+      layers_.pop_back();
+    }
+    layers_.push_back({begin, end, boxes(execution, begin, end)});
   }
 
   // What is gone has no box, and caps are none of the surface.
   bool counts(Index f) const { return mesh_.is_alive(f) && !mesh_.is_in_cap(f); }
 
+  Box<3> box(Index f) const {
+    return counts(f) ? placed_triangle(mesh_, f).box() : Box<3>::empty();
+  }
+
   Placed_boxes boxes(Execution execution, Index begin, Index end) const {
     return Placed_boxes(execution, end - begin, [this, begin](std::size_t i) {
-      const Index f = begin + static_cast<Index>(i);
-      return counts(f) ? placed_triangle(mesh_, f).box() : Box<3>::empty();
+      return box(begin + static_cast<Index>(i));
     });
   }
 
   bool meets(const Replacement& replacement) const {
     const Placed_patch patch(mesh_, *replacement.patch);
+    const Placed_boxes boxes_of_patch = patch.placed_boxes();
     bool meets = false;
-    for(std::size_t t = 0; t < patch.triangles().size() && !meets; ++t) {
-      const Box<3>& box = patch.box(t);
-      const auto check = [&](Index f) {
-        if(meets || !counts(f) || is_in(f, *replacement.out))
-          return;
-        const Placed_triangle face = placed_triangle(mesh_, f);
-        meets = face.box().meets(box) && patch.meets(t, face);
-      };
-      old_.for_each_near(box, check);
-      new_.for_each_near(box, [&](Index i) { check(end_of_old_ + i); });
-    }
+    for(const Layer& layer : layers_)
+      layer.boxes.for_each_meeting(
+          boxes_of_patch, [&](Index i) { return box(layer.begin + i); },
+          [&](Index t) { return patch.box(t); },
+          [&](Index i, Index t) {
+            const Index f = layer.begin + i;
+            meets =
+                meets || (!is_in(f, *replacement.out) && patch.meets(t, placed_triangle(mesh_, f)));
+          });
     return meets;
   }
 
   const Surgery_mesh& mesh_;
-  Placed_boxes old_, new_; // of faces
-  Index end_of_old_ = 0, end_of_new_ = 0;
+  std::vector<Layer> layers_;
 };
 
 } // namespace internal

@@ -88,8 +88,9 @@ private:
     std::vector<Removal_task*> companions = {}; // tasks that are done with it
     std::vector<Patch> patches = {};            // the first one does not meet itself
     bool are_triangulated = false;
-    bool is_good = false;     // the first patch meets no face that stays
-    bool is_harmless = false; // to the pieces of the surface, with all others that are so
+    bool is_any_embedded = false; // of the patches
+    bool is_good = false;         // the first patch meets no face that stays
+    bool is_harmless = false;     // to the pieces of the surface, with all others that are so
 
     bool is_of_neck() const { return course->task().pair == Removal_task::is_neck; }
     bool is_strip() const { return proposal().region().number_of_borders() == 2; }
@@ -177,6 +178,7 @@ private:
           attempts[i].patches = attempts[i].proposal().patches(mesh_);
           attempts[i].are_triangulated = !attempts[i].patches.empty();
           drop_until_embedded(attempts[i].patches);
+          attempts[i].is_any_embedded = !attempts[i].patches.empty();
         },
         1);
   }
@@ -237,9 +239,12 @@ private:
   void carry_out(const Attempt& attempt) {
     if(attempt.course->is_done())
       return; // with another one
+    if(!attempt.are_triangulated)
+      return attempt.course->fail("the holes cannot be triangulated");
+    if(!attempt.is_any_embedded)
+      return attempt.course->fail_at_loop();
     if(!attempt.is_good)
-      return attempt.course->fail(attempt.are_triangulated ? "the caps would meet the surface"
-                                                           : "the holes cannot be triangulated");
+      return attempt.course->fail("the caps would meet the surface");
     const Patch& patch = attempt.patches.front();
     Placed_patch placed(mesh_, patch, mesh_.vertex_bound());
     // What was put in in this round is part of the mesh in the next one only.

@@ -24,6 +24,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/led_off_boundary.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/shortened.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -40,7 +41,7 @@ class Removal_course
 public:
   Removal_course(const Surgery_mesh& mesh, Removal_task& task)
       : task_(&task)
-      , ways_(ways_of_removal(task.choices))
+      , ways_(ways_of_removal(task))
       , is_damaged_(task.choices.size(), 0)
       , separates_(task.choices.size(), 0) {
     task.reasons.assign(task.choices.size(), std::string());
@@ -59,7 +60,7 @@ public:
 
   /// of the loop of the present way; empty if that has none.
   Closed_walk partner() const {
-    return walks_.size() == 2 ? walks_[1 - way().choice] : Closed_walk();
+    return task_->has_both_loops() ? walks_[1 - way().choice] : Closed_walk();
   }
 
   /// of the present way; nothing if there is no way left.
@@ -104,6 +105,19 @@ public:
     proposal_.reset();
     if(++next_ == ways_.size())
       task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
+  }
+
+  /// gives the present way up, and all others at its loop: caps that cross themselves do so
+  /// wherever they lie there.
+  void fail_at_loop() {
+    if(const Way_of_removal failed = way(); failed.is_at_loop())
+      ways_.erase(std::remove_if(ways_.begin() + static_cast<std::ptrdiff_t>(next_) + 1,
+                                 ways_.end(),
+                                 [&](const Way_of_removal& way) {
+                                   return way.choice == failed.choice && way.is_at_loop();
+                                 }),
+                  ways_.end());
+    fail("the caps would meet each other");
   }
 
   /// gives the loop of the present way up: all strips along it separate the surface.

@@ -51,6 +51,9 @@ struct Removal_task
   std::vector<Loop_choice> choices; ///< in the order in which they are to be tried
   bool are_types_known = true;      ///< or what is taken away will tell
 
+  /// whether the choices are the two loops of a handle, which cross once; or they are any loops.
+  bool has_both_loops() const { return are_types_known && choices.size() == 2; }
+
   State state = State::OPEN;
   bool is_done() const { return state != State::OPEN; }
   std::vector<std::string> reasons; ///< by choice, why not along this one

@@ -41,9 +41,8 @@ void remove_along_loops_nearby(Execution execution,
                                const Surgery_mesh& mesh,
                                std::vector<Removal_task>& tasks,
                                const Ask& ask) {
-  constexpr int most_loops_tried = 8; // of one handle
   Loops_nearby find_nearby(mesh);
-  for(int i = 0; i < most_loops_tried; ++i) {
+  for(;;) {
     std::vector<Removal_task> nearby = find_nearby(execution, tasks);
     if(number_with(Removal_task::State::OPEN, nearby) == 0)
       break;

@@ -66,6 +66,10 @@ public:
       levels_.push_back(unions_of_groups(levels_.back()));
   }
 
+  std::size_t size() const { return levels_.front().size(); }
+
+  const Box& box(std::size_t i) const { return levels_.front()[i]; }
+
   /// calls `f(i, b)` for each box b, with number i, that meets `box`.
   template <typename Function> void for_each_meeting(const Box& box, const Function& f) const {
     if(!levels_.front().empty())

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index_range_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -62,24 +64,33 @@ public:
   static std::optional<Cut_region> whole(const Surgery_mesh& mesh, std::vector<Index> faces) {
     Cut_region region;
     region.faces_ = std::move(faces);
-    region.fill_up(mesh);
-    std::optional<Cut_region> whole = of(mesh, std::move(region.faces_));
-    return whole && whole->borders_.size() == 1 ? whole : std::nullopt;
+    const std::vector<Sourced_halfedge> border = region.fill_up(mesh);
+    if(!region.is_of_handles(mesh, border) || region.borders_.size() != 1)
+      return std::nullopt;
+    return region;
   }
 
-  /// the region with one more ring of faces beyond one of its borders, if it is such a one still.
+  /// the region with one more ring of faces beyond one of its borders, if it is such a one still:
+  /// if these faces are an annulus that touches the region there only.
   std::optional<Cut_region> wider(const Surgery_mesh& mesh, std::size_t border) const {
-    std::optional<Cut_region> region =
-        of_one_handle(mesh, faces_at(mesh, vertices_of(mesh, border), faces_));
-    if(!region || region->borders_.size() != borders_.size())
+    std::vector<Index> beyond = faces_at(mesh, vertices_of(mesh, border), {});
+    beyond.erase(
+        std::remove_if(beyond.begin(), beyond.end(), [this](Index f) { return contains(f); }),
+        beyond.end());
+    const std::optional<Cut_region> ring = of(mesh, std::move(beyond));
+    if(!ring || ring->borders_.size() != 2)
       return std::nullopt;
-    // The other border stays as it is, and keeps its number.
-    if(borders_.size() == 2) {
-      const std::vector<Index>& other = borders_[1 - border];
-      const std::vector<Index>& found = region->borders_[1 - border];
-      if(std::find(found.begin(), found.end(), other.front()) == found.end())
-        std::swap(region->borders_[0], region->borders_[1]);
-    }
+    const std::vector<Index>& side = ring->borders_[0];
+    const Index shared = mesh.twin(borders_[border].front());
+    const std::size_t outer = std::find(side.begin(), side.end(), shared) == side.end() ? 0 : 1;
+    if(borders_.size() == 2 && ring->touches(mesh, outer, vertices_of(mesh, 1 - border)))
+      return std::nullopt;
+    Cut_region region;
+    std::merge(faces_.begin(), faces_.end(), ring->faces_.begin(), ring->faces_.end(),
+               std::back_inserter(region.faces_));
+    region.borders_ = borders_;
+    region.borders_[border] = ring->borders_[outer];
+    region.number_of_handles_ = number_of_handles_;
     return region;
   }
 
@@ -106,6 +117,8 @@ public:
   }
 
 private:
+  using Sourced_halfedge = std::pair<Index, Index>;
+
   static std::vector<Index>
   faces_at(const Surgery_mesh& mesh, const std::vector<Index>& vertices, std::vector<Index> faces) {
     for(Index v : vertices)
@@ -115,20 +128,24 @@ private:
   }
 
   static std::optional<Cut_region> of(const Surgery_mesh& mesh, std::vector<Index> faces) {
-    if(std::any_of(faces.begin(), faces.end(), [&](Index f) { return mesh.is_in_cap(f); }))
-      return std::nullopt;
     Cut_region region;
     region.faces_ = std::move(faces);
-    if(!region.find_borders(mesh))
+    if(!region.is_of_handles(mesh, region.border_halfedges(mesh)))
       return std::nullopt;
-    // 2 - 2 g - b.
-    const std::ptrdiff_t chi = region.euler_characteristic(mesh);
-    const bool is_strip = region.borders_.size() == 2 && chi == 0;
-    const bool has_handles = region.borders_.size() == 1 && chi < 0;
-    if(!is_strip && !has_handles)
-      return std::nullopt;
-    region.number_of_handles_ = is_strip ? 1 : static_cast<std::size_t>((1 - chi) / 2);
     return region;
+  }
+
+  // Whether the faces with this border are such a region; finds all else then.
+  bool is_of_handles(const Surgery_mesh& mesh, const std::vector<Sourced_halfedge>& border) {
+    if(std::any_of(faces_.begin(), faces_.end(), [&](Index f) { return mesh.is_in_cap(f); }) ||
+       !find_borders(mesh, border))
+      return false;
+    // 2 - 2 g - b.
+    const std::ptrdiff_t chi = euler_characteristic(mesh);
+    const bool is_strip = borders_.size() == 2 && chi == 0;
+    const bool has_handles = borders_.size() == 1 && chi < 0;
+    number_of_handles_ = is_strip ? 1 : static_cast<std::size_t>((1 - chi) / 2);
+    return is_strip || has_handles;
   }
 
   static std::optional<Cut_region> of_one_handle(const Surgery_mesh& mesh,
@@ -137,15 +154,14 @@ private:
     return region && region->number_of_handles_ == 1 ? region : std::nullopt;
   }
 
-  using Sourced_halfedge = std::pair<Index, Index>;
-
   // With their sources, by which they are sorted, the halfedges with no face of the region on their
   // other side.
   std::vector<Sourced_halfedge> border_halfedges(const Surgery_mesh& mesh) const {
+    const Index_range_set region(faces_);
     std::vector<Sourced_halfedge> all;
     for(Index f : faces_)
       for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
-        if(!contains(mesh.face(mesh.twin(h))))
+        if(!region.contains(mesh.face(mesh.twin(h))))
           all.push_back({mesh.source(h), h});
     std::sort(all.begin(), all.end());
     return all;
@@ -186,16 +202,16 @@ private:
     return number == border.size();
   }
 
-  // Adds what makes the border touch itself, and islands.
-  void fill_up(const Surgery_mesh& mesh) {
+  // Adds what makes the border touch itself, and islands. Returns what the border is then.
+  std::vector<Sourced_halfedge> fill_up(const Surgery_mesh& mesh) {
     for(;;) {
-      const std::vector<Sourced_halfedge> border = border_halfedges(mesh);
+      std::vector<Sourced_halfedge> border = border_halfedges(mesh);
       const std::vector<Index> vertices = pinches(border);
       std::vector<Index> more;
       if(vertices.empty() && !is_one_curve(mesh, border))
         more = islands(mesh, border);
       if(vertices.empty() && more.empty())
-        return;
+        return border;
       more.insert(more.end(), faces_.begin(), faces_.end());
       faces_ = faces_at(mesh, vertices, std::move(more));
     }
@@ -233,8 +249,7 @@ private:
   }
 
   // Whether there are any, all simple.
-  bool find_borders(const Surgery_mesh& mesh) {
-    const std::vector<Sourced_halfedge> all = border_halfedges(mesh);
+  bool find_borders(const Surgery_mesh& mesh, const std::vector<Sourced_halfedge>& all) {
     if(!pinches(all).empty())
       return false;
     std::vector<char> is_used(all.size(), 0);
@@ -251,6 +266,13 @@ private:
         return false;
     }
     return !borders_.empty();
+  }
+
+  // Whether a border comes to one of some vertices.
+  bool touches(const Surgery_mesh& mesh, std::size_t border, Closed_walk vertices) const {
+    make_set(vertices);
+    const Closed_walk walk = vertices_of(mesh, border);
+    return std::any_of(walk.begin(), walk.end(), [&](Index v) { return is_in(v, vertices); });
   }
 
   std::ptrdiff_t euler_characteristic(const Surgery_mesh& mesh) const {

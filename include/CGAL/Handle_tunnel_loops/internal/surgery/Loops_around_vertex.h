@@ -17,7 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <algorithm>
-#include <bitset>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -68,7 +68,14 @@ private:
     Index halfedge = no_index; // that leads there
     bool is_settled = false;
   };
-  using Sides = std::bitset<3>;                  // of a face, those that are open
+
+  // Of a face, those that are open.
+  struct Sides
+  {
+    std::array<bool, 3> are_open = {};
+
+    int count() const { return are_open[0] + are_open[1] + are_open[2]; }
+  };
   using Closing_edge = std::pair<double, Index>; // the length of its walk to the root, a halfedge
 
   void find_ball(Index root, double radius, std::size_t most_vertices) {
@@ -105,11 +112,11 @@ private:
            reached_[mesh_.source(h)].halfedge == mesh_.twin(h);
   }
 
-  bool is_open(Index h) const { return sides_[mesh_.face(h)][h % 3]; }
+  bool is_open(Index h) const { return sides_[mesh_.face(h)].are_open[h % 3]; }
 
   void close(Index h) {
     for(Index side : {h, mesh_.twin(h)})
-      sides_[mesh_.face(side)].reset(side % 3);
+      sides_[mesh_.face(side)].are_open[side % 3] = false;
   }
 
   // Those with all corners in the ball. All sides are open then that are not in the tree.
@@ -123,7 +130,7 @@ private:
       });
     for(Index f : faces_)
       for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
-        sides_[f][h % 3] = !is_in_tree(h);
+        sides_[f].are_open[h % 3] = !is_in_tree(h);
   }
 
   // What is around the ball is never closed.
@@ -140,7 +147,9 @@ private:
     }
   }
 
-  Index open_side(Index f) const { return 3 * f + (sides_[f][0] ? 0 : sides_[f][1] ? 1 : 2); }
+  Index open_side(Index f) const {
+    return 3 * f + (sides_[f].are_open[0] ? 0 : sides_[f].are_open[1] ? 1 : 2);
+  }
 
   // The shortest one of each.
   std::vector<Closing_edge> chains() const {
@@ -197,7 +206,7 @@ private:
     for(Index v : touched_)
       reached_[v] = Reached();
     for(Index f : faces_)
-      sides_[f].reset();
+      sides_[f] = Sides();
     touched_.clear();
     ball_.clear();
     faces_.clear();

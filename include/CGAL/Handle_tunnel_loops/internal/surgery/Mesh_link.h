@@ -64,13 +64,21 @@ public:
     for(face_descriptor f : faces(tm_))
       put_at(faces_, get(face_index, f), f, Graph_traits::null_face());
     number_of_faces_ = static_cast<Index>(faces_.size());
-    std::vector<Surgery_mesh::Point> points(vertices_.size());
+    // With room for caps: numbers are not given twice, and to make room later takes twice as much.
+    const auto with_room = [](std::size_t n) { return n + n / 4; };
+    std::vector<Surgery_mesh::Point> points;
+    points.reserve(with_room(vertices_.size()));
+    points.resize(vertices_.size());
     for_each_index(execution, vertices_.size(), [&](std::size_t v) {
       if(vertices_[v] != Graph_traits::null_vertex())
         points[v] = as_double(get(point_, vertices_[v]));
     });
-    std::vector<Surgery_mesh::Face> corners(faces_.size());
-    std::vector<Index> twins(3 * faces_.size(), no_index);
+    std::vector<Surgery_mesh::Face> corners;
+    corners.reserve(with_room(faces_.size()));
+    corners.resize(faces_.size());
+    std::vector<Index> twins;
+    twins.reserve(3 * with_room(faces_.size()));
+    twins.resize(3 * faces_.size(), no_index);
     for_each_index(execution, faces_.size(), [&](std::size_t f) {
       corners[f].fill(no_index);
       if(faces_[f] == Graph_traits::null_face())

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index_range_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -140,9 +142,11 @@ public:
   /// takes out faces and puts others in their place, which have the same boundary. Returns the
   /// number of the first of these; they follow each other.
   Index replace(const std::vector<Index>& out, const std::vector<Face>& in) {
+    CGAL_precondition(std::is_sorted(out.begin(), out.end()));
+    const Index_range_set is_out(out);
     std::vector<Open_side> open;
     for(Index f : out)
-      open_neighbors(f, out, open);
+      open_neighbors(f, is_out, open);
     for(Index f : out)
       take_out(f);
     const Index first_face = face_bound();
@@ -155,21 +159,21 @@ public:
   }
 
 private:
-  // A side of a patch, or of what is around it, by its ends in ascending order.
+  // A side of a patch, or of what is around it.
   struct Open_side
   {
-    std::pair<Index, Index> ends;
+    std::uint64_t ends; // the smaller one first
     Index halfedge;
   };
 
   void add_side(Index h, std::vector<Open_side>& open) const {
-    open.push_back({std::minmax({source(h), target(h)}), h});
+    const auto [low, high] = std::minmax({source(h), target(h)});
+    open.push_back({std::uint64_t(low) << 32 | high, h});
   }
 
-  void open_neighbors(Index f, const std::vector<Index>& out, std::vector<Open_side>& open) const {
-    CGAL_precondition(std::is_sorted(out.begin(), out.end()));
+  void open_neighbors(Index f, const Index_range_set& out, std::vector<Open_side>& open) const {
     for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
-      if(!is_in(face(twins_[h]), out))
+      if(!out.contains(face(twins_[h])))
         add_side(twins_[h], open);
   }
 
