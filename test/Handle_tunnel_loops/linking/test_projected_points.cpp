@@ -430,16 +430,19 @@ TEST_F(Line_and_path, CrossOnceWhereTheEndOfTheEdgesIsSeenOnTheLine) {
 }
 
 // Where a copy crosses an edge of a walk, a face beside the edge is seen as a line: another
-// direction tells.
+// direction tells. At another edge the loops cross the other way, as closed ones do.
 TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
   const auto [a, b] = first_direction();
   Surface_curves curves;
-  curves.vertices = {{0., 0., 0.}, {1., 0., 0.}, {0.5 + a, b, 1.}, {0.5, -1., -0.25}};
-  curves.edges = {{0, 1, 2, 3}};
+  curves.vertices = {{0., 0., 0.}, {1., 0., 0.}, {0.5 + a, b, 1.}, {0.5, -1., -0.25},
+                     {8., 0., 0.}, {9., 0., 0.}, {8.5, 1., -1.},   {8.5, -1., -1.}};
+  curves.edges = {{0, 1, 2, 3}, {4, 5, 6, 7}};
   curves.walks.add(0, 1, 1);
   curves.crossings.add(0, 0, 1);
-  curves.walks.finish(1);
-  curves.crossings.finish(1);
+  curves.walks.add(1, 0, 1);
+  curves.crossings.add(1, 1, -1);
+  curves.walks.finish(2);
+  curves.crossings.finish(2);
   curves.outward = {1, 1};
   Linking_numbers numbers(curves);
   numbers.link(Execution());
