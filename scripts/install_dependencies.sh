@@ -8,8 +8,8 @@
 # libraries and goes on: the build then says itself what it lacks.
 set -euo pipefail
 
-tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-dev libpng-dev
-  libeigen3-dev)
+tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
+  libpng-dev libeigen3-dev)
 tests=("${tool[@]}" libgtest-dev libbenchmark-dev)
 checks=("${tests[@]}" clang-format)
 benchmarks=("${tests[@]}" libvtk9-dev)
@@ -27,7 +27,7 @@ esac
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   echo "There is no apt-get here. Needed: a C++17 compiler, CMake 3.21, Ninja, CGAL 5.5, CLI11," >&2
-  echo "nlohmann-json; used if present: oneTBB, Eigen, libpng, GoogleTest, Google Benchmark." >&2
+  echo "nlohmann-json, zlib; used if present: oneTBB, Eigen, libpng, GoogleTest, Google Benchmark." >&2
   exit 0
 fi
 

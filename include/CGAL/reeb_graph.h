@@ -112,6 +112,13 @@ function}
 `std::size_t` as value type}
     \cgalParamDefault{unused}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_value_map}
+    \cgalParamDescription{is given, for each vertex that is not isolated, the value of the function:
+      of a diffusion, its arrival time in steps}
+    \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
+      `double` as values}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
   \cgalParamNBegin{allow_parallel_arcs}
     \cgalParamDescription{whether several arcs may join the same two nodes, or one a node to itself;
 if so there are no regular nodes}

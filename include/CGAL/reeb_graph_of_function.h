@@ -47,8 +47,8 @@ header compiles in less time, as it includes nothing that finds loops.
 \param function the function; equal values are ordered by the indices of their vertices
 \param graph the graph that the result is assigned to
 \param np named parameters: `simplification_threshold`, `reeb_measure`, `vertex_arc_map`,
-  `allow_parallel_arcs`, `vertex_point_map`, `vertex_index_map` and `geom_traits` of
-  `CGAL::reeb_graph()`
+  `vertex_value_map`, `allow_parallel_arcs`, `vertex_point_map`, `vertex_index_map` and
+`geom_traits` of `CGAL::reeb_graph()`
 
 \return what the computation did
 

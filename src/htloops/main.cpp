@@ -10,15 +10,12 @@
 #include "commands/command.h"
 #include "commands/file_options.h"
 #include "commands/help_style.h"
+#include "commands/outcome.h"
 #include "failure.h"
-#include "terminal/interrupt.h"
 #include "version.h"
-
-#include <CGAL/Handle_tunnel_loops/exceptions.h>
 
 #include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -30,9 +27,9 @@ constexpr char description[] = "Finds handle and tunnel loops, and Reeb graphs, 
                                "meshes, and cuts them open.\n";
 
 constexpr char footer[] =
-    "Exit codes: 0 done, 1 no certified answer, 2 wrong usage or unwritable output,\n"
-    "  3 a file cannot be read, 4 the mesh is not an oriented manifold of triangles,\n"
-    "  5 the backend asked for is not there, 130 interrupted.\n"
+    "Exit codes: 0 done, 1 no certified answer (or no memory to find it), 2 wrong usage or\n"
+    "  unwritable output, 3 a file cannot be read, 4 the mesh is not an oriented manifold of\n"
+    "  triangles, 5 the backend asked for is not there, 130 interrupted.\n"
     "\n"
     "Examples:\n"
     "  htloops generate torus -o torus.off             makes a mesh to try\n"
@@ -51,36 +48,17 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
          "\n'htloops --help' and 'htloops COMMAND --help' tell what there is\n";
 }
 
-int report(Exit_code code, const char* message) {
+int report(int code, const std::string& message) {
   std::cerr << "htloops: " << message << std::endl;
-  return static_cast<int>(code);
-}
-
-int report_interrupt() {
-  std::cerr << "htloops: interrupted, nothing more is written" << std::endl;
-  return 128 + htloops::interrupting_signal();
+  return code;
 }
 
 int run(const CLI::App& app, const htloops::Command& command) {
-  try {
+  const htloops::Outcome outcome = htloops::outcome_of([&] {
     htloops::check_files(app);
     command();
-    return static_cast<int>(Exit_code::DONE);
-  } catch(const htloops::Failure& failure) {
-    return report(failure.code(), failure.what());
-  } catch(const htloops::Interrupted&) {
-    return report_interrupt();
-  } catch(const CGAL::Handle_tunnel_loops::Interrupted_exception&) {
-    return report_interrupt();
-  } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception& exception) {
-    return report(Exit_code::UNACCEPTABLE_MESH, exception.what());
-  } catch(const CGAL::Handle_tunnel_loops::Invalid_function_exception& exception) {
-    return report(Exit_code::WRONG_USAGE, exception.what());
-  } catch(const std::bad_alloc&) {
-    return report(Exit_code::NOT_CERTIFIED, "out of memory");
-  } catch(const std::exception& exception) {
-    return report(Exit_code::NOT_CERTIFIED, exception.what());
-  }
+  });
+  return outcome.exit_code == 0 ? 0 : report(outcome.exit_code, outcome.message);
 }
 
 } // namespace
@@ -110,7 +88,7 @@ int main(int argc, char** argv) {
   } catch(const CLI::ParseError& error) {
     const bool is_request = app.exit(error) == static_cast<int>(CLI::ExitCodes::Success);
     if(is_request && !std::cout.flush())
-      return report(Exit_code::WRONG_USAGE, "cannot write the standard output");
+      return report(static_cast<int>(Exit_code::WRONG_USAGE), "cannot write the standard output");
     return static_cast<int>(is_request ? Exit_code::DONE : Exit_code::WRONG_USAGE);
   }
   return run(app, command);

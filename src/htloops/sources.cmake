@@ -1,6 +1,7 @@
 set(HTLOOPS_SOURCES
   main.cpp
   version.cpp
+  commands/box_option.cpp
   commands/check_command.cpp
   commands/common_options.cpp
   commands/cut_command.cpp
@@ -8,9 +9,11 @@ set(HTLOOPS_SOURCES
   commands/generate_command.cpp
   commands/help_style.cpp
   commands/length_option.cpp
+  commands/listing_choice.cpp
   commands/loops_command.cpp
   commands/loops_file.cpp
   commands/mesh_options.cpp
+  commands/outcome.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
   mend/duplicate_faces.cpp
@@ -52,6 +55,7 @@ set(HTLOOPS_SOURCES
   solve/boundaries.cpp
   solve/cut_solver.cpp
   solve/dual_cut_solver.cpp
+  solve/face_arcs.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
@@ -62,26 +66,36 @@ set(HTLOOPS_SOURCES
   terminal/interrupt.cpp
   terminal/progress_bar.cpp
   terminal/terminal.cpp
+  write/arc_surface.cpp
+  write/arc_table.cpp
   write/atomic_file.cpp
   write/change_table.cpp
   write/cut_exports.cpp
   write/dual_cuts_json_writer.cpp
   write/events_writer.cpp
+  write/export_gltf.cpp
   write/export_lines.cpp
   write/export_vtp.cpp
   write/exported_lines.cpp
-  write/html_page.cpp
   write/linking_words.cpp
   write/loops_json_writer.cpp
+  write/loops_page.cpp
+  write/mesh_arrays.cpp
   write/mesh_writer.cpp
+  write/page_export.cpp
+  write/pair_csv.cpp
+  write/pair_listing.cpp
   write/pair_table.cpp
   write/picture_export.cpp
   write/reeb_exports.cpp
   write/reeb_json_writer.cpp
+  write/reeb_page.cpp
   write/removal_json_writer.cpp
   write/removal_page.cpp
   write/removal_table.cpp
-  write/text_writer.cpp)
+  write/text_writer.cpp
+  write/tube.cpp
+  write/view.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_SOURCES solve/reference_backend.cpp)
   set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/solve/backends.cpp" PROPERTIES

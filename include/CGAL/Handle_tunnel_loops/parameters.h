@@ -32,6 +32,7 @@ enum vertex_function_map_t { vertex_function_map };
 enum reeb_measure_t { reeb_measure };
 enum simplification_threshold_t { simplification_threshold };
 enum vertex_arc_map_t { vertex_arc_map };
+enum vertex_value_map_t { vertex_value_map };
 enum allow_parallel_arcs_t { allow_parallel_arcs };
 enum device_options_t { device_options };
 enum basis_kind_t { basis_kind };
@@ -81,6 +82,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_function_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(reeb_measure)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(simplification_threshold)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_value_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(allow_parallel_arcs)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(device_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(basis_kind)

@@ -12,6 +12,7 @@
 #include "commands/file_options.h"
 #include "failure.h"
 #include "write/atomic_file.h"
+#include "write/export_gltf.h"
 #include "write/export_lines.h"
 
 #include <CLI/CLI.hpp>
@@ -51,11 +52,33 @@ void add_picture_options(CLI::App& command,
                          const std::string& group) {
   if(!has_pictures)
     return;
-  Picture_options& picture = options.picture;
-  command.add_option("--picture", picture.file, "a picture of the mesh and " + what)
+  command.add_option("--picture", options.picture_file, "a picture of the mesh and " + what)
       ->option_text("FILE.png")
       ->type_name(output_file)
       ->group(group);
+}
+
+void add_page_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group) {
+  command.add_option("--html", options.page_file, "a page for a browser, to turn " + what + " in")
+      ->option_text("FILE.html")
+      ->type_name(output_file)
+      ->group(group);
+}
+
+void add_gltf_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group) {
+  command.add_option("--gltf", options.gltf_file, what + " as tubes, with the mesh, as glTF")
+      ->option_text("FILE.glb")
+      ->type_name(output_file)
+      ->group(group);
+}
+
+void add_view_options(CLI::App& command, Common_options& options, const std::string& group) {
   const auto add_direction = [&](const char* name, std::vector<double>& direction,
                                  const char* meaning) {
     command.add_option(name, direction, meaning)
@@ -63,11 +86,10 @@ void add_picture_options(CLI::App& command,
         ->delimiter(',')
         ->expected(3)
         ->check(why_not_finite)
-        ->needs("--picture")
         ->group(group);
   };
-  add_direction("--view", picture.view, "direction the picture is seen from; default: oblique");
-  add_direction("--up", picture.up, "direction that is upright in the picture; default: 0,0,1");
+  add_direction("--view", options.view.from, "direction that is looked from; default: oblique");
+  add_direction("--up", options.view.up, "direction that is upright; default: 0,0,1");
 }
 
 void add_threads_option(CLI::App& command, Common_options& options, const std::string& group) {
@@ -83,13 +105,22 @@ void add_threads_option(CLI::App& command, Common_options& options, const std::s
 
 void check_common_options(const Common_options& options) {
   check_mesh_options(options);
-  const Picture_options& picture = options.picture;
-  if(!picture.view.empty() && is_zero(picture.view))
-    throw Failure(Exit_code::WRONG_USAGE, "--view 0,0,0 is no direction");
-  if(!picture.up.empty() && is_zero(picture.up))
-    throw Failure(Exit_code::WRONG_USAGE, "--up 0,0,0 is no direction");
+  for(const auto& [name, direction] :
+      {std::pair("--view", options.view.from), std::pair("--up", options.view.up)})
+  {
+    if(direction.empty())
+      continue;
+    if(is_zero(direction))
+      throw Failure(Exit_code::WRONG_USAGE, std::string(name) + " 0,0,0 is no direction");
+    if(options.picture_file.empty() && options.page_file.empty())
+      throw Failure(Exit_code::WRONG_USAGE, std::string(name) +
+                                                " says how to look at something: it needs " +
+                                                (has_pictures ? "--picture or --html" : "--html"));
+  }
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
+  if(!options.gltf_file.empty())
+    check_gltf_format(options.gltf_file);
 }
 
 std::string why_not_finite(const std::string& text) {

@@ -12,6 +12,7 @@
 
 #include "commands/mesh_options.h"
 #include "write/picture_export.h"
+#include "write/view.h"
 
 #include <cstdint>
 #include <string>
@@ -28,7 +29,10 @@ struct Common_options : Mesh_options
 {
   std::string json_file;
   std::vector<std::string> lines_files;
-  Picture_options picture;
+  std::string picture_file;
+  std::string page_file;
+  std::string gltf_file;
+  View view;
   int number_of_threads = 0;
 };
 
@@ -45,9 +49,18 @@ void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
                          const std::string& group);
+void add_page_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group);
+void add_gltf_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group);
+void add_view_options(CLI::App& command, Common_options& options, const std::string& group);
 void add_threads_option(CLI::App& command, Common_options& options, const std::string& group);
 
-/// throws `Failure` if there are lines in no known format, or if the picture is to be seen from no
+/// throws `Failure` if there are lines in no known format, or if something is to be seen from no
 /// direction.
 void check_common_options(const Common_options& options);
 

@@ -63,12 +63,12 @@ void write_files(const Cut_command_options& options, const Mesh& mesh, const Cut
     write_mesh(options.opened_file, opened_mesh(mesh, answer.edges));
   if(!options.selection_file.empty())
     export_selection(options.selection_file, mesh, answer.edges);
-  if(!options.lines_files.empty() || !options.picture.file.empty()) {
+  if(!options.lines_files.empty() || !options.picture_file.empty()) {
     const Exported_lines lines = lines_of(mesh, answer.edges);
     for(const std::string& file : options.lines_files)
       export_lines(file, lines);
-    if(!options.picture.file.empty())
-      export_picture(options.picture, mesh, lines);
+    if(!options.picture_file.empty())
+      export_picture(options.picture_file, options.view, drawn_surface(mesh), lines);
   }
 }
 
@@ -123,6 +123,7 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
       ->group(group);
   add_lines_option(command, options, "the edges", group);
   add_picture_options(command, options, "the cut", group);
+  add_view_options(command, options, group);
 }
 
 void add_computation_options(CLI::App& command, Cut_command_options& options) {

@@ -11,8 +11,7 @@
 
 #include "failure.h"
 #include "read/text_cursor.h"
-
-#include <CGAL/Bbox_3.h>
+#include "write/pair_listing.h"
 
 #include <cmath>
 #include <string_view>
@@ -38,9 +37,7 @@ Length_option parse_length(const std::string& option, const std::string& text) {
 double length_on(const Mesh& mesh, const Length_option& length) {
   if(!length.is_percentage)
     return length.value;
-  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
-  return length.value / 100. *
-         std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  return length.value / 100. * diagonal_of(mesh);
 }
 
 } // namespace htloops

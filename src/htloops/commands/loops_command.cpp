@@ -11,15 +11,20 @@
 #include "commands/common_options.h"
 #include "commands/file_options.h"
 #include "commands/help_style.h"
+#include "commands/listing_choice.h"
 #include "failure.h"
 #include "solve/backends.h"
 #include "solve/stopwatch.h"
 #include "terminal/interrupt.h"
 #include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
+#include "words.h"
 #include "write/events_writer.h"
+#include "write/export_gltf.h"
 #include "write/export_lines.h"
 #include "write/loops_json_writer.h"
+#include "write/loops_page.h"
+#include "write/pair_csv.h"
 #include "write/pair_table.h"
 
 #include <cstdio>
@@ -32,6 +37,8 @@ namespace {
 struct Loops_options : Common_options
 {
   std::string events_file;
+  std::string csv_file;
+  Listing_choice listing;
   std::string backend = "auto";
   std::optional<std::uint32_t> seed;
   bool do_not_refine = false;
@@ -58,34 +65,64 @@ Answer solve(const Backend& backend, const Mesh& mesh, const Loops_options& opti
   return backend.solve(mesh, solve_options, bar);
 }
 
+// What is told of an answer besides the whole basis.
+struct Told
+{
+  Pair_listing listing;
+  std::string summary; // without colours
+};
+
+Told told_of(const Loops_options& options,
+             const Mesh& mesh,
+             const Answer& answer,
+             double read_seconds) {
+  return {list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh)),
+          summary(answer, read_seconds, {options.show_all, false})};
+}
+
 void write_files(const Loops_options& options,
                  const Mesh& mesh,
                  const Answer& answer,
+                 const Told& told,
                  double read_seconds) {
   if(!options.json_file.empty())
     write_loops_json(options.json_file, mesh, answer, read_seconds);
   if(!options.events_file.empty())
     write_events(options.events_file, answer);
+  if(!options.csv_file.empty())
+    write_pair_csv(options.csv_file, answer, told.listing);
   for(const std::string& file : options.lines_files)
-    export_lines(file, lines_of(answer));
-  if(!options.picture.file.empty())
-    export_picture(options.picture, mesh, lines_of(answer));
+    export_lines(file, lines_of(answer, told.listing));
+  if(!options.picture_file.empty())
+    export_picture(options.picture_file, options.view, drawn_surface(mesh),
+                   lines_of(answer, told.listing));
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
+  if(!options.page_file.empty())
+    write_loops_page(options.page_file, options.view, options.mesh_file, mesh, answer, told.listing,
+                     told.summary);
 }
 
-void show(const Loops_options& options, const Answer& answer, double read_seconds) {
+bool is_output_taken(const Loops_options& options) {
+  return options.json_file == "-" || options.csv_file == "-" || options.page_file == "-" ||
+         options.is_mesh_on_standard_output();
+}
+
+void show(const Loops_options& options, const Answer& answer, const Told& told) {
   if(options.is_quiet)
     return;
-  const bool is_output_taken = options.json_file == "-" || options.is_mesh_on_standard_output();
-  std::FILE* stream = is_output_taken ? stderr : stdout;
+  std::FILE* stream = is_output_taken(options) ? stderr : stdout;
   const Table_options table{options.show_all, use_colour(options.colour, stream)};
-  const std::string text =
-      table_of_pairs(answer.pairs, table) + summary(answer, read_seconds, table);
-  show_text(text, is_output_taken);
+  std::string text = table_of_pairs(told.listing, table);
+  if(const std::size_t left_out = answer.pairs.size() - told.listing.size(); left_out > 0)
+    text += counted(left_out, "pair is", "pairs are") + " left out as asked for\n";
+  show_text(text + told.summary, is_output_taken(options));
 }
 
 void run(const Loops_options& options) {
   const Backend& backend = choose_backend(options.backend);
   check_common_options(options);
+  check_listing_choice(options.listing);
   const Stopwatch stopwatch;
   const Mesh mesh = read_mesh(options);
   const double read_seconds = stopwatch.seconds();
@@ -94,13 +131,18 @@ void run(const Loops_options& options) {
   Answer answer = solve(backend, mesh, options);
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, options.do_find_waists);
-  write_files(options, mesh, answer, read_seconds);
-  show(options, answer, read_seconds);
+  const Told told = told_of(options, mesh, answer, read_seconds);
+  write_files(options, mesh, answer, told, read_seconds);
+  show(options, answer, told);
 }
 
 void add_output_options(CLI::App& command, Loops_options& options) {
   const char group[] = "What to write";
   add_json_option(command, options, "the loops", group);
+  command.add_option("--csv", options.csv_file, "a row of numbers for each pair")
+      ->option_text("FILE.csv")
+      ->type_name(output_file)
+      ->group(group);
   add_lines_option(command, options, "the loops", group);
   command
       .add_option("--events", options.events_file,
@@ -109,6 +151,9 @@ void add_output_options(CLI::App& command, Loops_options& options) {
       ->type_name(output_file)
       ->group(group);
   add_picture_options(command, options, "the loops", group);
+  add_page_option(command, options, "the mesh and the loops", group);
+  add_gltf_option(command, options, "the loops", group);
+  add_view_options(command, options, group);
 }
 
 void add_computation_options(CLI::App& command, Loops_options& options) {
@@ -154,6 +199,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
 
 void add_display_options(CLI::App& command, Loops_options& options) {
   const char group[] = "What to show";
+  add_listing_options(command, options.listing, group);
   command.add_flag("--all", options.show_all, "all rows of a long table")->group(group);
   command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors")->group(group);
   command.add_option("--color", options.colour, "auto, always or never; default: auto")
@@ -180,6 +226,8 @@ constexpr char examples[] =
     "  htloops loops cup.off                           a table of the loops\n"
     "  htloops loops cup.off -o cup.json --lines cup.ply\n"
     "                                                  the loops for a program and for a viewer\n"
+    "  htloops loops cup.off --html cup.html --shorter-than 3%\n"
+    "                                                  a look at the small ones in a browser\n"
     "  htloops loops cup.off -qo - | jq '.pairs | length'\n"
     "                                                  JSON into a pipe\n"
     "  htloops loops soup.obj --triangulate --repair --write-mesh sound.obj\n"

@@ -18,10 +18,14 @@
 #include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
+#include "write/arc_surface.h"
+#include "write/arc_table.h"
 #include "write/atomic_file.h"
+#include "write/export_gltf.h"
 #include "write/export_lines.h"
 #include "write/reeb_exports.h"
 #include "write/reeb_json_writer.h"
+#include "write/reeb_page.h"
 
 #include <cstdio>
 #include <map>
@@ -34,6 +38,8 @@ struct Reeb_command_options : Common_options
 {
   std::vector<std::string> graph_files;
   std::string parts_file;
+  std::string csv_file;
+  bool show_all = false;
   std::vector<std::uint32_t> seeds;
   std::vector<double> height;
   std::string values_file;
@@ -101,7 +107,10 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
 void write_files(const Reeb_command_options& options,
                  const Mesh& mesh,
                  const Reeb_answer& answer,
+                 const std::vector<Listed_arc>& arcs,
                  double read_seconds) {
+  if(!options.csv_file.empty())
+    write_arc_csv(options.csv_file, arcs);
   if(!options.json_file.empty())
     write_reeb_json(options.json_file, mesh, answer, read_seconds);
   for(const std::string& file : options.lines_files)
@@ -110,12 +119,21 @@ void write_files(const Reeb_command_options& options,
     export_graph(file, answer);
   if(!options.parts_file.empty())
     export_coloured_mesh(options.parts_file, mesh, answer);
-  if(!options.picture.file.empty()) {
+  if(!options.picture_file.empty() || !options.gltf_file.empty()) {
     Exported_lines lines = lines_of(answer);
     for(Exported_line& line : lines.lines)
       line.colour = {30, 30, 30}; // the arcs' own colours are those of the surface around them
-    export_picture(options.picture, mesh, lines, face_colours(mesh, answer));
+    const Drawn_surface surface = drawn_surface(arc_surface(mesh, answer));
+    if(!options.picture_file.empty())
+      export_picture(options.picture_file, options.view, surface, lines);
+    if(!options.gltf_file.empty())
+      export_gltf(options.gltf_file, surface, lines);
   }
+}
+
+bool is_output_taken(const Reeb_command_options& options) {
+  return options.json_file == "-" || options.csv_file == "-" || options.page_file == "-" ||
+         options.is_mesh_on_standard_output();
 }
 
 std::string summary(const Reeb_answer& answer, double read_seconds) {
@@ -147,10 +165,13 @@ void run(const Reeb_command_options& options) {
   const Interrupt_guard guard;
   write_read_mesh(options, mesh);
   const Reeb_answer answer = solve(mended, options);
-  write_files(options, mesh, answer, read_seconds);
+  const std::string text = summary(answer, read_seconds);
+  const std::vector<Listed_arc> arcs = list_arcs(mesh, answer);
+  write_files(options, mesh, answer, arcs, read_seconds);
+  if(!options.page_file.empty())
+    write_reeb_page(options.page_file, options.view, options.mesh_file, mesh, answer, arcs, text);
   if(!options.is_quiet)
-    show_text(summary(answer, read_seconds),
-              options.json_file == "-" || options.is_mesh_on_standard_output());
+    show_text(table_of_arcs(arcs, options.show_all) + text, is_output_taken(options));
 }
 
 void add_output_options(CLI::App& command, Reeb_command_options& options) {
@@ -166,7 +187,14 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
       ->option_text("FILE.ply")
       ->type_name(output_file)
       ->group(group);
+  command.add_option("--csv", options.csv_file, "a row of numbers for each arc")
+      ->option_text("FILE.csv")
+      ->type_name(output_file)
+      ->group(group);
   add_picture_options(command, options, "the graph", group);
+  add_page_option(command, options, "the mesh and the graph", group);
+  add_gltf_option(command, options, "the arcs", group);
+  add_view_options(command, options, group);
 }
 
 void add_computation_options(CLI::App& command, Reeb_command_options& options) {
@@ -234,7 +262,9 @@ void add_reeb_command(CLI::App& app, Command& command) {
   add_output_options(*reeb, *options);
   add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);
-  reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  const char group[] = "What to show";
+  reeb->add_flag("--all", options->show_all, "all rows of a long table")->group(group);
+  reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group(group);
   complete_help(*reeb, examples);
   reeb->callback([options, &command] { command = [options] { run(*options); }; });
 }

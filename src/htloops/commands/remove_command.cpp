@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "commands/box_option.h"
 #include "commands/command.h"
 #include "commands/common_options.h"
 #include "commands/file_options.h"
@@ -42,7 +43,6 @@ namespace {
 struct Remove_options : Common_options // the JSON is the report
 {
   std::string result_file;
-  std::string page_file;
   std::string loops_file;
   std::optional<std::size_t> genus;
   std::string shorter_than;
@@ -69,10 +69,7 @@ void check_options(const Remove_options& options) {
     parse_length("--shorter-than", options.shorter_than);
   if(!options.necks.empty())
     parse_length("--necks", options.necks);
-  for(std::size_t i = 0; i + 3 < options.box.size(); ++i)
-    if(!(options.box[i] <= options.box[i + 3]))
-      throw Failure(Exit_code::WRONG_USAGE,
-                    "--box: its least corner comes first, then its largest");
+  box_of(options.box);
   check_common_options(options);
 }
 
@@ -130,8 +127,7 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
     removal.maximal_length = length_on(mesh, parse_length("--shorter-than", options.shorter_than));
   if(!options.pairs.empty())
     removal.pairs = options.pairs;
-  if(const std::vector<double>& b = options.box; !b.empty())
-    removal.box = CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]);
+  removal.box = box_of(options.box);
   if(!options.necks.empty())
     removal.maximal_neck_length = removal.maximal_length =
         length_on(mesh, parse_length("--necks", options.necks));
@@ -143,11 +139,11 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
 void write_files(const Remove_options& options, const Removal_shown& shown) {
   if(!options.json_file.empty())
     write_removal_json(options.json_file, shown.report);
-  if(!options.picture.file.empty())
-    export_picture(options.picture, shown.before,
+  if(!options.picture_file.empty())
+    export_picture(options.picture_file, options.view, drawn_surface(shown.before),
                    lines_of(pairs_to_remove(shown.pairs, shown.report)));
   if(!options.page_file.empty())
-    write_removal_page(options.page_file, shown);
+    write_removal_page(options.page_file, options.view, shown);
 }
 
 void show(const Remove_options& options,
@@ -180,7 +176,7 @@ void run(const Remove_options& options) {
   const Stopwatch loops_stopwatch;
   const Pairs pairs = pairs_of(mesh, options, show_progress);
   const double loops_seconds = loops_stopwatch.seconds();
-  const bool is_drawn = !options.picture.file.empty() || !options.page_file.empty();
+  const bool is_drawn = !options.picture_file.empty() || !options.page_file.empty();
   const Mesh before = is_drawn ? mesh : Mesh();
   Progress_bar bar(show_progress);
   const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, options), bar);
@@ -206,10 +202,7 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
           ->option_text("I,J,...")
           ->delimiter(',')
           ->allow_extra_args(false),
-      command.add_option("--box", options.box, "handles with a loop that lies in a box")
-          ->option_text("x,y,z,X,Y,Z")
-          ->delimiter(',')
-          ->expected(6),
+      add_box_option(command, options.box, "handles"),
       command
           .add_option("--necks", options.necks,
                       "handles with a loop that is shorter, and necks:\n"
@@ -254,14 +247,9 @@ void add_output_options(CLI::App& command, Remove_options& options) {
       ->option_text("FILE.json")
       ->type_name(output_file)
       ->group(group);
-  command
-      .add_option("--html", options.page_file,
-                  has_pictures ? "what was done, as a page with pictures before and after"
-                               : "what was done, as a page")
-      ->option_text("FILE")
-      ->type_name(output_file)
-      ->group(group);
   add_picture_options(command, options, "the loops of what is removed", group);
+  add_page_option(command, options, "the mesh before and after", group);
+  add_view_options(command, options, group);
 }
 
 constexpr char description[] =

@@ -30,6 +30,7 @@ struct Reeb_answer
 
   CGAL::Reeb_graph<Mesh> graph;
   std::vector<std::size_t> vertex_arc; ///< by vertex
+  std::vector<double> values;          ///< by vertex, of the function
   std::string function;                ///< of which it is the graph, in a word
   CGAL::Handle_tunnel_loops::Reeb_statistics statistics;
   int number_of_threads = 1;

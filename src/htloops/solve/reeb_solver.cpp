@@ -24,17 +24,17 @@ namespace {
 
 namespace parameters = CGAL::parameters;
 
-// Writes the arcs where the answer has room for them.
-struct Arc_map
+// Writes what is told of vertices where the answer has room for it.
+template <typename Value> struct Vertex_map
 {
   using key_type = Mesh::Vertex_index;
-  using value_type = std::size_t;
-  using reference = std::size_t;
+  using value_type = Value;
+  using reference = Value;
   using category = boost::writable_property_map_tag;
 
-  std::vector<std::size_t>* arcs;
+  std::vector<Value>* room;
 
-  friend void put(const Arc_map& map, key_type v, value_type arc) { (*map.arcs)[v.idx()] = arc; }
+  friend void put(const Vertex_map& map, key_type v, Value value) { (*map.room)[v.idx()] = value; }
 };
 
 template <typename NamedParameters>
@@ -57,6 +57,7 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
   answer.function = has_values ? "given" : "diffusion";
   answer.number_of_threads = limit.number_of_threads();
   answer.vertex_arc.assign(mesh.number_of_vertices(), Reeb_answer::no_arc);
+  answer.values.assign(mesh.number_of_vertices(), 0.);
   const auto default_measure =
       has_values ? CGAL::Reeb_measure::PERSISTENCE : CGAL::Reeb_measure::LIMBS;
   const auto np = parameters::simplification_threshold(
@@ -64,8 +65,10 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
       parameters::reeb_measure(
           options.measure.value_or(default_measure),
           parameters::vertex_arc_map(
-              Arc_map{&answer.vertex_arc},
-              parameters::allow_parallel_arcs(true, parameters::callback(callback)))));
+              Vertex_map<std::size_t>{&answer.vertex_arc},
+              parameters::vertex_value_map(
+                  Vertex_map<double>{&answer.values},
+                  parameters::allow_parallel_arcs(true, parameters::callback(callback))))));
   const Stopwatch stopwatch;
   if(has_values) {
     const auto value = [&options](Mesh::Vertex_index v) { return options.values[v.idx()]; };

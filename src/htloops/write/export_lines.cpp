@@ -41,8 +41,12 @@ void write_lines_obj(Text_writer& out, const Exported_lines& lines) {
   std::size_t first = 1;
   for(const Exported_line& line : lines.lines) {
     out << "o " << line.kind << '_' << line.index << '\n';
-    for(const Point& point : line.points)
-      out << "v " << point << '\n';
+    for(const Point& point : line.points) {
+      out << "v " << point;
+      for(const unsigned char part : line.colour)
+        out << ' ' << part / 255.;
+      out << '\n';
+    }
     out << 'l';
     for(std::size_t i = 0; i < line.points.size(); ++i)
       out << ' ' << first + i;

@@ -27,17 +27,28 @@ std::size_t Exported_lines::number_of_edges() const {
   return count;
 }
 
+namespace {
+
+void add_lines(Exported_lines& lines, const Pair& pair, std::size_t index) {
+  for(const CGAL::Loop_type type : loop_types)
+    lines.lines.push_back({pair.loop(type).points(), true, colour_of(type), name_of(type),
+                           type == CGAL::Loop_type::HANDLE ? 0 : 1, index,
+                           pair.loop(type).length()});
+}
+
+} // namespace
+
 Exported_lines lines_of(const Pairs& pairs) {
   Exported_lines result = {"handle and tunnel loops", "pair", {}};
-  for_each_loop(pairs, [&result](const Loop& loop, CGAL::Loop_type type, std::size_t pair) {
-    result.lines.push_back({loop.points(), true, colour_of(type), name_of(type),
-                            type == CGAL::Loop_type::HANDLE ? 0 : 1, pair, loop.length()});
-  });
+  for(std::size_t i = 0; i < pairs.size(); ++i)
+    add_lines(result, pairs[i], i);
   return result;
 }
 
-Exported_lines lines_of(const Answer& answer) {
-  Exported_lines result = lines_of(answer.pairs);
+Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
+  Exported_lines result = {"handle and tunnel loops", "pair", {}};
+  for(const Listed_pair& listed : listing)
+    add_lines(result, answer.pairs[listed.pair], listed.pair);
   for(const Loop& loop : answer.boundaries.waists)
     result.lines.push_back({loop.points(), true, colour_of(loop.type()), name_of(loop.type()), 2,
                             loop.pair_index(), loop.length()});

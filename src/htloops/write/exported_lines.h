@@ -12,6 +12,7 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
+#include "write/pair_listing.h"
 
 #include <array>
 #include <cstddef>
@@ -49,8 +50,8 @@ struct Exported_lines
 /// the loops of pairs; the kind of a handle is 0, that of a tunnel 1.
 Exported_lines lines_of(const Pairs& pairs);
 
-/// those of an answer; and its waists of boundary curves, if there are any, of kind 2.
-Exported_lines lines_of(const Answer& answer);
+/// those of the listed pairs; and the waists of boundary curves, if there are any, of kind 2.
+Exported_lines lines_of(const Answer& answer, const Pair_listing& listing);
 
 } // namespace htloops
 

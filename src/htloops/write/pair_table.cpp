@@ -14,10 +14,9 @@
 #include "write/loop_colours.h"
 #include "write/table_rows.h"
 
-#include <CGAL/Bbox_3.h>
-
 #include <algorithm>
-#include <array>
+#include <string>
+#include <vector>
 
 namespace htloops {
 namespace {
@@ -29,27 +28,26 @@ std::string in_colour(const std::string& text, CGAL::Loop_type type, bool use_co
   return formatted("\033[38;2;%d;%d;%dm", red, green, blue) + text + "\033[0m";
 }
 
-std::string row(const Pair& pair, std::size_t index, bool use_colour) {
-  std::string line = formatted("%5zu", index);
-  for(const CGAL::Loop_type type : loop_types)
-    line += in_colour(formatted("  %12.6g", pair.loop(type).length()), type, use_colour);
-  const CGAL::Bbox_3 box =
-      CGAL::bbox_3(pair.handle().points().begin(), pair.handle().points().end());
-  std::array<double, 3> centre, size;
-  for(int i = 0; i < 3; ++i) {
-    centre[i] = box.min(i) + (box.max(i) - box.min(i)) / 2.;
-    size[i] = box.max(i) - box.min(i);
+// Texts in columns; those that tell of a kind of loops in its colour.
+std::string row(const std::vector<std::string>& cells, bool use_colour) {
+  std::string line;
+  for(std::size_t i = 0; i < cells.size(); ++i) {
+    const Pair_column& column = pair_columns[i];
+    const int width = column.is_number ? column.width : -column.width;
+    const std::string cell = formatted("%*s", width, cells[i].c_str());
+    line += i == 0 ? "" : "  ";
+    line += i == 1   ? in_colour(cell, CGAL::Loop_type::HANDLE, use_colour)
+            : i == 2 ? in_colour(cell, CGAL::Loop_type::TUNNEL, use_colour)
+                     : cell;
   }
-  const std::string where = formatted("(%.4g, %.4g, %.4g)", centre[0], centre[1], centre[2]);
-  const std::string extent = formatted("%.3g x %.3g x %.3g", size[0], size[1], size[2]);
-  return line + formatted("  %-34s  %s\n", where.c_str(), extent.c_str());
+  return line + "\n";
 }
 
 std::string header(bool use_colour) {
-  std::string line = " pair";
-  for(const CGAL::Loop_type type : loop_types)
-    line += in_colour(formatted("  %12s", name_of(type)), type, use_colour);
-  return line + formatted("  %-34s  %s\n", "centre of the handle", "its size");
+  std::vector<std::string> names;
+  for(const Pair_column& column : pair_columns)
+    names.push_back(column.name);
+  return row(names, use_colour);
 }
 
 double total_length(const Pairs& pairs, CGAL::Loop_type type) {
@@ -97,12 +95,23 @@ std::string reasons(const Answer& answer, bool show_all) {
 
 } // namespace
 
-std::string table_of_pairs(const Pairs& pairs, const Table_options& options) {
-  if(pairs.empty())
+std::vector<std::string> cells_of(const Listed_pair& pair) {
+  const CGAL::Bbox_3& box = pair.box;
+  return {std::to_string(pair.pair),
+          formatted("%.6g", pair.handle_length),
+          formatted("%.6g", pair.tunnel_length),
+          formatted("%.3g%%", 100. * pair.size),
+          formatted("(%.4g, %.4g, %.4g)", pair.centre.x(), pair.centre.y(), pair.centre.z()),
+          formatted("%.3g x %.3g x %.3g", box.max(0) - box.min(0), box.max(1) - box.min(1),
+                    box.max(2) - box.min(2))};
+}
+
+std::string table_of_pairs(const Pair_listing& listing, const Table_options& options) {
+  if(listing.empty())
     return "";
   return header(options.use_colour) +
-         table_rows(pairs.size(), options.show_all,
-                    [&](std::size_t i) { return row(pairs[i], i, options.use_colour); });
+         table_rows(listing.size(), options.show_all,
+                    [&](std::size_t i) { return row(cells_of(listing[i]), options.use_colour); });
 }
 
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {

@@ -11,8 +11,10 @@
 #define HTLOOPS_PAIR_TABLE_H
 
 #include "solve/answer.h"
+#include "write/pair_listing.h"
 
 #include <string>
+#include <vector>
 
 namespace htloops {
 
@@ -22,8 +24,26 @@ struct Table_options
   bool use_colour = false;
 };
 
-/// a table of the pairs for a person: how long the loops are and where the handles are.
-std::string table_of_pairs(const Pairs& pairs, const Table_options& options);
+/// A column of a table for a person.
+struct Pair_column
+{
+  const char* name;
+  int width;
+  bool is_number;
+};
+
+constexpr Pair_column pair_columns[] = {{"pair", 5, true},
+                                        {"handle", 12, true},
+                                        {"tunnel", 12, true},
+                                        {"size", 8, true},
+                                        {"centre of the shorter", 34, false},
+                                        {"its box", 0, false}};
+
+/// what stands in the columns.
+std::vector<std::string> cells_of(const Listed_pair& pair);
+
+/// a table of pairs for a person: how long the loops are, and where the handles are.
+std::string table_of_pairs(const Pair_listing& listing, const Table_options& options);
 
 /// lines that sum up an answer and what it took, and why loops do not bound, if there are such.
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options);

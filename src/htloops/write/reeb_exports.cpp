@@ -128,18 +128,4 @@ void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_
   write_file(file, mesh_formats, mesh, answer);
 }
 
-std::vector<std::array<unsigned char, 3>> face_colours(const Mesh& mesh,
-                                                       const Reeb_answer& answer) {
-  std::vector<std::array<unsigned char, 3>> colours;
-  colours.reserve(mesh.number_of_faces());
-  for(const Mesh::Face_index f : mesh.faces()) {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    const std::size_t a = answer.vertex_arc[mesh.source(h).idx()];
-    const std::size_t b = answer.vertex_arc[mesh.target(h).idx()];
-    const std::size_t c = answer.vertex_arc[mesh.target(mesh.next(h)).idx()];
-    colours.push_back(colour_of_arc(b == c ? b : a));
-  }
-  return colours;
-}
-
 } // namespace htloops

@@ -33,9 +33,6 @@ void check_coloured_mesh_format(const std::string& file);
 /// writes the mesh as PLY, each vertex with the number and the colour of its arc.
 void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer);
 
-/// the colours of the faces: that of the arc that most of their vertices belong to.
-std::vector<std::array<unsigned char, 3>> face_colours(const Mesh& mesh, const Reeb_answer& answer);
-
 } // namespace htloops
 
 #endif // HTLOOPS_REEB_EXPORTS_H

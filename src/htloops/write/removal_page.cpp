@@ -9,12 +9,11 @@
 
 #include "write/removal_page.h"
 
-#include "write/html_page.h"
-#include "write/picture_export.h"
+#include "write/loop_colours.h"
 #include "write/removal_table.h"
 #include "write/table_rows.h"
 
-#include <filesystem>
+#include <string>
 #include <vector>
 
 namespace htloops {
@@ -23,35 +22,39 @@ namespace {
 using CGAL::Handle_tunnel_loops::Refused_handle;
 using CGAL::Handle_tunnel_loops::Removal_report;
 using CGAL::Handle_tunnel_loops::Removed_handle;
-using Row = std::vector<std::string>;
 
 std::string number(double value) { return formatted("%.6g", value); }
 
-Row row(const std::string& name, const Removed_handle& handle) {
-  return {
-      name, name_of(handle.by), number(handle.length), number(handle.area), number(handle.volume),
-      ""};
+void add_row(htl_window::Table& table, std::vector<std::string> cells, double length) {
+  table.rows.push_back(std::move(cells));
+  table.lengths.push_back(length);
 }
 
-Row row(const std::string& name, const Refused_handle& handle) {
-  return {name, "refused", number(handle.length), "", "", handle.reason};
+void add_row(htl_window::Table& table, const std::string& name, const Removed_handle& handle) {
+  add_row(table,
+          {name, name_of(handle.by), number(handle.length), number(handle.area),
+           number(handle.volume), ""},
+          handle.length);
 }
 
-std::vector<Row> table_of(const Removal_report& report) {
-  std::vector<Row> rows = {{"pair", "by", "length", "area", "volume", "why not"}};
-  const auto add_handles = [&rows](const auto& handles) {
-    for(const auto& handle : handles)
-      rows.push_back(row(std::to_string(handle.pair), handle));
-  };
-  const auto add_necks = [&rows](const auto& necks) {
-    for(const auto& neck : necks)
-      rows.push_back(row("neck", neck));
-  };
-  add_handles(report.removed);
-  add_necks(report.removed_necks);
-  add_handles(report.refused);
-  add_necks(report.refused_necks);
-  return rows;
+void add_row(htl_window::Table& table, const std::string& name, const Refused_handle& handle) {
+  add_row(table, {name, "refused", number(handle.length), "", "", handle.reason}, handle.length);
+}
+
+template <typename Handle>
+void add_handles(htl_window::Scene& scene, const Pairs& pairs, const std::vector<Handle>& handles) {
+  for(const Handle& handle : handles) {
+    for(std::size_t group = 0; group < 2; ++group)
+      add_line(scene, pairs[handle.pair].loop(loop_types[group]).points(), true, group,
+               scene.table.rows.size());
+    add_row(scene.table, std::to_string(handle.pair), handle);
+    scene.table.numbers.push_back(handle.pair);
+  }
+}
+
+template <typename Neck> void add_necks(htl_window::Scene& scene, const std::vector<Neck>& necks) {
+  for(const Neck& neck : necks)
+    add_row(scene.table, "neck", neck);
 }
 
 } // namespace
@@ -65,19 +68,21 @@ Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report) {
   return chosen;
 }
 
-void write_removal_page(const std::string& file, const Removal_shown& shown) {
-  const std::string name = std::filesystem::path(shown.mesh_file).filename().string();
-  // Drawn before the page is begun: while a file is unfinished, an interrupt has to wait.
-  const std::string before =
-      picture_of(shown.before, lines_of(pairs_to_remove(shown.pairs, shown.report)));
-  const std::string after = picture_of(shown.after, {});
-  Html_page page(file, "Handles removed from " + name);
-  page.paragraph(summary(shown.report));
-  page.picture(before,
-               "before, with the handle loops (red) and tunnel loops (blue) of these handles");
-  page.picture(after, "after");
-  page.table(table_of(shown.report), 2, 5);
-  page.finish();
+void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown) {
+  htl_window::Scene scene = scene_of(view, "Handles removed from", shown.mesh_file, "before",
+                                     drawn_surface(shown.before));
+  add_paragraphs(scene, summary(shown.report));
+  scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
+  scene.groups = {{"handle loops", colour_of(CGAL::Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(CGAL::Loop_type::TUNNEL)}};
+  scene.table.columns = {{"pair", true}, {"by", false},    {"length", true},
+                         {"area", true}, {"volume", true}, {"why not", false}};
+  scene.table.choice = "--pairs";
+  add_handles(scene, shown.pairs, shown.report.removed);
+  add_handles(scene, shown.pairs, shown.report.refused);
+  add_necks(scene, shown.report.removed_necks);
+  add_necks(scene, shown.report.refused_necks);
+  write_page(file, scene);
 }
 
 } // namespace htloops

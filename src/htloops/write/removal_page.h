@@ -11,6 +11,7 @@
 #define HTLOOPS_REMOVAL_PAGE_H
 
 #include "mesh_types.h"
+#include "write/page_export.h"
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
@@ -31,8 +32,9 @@ struct Removal_shown
 /// the pairs of the handles that were to be removed, refused ones among them.
 Pairs pairs_to_remove(const Pairs& pairs, const CGAL::Handle_tunnel_loops::Removal_report& report);
 
-/// writes a page of HTML for a person: a summary, pictures before and after, and a table.
-void write_removal_page(const std::string& file, const Removal_shown& shown);
+/// writes a page in which both meshes can be turned, with the loops of these pairs and what became
+/// of each.
+void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown);
 
 } // namespace htloops
 

@@ -437,9 +437,9 @@ TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
   curves.vertices = {{0., 0., 0.}, {1., 0., 0.}, {0.5 + a, b, 1.}, {0.5, -1., -0.25},
                      {8., 0., 0.}, {9., 0., 0.}, {8.5, 1., -1.},   {8.5, -1., -1.}};
   curves.edges = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  curves.walks.add(1, 0, 1);
   curves.walks.add(0, 1, 1);
   curves.crossings.add(0, 0, 1);
-  curves.walks.add(1, 0, 1);
   curves.crossings.add(1, 1, -1);
   curves.walks.finish(2);
   curves.crossings.finish(2);

@@ -1,7 +1,8 @@
 #include "picture/picture.h"
 
+#include "Decoded_png.h"
+
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,34 +23,9 @@ using htl_picture::Triangle;
 
 namespace {
 
-/// A picture read back from the content of its file.
-struct Picture
-{
-  int width = 0, height = 0;
-  std::vector<Colour> pixels;
+using Picture = Decoded_png;
 
-  const Colour& at(int x, int y) const { return pixels[std::size_t(y) * width + x]; }
-  const Colour& middle() const { return at(width / 2, height / 2); }
-
-  template <typename Predicate> std::ptrdiff_t count(Predicate predicate) const {
-    return std::count_if(pixels.begin(), pixels.end(), predicate);
-  }
-};
-
-Picture decoded(const std::string& png) {
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  if(png_image_begin_read_from_memory(&image, png.data(), png.size()) == 0)
-    throw std::runtime_error(image.message);
-  image.format = PNG_FORMAT_RGB;
-  Picture picture;
-  picture.width = static_cast<int>(image.width);
-  picture.height = static_cast<int>(image.height);
-  picture.pixels.resize(std::size_t(image.width) * image.height);
-  if(png_image_finish_read(&image, nullptr, picture.pixels.data(), 0, nullptr) == 0)
-    throw std::runtime_error(image.message);
-  return picture;
-}
+Picture decoded(const std::string& png) { return decoded_png(png); }
 
 struct Mesh
 {

@@ -149,6 +149,11 @@ private:
         for(Index v : flat.arcs[a].vertices)
           put(map, vertices_[v], a);
     }
+    if constexpr(is_given<internal_np::vertex_value_map_t>) {
+      const auto map = parameters::get_parameter(np_, internal_np::vertex_value_map);
+      for(Index v = 0; v < mesh_.number_of_vertices() - mesh_.number_of_hubs; ++v)
+        put(map, vertices_[v], value(v));
+    }
     Reeb_converter<TriangleMesh, Vertex_point_map, Geom_traits>(point_, traits_, mesh_, vertices_)
         .convert(execution_, std::move(flat), value, graph);
     statistics_.seconds_of_finishing += seconds_since(began);

@@ -1,0 +1,108 @@
+// Writes pages in which a surface can be turned, beside reading the mesh with CGAL: how long that
+// takes, and how large they are. Where there is a Chromium, they are opened in it, without a
+// graphics card: how long they take to load, and to draw once.
+//
+//   benchmark_page [-n RUNS] [KIND:FACES:GENUS|FILE...]
+
+#include "Benchmark_meshes.h"
+#include "Browser.h"
+
+#include "htloops/solve/solvers.h"
+#include "htloops/write/loops_page.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+// Seconds to load a page, and to draw it once: in full, and while it moves.
+std::string in_browser(Browser* browser, const std::string& page) {
+  if(browser == nullptr)
+    return "| | | |";
+  browser->open(page, "document.body?.classList.contains('ready') === true");
+  const double load = browser->evaluate("htloops.loadMilliseconds");
+  const auto frame = [&](const std::string& is_moving) -> double {
+    return browser->evaluate(
+        "(() => { const { viewer } = htloops, { gl } = viewer, pixel = new Uint8Array(4), n = 3;"
+        "const draw = () => { viewer.isMoving = " +
+        is_moving +
+        "; viewer.isSlow = true;"
+        "  viewer.camera.turn(0.1, 0.05); viewer.drawNow();"
+        "  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); };"
+        "draw(); const began = performance.now(); for(let i = 0; i < n; ++i) draw();"
+        "return (performance.now() - began) / n; })()");
+  };
+  char text[80];
+  const double full = frame("false"), coarse = frame("true");
+  std::snprintf(text, sizeof text, "| %.2f | %.2f | %.2f |", load / 1000., full / 1000.,
+                coarse / 1000.);
+  return text;
+}
+
+void measure(const std::string& input, int number_of_runs, Browser* browser) {
+  const Off_file off(input);
+  const std::string page = off.name() + ".html";
+  htloops::Answer answer;
+  htloops::Pair_listing listing;
+  std::vector<double> reading, writing, ratio;
+  double bytes = 0., faces = 0.;
+  for(int run = 0; run < number_of_runs; ++run) {
+    Mesh mesh;
+    const double t0 = seconds_now();
+    if(!CGAL::IO::read_polygon_mesh(off.name(), mesh))
+      throw std::runtime_error("cannot read " + off.name());
+    const double t1 = seconds_now();
+    htloops::Progress_bar bar(false);
+    answer = htloops::solve_on_host(mesh, {}, bar);
+    listing = htloops::list_pairs(mesh, answer.pairs);
+    const double t2 = seconds_now();
+    htloops::write_loops_page(page, {}, input, mesh, answer, listing, "");
+    const double t3 = seconds_now();
+    bytes = double(std::filesystem::file_size(page));
+    faces = double(mesh.number_of_faces());
+    reading.push_back(t1 - t0);
+    writing.push_back(t3 - t2);
+    ratio.push_back((t3 - t2) / (t1 - t0));
+  }
+  const std::string shown = in_browser(browser, std::filesystem::absolute(page).string());
+  std::filesystem::remove(page);
+  std::printf("| %s | %.0f | %zu | %.2f | %.2f | **%.2f** | %.2f | %.1f %s\n", input.c_str(), faces,
+              answer.pairs.size(), median(reading), median(writing), median(ratio), bytes / 1e6,
+              bytes / faces, shown.c_str());
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  int number_of_runs = 3;
+  std::vector<std::string> inputs;
+  for(int i = 1; i < argc; ++i)
+    if(std::string(argv[i]) == "-n" && i + 1 < argc)
+      number_of_runs = (std::max)(1, std::atoi(argv[++i]));
+    else
+      inputs.push_back(argv[i]);
+  if(inputs.empty())
+    inputs = {"torus:1000000:1", "multi-torus:1000000:250", "gyroid:1000000:250",
+              "lattice:1000000:250"};
+  try {
+    std::printf("| mesh | faces | pairs | reading s | page s | ratio | MB | bytes per face | load "
+                "s | frame s | moving s |\n"
+                "|---|---|---|---|---|---|---|---|---|---|---|\n");
+    std::unique_ptr<Browser> browser;
+    if(!Browser::program().empty())
+      browser = std::make_unique<Browser>(1200, 800);
+    for(const std::string& input : inputs)
+      measure(input, number_of_runs, browser.get());
+  } catch(const std::exception& e) {
+    std::cerr << "Error: " << e.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

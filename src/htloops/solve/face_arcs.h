@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_FACE_ARCS_H
+#define HTLOOPS_FACE_ARCS_H
+
+#include "mesh_types.h"
+#include "solve/reeb_answer.h"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+
+/// A part of a face: where the function has values from `low` to `high`, it belongs to an arc.
+struct Face_part
+{
+  std::size_t arc;
+  double low, high;
+};
+
+/*!
+The arcs that faces belong to. A face whose vertices belong to different arcs is passed by fronts of
+all these, one after the other: they meet at the contours of the nodes between them.
+*/
+class Face_arcs
+{
+public:
+  Face_arcs(const Mesh& mesh, const Reeb_answer& answer);
+
+  /// the vertices of a face by increasing value.
+  std::array<Mesh::Vertex_index, 3> vertices_of(Mesh::Face_index f) const;
+
+  /// the parts of the face that has these vertices, from below.
+  const std::vector<Face_part>& parts_of(const std::array<Mesh::Vertex_index, 3>& vertices);
+
+private:
+  using Path = std::vector<std::size_t>;
+
+  double value(Mesh::Vertex_index v) const { return answer_.values[v.idx()]; }
+
+  void append(Mesh::Vertex_index from, Mesh::Vertex_index to);
+  const Path& path(std::size_t from, std::size_t to);
+  Path find_path(std::size_t from, std::size_t to) const;
+  double level_between(std::size_t lower, std::size_t upper, double otherwise) const;
+
+  const Mesh& mesh_;
+  const Reeb_answer& answer_;
+  std::vector<std::size_t> low_node_, high_node_; // by arc
+  std::vector<std::vector<std::size_t>> arcs_up_; // by node
+  std::map<std::pair<std::size_t, std::size_t>, Path> paths_;
+  std::vector<Face_part> parts_;
+};
+
+/// for each arc how long its contour is half way, by the number of its vertices.
+std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer);
+
+} // namespace htloops
+
+#endif // HTLOOPS_FACE_ARCS_H

@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/export_gltf.h"
+
+#include "failure.h"
+#include "write/file_format.h"
+#include "write/json_writer.h"
+#include "write/text_writer.h"
+#include "write/tube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+namespace htloops {
+namespace {
+
+using Vector = std::array<double, 3>;
+using Colour = std::array<unsigned char, 3>;
+
+constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+struct Bounds
+{
+  Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+
+  void add(const Vector& p) {
+    for(int i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  }
+};
+
+// The sums of the normals of the faces around each point.
+std::vector<Vector> normals_of(const Drawn_surface& surface, double unit) {
+  std::vector<Vector> normals(surface.points.size());
+  for(const auto& [a, b, c] : surface.triangles) {
+    Vector u, v;
+    for(int i = 0; i < 3; ++i) {
+      u[i] = (surface.points[b][i] - surface.points[a][i]) / unit;
+      v[i] = (surface.points[c][i] - surface.points[a][i]) / unit;
+    }
+    for(const std::uint32_t corner : {a, b, c})
+      for(int i = 0; i < 3; ++i)
+        normals[corner][i] += u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+  }
+  for(Vector& n : normals) {
+    const double length = std::hypot(n[0], n[1], n[2]);
+    n = length > 0. ? Vector{n[0] / length, n[1] / length, n[2] / length} : Vector{0., 0., 1.};
+  }
+  return normals;
+}
+
+// A document of glTF and its buffer.
+class Gltf
+{
+public:
+  explicit Gltf(const Bounds& bounds) {
+    for(int i = 0; i < 3; ++i)
+      middle_[i] = bounds.low[i] / 2. + bounds.high[i] / 2.;
+  }
+
+  void add(const std::string& name, const Smooth_surface& surface, const Colour& colour) {
+    if(surface.triangles.empty())
+      return;
+    Bounds bounds;
+    for(const Vector& p : surface.points)
+      bounds.add(relative(p));
+    const Json attributes = {
+        {"POSITION", accessor_of_points(surface.points, bounds)},
+        {"NORMAL", accessor_of(surface.normals.size(), "VEC3", single, array_buffer,
+                               [&] { append_numbers(surface.normals); })}};
+    const Json primitive = {
+        {"attributes", attributes},
+        {"indices", accessor_of(3 * surface.triangles.size(), "SCALAR", unsigned_number,
+                                element_array_buffer, [&] { append(surface.triangles); })},
+        {"material", material(colour)}};
+    json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
+    json_["nodes"].push_back({{"name", name}, {"mesh", json_["meshes"].size() - 1}});
+  }
+
+  // The file: a header, and two chunks of whole words.
+  std::string file() {
+    Json children = Json::array();
+    for(std::size_t i = 0; i < json_["nodes"].size(); ++i)
+      children.push_back(i);
+    json_["nodes"].push_back({{"name", "all"}, {"translation", middle_}, {"children", children}});
+    json_["scenes"] = Json::array({{{"nodes", Json::array({children.size()})}}});
+    json_["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+    std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string result = "glTF";
+    append_word(result, 2);
+    append_word(result, static_cast<std::uint32_t>(28 + text.size() + buffer_.size()));
+    append_chunk(result, "JSON", text);
+    append_chunk(result, std::string("BIN\0", 4), buffer_);
+    return result;
+  }
+
+private:
+  static constexpr int single = 5126, unsigned_number = 5125; // types of numbers
+  static constexpr int array_buffer = 34962, element_array_buffer = 34963;
+
+  Vector relative(const Vector& p) const {
+    return {p[0] - middle_[0], p[1] - middle_[1], p[2] - middle_[2]};
+  }
+
+  static void append_word(std::string& bytes, std::uint32_t word) {
+    for(int shift = 0; shift < 32; shift += 8)
+      bytes += static_cast<char>(word >> shift & 255u);
+  }
+
+  static void
+  append_chunk(std::string& bytes, const std::string& kind, const std::string& content) {
+    append_word(bytes, static_cast<std::uint32_t>(content.size()));
+    bytes += kind + content;
+  }
+
+  void append_number(double value) {
+    const auto number = static_cast<float>(value);
+    std::uint32_t word;
+    std::memcpy(&word, &number, sizeof word);
+    append_word(buffer_, word);
+  }
+
+  void append_numbers(const std::vector<Vector>& vectors) {
+    for(const Vector& v : vectors)
+      for(const double x : v)
+        append_number(x);
+  }
+
+  void append(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    for(const auto& triangle : triangles)
+      for(const std::uint32_t corner : triangle)
+        append_word(buffer_, corner);
+  }
+
+  template <typename Append>
+  std::size_t
+  accessor_of(std::size_t count, const char* type, int component, int target, Append append) {
+    const std::size_t begin = buffer_.size();
+    append();
+    json_["bufferViews"].push_back({{"buffer", 0},
+                                    {"byteOffset", begin},
+                                    {"byteLength", buffer_.size() - begin},
+                                    {"target", target}});
+    json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
+                                  {"componentType", component},
+                                  {"count", count},
+                                  {"type", type}});
+    return json_["accessors"].size() - 1;
+  }
+
+  std::size_t accessor_of_points(const std::vector<Vector>& points, const Bounds& bounds) {
+    const std::size_t accessor = accessor_of(points.size(), "VEC3", single, array_buffer, [&] {
+      for(const Vector& p : points)
+        for(const double x : relative(p))
+          append_number(x);
+    });
+    // As they are after rounding.
+    const auto rounded = [](const Vector& v) {
+      return Json{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+    };
+    json_["accessors"][accessor]["min"] = rounded(bounds.low);
+    json_["accessors"][accessor]["max"] = rounded(bounds.high);
+    return accessor;
+  }
+
+  // One for each colour; glTF wants the amount of light.
+  std::size_t material(const Colour& colour) {
+    const auto [position, is_new] = materials_.try_emplace(colour, materials_.size());
+    if(is_new) {
+      Json light = Json::array();
+      for(const unsigned char part : colour)
+        light.push_back(std::pow(part / 255., 2.2));
+      light.push_back(1.);
+      json_["materials"].push_back(
+          {{"pbrMetallicRoughness",
+            {{"baseColorFactor", light}, {"metallicFactor", 0.}, {"roughnessFactor", 0.7}}},
+           {"doubleSided", true}});
+    }
+    return position->second;
+  }
+
+  Vector middle_;
+  Json json_ = {{"asset", {{"version", "2.0"}, {"generator", "htloops"}}},
+                {"scene", 0},
+                {"scenes", Json::array()},
+                {"nodes", Json::array()},
+                {"meshes", Json::array()},
+                {"materials", Json::array()},
+                {"accessors", Json::array()},
+                {"bufferViews", Json::array()},
+                {"buffers", Json::array()}};
+  std::string buffer_;
+  std::map<Colour, std::size_t> materials_;
+};
+
+constexpr File_format<void(Text_writer&)> formats[] = {{".glb", nullptr}};
+
+// The triangles of one colour, with all points.
+Smooth_surface
+in_colour(const Drawn_surface& surface, const std::vector<Vector>& normals, const Colour& colour) {
+  Smooth_surface part;
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if(surface.colours[t] != colour)
+      continue;
+    part.triangles.emplace_back();
+    for(int i = 0; i < 3; ++i) {
+      const std::uint32_t v = surface.triangles[t][i];
+      const auto [position, is_new] =
+          numbers.try_emplace(v, static_cast<std::uint32_t>(part.points.size()));
+      if(is_new) {
+        part.points.push_back(surface.points[v]);
+        part.normals.push_back(normals[v]);
+      }
+      part.triangles.back()[i] = position->second;
+    }
+  }
+  return part;
+}
+
+void add_surface(Gltf& gltf, const Drawn_surface& surface, double diagonal) {
+  constexpr Colour plain = {204, 212, 222};
+  const std::vector<Vector> normals = normals_of(surface, diagonal);
+  if(surface.colours.empty()) {
+    gltf.add("surface", {surface.points, normals, surface.triangles}, plain);
+    return;
+  }
+  std::vector<Colour> colours = surface.colours;
+  std::sort(colours.begin(), colours.end());
+  colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
+  for(std::size_t i = 0; i < colours.size(); ++i)
+    gltf.add("part " + std::to_string(i), in_colour(surface, normals, colours[i]), colours[i]);
+}
+
+} // namespace
+
+void check_gltf_format(const std::string& file) { format_of(file, formats); }
+
+void export_gltf(const std::string& file,
+                 const Drawn_surface& surface,
+                 const Exported_lines& lines) {
+  Bounds bounds;
+  for(const Vector& p : surface.points)
+    bounds.add(p);
+  const double diagonal = std::hypot(bounds.high[0] - bounds.low[0], bounds.high[1] - bounds.low[1],
+                                     bounds.high[2] - bounds.low[2]);
+  constexpr double least = 1e-25, most = 1e25;
+  if(!surface.points.empty() && !(diagonal > least && diagonal < most))
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "--gltf " + file +
+                      ": the numbers of glTF are of single precision, in which the " +
+                      "surface is too " + (diagonal > least ? "large" : "small"));
+  Gltf gltf(bounds);
+  add_surface(gltf, surface, diagonal);
+  constexpr double relative_radius = 0.003;
+  for(const Exported_line& line : lines.lines)
+    gltf.add(line.kind + " " + std::to_string(line.index),
+             tube_around(coordinates(line.points), line.is_closed, relative_radius * diagonal),
+             line.colour);
+  const std::string content = gltf.file();
+  Text_writer out(file);
+  out << content;
+  out.finish();
+}
+
+} // namespace htloops

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/loops_page.h"
+
+#include "write/loop_colours.h"
+#include "write/pair_table.h"
+
+namespace htloops {
+namespace {
+
+using CGAL::Loop_type;
+
+void add_pairs(htl_window::Scene& scene, const Pairs& pairs, const Pair_listing& listing) {
+  for(const Pair_column& column : pair_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  scene.table.choice = "--pairs";
+  scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(Loop_type::TUNNEL)}};
+  for(std::size_t row = 0; row < listing.size(); ++row) {
+    const Listed_pair& listed = listing[row];
+    scene.table.rows.push_back(cells_of(listed));
+    scene.table.lengths.push_back((std::min)(listed.handle_length, listed.tunnel_length));
+    scene.table.numbers.push_back(listed.pair);
+    for(std::size_t group = 0; group < 2; ++group)
+      add_line(scene, pairs[listed.pair].loop(loop_types[group]).points(), true, group, row);
+  }
+}
+
+void add_group(htl_window::Scene& scene,
+               const std::string& name,
+               htl_window::Colour colour,
+               const std::vector<Loop>& loops) {
+  if(loops.empty())
+    return;
+  scene.groups.push_back({name, colour});
+  for(const Loop& loop : loops)
+    add_line(scene, loop.points(), true, scene.groups.size() - 1);
+}
+
+} // namespace
+
+void write_loops_page(const std::string& file,
+                      const View& view,
+                      const std::string& mesh_file,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      const Pair_listing& listing,
+                      const std::string& summary) {
+  htl_window::Scene scene =
+      scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
+  add_paragraphs(scene, summary);
+  add_pairs(scene, answer.pairs, listing);
+  add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
+  add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
+  write_page(file, scene);
+}
+
+} // namespace htloops

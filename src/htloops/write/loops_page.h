@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_LOOPS_PAGE_H
+#define HTLOOPS_LOOPS_PAGE_H
+
+#include "solve/answer.h"
+#include "write/page_export.h"
+#include "write/pair_listing.h"
+
+#include <string>
+
+namespace htloops {
+
+/// writes a page in which a mesh can be turned, with the listed pairs, and what was found at its
+/// boundary curves.
+void write_loops_page(const std::string& file,
+                      const View& view,
+                      const std::string& mesh_file,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      const Pair_listing& listing,
+                      const std::string& summary);
+
+} // namespace htloops
+
+#endif // HTLOOPS_LOOPS_PAGE_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_PAIR_LISTING_H
+#define HTLOOPS_PAIR_LISTING_H
+
+#include "mesh_types.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace htloops {
+
+/// By what listed pairs follow each other.
+enum class Pair_order {
+  SIZE,   ///< the shorter loop, the smallest first
+  LENGTH, ///< both loops together, the shortest first
+  PAIR,   ///< the number of the pair
+  PLACE   ///< the centre, by x, then y, then z
+};
+
+/// Which pairs are listed, shown and drawn.
+struct Listing_options
+{
+  Pair_order order = Pair_order::SIZE;
+  double shorter_than = (std::numeric_limits<double>::infinity)(); ///< one of the loops at least
+  double longer_than = 0.;                                         ///< both loops
+  std::optional<CGAL::Bbox_3> box; ///< in which one of the loops lies, one that is shorter
+};
+
+/// What is told of a pair beside the loops themselves.
+struct Listed_pair
+{
+  std::size_t pair; ///< its number
+  double handle_length, tunnel_length;
+  double size;      ///< the length of the shorter loop, relative to the diagonal of the mesh's box
+  Point centre;     ///< of the box of the shorter loop
+  CGAL::Bbox_3 box; ///< of the shorter loop
+};
+
+using Pair_listing = std::vector<Listed_pair>;
+
+/// the pairs that are wanted, in the order that is wanted; those that are equal in it by number.
+Pair_listing list_pairs(const Mesh& mesh, const Pairs& pairs, const Listing_options& options = {});
+
+/// the diagonal of the bounding box.
+double diagonal_of(const Mesh& mesh);
+
+/// what is told of one pair.
+Listed_pair listed_pair(const Pair& pair, std::size_t number, double diagonal);
+
+} // namespace htloops
+
+#endif // HTLOOPS_PAIR_LISTING_H

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_TUBE_H
+#define HTLOOPS_TUBE_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace htloops {
+
+/// Triangles with a normal for each point.
+struct Smooth_surface
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 3>> normals;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// the tube of a radius around a line, eight-sided; that of an open line is open at its ends.
+Smooth_surface
+tube_around(const std::vector<std::array<double, 3>>& line, bool is_closed, double radius);
+
+} // namespace htloops
+
+#endif // HTLOOPS_TUBE_H

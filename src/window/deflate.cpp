@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "deflate.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+
+namespace htl_window {
+namespace {
+
+class Deflation
+{
+public:
+  Deflation() {
+    constexpr int raw_window_bits = -15, memory_level = 9;
+    if(deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, raw_window_bits, memory_level,
+                    Z_DEFAULT_STRATEGY) != Z_OK)
+      throw std::runtime_error("zlib cannot be used");
+  }
+
+  ~Deflation() { deflateEnd(&stream_); }
+
+  Deflation(const Deflation&) = delete;
+  Deflation& operator=(const Deflation&) = delete;
+
+  void add(std::string_view bytes, bool is_last, std::string& result) {
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+    do {
+      constexpr std::size_t step = std::size_t(1) << 18;
+      const std::size_t size = result.size();
+      result.resize(size + step);
+      stream_.next_out = reinterpret_cast<Bytef*>(&result[size]);
+      stream_.avail_out = step;
+      deflate(&stream_, is_last ? Z_FINISH : Z_NO_FLUSH);
+      result.resize(size + step - stream_.avail_out);
+    } while(stream_.avail_out == 0);
+  }
+
+private:
+  z_stream stream_{};
+};
+
+} // namespace
+
+std::string deflated(std::string_view bytes) {
+  Deflation deflation;
+  std::string result;
+  constexpr std::size_t longest = (std::numeric_limits<uInt>::max)();
+  do {
+    const std::string_view part = bytes.substr(0, longest);
+    bytes.remove_prefix(part.size());
+    deflation.add(part, bytes.empty(), result);
+  } while(!bytes.empty());
+  return result;
+}
+
+} // namespace htl_window

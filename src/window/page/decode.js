@@ -1,0 +1,186 @@
+// What a page carries: numbers of variable length, in streams one after the other, deflated, in
+// base 64. See encode_surface.h for what they mean.
+
+const STEPS = 65535; // of a coordinate, from one side of the box to the other
+
+async function inflated(id) {
+  const text = atob(document.getElementById(id).textContent.trim());
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i)
+    bytes[i] = text.charCodeAt(i);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// Reads numbers: seven bits in each byte, the least first; the eighth says that more follow.
+class Numbers {
+  constructor(bytes, at) {
+    this.bytes = bytes;
+    this.at = at;
+  }
+
+  next() {
+    let byte = this.bytes[this.at++], value = byte & 127;
+    for (let shift = 7; byte > 127; shift += 7) {
+      byte = this.bytes[this.at++];
+      value |= (byte & 127) << shift;
+    }
+    return value;
+  }
+
+  nextSigned() {
+    const value = this.next();
+    return (value >>> 1) ^ -(value & 1);
+  }
+}
+
+// One reader for each stream.
+function streams(bytes, lengths) {
+  let at = 0;
+  return lengths.map(length => {
+    const numbers = new Numbers(bytes, at);
+    at += length;
+    return numbers;
+  });
+}
+
+// The faces around each vertex in turn, as far as they were not there yet; a vertex that is met for
+// the first time gets the next number.
+function decodeSurface(bytes, surface) {
+  const [counts, corners, x, y, z, partSteps] = streams(bytes, surface.streams);
+  const points = new Uint16Array(4 * surface.vertices), triangles = new Uint32Array(3 * surface.faces);
+  const parts = new Uint32Array(surface.parts ? surface.faces : 0);
+  let known = 0, face = 0, part = 0;
+  const meet = near => {
+    for (const [i, numbers] of [x, y, z].entries())
+      points[4 * known + i] = points[4 * near + i] + numbers.nextSigned();
+    return known++;
+  };
+  const corner = near => {
+    const code = corners.next();
+    return code === 0 ? meet(near) : known - code;
+  };
+  for (let v = 0; v < surface.vertices; ++v) {
+    if (v === known)
+      meet(v === 0 ? 0 : v - 1);
+    for (let n = counts.next(); n > 0; --n, ++face) {
+      const a = corner(v), b = corner(a);
+      triangles.set([v, a, b], 3 * face);
+      if (surface.parts)
+        parts[face] = part += partSteps.nextSigned();
+    }
+  }
+  return { points, triangles, parts };
+}
+
+// A vertex belongs to one part: where parts meet it has copies, which `original` leads back from. A
+// vertex and its copies are chained by `next`.
+function splitByParts(surface) {
+  const { points, triangles, parts } = surface;
+  const count = points.length / 4;
+  const partOf = new Array(count).fill(-1), next = new Array(count).fill(-1), original = [];
+  triangles.forEach((v, corner) => {
+    const part = parts[Math.floor(corner / 3)];
+    let w = v;
+    while (partOf[w] !== part && next[w] !== -1)
+      w = next[w];
+    if (partOf[w] !== part && partOf[w] !== -1) {
+      w = next[w] = count + original.length;
+      next.push(-1);
+      original.push(v);
+    }
+    partOf[w] = part;
+    triangles[corner] = w;
+  });
+  const all = new Uint16Array(4 * (count + original.length));
+  all.set(points);
+  original.forEach((v, i) => all.set(points.subarray(4 * v, 4 * v + 4), 4 * (count + i)));
+  return { points: all, triangles, partOf: Uint16Array.from(partOf, p => Math.max(p, 0)), original };
+}
+
+// A surface that looks inwards is turned over: what is looked at is its outside.
+function turnOutwards({ points, triangles }) {
+  let volume = 0;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const a = 4 * triangles[i], b = 4 * triangles[i + 1], c = 4 * triangles[i + 2];
+    const at = (v, k) => points[v + k] / STEPS - 0.5;
+    volume += at(a, 0) * (at(b, 1) * at(c, 2) - at(b, 2) * at(c, 1)) +
+              at(a, 1) * (at(b, 2) * at(c, 0) - at(b, 0) * at(c, 2)) +
+              at(a, 2) * (at(b, 0) * at(c, 1) - at(b, 1) * at(c, 0));
+  }
+  if (volume < 0)
+    for (let i = 0; i < triangles.length; i += 3)
+      [triangles[i], triangles[i + 1]] = [triangles[i + 1], triangles[i]];
+}
+
+// Sums of the normals of the faces around each vertex, of length 127.
+function vertexNormals(points, triangles, original, size) {
+  const count = points.length / 4, first = count - original.length;
+  const sums = new Float32Array(3 * count);
+  const home = v => v < first ? v : original[v - first];
+  const [sx, sy, sz] = size.map(s => s / STEPS);
+  for (let i = 0; i < triangles.length; i += 3) {
+    const a = 4 * triangles[i], b = 4 * triangles[i + 1], c = 4 * triangles[i + 2];
+    const ux = (points[b] - points[a]) * sx, vx = (points[c] - points[a]) * sx;
+    const uy = (points[b + 1] - points[a + 1]) * sy, vy = (points[c + 1] - points[a + 1]) * sy;
+    const uz = (points[b + 2] - points[a + 2]) * sz, vz = (points[c + 2] - points[a + 2]) * sz;
+    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    for (let k = i; k < i + 3; ++k) {
+      const v = 3 * home(triangles[k]);
+      sums[v] += nx;
+      sums[v + 1] += ny;
+      sums[v + 2] += nz;
+    }
+  }
+  const normals = new Int8Array(4 * count);
+  for (let v = 0; v < count; ++v) {
+    const s = 3 * home(v);
+    const length = Math.hypot(sums[s], sums[s + 1], sums[s + 2]) || 1;
+    for (let i = 0; i < 3; ++i)
+      normals[4 * v + i] = Math.round(127 * sums[s + i] / length);
+  }
+  return normals;
+}
+
+// From the middle of the box, in the unit of `size`.
+function farthest(points, size) {
+  let most = 0;
+  for (let i = 0; i < points.length; i += 4) {
+    let square = 0;
+    for (let k = 0; k < 3; ++k)
+      square += ((points[i + k] / STEPS - 0.5) * size[k]) ** 2;
+    most = Math.max(most, square);
+  }
+  return Math.sqrt(most);
+}
+
+async function loadSurface(surface, id, size) {
+  const coded = decodeSurface(await inflated(id), surface);
+  turnOutwards(coded);
+  const { points, triangles, partOf, original } = surface.parts ? splitByParts(coded)
+    : { ...coded, partOf: null, original: [] };
+  return { ...surface, points, triangles, partOf,
+           normals: vertexNormals(points, triangles, original, size), radius: farthest(points, size) };
+}
+
+// All lines in one array of points; the fourth number of a point is twice that of its line, and one
+// more if the line goes on.
+async function loadLines(scene) {
+  const total = scene.lines.reduce((sum, line) => sum + line.points + (line.closed ? 1 : 0), 0);
+  const points = new Uint32Array(4 * total);
+  const numbers = streams(await inflated('lines'), scene.lineStreams);
+  const last = [0, 0, 0];
+  let at = 0;
+  scene.lines.forEach((line, index) => {
+    line.first = at;
+    for (let i = 0; i < line.points; ++i, ++at)
+      for (let k = 0; k < 3; ++k)
+        points[4 * at + k] = last[k] += numbers[k].nextSigned();
+    if (line.closed)
+      points.copyWithin(4 * at++, 4 * line.first, 4 * line.first + 3);
+    line.last = at - 1;
+    for (let i = line.first; i < at; ++i)
+      points[4 * i + 3] = 2 * index + (i < line.last ? 1 : 0);
+  });
+  return points;
+}

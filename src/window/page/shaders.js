@@ -1,0 +1,117 @@
+// What the graphics card runs. Points come in steps of the box; palettes are textures of one row
+// after the other.
+
+const PALETTE_WIDTH = 1024;
+
+const COMMON = `#version 300 es
+precision highp float;
+precision highp int;
+uniform mat4 matrix;
+uniform vec3 scale, shift, eye;
+vec4 entry(sampler2D palette, uint i) {
+  return texelFetch(palette, ivec2(i % ${PALETTE_WIDTH}u, i / ${PALETTE_WIDTH}u), 0);
+}
+`;
+
+const SURFACE_VERTEX = COMMON + `
+in vec3 point, normal;
+in uint part;
+uniform sampler2D palette;
+out vec3 place, direction;
+flat out vec3 colour;
+void main() {
+  place = point * scale + shift;
+  direction = normal;
+  colour = entry(palette, part).rgb;
+  gl_Position = matrix * vec4(place, 1.);
+}`;
+
+// Smooth where the surface is, flat at its creases; lit from the eye, from above and from a side.
+const SURFACE_FRAGMENT = COMMON + `
+in vec3 place, direction;
+flat in vec3 colour;
+uniform vec4 cut;
+uniform vec3 right, up;
+uniform float opacity;
+out vec4 result;
+void main() {
+  if(dot(place, cut.xyz) > cut.w)
+    discard;
+  vec3 to_eye = normalize(eye - place);
+  vec3 flat_normal = normalize(cross(dFdx(place), dFdy(place)));
+  flat_normal *= sign(dot(flat_normal, to_eye));
+  vec3 smooth_normal = normalize(direction) * (gl_FrontFacing ? 1. : -1.);
+  vec3 n = dot(smooth_normal, flat_normal) > .8 ? smooth_normal : flat_normal;
+  vec3 light = normalize(to_eye + .6 * up - .5 * right);
+  float lit = .34 + .5 * max(dot(n, light), 0.) + .2 * (.5 + .5 * dot(n, up));
+  vec3 shade = colour * lit * (gl_FrontFacing ? vec3(1.) : vec3(.82, .74, .64));
+  shade += .12 * pow(max(dot(n, normalize(light + to_eye)), 0.), 40.);
+  result = vec4(shade, opacity);
+}`;
+
+// A segment as two triangles around it, of constant width in pixels; a little nearer than it is, so
+// that the surface on which it lies does not hide it. Points are entries of a texture: their fourth
+// number is twice that of their line, and one more if the line goes on. (Instances would be slow where
+// there is no graphics card.)
+const LINE_VERTEX = COMMON + `
+precision highp usampler2D;
+uniform usampler2D points;
+uniform sampler2D palette;
+uniform vec2 size;
+uniform float width, near;
+uniform int wanted; // 0: all that is shown, 1: what is lit, 2: numbers in place of colours
+flat out vec2 a, b;
+flat out float radius;
+flat out vec4 colour;
+uvec4 point_at(int i) {
+  return texelFetch(points, ivec2(i % ${PALETTE_WIDTH}, i / ${PALETTE_WIDTH}), 0);
+}
+vec4 seen(vec3 point) {
+  return matrix * vec4(mix(point * scale + shift, eye, .0012), 1.);
+}
+void main() {
+  int segment = gl_VertexID / 6, vertex = gl_VertexID % 6;
+  uvec4 from = point_at(segment), to = point_at(segment + 1);
+  uint owner = from.w >> 1;
+  vec4 state = entry(palette, owner);
+  bool is_lit = state.a > .9;
+  gl_Position = vec4(2., 2., 2., 1.);
+  if((from.w & 1u) == 0u || state.a < .1 || wanted == 1 && !is_lit)
+    return;
+  vec4 p = seen(vec3(from.xyz)), q = seen(vec3(to.xyz));
+  if(p.w < near && q.w < near)
+    return;
+  if(p.w < near)
+    p = mix(p, q, (near - p.w) / (q.w - p.w));
+  if(q.w < near)
+    q = mix(q, p, (near - q.w) / (p.w - q.w));
+  a = (p.xy / p.w * .5 + .5) * size;
+  b = (q.xy / q.w * .5 + .5) * size;
+  radius = .5 * width * (is_lit ? 1.8 : 1.);
+  uint number = owner + 1u;
+  colour = wanted == 2 ? vec4(number & 255u, number >> 8 & 255u, number >> 16, 255u) / 255.
+                       : vec4(state.rgb, 1.);
+  vec2 along = length(b - a) > 1e-4 ? normalize(b - a) : vec2(1., 0.);
+  vec2 aside = vec2(-along.y, along.x);
+  bool is_end = vertex > 1 && vertex != 3, is_left = (vertex & 1) == 0;
+  vec2 corner = (is_end ? b : a) + (radius + 1.) * ((is_end ? along : -along) +
+                                                    (is_left ? aside : -aside));
+  vec4 end = is_end ? q : p;
+  gl_Position = vec4((corner / size * 2. - 1.) * end.w, end.zw);
+}`;
+
+const LINE_FRAGMENT = COMMON + `
+flat in vec2 a, b;
+flat in float radius;
+flat in vec4 colour;
+uniform float strength;
+uniform int wanted;
+out vec4 result;
+void main() {
+  vec2 p = gl_FragCoord.xy - a, d = b - a;
+  float t = clamp(dot(p, d) / max(dot(d, d), 1e-8), 0., 1.);
+  float cover = clamp(radius + .5 - length(p - t * d), 0., 1.);
+  if(cover < (wanted == 2 || strength < 1. ? .5 : .02))
+    discard;
+  result = wanted == 2 ? colour : vec4(colour.rgb, strength < 1. ? strength : cover);
+}`;

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_WINDOW_PAGE_TEXTS_H
+#define HTL_WINDOW_PAGE_TEXTS_H
+
+#include <array>
+#include <string_view>
+
+namespace htl_window {
+
+// The files in page/ as they were when this was built; scripts in their order.
+extern const std::string_view page_html, page_css;
+extern const std::array<std::string_view, 6> page_scripts;
+
+} // namespace htl_window
+
+#endif // HTL_WINDOW_PAGE_TEXTS_H

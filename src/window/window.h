@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_WINDOW_WINDOW_H
+#define HTL_WINDOW_WINDOW_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// \file window.h
+/// Pages of HTML in which triangle meshes with lines on them can be turned and looked through. They
+/// need a browser with WebGL 2 and nothing else, no network either.
+
+namespace htl_window {
+
+using Colour = std::array<unsigned char, 3>; ///< sRGB
+using Point = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A surface; of several only one is seen at a time.
+struct Surface
+{
+  std::string name;
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> triangle_parts; ///< empty, or for each triangle a part
+  std::vector<Colour> part_colours;          ///< by part
+};
+
+/// A sort of lines; a viewer can choose not to see it.
+struct Line_group
+{
+  std::string name;
+  Colour colour;
+};
+
+/// A polyline.
+struct Line
+{
+  std::vector<Point> points;
+  bool closed;
+  std::size_t group; ///< its number
+  std::size_t row;   ///< the row of the table that tells of it; `no_row` if none does
+};
+
+constexpr std::size_t no_row = static_cast<std::size_t>(-1);
+
+struct Column
+{
+  std::string name;
+  bool is_number;
+};
+
+/// What is told beside the surface, and which lines belong to what is told.
+struct Table
+{
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<double> lengths;      ///< by row: a slider hides rows, with their lines, by it
+  std::vector<std::size_t> parts;   ///< by row: the part of the surface it tells of; or empty
+  std::vector<std::size_t> numbers; ///< by row: the number by which it is chosen, of the first ones
+  std::string choice;               ///< what precedes the numbers of the chosen rows: an option
+};
+
+/// What a page shows.
+struct Scene
+{
+  std::string name;                    ///< of the file that a saved picture gets, without its end
+  std::string title;                   ///< as it is to be read
+  std::vector<std::string> paragraphs; ///< as they are to be read
+  std::vector<Surface> surfaces;       ///< at least one
+  std::vector<Line_group> groups;
+  std::vector<Line> lines;
+  Table table;
+  Point view = {0.6, -1., 0.5}; ///< the direction from the surface to the eye, at first
+  Point up = {0., 0., 1.};      ///< the direction that is upright, at first
+  double opacity = 1.;          ///< of the surface, at first, 0 to 1
+  Colour surface_colour = {204, 212, 222};
+};
+
+/*!
+The text of a page. Coordinates are kept to 1 / 65535 of the extent of all that is shown along each
+axis, so that a point that is on an edge in the scene is so on the page, but for rounding. About 4
+to 8 bytes for each triangle; near linear in the size of the scene.
+*/
+std::string page_of(const Scene& scene);
+
+} // namespace htl_window
+
+#endif // HTL_WINDOW_WINDOW_H
