@@ -45,7 +45,7 @@ void fuzz(const std::string& input) {
   static const htloops::Mesh mesh = make_torus();
   try {
     const htloops::Bound_loops loops = htloops::bind_loops(
-        htloops::read_loops_json(htloops::Input_file("loops.json", input)), mesh);
+        htloops::read_loops_json(htloops::Input_file::in_memory("loops.json", input)), mesh);
     if(loops.problems.empty())
       CGAL::certify_handle_tunnel_loops(mesh, loops.pairs);
   } catch(const htloops::Failure&) {

@@ -32,7 +32,7 @@ void build_if_sound(const Soup& soup) {
 
 void fuzz(const std::string& input) {
   try {
-    const Soup soup = read_soup(Input_file("mesh." HTL_FUZZED_FORMAT, input));
+    const Soup soup = read_soup(Input_file::in_memory("mesh." HTL_FUZZED_FORMAT, input));
     build_if_sound(soup);
     for(const Remedies& remedies :
         {Remedies{true, false}, Remedies{false, true}, Remedies{true, true}})

@@ -68,6 +68,7 @@ struct Kind
   unsigned options = GENUS; ///< of `Request_option`
 
   std::size_t default_faces = 10000; ///< for the tool; enough for the other defaults
+  std::size_t default_genus = 1;     ///< for the tool
 };
 
 /// makes a mesh as `kind.make()` does, and throws at once if more is asked for of something that

@@ -154,8 +154,9 @@ Soup make_sphere(const Request& request) {
 
 } // namespace
 
-const Kind sphere_kind = {"sphere", "a sphere, a subdivided icosahedron; genus 0, from 4 faces",
-                          make_sphere};
+const Kind sphere_kind = {"sphere",    "a sphere, a subdivided icosahedron; genus 0, from 4 faces",
+                          make_sphere, GENUS,
+                          10000,       0};
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

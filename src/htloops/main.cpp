@@ -11,13 +11,13 @@
 #include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "commands/outcome.h"
+#include "commands/usage_message.h"
 #include "failure.h"
 #include "version.h"
 
 #include <iostream>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace {
 
@@ -40,14 +40,6 @@ constexpr char footer[] =
     "  htloops remove torus.off -o ball.off            removes its handle\n"
     "  htloops loops --help                            says more of a command\n";
 
-std::string usage_message(const CLI::App* app, const CLI::Error& error) {
-  const std::vector<std::string> unknown = app->remaining(true);
-  const std::string problem =
-      unknown.empty() ? error.what() : "'" + unknown.front() + "' is not understood";
-  return "htloops: " + problem +
-         "\n'htloops --help' and 'htloops COMMAND --help' tell what there is\n";
-}
-
 int report(int code, const std::string& message) {
   std::cerr << "htloops: " << message << std::endl;
   return code;
@@ -66,7 +58,7 @@ int run(const CLI::App& app, const htloops::Command& command) {
 int main(int argc, char** argv) {
   CLI::App app(description, "htloops");
   app.formatter(std::make_shared<htloops::Help_formatter>("COMMAND"));
-  app.failure_message(usage_message);
+  app.failure_message(htloops::usage_message);
   app.require_subcommand(1);
   htloops::Command command;
   htloops::add_loops_command(app, command);

@@ -12,10 +12,13 @@ set(HTLOOPS_SOURCES
   commands/listing_choice.cpp
   commands/loops_command.cpp
   commands/loops_file.cpp
+  commands/loops_options.cpp
+  commands/many_meshes.cpp
   commands/mesh_options.cpp
   commands/outcome.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  commands/usage_message.cpp
   mend/duplicate_faces.cpp
   mend/edge_division.cpp
   mend/face_dropping.cpp
@@ -81,6 +84,7 @@ set(HTLOOPS_SOURCES
   write/loops_json_writer.cpp
   write/loops_page.cpp
   write/mesh_arrays.cpp
+  write/mesh_lines.cpp
   write/mesh_writer.cpp
   write/page_export.cpp
   write/pair_csv.cpp

@@ -81,8 +81,9 @@ struct Statistics
   /// what computed the fields, if any: "host", "cuda" or "reference"; "cuda, then host" where a
   /// device failed in the middle.
   std::string backend;
-  std::string fallback;         ///< why not on the device, or no longer, if that was asked for
-  std::size_t device_bytes = 0; ///< of the device's memory, at most at one time
+  std::string fallback;           ///< why not on the device, or no longer, if that was asked for
+  bool has_device_failed = false; ///< whether `fallback` is about a device that is there
+  std::size_t device_bytes = 0;   ///< of the device's memory, at most at one time
 
   /// the wall time of a stage, in seconds.
   double seconds_of(Stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }

@@ -17,11 +17,34 @@
 
 #include <CLI/CLI.hpp>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 namespace htloops {
+namespace {
+
+// A name that says that it is something else is a mistake.
+void check_json_name(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if(!extension.empty() && !boost::algorithm::iequals(extension, ".json"))
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "cannot write " + file + ": what is written there is JSON, and the name must " +
+                      "end in .json, or have no such end");
+}
+
+void check_picture_name(const std::string& file) {
+  if(!file.empty() && !boost::algorithm::iends_with(file, ".png") &&
+     !std::filesystem::path(file).extension().empty())
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "cannot write " + file +
+                      ": pictures are PNG files, and the name must end in .png");
+}
+
+} // namespace
 
 void add_json_option(CLI::App& command,
                      Common_options& options,
@@ -117,6 +140,8 @@ void check_common_options(const Common_options& options) {
                                                 " says how to look at something: it needs " +
                                                 (has_pictures ? "--picture or --html" : "--html"));
   }
+  check_json_name(options.json_file);
+  check_picture_name(options.picture_file);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
   if(!options.gltf_file.empty())

@@ -62,6 +62,14 @@ void check_differ(const Named_file& file, const std::string& path, const Named_f
                                               " name the same file, which would be overwritten");
 }
 
+// As what follows -o in "-o -q".
+void check_is_no_option(const Named_file& output) {
+  if(output.name.size() > 1 && output.name.front() == '-')
+    throw Failure(Exit_code::WRONG_USAGE, output.option + " " + output.name +
+                                              " looks like two options; a file of that name is ./" +
+                                              output.name);
+}
+
 } // namespace
 
 void check_files(const CLI::App& app) {
@@ -70,9 +78,11 @@ void check_files(const CLI::App& app) {
   collect(app, output_file, outputs);
   for(auto output = outputs.begin(); output != outputs.end(); ++output) {
     for(const Named_file& input : inputs)
-      check_differ(input, input.name, *output);
+      if(input.name != "-") // the standard input, which no output is
+        check_differ(input, input.name, *output);
     for(auto other = outputs.begin(); other != output; ++other)
       check_differ(*other, path_of_output(other->name), *output);
+    check_is_no_option(*output);
     check_writable(output->name);
   }
 }

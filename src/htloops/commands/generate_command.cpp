@@ -85,6 +85,7 @@ void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& r
 void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {
   const auto options = std::make_shared<Generate_options>();
   options->request.faces = kind.default_faces;
+  options->request.genus = kind.default_genus;
   CLI::App* sub =
       generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
   sub->add_option("-o,--output", options->mesh_file, "the mesh: .off .obj .ply .stl (required)")

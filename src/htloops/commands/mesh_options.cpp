@@ -10,6 +10,7 @@
 #include "commands/mesh_options.h"
 
 #include "commands/file_options.h"
+#include "failure.h"
 #include "write/change_table.h"
 #include "write/mesh_writer.h"
 
@@ -25,6 +26,17 @@ void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::stri
       ->option_text(" ")
       ->type_name(input_file)
       ->required();
+  add_format_option(command, options);
+}
+
+void add_format_option(CLI::App& command, Mesh_options& options) {
+  command
+      .add_option("--format", options.format,
+                  "off, obj, ply or stl, whatever the name of the mesh says; for - as a mesh,\n"
+                  "which is the standard input")
+      ->option_text("FORMAT")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}))
+      ->group("What to read");
 }
 
 void add_remedy_options(CLI::App& command, Mesh_options& options) {
@@ -51,6 +63,13 @@ void check_mesh_options(const Mesh_options& options) {
     check_mesh_format(options.written_mesh_file);
 }
 
+Input_file input_of(const Mesh_options& options) {
+  if(options.mesh_file == "-" && options.format.empty())
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "the standard input has no name that tells its format: --format says it");
+  return Input_file(options.mesh_file, options.format);
+}
+
 Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file) {
   Mended_mesh mended = read_mesh(file, options.remedies);
   if(options.remedies.any() && !options.is_quiet)
@@ -59,7 +78,7 @@ Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file
 }
 
 Mesh read_mesh(const Mesh_options& options) {
-  return std::move(read_mended_mesh(options, options.mesh_file).mesh);
+  return std::move(read_mended_mesh(options, input_of(options)).mesh);
 }
 
 void write_read_mesh(const Mesh_options& options, const Mesh& mesh) {

@@ -24,6 +24,7 @@ namespace htloops {
 struct Mesh_options
 {
   std::string mesh_file;
+  std::string format; ///< of the file; empty if its name tells
   Remedies remedies;
   std::string written_mesh_file;
   bool is_quiet = false;
@@ -37,11 +38,17 @@ constexpr char mesh_kinds[] = "triangle mesh: .off .obj .ply .stl";
 /// declares the mesh, which comes first, `what` it is.
 void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what);
 
+/// declares how its format is told if its name does not.
+void add_format_option(CLI::App& command, Mesh_options& options);
+
 /// declares what may be done to it.
 void add_remedy_options(CLI::App& command, Mesh_options& options);
 
 /// throws `Failure` if the mesh is to be written in no known format.
 void check_mesh_options(const Mesh_options& options);
+
+/// the file that has the mesh; throws `Failure` if it cannot be read.
+Input_file input_of(const Mesh_options& options);
 
 /// reads the mesh and, unless it is to be quiet, says what has been done to it.
 Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file);

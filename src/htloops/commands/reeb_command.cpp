@@ -159,7 +159,7 @@ std::string summary(const Reeb_answer& answer, double read_seconds) {
 void run(const Reeb_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mended_mesh mended = read_mended_mesh(options, options.mesh_file);
+  const Mended_mesh mended = read_mended_mesh(options, input_of(options));
   const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
   const Interrupt_guard guard;

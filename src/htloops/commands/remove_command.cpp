@@ -95,7 +95,7 @@ void extend(Vertex_properties& properties, const std::vector<std::uint32_t>& ori
 }
 
 std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
-  const Input_file file(options.mesh_file);
+  const Input_file file = input_of(options);
   Mended_mesh mended = read_mended_mesh(options, file);
   Vertex_properties properties = properties_to_keep(file, options);
   extend(properties, mended.origins);

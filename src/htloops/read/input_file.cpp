@@ -11,6 +11,8 @@
 
 #include "failure.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -32,32 +34,44 @@ struct Close_file
   void operator()(std::FILE* stream) const { std::fclose(stream); }
 };
 
-std::string read_whole_file(const std::string& file) {
-  const std::unique_ptr<std::FILE, Close_file> stream(std::fopen(file.c_str(), "rb"));
-  if(!stream)
-    fail(file);
-  std::error_code error; // of what is no regular file
-  const std::uintmax_t expected_size = std::filesystem::file_size(file, error);
+std::string read_to_the_end(std::FILE* stream, std::size_t expected_size, const std::string& name) {
   std::string content;
   std::size_t size = 0;
   // One byte more than expected, so that a file that has not grown is read in one go.
-  content.resize(error ? std::size_t(1) << 20 : static_cast<std::size_t>(expected_size) + 1);
-  while(const std::size_t n = std::fread(&content[size], 1, content.size() - size, stream.get())) {
+  content.resize(expected_size + 1);
+  while(const std::size_t n = std::fread(&content[size], 1, content.size() - size, stream)) {
     size += n;
     if(size == content.size())
       content.resize(2 * size);
   }
-  if(std::ferror(stream.get())) // of a folder, for example, which opens on some systems
-    fail(file);
+  if(std::ferror(stream)) // of a folder, for example, which opens on some systems
+    fail(name);
   content.resize(size);
   return content;
 }
 
+std::string read_whole_file(const std::string& file) {
+  constexpr std::size_t some = std::size_t(1) << 20;
+  if(file == "-")
+    return read_to_the_end(stdin, some, "the standard input");
+  const std::unique_ptr<std::FILE, Close_file> stream(std::fopen(file.c_str(), "rb"));
+  if(!stream)
+    fail(file);
+  std::error_code error; // of what is no regular file
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return read_to_the_end(stream.get(), error ? some : static_cast<std::size_t>(size), file);
+}
+
 } // namespace
 
-Input_file::Input_file(std::string name)
-    : name_(std::move(name))
-    , content_(read_whole_file(name_)) {}
+Input_file::Input_file(std::string name, const std::string& format)
+    : name_(name == "-" ? "the standard input" : name)
+    , format_(format.empty() ? "" : "." + format)
+    , content_(read_whole_file(name)) {}
+
+bool Input_file::is_of_format(std::string_view extension) const {
+  return format_.empty() ? boost::algorithm::iends_with(name_, extension) : format_ == extension;
+}
 
 void fail_to_read(const std::string& file, const std::string& problem) {
   throw Failure(Exit_code::UNREADABLE_FILE, file + ": " + problem);

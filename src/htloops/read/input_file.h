@@ -21,19 +21,30 @@ namespace htloops {
 class Input_file
 {
 public:
-  /// throws `Failure` if the file cannot be read.
-  Input_file(std::string name);
+  /// `-` is the standard input. Throws `Failure` if the file cannot be read. `format` is how the
+  /// name of a file of its format ends, `off` say; empty if its own name tells.
+  Input_file(std::string name, const std::string& format = "");
 
   /// a file that is in memory already; its name says of which format it is.
-  Input_file(std::string name, std::string content)
-      : name_(std::move(name))
-      , content_(std::move(content)) {}
+  static Input_file in_memory(std::string name, std::string content) {
+    Input_file file;
+    file.name_ = std::move(name);
+    file.content_ = std::move(content);
+    return file;
+  }
 
   const std::string& name() const { return name_; }
+
+  /// whether it is of the format of files whose names end so, `.off` say.
+  bool is_of_format(std::string_view extension) const;
+
   std::string_view content() const { return content_; }
 
 private:
+  Input_file() = default;
+
   std::string name_;
+  std::string format_; // with the dot; empty if the name tells
   std::string content_;
 };
 

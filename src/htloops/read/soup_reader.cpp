@@ -14,25 +14,20 @@
 #include "read/ply_reader.h"
 #include "read/stl_reader.h"
 
-#include <boost/algorithm/string/predicate.hpp>
-
 namespace htloops {
 
 Soup read_soup(const Input_file& file) {
-  const auto has_extension = [&file](const char* extension) {
-    return boost::algorithm::iends_with(file.name(), extension);
-  };
-  if(has_extension(".off"))
+  if(file.is_of_format(".off"))
     return read_off(file.name(), file.content());
-  if(has_extension(".obj"))
+  if(file.is_of_format(".obj"))
     return read_obj(file.name(), std::string(file.content()));
-  if(has_extension(".ply"))
+  if(file.is_of_format(".ply"))
     return read_ply(file.name(), file.content());
-  if(has_extension(".stl"))
+  if(file.is_of_format(".stl"))
     return read_stl(file.name(), file.content());
   fail_to_read(file.name(),
                "its format, which follows from the extension, is not supported; those that are: "
-               ".off .obj .ply .stl");
+               ".off .obj .ply .stl (--format says which one it is whatever its name)");
 }
 
 } // namespace htloops

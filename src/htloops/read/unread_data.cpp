@@ -14,8 +14,6 @@
 #include "read/ply_header.h"
 #include "read/text_cursor.h"
 
-#include <boost/algorithm/string/predicate.hpp>
-
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
@@ -120,11 +118,11 @@ Words unread_in_ply(const std::string& file,
 } // namespace
 
 std::vector<std::string> unread_data(const Input_file& file, const Vertex_properties& kept) {
-  if(boost::algorithm::iends_with(file.name(), ".off"))
+  if(file.is_of_format(".off"))
     return unread_in_off(file.name(), file.content(), !kept.empty());
-  if(boost::algorithm::iends_with(file.name(), ".obj"))
+  if(file.is_of_format(".obj"))
     return unread_in_obj(std::string(file.content()));
-  if(boost::algorithm::iends_with(file.name(), ".ply"))
+  if(file.is_of_format(".ply"))
     return unread_in_ply(file.name(), file.content(), kept);
   return {};
 }

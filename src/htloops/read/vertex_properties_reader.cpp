@@ -12,8 +12,6 @@
 #include "read/off_header.h"
 #include "read/ply_numbers.h"
 
-#include <boost/algorithm/string/predicate.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
@@ -101,9 +99,9 @@ Vertex_properties read_from_off(const std::string& file, std::string_view text) 
 } // namespace
 
 Vertex_properties read_vertex_properties(const Input_file& file) {
-  if(boost::algorithm::iends_with(file.name(), ".ply"))
+  if(file.is_of_format(".ply"))
     return read_from_ply(file.name(), file.content());
-  if(boost::algorithm::iends_with(file.name(), ".off"))
+  if(file.is_of_format(".off"))
     return read_from_off(file.name(), file.content());
   return {};
 }

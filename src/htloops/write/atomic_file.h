@@ -62,6 +62,12 @@ public:
   /// throws `Failure` if not everything could be written, on a full disk for example.
   void write(const char* data, std::size_t size);
 
+  /// makes what has been written to the standard output visible.
+  void show() {
+    if(!path_)
+      std::fflush(stream_);
+  }
+
   /// closes the file and gives it its name; throws like `write()`.
   void commit();
 

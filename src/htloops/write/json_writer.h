@@ -35,7 +35,7 @@ public:
 
   void member(const char* name, const Json& value) {
     begin_member(name);
-    out_ << value.dump();
+    out_ << text_of(value);
   }
 
   /// writes an array of what `json_of(element)` makes of the elements of a range.
@@ -44,7 +44,7 @@ public:
     begin_member(name);
     const char* separator = "[\n    ";
     for(const auto& element : range) {
-      out_ << separator << json_of(element).dump();
+      out_ << separator << text_of(json_of(element));
       separator = ",\n    ";
     }
     out_ << (*separator == '[' ? "[]" : "\n  ]");
@@ -56,6 +56,11 @@ public:
   }
 
 private:
+  // A name of a file may be anything; what is no UTF-8 is replaced.
+  static std::string text_of(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+
   void begin_member(const char* name) {
     out_ << separator_ << "\n  \"" << name << "\": ";
     separator_ = ",";

@@ -10,8 +10,9 @@
 #include "write/loops_json_writer.h"
 
 #include "face_cuts.h"
-#include "write/json_writer.h"
+#include "version.h"
 #include "write/linking_words.h"
+#include "write/pair_listing.h"
 
 #include <optional>
 
@@ -90,8 +91,19 @@ Json json_of(const Loop& loop,
   if(linking != nullptr) {
     json["bounds"] = word_for_side(*linking);
     json["bounds_alone"] = word_for_side_alone(*linking);
+    if(!linking->problem.empty())
+      json["undecided_because"] = linking->problem;
   }
   return json_of_line(loop, mesh, std::move(json));
+}
+
+// How small a pair is, and where its shorter loop lies.
+Json json_of_place(const Listed_pair& pair) {
+  const CGAL::Bbox_3& box = pair.box;
+  return {{"size", pair.size},
+          {"centre", json_of_point(pair.centre)},
+          {"box", Json::array({Json::array({box.xmin(), box.ymin(), box.zmin()}),
+                               Json::array({box.xmax(), box.ymax(), box.zmax()})})}};
 }
 
 // A boundary curve, with its waist if that was looked for.
@@ -112,23 +124,30 @@ Json json_of(const Loop& curve,
 void write_loops_json(const std::string& target,
                       const Mesh& mesh,
                       const Answer& answer,
-                      double read_seconds) {
+                      const Run_record& run) {
   const auto& linking = answer.certificate.linking;
   const std::vector<std::size_t> components =
       components_of_vertices(mesh, answer.statistics.number_of_components);
   Json_writer out(target);
   out.member("format", "htloops/1");
-  out.member("mesh", json_of_mesh(mesh, answer.statistics));
+  out.member("tool", version());
+  Json mesh_json = json_of_mesh(mesh, answer.statistics);
+  mesh_json["file"] = run.mesh_file;
+  out.member("mesh", mesh_json);
+  out.member("options", run.options);
   out.member("backend", answer.backend);
   out.member("threads", answer.number_of_threads);
   out.member("basis", CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind));
-  out.member("timings", timings(answer, read_seconds));
+  out.member("timings", timings(answer, run.read_seconds));
   out.member("certificate", json_of(answer.certificate));
   if(!linking.empty())
     out.member("linking", json_of(linking));
+  if(!answer.statistics.fallback.empty())
+    out.member("fallback", answer.statistics.fallback);
+  const double diagonal = diagonal_of(mesh);
   std::size_t index = 0; // of the next loop
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
-    Json json;
+    Json json = json_of_place(listed_pair(pair, index / 2, diagonal));
     for(const CGAL::Loop_type type : loop_types) {
       json[name_of(type)] =
           json_of(pair.loop(type), mesh, components, linking.empty() ? nullptr : &linking[index]);

@@ -12,16 +12,26 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
+#include "write/json_writer.h"
 
 #include <string>
 
 namespace htloops {
 
-/// writes an answer in the format "htloops/1"; every number reads back as exactly itself.
+/// What was asked for, beside the mesh itself.
+struct Run_record
+{
+  std::string mesh_file;
+  Json options; ///< an object
+  double read_seconds = 0.;
+};
+
+/// writes an answer in the format "htloops/1", of which doc/Handle_tunnel_loops/loops.schema.json
+/// is the schema; every number reads back as exactly itself.
 void write_loops_json(const std::string& target,
                       const Mesh& mesh,
                       const Answer& answer,
-                      double read_seconds);
+                      const Run_record& run);
 
 } // namespace htloops
 

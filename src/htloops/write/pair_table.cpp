@@ -138,7 +138,9 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
          formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
                    read_seconds, answer.backend.c_str()) +
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
-         (statistics.fallback.empty() ? "" : "no device was used: " + statistics.fallback + "\n");
+         (options.is_verbose && !statistics.fallback.empty()
+              ? "no device was used: " + statistics.fallback + "\n"
+              : "");
 }
 
 } // namespace htloops

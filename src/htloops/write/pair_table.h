@@ -22,6 +22,7 @@ struct Table_options
 {
   bool show_all = false; ///< otherwise the middle of a long table is left out
   bool use_colour = false;
+  bool is_verbose = false; ///< why no device was used, too
 };
 
 /// A column of a table for a person.

@@ -31,6 +31,11 @@ void Text_writer::flush() {
   buffer_.clear();
 }
 
+void Text_writer::show() {
+  flush();
+  file_.show();
+}
+
 void Text_writer::finish() {
   flush();
   file_.commit();

@@ -55,6 +55,10 @@ public:
 
   void finish();
 
+  /// makes what has been written visible now, where there is a name for it already: on the standard
+  /// output.
+  void show();
+
 private:
   static constexpr std::size_t buffer_size = std::size_t(1) << 18;
 

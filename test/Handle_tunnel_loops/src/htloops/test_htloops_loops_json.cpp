@@ -28,7 +28,7 @@ class Loops_json : public testing::Test
 {
 protected:
   Loops_json() {
-    write_loops_json(folder_.path("a.json"), mesh_, answer_, 0.125);
+    write_loops_json(folder_.path("a.json"), mesh_, answer_, {"a.off", Json::object(), 0.125});
     document_ = json::parse(folder_.read("a.json"));
   }
 
@@ -72,8 +72,9 @@ protected:
 
 TEST_F(Loops_json, has_the_fields_of_the_format) {
   EXPECT_EQ(document_["format"], "htloops/1");
-  const json mesh = {
-      {"vertices", 4}, {"faces", 4}, {"components", 1}, {"boundaries", 0}, {"genus", 2}};
+  EXPECT_EQ(std::string(document_["tool"]).substr(0, 8), "htloops ");
+  const json mesh = {{"vertices", 4},   {"faces", 4}, {"components", 1},
+                     {"boundaries", 0}, {"genus", 2}, {"file", "a.off"}};
   EXPECT_EQ(document_["mesh"], mesh);
   EXPECT_EQ(document_["backend"], "host");
   EXPECT_EQ(document_["threads"], 3);
@@ -109,7 +110,7 @@ TEST_F(Loops_json, says_where_loops_bound) {
   answer.certificate.linking[3].problem = "unknown";
   answer.certificate.handles_bound_inside = 1;
   answer.certificate.tunnels_bound_outside = 0;
-  write_loops_json(folder_.path("a.json"), mesh_, answer, 0.);
+  write_loops_json(folder_.path("a.json"), mesh_, answer, {});
   const json document = json::parse(folder_.read("a.json"));
   EXPECT_EQ(document["certificate"]["handles_bound_inside"], 1);
   EXPECT_EQ(document["certificate"]["tunnels_bound_outside"], 0);
@@ -140,7 +141,7 @@ TEST_F(Loops_json, reads_back_as_the_same_loops) {
 
 TEST_F(Loops_json, an_answer_without_pairs_is_one) {
   Answer answer;
-  write_loops_json(folder_.path("a.json"), mesh_, answer, 0.);
+  write_loops_json(folder_.path("a.json"), mesh_, answer, {});
   EXPECT_TRUE(read_loops_json(folder_.path("a.json")).pairs.empty());
 }
 
@@ -150,7 +151,7 @@ TEST_F(Loops_json, an_infinite_length_is_null) {
   const double infinity = std::numeric_limits<double>::infinity();
   answer.pairs[0] =
       Pair(Loop(loop.steps(), loop.points(), infinity, loop.type(), 0), answer.pairs[0].tunnel());
-  write_loops_json(folder_.path("a.json"), mesh_, answer, 0.);
+  write_loops_json(folder_.path("a.json"), mesh_, answer, {});
   EXPECT_EQ(read_loops_json(folder_.path("a.json")).pairs[0].handle.length, infinity);
 }
 
@@ -159,7 +160,7 @@ TEST_F(Loops_json, allows_for_what_the_smallest_numbers_lose) {
   Mesh tiny = mesh_;
   for(const Mesh::Vertex_index v : tiny.vertices())
     tiny.point(v) = CGAL::ORIGIN + 2000. * smallest * (tiny.point(v) - CGAL::ORIGIN);
-  write_loops_json(folder_.path("a.json"), tiny, small_answer(tiny), 0.);
+  write_loops_json(folder_.path("a.json"), tiny, small_answer(tiny), {});
   document_ = json::parse(folder_.read("a.json"));
   for(json& pair : document_["pairs"])
     for(const char* loop : {"handle", "tunnel"}) {

@@ -43,8 +43,11 @@ public:
       , mesh_(mesh) {
     try {
       device_ = make_device();
+    } catch(const No_device_exception& e) {
+      host_.emplace(execution, mesh, e.what());
     } catch(const Device_exception& e) {
       host_.emplace(execution, mesh, e.what());
+      has_device_failed_ = true;
     }
   }
 
@@ -88,6 +91,7 @@ public:
     if(is_initial_field_of_device_)
       statistics.backend = "cuda, then host";
     statistics.device_bytes = device_bytes_;
+    statistics.has_device_failed = has_device_failed_;
   }
 
 private:
@@ -120,6 +124,7 @@ private:
     if(is_initial_field_of_device_)
       times = times_if_there();
     device_.reset();
+    has_device_failed_ = true;
     host_.emplace(execution_, mesh_, e.what());
     host_->set_arrival_times(std::move(times));
   }
@@ -138,6 +143,7 @@ private:
   std::unique_ptr<Backend> device_; // one of the two
   std::optional<Host_backend> host_;
   std::size_t device_bytes_ = 0; // of the device that failed
+  bool has_device_failed_ = false;
   bool is_initial_field_of_device_ = false;
   std::function<void()> repeat_; // the last initial field
 };

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/loops_options.h"
+
+#include "commands/file_options.h"
+#include "failure.h"
+#include "solve/backends.h"
+#include "terminal/progress_bar.h"
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace htloops {
+namespace {
+
+void add_meshes_argument(CLI::App& command, Loops_options& options) {
+  command.add_option("MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl")
+      ->option_text(" ")
+      ->type_name(input_file)
+      ->required();
+  add_format_option(command, options);
+}
+
+void add_output_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "What to write";
+  add_json_option(command, options, "the loops", group);
+  command.add_option("--csv", options.csv_file, "a row of numbers for each pair")
+      ->option_text("FILE.csv")
+      ->type_name(output_file)
+      ->group(group);
+  command
+      .add_option("--jsonl", options.lines_file,
+                  "an object of JSON for each mesh, on a line: genus, sizes, times, error")
+      ->option_text("FILE.jsonl")
+      ->type_name(output_file)
+      ->group(group);
+  add_lines_option(command, options, "the loops", group);
+  command
+      .add_option("--events", options.events_file,
+                  "what happens to the fronts of the first pass, as JSON")
+      ->option_text("FILE.json")
+      ->type_name(output_file)
+      ->group(group);
+  add_picture_options(command, options, "the loops", group);
+  add_page_option(command, options, "the mesh and the loops", group);
+  add_gltf_option(command, options, "the loops", group);
+  add_view_options(command, options, group);
+}
+
+void add_computation_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "How to compute";
+  command
+      .add_option("--backend", options.backend,
+                  "auto, host, cuda or reference; default: auto, a CUDA device if there is one")
+      ->option_text("NAME")
+      ->check(CLI::IsMember(names_of_backends()))
+      ->group(group);
+  add_threads_option(command, options, group);
+  command
+      .add_option("--jobs", options.number_of_jobs,
+                  "how many meshes at once, each in a thread of its own; default: 1")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024))
+      ->group(group);
+  command
+      .add_option("--seed", options.seed,
+                  "vertex to grow from, from 0 as in the file; default: the first")
+      ->option_text("VERTEX")
+      ->group(group);
+  command
+      .add_option("--basis", options.basis,
+                  "pure (handles bound inside and tunnels outside; the default) or\n"
+                  "shortest (whatever side they bound on: for cutting and parametrization)")
+      ->option_text("KIND")
+      ->check(CLI::IsMember({"pure", "shortest"}))
+      ->group(group);
+  command
+      .add_flag("--waists", options.do_find_waists,
+                "for each boundary curve a short loop of its class, too: the waist of a sleeve")
+      ->group(group);
+  command
+      .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")
+      ->group(group);
+  command
+      .add_flag("--no-tighten", options.do_not_tighten,
+                "do not shorten the loops, nor look for shorter ones: faster")
+      ->group(group);
+  command
+      .add_option("--classify", options.classifier,
+                  "what tells handles from tunnels: linking (numbers, exact; the default)\n"
+                  "or offset (change of length: faster, but no loop is made to bound)")
+      ->option_text("HOW")
+      ->check(CLI::IsMember({"linking", "offset"}))
+      ->group(group);
+}
+
+void add_display_options(CLI::App& command, Loops_options& options) {
+  const char group[] = "What to show";
+  add_listing_options(command, options.listing, group);
+  command.add_flag("--all", options.show_all, "all rows of a long table")->group(group);
+  command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors")->group(group);
+  command.add_flag("-v,--verbose", options.is_verbose, "why no CUDA device was used, too")
+      ->group(group);
+  command.add_option("--color", options.colour, "auto, always or never; default: auto")
+      ->option_text("WHEN")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->group(group);
+}
+
+// What there would be several of.
+void refuse_files_of_one_mesh(const Loops_options& options) {
+  const std::pair<const char*, bool> given[] = {
+      {"--output", !options.json_file.empty()},
+      {"--events", !options.events_file.empty()},
+      {"--lines", !options.lines_files.empty()},
+      {"--picture", !options.picture_file.empty()},
+      {"--html", !options.page_file.empty()},
+      {"--gltf", !options.gltf_file.empty()},
+      {"--write-mesh", !options.written_mesh_file.empty()},
+      {"--seed", options.seed.has_value()}};
+  for(const auto& [name, is_given] : given)
+    if(is_given)
+      throw Failure(Exit_code::WRONG_USAGE,
+                    std::string(name) +
+                        " is for one mesh; for several there are --jsonl and --csv");
+}
+
+} // namespace
+
+void add_loops_options(CLI::App& command, Loops_options& options) {
+  add_meshes_argument(command, options);
+  add_output_options(command, options);
+  add_remedy_options(command, options);
+  add_computation_options(command, options);
+  add_display_options(command, options);
+}
+
+void check_loops_options(const Loops_options& options) {
+  choose_backend(options.backend);
+  check_common_options(options);
+  check_listing_choice(options.listing);
+  if(options.has_many_meshes())
+    refuse_files_of_one_mesh(options);
+}
+
+Json json_of(const Loops_options& options) {
+  return {{"basis", options.basis},
+          {"classify", options.classifier},
+          {"backend", options.backend},
+          {"seed", options.seed ? Json(*options.seed) : Json()},
+          {"refine", !options.do_not_refine},
+          {"tighten", !options.do_not_tighten},
+          {"waists", options.do_find_waists},
+          {"triangulate", options.remedies.do_triangulate},
+          {"repair", options.remedies.do_repair}};
+}
+
+Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress) {
+  Solve_options solve_options;
+  if(options.seed)
+    solve_options.seed = vertex_of_mesh(mesh, *options.seed);
+  solve_options.do_refine_handles = !options.do_not_refine;
+  solve_options.do_tighten = !options.do_not_tighten;
+  solve_options.do_compute_linking = options.classifier == "linking";
+  using CGAL::Handle_tunnel_loops::Basis_kind;
+  solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
+  solve_options.do_log_fronts = !options.events_file.empty();
+  solve_options.number_of_threads = options.number_of_threads;
+  Progress_bar bar(show_progress);
+  Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
+  if(answer.statistics.number_of_boundaries > 0)
+    answer.boundaries = find_boundaries(mesh, options.do_find_waists);
+  return answer;
+}
+
+} // namespace htloops

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_LOOPS_OPTIONS_H
+#define HTLOOPS_LOOPS_OPTIONS_H
+
+#include "commands/common_options.h"
+#include "commands/listing_choice.h"
+#include "solve/answer.h"
+#include "write/json_writer.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// The options of `htloops loops`. `mesh_file` is the first of the meshes.
+struct Loops_options : Common_options
+{
+  std::vector<std::string> mesh_files;
+  std::string events_file;
+  std::string csv_file;
+  std::string lines_file; ///< an object of JSON for each mesh
+  Listing_choice listing;
+  std::string backend = "auto";
+  std::optional<std::uint32_t> seed;
+  bool do_not_refine = false;
+  bool do_not_tighten = false;
+  bool do_find_waists = false;
+  std::string basis = "pure";
+  std::string classifier = "linking";
+  int number_of_jobs = 1; ///< meshes at once
+  bool show_all = false;
+  bool is_verbose = false;
+  std::string colour = "auto";
+
+  bool has_many_meshes() const { return mesh_files.size() > 1; }
+};
+
+void add_loops_options(CLI::App& command, Loops_options& options);
+
+/// throws `Failure` if an option makes no sense, or not with several meshes.
+void check_loops_options(const Loops_options& options);
+
+/// the options that an answer depends on.
+Json json_of(const Loops_options& options);
+
+/// finds the loops of a mesh, with boundary curves, if it has some.
+Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress);
+
+} // namespace htloops
+
+#endif // HTLOOPS_LOOPS_OPTIONS_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/mesh_lines.h"
+
+#include "write/json_writer.h"
+#include "write/table_rows.h"
+
+#include <algorithm>
+
+namespace htloops {
+namespace {
+
+Json json_of(const Mesh_line& line) {
+  Json json = {{"mesh", line.mesh_file}, {"exit", line.exit_code}};
+  if(line.exit_code != 0) {
+    json["error"] = line.error;
+    return json;
+  }
+  const auto& statistics = line.answer.statistics;
+  json["vertices"] = line.number_of_vertices;
+  json["faces"] = line.number_of_faces;
+  json["components"] = statistics.number_of_components;
+  json["boundaries"] = statistics.number_of_boundaries;
+  json["genus"] = statistics.genus;
+  const auto& certificate = line.answer.certificate;
+  if(!certificate.linking.empty()) {
+    json["handles_bound_inside"] = certificate.handles_bound_inside.value_or(0);
+    json["tunnels_bound_outside"] = certificate.tunnels_bound_outside.value_or(0);
+  }
+  json["pairs"] = Json::array();
+  for(const Listed_pair& pair : line.listing)
+    json["pairs"].push_back({{"pair", pair.pair},
+                             {"handle", pair.handle_length},
+                             {"tunnel", pair.tunnel_length},
+                             {"size", pair.size}});
+  json["seconds"] = {{"read", line.read_seconds}, {"total", line.answer.total_seconds}};
+  return json;
+}
+
+int width_of(const std::vector<std::string>& mesh_files) {
+  std::size_t width = 4;
+  for(const std::string& file : mesh_files)
+    width = (std::max)(width, file.size());
+  return static_cast<int>((std::min)(width, std::size_t(48)));
+}
+
+std::string padded(std::string name, int width) {
+  name.resize((std::max)(name.size(), static_cast<std::size_t>(width)), ' ');
+  return name;
+}
+
+} // namespace
+
+void Mesh_lines_writer::add(const Mesh_line& line) {
+  out_ << json_of(line).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  out_.show();
+}
+
+std::string header_of_lines(const std::vector<std::string>& mesh_files) {
+  return padded("mesh", width_of(mesh_files)) + formatted("  %9s  %6s  %6s  %6s  %9s  %9s  %8s\n",
+                                                          "faces", "comp.", "bound.", "genus",
+                                                          "smallest", "largest", "seconds");
+}
+
+std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files) {
+  const std::string name = padded(line.mesh_file, width_of(mesh_files));
+  if(line.exit_code != 0)
+    return name + formatted("  no answer (exit code %d)\n", line.exit_code);
+  const auto& statistics = line.answer.statistics;
+  const auto by_size = [](const Listed_pair& a, const Listed_pair& b) { return a.size < b.size; };
+  const auto [least, most] = std::minmax_element(line.listing.begin(), line.listing.end(), by_size);
+  const auto size = [&](Pair_listing::const_iterator pair) {
+    return pair == line.listing.end() ? std::string("-") : formatted("%.3g%%", 100. * pair->size);
+  };
+  return name + formatted("  %9zu  %6zu  %6zu  %6zu  %9s  %9s  %8.2f\n", line.number_of_faces,
+                          statistics.number_of_components, statistics.number_of_boundaries,
+                          statistics.genus, size(least).c_str(), size(most).c_str(),
+                          line.read_seconds + line.answer.total_seconds);
+}
+
+} // namespace htloops

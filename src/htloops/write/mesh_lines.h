@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_MESH_LINES_H
+#define HTLOOPS_MESH_LINES_H
+
+#include "solve/answer.h"
+#include "write/pair_listing.h"
+#include "write/text_writer.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// What is told of one mesh of several.
+struct Mesh_line
+{
+  std::string mesh_file;
+  int exit_code = 0; ///< what follows is known if it is 0
+  std::string error; ///< in words; empty if there is none
+  std::size_t number_of_vertices = 0, number_of_faces = 0;
+  double read_seconds = 0.;
+  Answer answer;
+  Pair_listing listing;
+};
+
+/// A file with an object of JSON on each line, one for each mesh. On the standard output each is
+/// there at once.
+class Mesh_lines_writer
+{
+public:
+  explicit Mesh_lines_writer(const std::string& target)
+      : out_(target) {}
+
+  void add(const Mesh_line& line);
+  void finish() { out_.finish(); }
+
+private:
+  Text_writer out_;
+};
+
+/// the names of the columns of the rows that follow, for a person.
+std::string header_of_lines(const std::vector<std::string>& mesh_files);
+
+/// a row for a mesh; as wide as the names of the files want it.
+std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files);
+
+} // namespace htloops
+
+#endif // HTLOOPS_MESH_LINES_H
