@@ -8,6 +8,13 @@ install(DIRECTORY include/CGAL DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
   FILES_MATCHING PATTERN "*.h")
 if(TARGET htloops)
   install(TARGETS htloops RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(FILES "${CMAKE_BINARY_DIR}/share/htloops.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" OPTIONAL)
+  install(FILES "${CMAKE_BINARY_DIR}/share/htloops"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" OPTIONAL)
+  install(FILES "${CMAKE_BINARY_DIR}/share/htloops.fish"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" OPTIONAL)
+  install(FILES "${CMAKE_BINARY_DIR}/share/_htloops"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" OPTIONAL)
 endif()
 install(FILES LICENSE README.md CHANGES.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

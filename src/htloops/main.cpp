@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   htloops::add_remove_command(app, command);
   htloops::add_check_command(app, command);
   htloops::add_generate_command(app, command);
+  htloops::add_help_commands(app, command);
   app.set_version_flag("--version", htloops::version(), "the versions of what this is")
       ->group("Help");
   htloops::complete_help(app, footer);

@@ -184,3 +184,37 @@ run(0 loops mesh.off)
 if(output MATCHES "device")
   message(SEND_ERROR "${output}")
 endif()
+
+# Completions and the manual page know every option that the help knows.
+run(0 man)
+string(REPLACE "\\-" "-" manual "${output}")
+foreach(shell IN ITEMS bash fish zsh)
+  run(0 completion ${shell})
+  set(completion_${shell} "${output}")
+endforeach()
+foreach(command IN ITEMS loops reeb cut remove check)
+  run(0 ${command} --help)
+  string(REGEX MATCHALL "--[a-z][a-z-]+" options "${output}")
+  list(REMOVE_DUPLICATES options)
+  list(REMOVE_ITEM options --help) # once for all in the manual page
+  foreach(option IN LISTS options)
+    string(SUBSTRING "${option}" 2 -1 name)
+    expect_match("${manual}" "fB--${name}")
+    expect_match("${completion_bash}" "--${name}")
+    expect_match("${completion_zsh}" "--${name}")
+    expect_match("${completion_fish}" "-l ${name} ")
+  endforeach()
+endforeach()
+run(2 completion tcsh)
+find_program(BASH bash)
+if(BASH)
+  file(WRITE "${FOLDER}/completion" "${completion_bash}")
+  file(WRITE "${FOLDER}/try" "source completion
+try() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _htloops; echo \"\${COMPREPLY[*]}\"; }
+try htloops loops --basis ''
+try htloops generate torus --gen
+try htloops loops me
+")
+  execute_process(COMMAND "${BASH}" try WORKING_DIRECTORY "${FOLDER}" OUTPUT_VARIABLE output)
+  expect_equal("${output}" "pure shortest\n--genus\n\n")
+endif()

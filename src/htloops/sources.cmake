@@ -3,21 +3,25 @@ set(HTLOOPS_SOURCES
   version.cpp
   commands/box_option.cpp
   commands/check_command.cpp
+  commands/command_line.cpp
   commands/common_options.cpp
   commands/cut_command.cpp
   commands/file_options.cpp
   commands/generate_command.cpp
+  commands/help_commands.cpp
   commands/help_style.cpp
   commands/length_option.cpp
   commands/listing_choice.cpp
   commands/loops_command.cpp
   commands/loops_file.cpp
   commands/loops_options.cpp
+  commands/man_page.cpp
   commands/many_meshes.cpp
   commands/mesh_options.cpp
   commands/outcome.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  commands/shell_completion.cpp
   commands/usage_message.cpp
   mend/duplicate_faces.cpp
   mend/edge_division.cpp

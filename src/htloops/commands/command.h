@@ -30,6 +30,9 @@ void add_remove_command(CLI::App& app, Command& command);
 void add_check_command(CLI::App& app, Command& command);
 void add_generate_command(CLI::App& app, Command& command);
 
+/// completions for shells, and the manual page.
+void add_help_commands(CLI::App& app, Command& command);
+
 } // namespace htloops
 
 #endif // HTLOOPS_COMMAND_H

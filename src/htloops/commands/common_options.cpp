@@ -111,7 +111,8 @@ void add_view_options(CLI::App& command, Common_options& options, const std::str
         ->check(why_not_finite)
         ->group(group);
   };
-  add_direction("--view", options.view.from, "direction that is looked from; default: oblique");
+  add_direction("--view", options.view.from,
+                "direction that is looked from; default: where most is visible");
   add_direction("--up", options.view.up, "direction that is upright; default: 0,0,1");
 }
 
