@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 /// \file generators.h
@@ -63,7 +64,7 @@ struct Kind
   const char* description; ///< what it looks like, and the requests that can be met
 
   /// makes the mesh; throws `std::invalid_argument` if the request cannot be met.
-  Soup (*make)(const Request&);
+  std::function<Soup(const Request&)> make;
 
   unsigned options = GENUS; ///< of `Request_option`
 

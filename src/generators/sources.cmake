@@ -24,6 +24,8 @@ set(HTL_GENERATOR_SOURCES
   random.cpp
   request_checks.cpp
   scan.cpp
+  Shape.cpp
+  shape_kinds.cpp
   shell.cpp
   smoothing.cpp
   sphere.cpp
@@ -32,3 +34,15 @@ set(HTL_GENERATOR_SOURCES
   torus.cpp
   torus_link.cpp
   waves.cpp)
+
+# htl_embed_shapes(<output>): the texts in shapes/ as a source.
+function(htl_embed_shapes output)
+  set(folder "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/shapes")
+  set(shape_entries "")
+  foreach(name IN ITEMS bicycle bores borromean cage chair coral exchanger mug trefoil)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/${name}.txt")
+    file(READ "${folder}/${name}.txt" text)
+    string(APPEND shape_entries "    {\"${name}\", R\"shape(${text})shape\"},\n")
+  endforeach()
+  configure_file("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/shape_texts.cpp.in" "${output}" @ONLY)
+endfunction()

@@ -218,3 +218,18 @@ try htloops loops me
   execute_process(COMMAND "${BASH}" try WORKING_DIRECTORY "${FOLDER}" OUTPUT_VARIABLE output)
   expect_equal("${output}" "pure shortest\n--genus\n\n")
 endif()
+
+# Shapes that a text describes.
+file(WRITE "${FOLDER}/shape.txt" "# a plate with two bores\ngenus 2\nblock 0 0 0  4 2 1  0.1\n"
+  "times 2 by 2 0 0 cut cylinder 1 1 -1  1 1 2  0.5\n")
+run(0 generate shape --text shape.txt --faces 8000 -o shape.off)
+expect_match("${output}" "genus 2")
+run(0 loops shape.off --quiet)
+file(APPEND "${FOLDER}/shape.txt" "boll 0 0 0 1\n")
+run(2 generate shape --text shape.txt -o shape.off)
+expect_match("${errors}" "line 5 of the shape: 'boll' is no part")
+run(2 generate shape -o shape.off)
+expect_match("${errors}" "--text")
+run(0 generate mug -q -o mug.off)
+run(2 generate mug --genus 2 -o mug.off)
+run(2 loops mug.off --size 100,100)

@@ -75,9 +75,27 @@ void add_picture_options(CLI::App& command,
                          const std::string& group) {
   if(!has_pictures)
     return;
-  command.add_option("--picture", options.picture_file, "a picture of the mesh and " + what)
+  command.add_option("--picture", options.picture.file, "a picture of the mesh and " + what)
       ->option_text("FILE.png")
       ->type_name(output_file)
+      ->group(group);
+  command
+      .add_option("--size", options.picture.size, "of the picture, in pixels; default: 1600,1200")
+      ->option_text("W,H")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(16, 16384))
+      ->check(why_not_finite)
+      ->needs("--picture")
+      ->group(group);
+  command
+      .add_option("--opacity", options.picture.opacity,
+                  "of the surface in the picture, 0 to 1: 1 hides what is behind it;\n"
+                  "default: 0.5, and more the more lines there are")
+      ->option_text("PART")
+      ->check(CLI::Range(0., 1.))
+      ->check(why_not_finite)
+      ->needs("--picture")
       ->group(group);
 }
 
@@ -136,13 +154,13 @@ void check_common_options(const Common_options& options) {
       continue;
     if(is_zero(direction))
       throw Failure(Exit_code::WRONG_USAGE, std::string(name) + " 0,0,0 is no direction");
-    if(options.picture_file.empty() && options.page_file.empty())
+    if(options.picture.file.empty() && options.page_file.empty())
       throw Failure(Exit_code::WRONG_USAGE, std::string(name) +
                                                 " says how to look at something: it needs " +
                                                 (has_pictures ? "--picture or --html" : "--html"));
   }
   check_json_name(options.json_file);
-  check_picture_name(options.picture_file);
+  check_picture_name(options.picture.file);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
   if(!options.gltf_file.empty())

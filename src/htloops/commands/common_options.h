@@ -29,7 +29,7 @@ struct Common_options : Mesh_options
 {
   std::string json_file;
   std::vector<std::string> lines_files;
-  std::string picture_file;
+  Picture_options picture;
   std::string page_file;
   std::string gltf_file;
   View view;

@@ -63,12 +63,12 @@ void write_files(const Cut_command_options& options, const Mesh& mesh, const Cut
     write_mesh(options.opened_file, opened_mesh(mesh, answer.edges));
   if(!options.selection_file.empty())
     export_selection(options.selection_file, mesh, answer.edges);
-  if(!options.lines_files.empty() || !options.picture_file.empty()) {
+  if(!options.lines_files.empty() || !options.picture.file.empty()) {
     const Exported_lines lines = lines_of(mesh, answer.edges);
     for(const std::string& file : options.lines_files)
       export_lines(file, lines);
-    if(!options.picture_file.empty())
-      export_picture(options.picture_file, options.view, drawn_surface(mesh), lines);
+    if(!options.picture.file.empty())
+      export_picture(options.picture, options.view, drawn_surface(mesh), lines);
   }
 }
 

@@ -12,8 +12,10 @@
 #include "commands/file_options.h"
 #include "commands/help_style.h"
 #include "failure.h"
+#include "generators/Shape.h"
 #include "generators/generators.h"
 #include "generators/holes.h"
+#include "read/input_file.h"
 #include "terminal/interrupt.h"
 #include "words.h"
 #include "write/mesh_writer.h"
@@ -28,15 +30,24 @@ namespace generators = CGAL::Handle_tunnel_loops::generators;
 
 struct Generate_options
 {
+  std::string text_file; // that describes the shape, instead of a kind
   generators::Request request;
   generators::Hole_request holes;
   std::string mesh_file;
   bool is_quiet = false;
 };
 
-generators::Soup generate(const generators::Kind& kind, const generators::Request& request) {
+generators::Kind kind_of_text(const std::string& file) {
+  const auto shape = std::make_shared<generators::Shape>(Input_file(file).content());
+  return {"shape", "", [shape](const generators::Request& request) {
+            return generators::mesh_of_shape(*shape, request.faces);
+          }};
+}
+
+generators::Soup generate(const generators::Kind& kind, const Generate_options& options) {
   try {
-    return generators::make(kind, request);
+    return generators::make(options.text_file.empty() ? kind : kind_of_text(options.text_file),
+                            options.request);
   } catch(const std::invalid_argument& reason) {
     throw Failure(Exit_code::WRONG_USAGE, reason.what());
   }
@@ -53,7 +64,7 @@ std::string shape_of(const generators::Soup& mesh) {
 
 void run(const generators::Kind& kind, const Generate_options& options) {
   check_mesh_format(options.mesh_file);
-  generators::Soup mesh = generate(kind, options.request);
+  generators::Soup mesh = generate(kind, options);
   if(options.holes.number > 0)
     mesh = generators::with_holes(mesh, options.holes);
   const Interrupt_guard guard;
@@ -82,6 +93,15 @@ void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& r
   add(generators::NECKS, "--necks", request.necks, "how many necks");
 }
 
+// What stands for all shapes that somebody describes.
+const generators::Kind& text_kind() {
+  static const generators::Kind kind = {
+      "shape", "what a text describes: balls, rods, pipes, rings, blocks, joined and cut out",
+      nullptr, 0,
+      40000,   0};
+  return kind;
+}
+
 void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {
   const auto options = std::make_shared<Generate_options>();
   options->request.faces = kind.default_faces;
@@ -95,6 +115,12 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
   sub->add_option("--faces", options->request.faces,
                   "about how many triangles" + default_of(options->request.faces))
       ->option_text("N");
+  if(&kind == &text_kind())
+    sub->add_option("--text", options->text_file,
+                    "what the shape is: a part on each line, as in the manual (required)")
+        ->option_text("FILE")
+        ->type_name(input_file)
+        ->required();
   if((kind.options & generators::GENUS) != 0)
     sub->add_option("--genus", options->request.genus,
                     "how many handles" + default_of(options->request.genus))
@@ -136,6 +162,7 @@ void add_generate_command(CLI::App& app, Command& command) {
   generate->require_subcommand(1);
   for(const generators::Kind& kind : generators::kinds())
     add_kind(*generate, kind, command);
+  add_kind(*generate, text_kind(), command);
   complete_help(*generate, examples);
 }
 

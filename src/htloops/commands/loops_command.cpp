@@ -60,8 +60,8 @@ void write_files(const Loops_options& options,
     write_pair_csv(options.csv_file, options.mesh_file, answer, told.listing);
   for(const std::string& file : options.lines_files)
     export_lines(file, lines_of(answer, told.listing));
-  if(!options.picture_file.empty())
-    export_picture(options.picture_file, options.view, drawn_surface(mesh),
+  if(!options.picture.file.empty())
+    export_picture(options.picture, options.view, drawn_surface(mesh),
                    lines_of(answer, told.listing));
   if(!options.gltf_file.empty())
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));

@@ -121,7 +121,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
       {"--output", !options.json_file.empty()},
       {"--events", !options.events_file.empty()},
       {"--lines", !options.lines_files.empty()},
-      {"--picture", !options.picture_file.empty()},
+      {"--picture", !options.picture.file.empty()},
       {"--html", !options.page_file.empty()},
       {"--gltf", !options.gltf_file.empty()},
       {"--write-mesh", !options.written_mesh_file.empty()},

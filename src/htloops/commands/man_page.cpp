@@ -15,7 +15,7 @@ namespace htloops {
 namespace {
 
 // A text in which no character is a request.
-std::string quoted(const std::string& text) {
+std::string roff_of(const std::string& text) {
   std::string roff;
   bool begins = true;
   for(const char c : text) {
@@ -32,29 +32,29 @@ std::string paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string roff;
   for(std::string line; std::getline(lines, line);)
-    roff += line.empty() ? ".PP\n" : quoted(line) + "\n";
+    roff += line.empty() ? ".PP\n" : roff_of(line) + "\n";
   return roff;
 }
 
-std::string as_it_is(const std::string& text) { return ".nf\n" + quoted(text) + "\n.fi\n"; }
+std::string as_it_is(const std::string& text) { return ".nf\n" + roff_of(text) + "\n.fi\n"; }
 
 std::string option_entry(const Told_option& option) {
   std::string names;
   if(!option.short_name.empty())
     names = "\\fB\\-" + option.short_name + "\\fR";
   if(!option.long_name.empty())
-    names +=
-        (names.empty() ? "" : ", ") + std::string("\\fB\\-\\-") + quoted(option.long_name) + "\\fR";
+    names += (names.empty() ? "" : ", ") + std::string("\\fB\\-\\-") + roff_of(option.long_name) +
+             "\\fR";
   if(!option.value.empty())
-    names += " \\fI" + quoted(option.value) + "\\fR";
+    names += " \\fI" + roff_of(option.value) + "\\fR";
   return ".TP\n" + names + "\n" + paragraphs(option.description);
 }
 
 std::string command_section(const Told_command& command, const std::string& path) {
   const std::string name = path + " " + command.name;
-  std::string text = ".SS " + quoted(name);
+  std::string text = ".SS " + roff_of(name);
   for(const std::string& argument : command.arguments)
-    text += " " + quoted(argument);
+    text += " " + roff_of(argument);
   text += "\n" + paragraphs(command.description);
   for(const Told_option& option : command.options)
     if(option.long_name != "help")

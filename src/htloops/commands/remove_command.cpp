@@ -139,8 +139,8 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
 void write_files(const Remove_options& options, const Removal_shown& shown) {
   if(!options.json_file.empty())
     write_removal_json(options.json_file, shown.report);
-  if(!options.picture_file.empty())
-    export_picture(options.picture_file, options.view, drawn_surface(shown.before),
+  if(!options.picture.file.empty())
+    export_picture(options.picture, options.view, drawn_surface(shown.before),
                    lines_of(pairs_to_remove(shown.pairs, shown.report)));
   if(!options.page_file.empty())
     write_removal_page(options.page_file, options.view, shown);
@@ -176,7 +176,7 @@ void run(const Remove_options& options) {
   const Stopwatch loops_stopwatch;
   const Pairs pairs = pairs_of(mesh, options, show_progress);
   const double loops_seconds = loops_stopwatch.seconds();
-  const bool is_drawn = !options.picture_file.empty() || !options.page_file.empty();
+  const bool is_drawn = !options.picture.file.empty() || !options.page_file.empty();
   const Mesh before = is_drawn ? mesh : Mesh();
   Progress_bar bar(show_progress);
   const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, options), bar);

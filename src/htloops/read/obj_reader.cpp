@@ -76,7 +76,7 @@ private:
     else if(is_passed_over(keyword))
       text_.skip_line();
     else
-      text_.fail("OBJ has no element " + quoted(keyword));
+      text_.fail("OBJ has no element " + in_quotes(keyword));
   }
 
   // The coordinates may be followed by a weight or a colour.
@@ -104,7 +104,7 @@ private:
     const std::string_view word = text_.word();
     long long number;
     if(!parse_corner(word, number))
-      text_.fail(quoted(word) + " is no corner of a face");
+      text_.fail(in_quotes(word) + " is no corner of a face");
     const auto size = static_cast<long long>(soup_.points.size());
     if(number == 0 || number < -size || number > (std::numeric_limits<std::uint32_t>::max)())
       text_.fail(no_such_vertex(soup_.faces.size(), number, soup_.points.size(), first_vertex));

@@ -21,7 +21,7 @@ Ply_format read_format(Text_source& text) {
   if(format == "binary_little_endian")
     return Ply_format::BINARY_LITTLE_ENDIAN;
   if(format != "binary_big_endian")
-    text.fail("the unknown format " + quoted(format));
+    text.fail("the unknown format " + in_quotes(format));
   return Ply_format::BINARY_BIG_ENDIAN;
 }
 
@@ -42,13 +42,13 @@ Ply_property read_property(Text_source& text) {
     const std::string_view count_type = text.word();
     property.count_type = ply_type(count_type);
     if(!is_integer(property.count_type))
-      text.fail("a list whose length is of the type " + quoted(count_type) +
+      text.fail("a list whose length is of the type " + in_quotes(count_type) +
                 ", which is no integer type");
     property.type_name = text.word();
   }
   property.type = ply_type(property.type_name);
   if(property.type == Ply_type::NONE)
-    text.fail("a property of the unknown type " + quoted(property.type_name));
+    text.fail("a property of the unknown type " + in_quotes(property.type_name));
   property.name = text.word();
   return property;
 }

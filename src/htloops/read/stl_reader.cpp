@@ -67,7 +67,7 @@ public:
         is_in_solid = !is_in_solid;
         text_.skip_line(); // its name
       } else {
-        text_.fail(quoted(word) + " is out of place");
+        text_.fail(in_quotes(word) + " is out of place");
       }
     }
     if(is_in_solid)

@@ -13,7 +13,7 @@
 
 namespace htloops {
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string text(word.substr(0, longest));
   for(char& c : text)
@@ -29,7 +29,7 @@ Text_source::Text_source(const std::string& file, std::string_view text)
 void Text_source::skip_numbers() {
   for(double number; !is_at_line_end();)
     if(!read(number))
-      fail(quoted(word()) + " is no number");
+      fail(in_quotes(word()) + " is no number");
   skip_line();
 }
 

@@ -18,7 +18,7 @@
 namespace htloops {
 
 /// a word of a file for a message: without what a terminal would obey, and not too long.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 /// A place in the text of a mesh file, whose messages name the file and the line.
 class Text_source : public Text_cursor

@@ -17,7 +17,7 @@ namespace htloops {
 namespace {
 
 // A text as a cell.
-std::string quoted(const std::string& text) {
+std::string cell_of(const std::string& text) {
   if(text.find_first_of(",\"\r\n") == std::string::npos)
     return text;
   std::string cell = "\"";
@@ -44,7 +44,7 @@ void Pair_csv_writer::add(const std::string& mesh_file,
                           const Answer& answer,
                           const Pair_listing& listing) {
   for(const Listed_pair& pair : listing) {
-    out_ << quoted(mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
+    out_ << cell_of(mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
          << pair.tunnel_length << ',' << pair.size;
     write_sides(out_, answer, pair.pair);
     out_ << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();

@@ -15,6 +15,9 @@
 #include "picture/picture.h"
 #include "write/text_writer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace htloops {
@@ -27,9 +30,15 @@ std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines) {
   return tubes;
 }
 
+// Hidden lines are the paler the more there are: what matters is what is in front of them.
+double opacity_before(std::size_t lines) {
+  constexpr double few = 30.;
+  return 1. - 0.5 * (std::min)(1., std::sqrt(few / (std::max)(double(lines), 1.)));
+}
+
 } // namespace
 
-void export_picture(const std::string& file,
+void export_picture(const Picture_options& options,
                     const View& view,
                     const Drawn_surface& surface,
                     const Exported_lines& lines) {
@@ -37,6 +46,14 @@ void export_picture(const std::string& file,
   const auto [from, up] = whole_view(view, surface);
   picture.view = from;
   picture.up = up;
+  if(!options.size.empty()) {
+    picture.width = static_cast<int>(options.size[0]);
+    picture.height = static_cast<int>(options.size[1]);
+    picture.line_width_px *= picture.height / 1200.;
+    picture.line_width_px = (std::max)(picture.line_width_px, 3.);
+  }
+  picture.surface_opacity = options.opacity.value_or(opacity_before(lines.lines.size()));
+  const std::string& file = options.file;
   std::string content;
   try {
     content = htl_picture::encode_picture(surface.points, surface.triangles, surface.colours,

@@ -14,16 +14,26 @@
 #include "write/mesh_arrays.h"
 #include "write/view.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace htloops {
+
+/// How a picture is made.
+struct Picture_options
+{
+  std::string file;
+  std::vector<double> size;      ///< width and height in pixels; empty for the default
+  std::optional<double> opacity; ///< of the surface; none: so that many hidden lines stay pale
+};
 
 #ifdef HTLOOPS_HAS_PICTURE
 
 constexpr bool has_pictures = true;
 
 /// writes a picture of a surface and lines.
-void export_picture(const std::string& file,
+void export_picture(const Picture_options& options,
                     const View& view,
                     const Drawn_surface& surface,
                     const Exported_lines& lines);
@@ -33,7 +43,7 @@ void export_picture(const std::string& file,
 constexpr bool has_pictures = false;
 
 inline void
-export_picture(const std::string&, const View&, const Drawn_surface&, const Exported_lines&) {}
+export_picture(const Picture_options&, const View&, const Drawn_surface&, const Exported_lines&) {}
 
 #endif
 

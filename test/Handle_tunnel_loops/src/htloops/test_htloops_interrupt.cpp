@@ -95,7 +95,7 @@ TEST(Interrupt_DeathTest, stops_what_draws_a_picture) {
   EXPECT_EXIT(end_after([&] {
                 const Interrupt_guard guard;
                 std::raise(SIGTERM);
-                export_picture(folder.path("a.png"), {}, drawn_surface(small_mesh()), {});
+                export_picture({folder.path("a.png"), {}, {}}, {}, drawn_surface(small_mesh()), {});
               }),
               testing::ExitedWithCode(128 + SIGTERM), "");
   EXPECT_EQ(folder.number_of_files(), 0u);

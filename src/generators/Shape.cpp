@@ -1,0 +1,345 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "Shape.h"
+
+#include "mesh_of_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+Vector unit(const Vector& v) { return v / length(v); }
+
+double dot(const Vector& a, const Vector& b) { return a * b; }
+
+// How far a point is from a segment.
+double segment_distance(const Vector& p, const Vector& a, const Vector& b) {
+  const Vector along = b - a, from = p - a;
+  const double square = along.squared_length();
+  const double t = square > 0. ? std::clamp(dot(from, along) / square, 0., 1.) : 0.;
+  return length(from - t * along);
+}
+
+double cylinder_distance(const Vector& p, const Vector& a, const Vector& b, double radius) {
+  const Vector axis = unit(b - a), from = p - a;
+  const double along = dot(from, axis);
+  const double outside = length(from - along * axis) - radius;
+  const double beyond = std::abs(along - length(b - a) / 2.) - length(b - a) / 2.;
+  return (std::min)((std::max)(outside, beyond), 0.) +
+         std::hypot((std::max)(outside, 0.), (std::max)(beyond, 0.));
+}
+
+double block_distance(const Vector& p, const Vector& low, const Vector& high, double rounding) {
+  double square = 0., inside = -std::numeric_limits<double>::infinity();
+  for(int i = 0; i < 3; ++i) {
+    const double beyond =
+        std::abs(p[i] - (low[i] + high[i]) / 2.) - (high[i] - low[i]) / 2. + rounding;
+    inside = (std::max)(inside, beyond);
+    square += beyond > 0. ? beyond * beyond : 0.;
+  }
+  return (std::min)(inside, 0.) + std::sqrt(square) - rounding;
+}
+
+double ring_distance(const Vector& p, const Vector& middle, const Vector& axis, double radius) {
+  const Vector from = p - middle;
+  const double along = dot(from, axis);
+  return std::hypot(length(from - along * axis) - radius, along);
+}
+
+// A smooth curve through points (Catmull and Rom), as many short segments.
+std::vector<Vector> smooth_curve(const std::vector<Vector>& points, bool is_closed) {
+  constexpr int steps = 10;
+  const auto n = static_cast<int>(points.size());
+  const auto at = [&](int i) {
+    return is_closed ? points[static_cast<std::size_t>((i + n) % n)]
+                     : points[static_cast<std::size_t>(std::clamp(i, 0, n - 1))];
+  };
+  std::vector<Vector> curve;
+  for(int i = 0; i < (is_closed ? n : n - 1); ++i)
+    for(int k = 0; k < steps; ++k) {
+      const double t = double(k) / steps;
+      const Vector a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
+      curve.push_back(0.5 * (2. * b + t * (c - a) + t * t * (2. * a - 5. * b + 4. * c - d) +
+                             t * t * t * (3. * b - a - 3. * c + d)));
+    }
+  curve.push_back(at(is_closed ? 0 : n - 1));
+  return curve;
+}
+
+double curve_distance(const Vector& p, const std::vector<Vector>& curve) {
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t i = 1; i < curve.size(); ++i)
+    least = (std::min)(least, segment_distance(p, curve[i - 1], curve[i]));
+  return least;
+}
+
+Vector turned(const Vector& p, const Vector& axis, double angle) {
+  const Vector along = dot(p, axis) * axis, across = p - along;
+  return along + std::cos(angle) * across + std::sin(angle) * CGAL::cross_product(axis, across);
+}
+
+// The least of two distances, with a fillet: never more than the least.
+double blended(double a, double b, double size) {
+  const double h = (std::max)(size - std::abs(a - b), 0.);
+  return (std::min)(a, b) - (size > 0. ? h * h / (4. * size) : 0.);
+}
+
+} // namespace
+
+/// Reads a text line by line.
+class Shape::Reader
+{
+public:
+  Reader(Shape& shape, std::string_view text)
+      : shape_(shape)
+      , lines_(std::string(text)) {}
+
+  void read() {
+    for(std::string line; std::getline(lines_, line);) {
+      ++number_;
+      if(line.substr(0, 1) == "#") {
+        if(shape_.description_.empty())
+          shape_.description_ = line.substr((std::min)(line.find_first_not_of("# "), line.size()));
+        continue;
+      }
+      words_ = std::istringstream(line);
+      if(std::string word; words_ >> word)
+        read_line(word);
+    }
+    if(shape_.parts_.empty())
+      fail("there are no parts");
+  }
+
+private:
+  using Motion = std::function<Vector(const Vector&)>;
+
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw std::invalid_argument("line " + std::to_string(number_) + " of the shape: " + problem);
+  }
+
+  double number() {
+    double value;
+    if(!(words_ >> value) || !std::isfinite(value))
+      fail("a number is missing");
+    return value;
+  }
+
+  double positive() {
+    const double value = number();
+    if(!(value > 0.))
+      fail("a size must be positive");
+    return value;
+  }
+
+  Vector point() {
+    const double x = number(), y = number();
+    return {x, y, number()};
+  }
+
+  Vector axis() {
+    const Vector v = point();
+    if(!(length(v) > 0.))
+      fail("an axis needs a direction");
+    return unit(v);
+  }
+
+  void read_line(const std::string& word) {
+    if(word == "genus")
+      shape_.genus_ = static_cast<std::size_t>(number());
+    else if(word == "faces")
+      shape_.faces_ = static_cast<std::size_t>(positive());
+    else if(word == "blend")
+      blend_ = (std::max)(number(), 0.);
+    else
+      read_part(word, {[](const Vector& p) { return p; }});
+    if(std::string rest; words_ >> rest)
+      fail("'" + rest + "' is too much");
+  }
+
+  // \p motions are from a point to where it is asked for, one for each repetition.
+  void read_part(const std::string& word, const std::vector<Motion>& motions) {
+    if(word == "times") {
+      const std::vector<Motion> repeated = repetitions(motions);
+      std::string next;
+      words_ >> next;
+      read_part(next, repeated);
+      return;
+    }
+    std::string name = word;
+    const bool is_cut = word == "cut";
+    if(is_cut && !(words_ >> name))
+      fail("what is cut?");
+    const auto [distance, box] = primitive(name);
+    for(const Motion& motion : motions) {
+      shape_.parts_.push_back(
+          {[distance = distance, motion](const Vector& p) { return distance(motion(p)); }, blend_,
+           is_cut});
+      if(!is_cut)
+        add_box(box, motion);
+    }
+  }
+
+  std::vector<Motion> repetitions(const std::vector<Motion>& motions) {
+    const double count = number();
+    std::string how;
+    words_ >> how;
+    if(!(count >= 1. && count <= 10000.) || (how != "by" && how != "around"))
+      fail("after 'times' come a number and 'by' or 'around'");
+    const Vector first = point();
+    const Vector direction = how == "around" ? axis() : Vector(0., 0., 1.);
+    std::vector<Motion> result;
+    for(int i = 0; i < static_cast<int>(count); ++i)
+      for(const Motion& motion : motions)
+        if(how == "by")
+          result.push_back([=](const Vector& p) { return motion(p) - double(i) * first; });
+        else
+          result.push_back([=](const Vector& p) {
+            return first + turned(motion(p) - first, direction, -2. * pi * i / std::floor(count));
+          });
+    return result;
+  }
+
+  // How far it is to a part, and a box around the part.
+  std::pair<Distance, Box> primitive(const std::string& name) {
+    if(name == "ball") {
+      const Vector middle = point();
+      const double r = positive();
+      return {[=](const Vector& p) { return length(p - middle) - r; },
+              Box{middle, middle}.grown(r)};
+    }
+    if(name == "rod" || name == "cylinder") {
+      const Vector a = point(), b = point();
+      const double r = positive();
+      if(!(length(b - a) > 0.))
+        fail("it has no length");
+      const Box box = Box{a, a}.with(b).grown(r);
+      if(name == "rod")
+        return {[=](const Vector& p) { return segment_distance(p, a, b) - r; }, box};
+      return {[=](const Vector& p) { return cylinder_distance(p, a, b, r); }, box};
+    }
+    if(name == "ring") {
+      const Vector middle = point(), direction = axis();
+      const double radius = positive(), r = positive();
+      return {[=](const Vector& p) { return ring_distance(p, middle, direction, radius) - r; },
+              Box{middle, middle}.grown(radius + r)};
+    }
+    if(name == "block") {
+      const Vector a = point(), b = point();
+      const double rounding = number();
+      const Box box = Box{a, a}.with(b);
+      return {[=](const Vector& p) { return block_distance(p, box.low, box.high, rounding); }, box};
+    }
+    if(name == "pipe")
+      return pipe();
+    if(name == "knot")
+      return knot();
+    fail("'" + name + "' is no part; parts are ball, rod, cylinder, pipe, ring, knot and block");
+  }
+
+  std::pair<Distance, Box> pipe() {
+    const double r = positive();
+    const auto position = words_.tellg();
+    std::string word;
+    const bool is_closed = words_ >> word && word == "closed";
+    if(!is_closed) {
+      words_.clear();
+      words_.seekg(position);
+    }
+    std::vector<Vector> points;
+    while(words_ >> std::ws && !words_.eof())
+      points.push_back(point());
+    if(points.size() < (is_closed ? 3u : 2u))
+      fail("a pipe goes through two points, a closed one through three");
+    return tube(smooth_curve(points, is_closed), r);
+  }
+
+  std::pair<Distance, Box> knot() {
+    const double p = number(), q = number(), radius = positive(), small = positive();
+    const double r = positive();
+    constexpr int steps = 300;
+    std::vector<Vector> curve;
+    for(int i = 0; i <= steps; ++i) {
+      const double t = 2. * pi * (i % steps) / steps;
+      const double away = radius + small * std::cos(q * t);
+      curve.emplace_back(away * std::cos(p * t), away * std::sin(p * t), small * std::sin(q * t));
+    }
+    return tube(curve, r);
+  }
+
+  static std::pair<Distance, Box> tube(const std::vector<Vector>& curve, double r) {
+    Box box{curve.front(), curve.front()};
+    for(const Vector& p : curve)
+      box = box.with(p);
+    return {[=](const Vector& p) { return curve_distance(p, curve) - r; }, box.grown(r)};
+  }
+
+  // A motion is from the place of a repetition back to the part: its box is moved the other way,
+  // which is found from where the motion brings the corners of a frame.
+  void add_box(const Box& box, const Motion& motion) {
+    const Vector origin = motion(Vector(0., 0., 0.));
+    const std::array<Vector, 3> rows = {motion(Vector(1., 0., 0.)) - origin,
+                                        motion(Vector(0., 1., 0.)) - origin,
+                                        motion(Vector(0., 0., 1.)) - origin};
+    for(int corner = 0; corner < 8; ++corner) {
+      const Vector at((corner & 1) != 0 ? box.high.x() : box.low.x(),
+                      (corner & 2) != 0 ? box.high.y() : box.low.y(),
+                      (corner & 4) != 0 ? box.high.z() : box.low.z());
+      const Vector from = at - origin;
+      const Vector place(dot(rows[0], from), dot(rows[1], from), dot(rows[2], from));
+      shape_.box_ = has_box_ ? shape_.box_.with(place) : Box{place, place};
+      has_box_ = true;
+    }
+  }
+
+  Shape& shape_;
+  std::istringstream lines_, words_;
+  int number_ = 0;
+  double blend_ = 0.;
+  bool has_box_ = false;
+};
+
+Shape::Shape(std::string_view text) {
+  Reader(*this, text).read();
+  box_ = box_.grown(0.02 * length(box_.high - box_.low));
+}
+
+double Shape::operator()(const Vector& p) const {
+  double distance = std::numeric_limits<double>::infinity();
+  for(const Part& part : parts_)
+    distance = part.is_cut ? (std::max)(distance, -part.distance(p))
+                           : blended(distance, part.distance(p), part.blend);
+  return distance;
+}
+
+Soup mesh_of_shape(const Shape& shape, std::size_t faces) {
+  Soup soup = mesh_of_field(shape, faces);
+  if(shape.genus() && genus(soup) != *shape.genus())
+    throw std::invalid_argument(std::to_string(faces) + " faces show a surface of genus " +
+                                std::to_string(genus(soup)) + ", not of " +
+                                std::to_string(*shape.genus()) +
+                                ": they are too few, or the text " + "is wrong");
+  return soup;
+}
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_SHAPE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_SHAPE_H
+
+#include "Field.h"
+#include "generators.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+
+/*!
+A solid that a text describes, a part on each line, put together or cut out one after the other:
+
+    # the first line is what it is
+    genus N                        of its surface, summed over its components; checked if it is
+given faces N                        as many as show it well; 40000 if it is not said blend R parts
+that follow are joined with a fillet of about this size ball X Y Z R rod X Y Z X Y Z R with round
+ends cylinder X Y Z X Y Z R         with flat ends pipe R [closed] X Y Z ...      around a smooth
+curve through points ring X Y Z NX NY NZ R r        around a circle: its middle, its axis, its
+radius knot P Q R r TUBE              a torus knot: p times the long way, q times the short one
+    block X Y Z X Y Z ROUNDING     two corners
+
+`cut` before a part takes it away; `times N by X Y Z` and `times N around X Y Z NX NY NZ` repeat
+what follows them, moved or turned about an axis through a point by the N-th part of a turn.
+*/
+class Shape : public Field
+{
+public:
+  /// throws `std::invalid_argument`, with the line, if the text is no description.
+  explicit Shape(std::string_view text);
+
+  double operator()(const Vector& p) const override;
+  Box box() const override { return box_; }
+
+  const std::string& description() const { return description_; }
+  std::optional<std::size_t> genus() const { return genus_; }
+  std::size_t faces() const { return faces_; }
+
+private:
+  using Distance = std::function<double(const Vector&)>;
+
+  /// A part: how far a point is from it, and how it is joined to those before.
+  struct Part
+  {
+    Distance distance;
+    double blend;
+    bool is_cut;
+  };
+
+  class Reader;
+
+  std::string description_;
+  std::optional<std::size_t> genus_;
+  std::size_t faces_ = 40000;
+  std::vector<Part> parts_;
+  Box box_;
+};
+
+/// the mesh of a shape with about as many faces. Throws `std::invalid_argument` if they are too few
+/// for the genus that the text tells.
+Soup mesh_of_shape(const Shape& shape, std::size_t faces);
+
+/// those that are kept in shapes/, each a kind of its own.
+std::vector<Kind> kinds_of_shapes();
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_SHAPE_H

@@ -1,0 +1,80 @@
+#include "generators/Shape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+using namespace CGAL::Handle_tunnel_loops::generators;
+
+TEST(Shape, IsWhatItsTextSays) {
+  for(const Kind& kind : kinds_of_shapes()) {
+    SCOPED_TRACE(kind.name);
+    Request request;
+    request.faces = kind.default_faces;
+    request.genus = kind.default_genus;
+    const Soup soup = kind.make(request);
+    EXPECT_EQ(genus(soup), kind.default_genus);
+    EXPECT_EQ(number_of_boundaries(soup), 0u);
+    EXPECT_NEAR(double(soup.triangles.size()), double(request.faces), 0.1 * request.faces);
+    request.genus += 1;
+    EXPECT_THROW(kind.make(request), std::invalid_argument);
+  }
+}
+
+TEST(Shape, PartsAreJoinedCutRepeatedAndTurned) {
+  const Shape shape("# a thing\n"
+                    "block 0 0 0  4 4 1  0\n"
+                    "times 2 by 2 0 0 times 2 by 0 2 0 cut cylinder 1 1 -1  1 1 2  0.5\n"
+                    "times 4 around 2 2 0  0 0 1 ball 6 2 0.5 0.25\n");
+  EXPECT_EQ(shape.description(), "a thing");
+  EXPECT_FALSE(shape.genus());
+  using V = Vector;
+  EXPECT_LT(shape(V(2., 2., 0.5)), 0.);
+  for(const double x : {1., 3.})
+    for(const double y : {1., 3.})
+      EXPECT_NEAR(shape(V(x, y, 0.5)), 0.5, 1e-12) << "in the middle of a bore";
+  for(const V& middle : {V(6., 2., 0.5), V(2., 6., 0.5), V(-2., 2., 0.5), V(2., -2., 0.5)})
+    EXPECT_NEAR(shape(middle), -0.25, 1e-12);
+  EXPECT_LT(shape.box().low.x(), -2.25);
+  EXPECT_GT(shape.box().high.y(), 6.25);
+}
+
+// Nowhere more than the distance: along any segment it changes by no more than its length.
+TEST(Shape, IsNowhereMoreThanTheDistance) {
+  const Shape shape("blend 0.2\nball 0 0 0 1\nrod 0 0 0 2 1 0 0.3\ncylinder 0 0 -2 0 0 2 0.4\n"
+                    "ring 0 0 0 1 1 0 2 0.2\nblock 1 1 1 2 2 2 0.1\nknot 2 3 2 0.5 0.2\n"
+                    "pipe 0.1 closed 2 0 0 0 2 0 -2 0 0 0 -2 0\ncut ball 1 0 0 0.5\n");
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-3., 3.);
+  for(int i = 0; i < 20000; ++i) {
+    const Vector p(coordinate(random), coordinate(random), coordinate(random));
+    const Vector step(0.1 * coordinate(random), 0.1 * coordinate(random), 0.1 * coordinate(random));
+    EXPECT_LE(std::abs(shape(p + step) - shape(p)), length(step) * (1. + 1e-9));
+  }
+}
+
+TEST(Shape, ATextThatIsNoneIsRefusedWithItsLine) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"# nothing\n", "no parts"},
+      {"ball 0 0 0\n", "line 1"},
+      {"ball 0 0 0 1\nbox 0 0 0 1 1 1\n", "line 2"},
+      {"ball 0 0 0 1 1\n", "too much"},
+      {"ball 0 0 0 -1\n", "positive"},
+      {"rod 0 0 0 0 0 0 1\n", "length"},
+      {"ring 0 0 0 0 0 0 1 1\n", "direction"},
+      {"times 3 ball 0 0 0 1\n", "times"},
+      {"times nan by 0 0 1 ball 0 0 0 1\n", "line 1"},
+      {"pipe 0.1 0 0 0\n", "two points"},
+      {"cut\n", "what"}};
+  for(const auto& [text, words] : wrong)
+    try {
+      const Shape shape(text);
+      ADD_FAILURE() << text;
+    } catch(const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}
