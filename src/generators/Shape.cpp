@@ -10,6 +10,7 @@
 #include "Shape.h"
 
 #include "mesh_of_field.h"
+#include "request_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -330,7 +331,10 @@ double Shape::operator()(const Vector& p) const {
   return distance;
 }
 
-Soup mesh_of_shape(const Shape& shape, std::size_t faces) {
+Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name) {
+  constexpr double least_faces = 100.;
+  require_faces(request, name, least_faces);
+  const std::size_t faces = request.faces;
   Soup soup = mesh_of_field(shape, faces);
   if(shape.genus() && genus(soup) != *shape.genus())
     throw std::invalid_argument(std::to_string(faces) + " faces show a surface of genus " +

@@ -73,9 +73,9 @@ private:
   Box box_;
 };
 
-/// the mesh of a shape with about as many faces. Throws `std::invalid_argument` if they are too few
-/// for the genus that the text tells.
-Soup mesh_of_shape(const Shape& shape, std::size_t faces);
+/// the mesh of a shape with about as many faces as asked for. Throws `std::invalid_argument`, with
+/// the name, if they are too few for the genus that the text tells, or too many.
+Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name);
 
 /// those that are kept in shapes/, each a kind of its own.
 std::vector<Kind> kinds_of_shapes();

@@ -27,7 +27,7 @@ std::vector<Kind> kinds_of_shapes() {
                      [name = name, text = text](const Request& request) {
                        const Shape described(text);
                        require_genus(request, name, *described.genus());
-                       return mesh_of_shape(described, request.faces);
+                       return mesh_of_shape(described, request, name);
                      },
                      GENUS, shape.faces(), *shape.genus()});
   }

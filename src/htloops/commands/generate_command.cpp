@@ -40,7 +40,7 @@ struct Generate_options
 generators::Kind kind_of_text(const std::string& file) {
   const auto shape = std::make_shared<generators::Shape>(Input_file(file).content());
   return {"shape", "", [shape](const generators::Request& request) {
-            return generators::mesh_of_shape(*shape, request.faces);
+            return generators::mesh_of_shape(*shape, request, "shape");
           }};
 }
 
