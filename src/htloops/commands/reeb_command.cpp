@@ -166,7 +166,9 @@ void run(const Reeb_command_options& options) {
   write_read_mesh(options, mesh);
   const Reeb_answer answer = solve(mended, options);
   const std::string text = summary(answer, read_seconds);
-  const std::vector<Listed_arc> arcs = list_arcs(mesh, answer);
+  std::vector<Listed_arc> arcs; // measuring them takes a look at every face
+  if(!options.is_quiet || !options.csv_file.empty() || !options.page_file.empty())
+    arcs = list_arcs(mesh, answer);
   write_files(options, mesh, answer, arcs, read_seconds);
   if(!options.page_file.empty())
     write_reeb_page(options.page_file, options.view, options.mesh_file, mesh, answer, arcs, text);

@@ -10,7 +10,6 @@
 #include "write/arc_table.h"
 
 #include "solve/face_arcs.h"
-#include "write/table_rows.h"
 #include "write/text_writer.h"
 
 #include <algorithm>
@@ -25,8 +24,7 @@ std::string name_of_node(const Reeb_answer& answer, std::size_t node) {
 std::string row(const std::vector<std::string>& cells) {
   std::string line;
   for(std::size_t i = 0; i < cells.size(); ++i) {
-    const int width = arc_columns[i].is_number ? arc_columns[i].width : -arc_columns[i].width;
-    line += (i == 0 ? "" : "  ") + formatted("%*s", width, cells[i].c_str());
+    line += (i == 0 ? "" : "  ") + padded(arc_columns[i], cells[i]);
   }
   return line + "\n";
 }
@@ -60,7 +58,7 @@ std::string table_of_arcs(const std::vector<Listed_arc>& arcs, bool show_all) {
   if(arcs.empty())
     return "";
   std::vector<std::string> names;
-  for(const Arc_column& column : arc_columns)
+  for(const Table_column& column : arc_columns)
     names.push_back(column.name);
   return row(names) +
          table_rows(arcs.size(), show_all, [&](std::size_t i) { return row(cells_of(arcs[i])); });

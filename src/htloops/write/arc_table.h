@@ -11,6 +11,7 @@
 #define HTLOOPS_ARC_TABLE_H
 
 #include "solve/reeb_answer.h"
+#include "write/table_rows.h"
 
 #include <string>
 #include <vector>
@@ -30,15 +31,7 @@ struct Listed_arc
 /// the arcs, the longest first.
 std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer);
 
-/// A column of a table for a person.
-struct Arc_column
-{
-  const char* name;
-  int width;
-  bool is_number;
-};
-
-constexpr Arc_column arc_columns[] = {{"arc", 5, true},    {"length", 12, true},
+constexpr Table_column arc_columns[] = {{"arc", 5, true},    {"length", 12, true},
                                       {"girth", 12, true}, {"vertices", 9, true},
                                       {"from", 14, false}, {"to", 0, false}};
 

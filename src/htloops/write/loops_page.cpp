@@ -18,18 +18,16 @@ namespace {
 using CGAL::Loop_type;
 
 void add_pairs(htl_window::Scene& scene, const Pairs& pairs, const Pair_listing& listing) {
-  for(const Pair_column& column : pair_columns)
+  for(const Table_column& column : pair_columns)
     scene.table.columns.push_back({column.name, column.is_number});
   scene.table.choice = "--pairs";
-  scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
-                  {"tunnel loops", colour_of(Loop_type::TUNNEL)}};
+  add_groups_of_loops(scene);
   for(std::size_t row = 0; row < listing.size(); ++row) {
     const Listed_pair& listed = listing[row];
     scene.table.rows.push_back(cells_of(listed));
     scene.table.lengths.push_back((std::min)(listed.handle_length, listed.tunnel_length));
     scene.table.numbers.push_back(listed.pair);
-    for(std::size_t group = 0; group < 2; ++group)
-      add_line(scene, pairs[listed.pair].loop(loop_types[group]).points(), true, group, row);
+    add_loops(scene, pairs[listed.pair], row);
   }
 }
 

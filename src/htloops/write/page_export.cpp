@@ -9,6 +9,7 @@
 
 #include "write/page_export.h"
 
+#include "write/loop_colours.h"
 #include "write/mesh_arrays.h"
 #include "write/text_writer.h"
 
@@ -43,6 +44,16 @@ void add_line(htl_window::Scene& scene,
               std::size_t group,
               std::size_t row) {
   scene.lines.push_back({coordinates(points), is_closed, group, row});
+}
+
+void add_groups_of_loops(htl_window::Scene& scene) {
+  scene.groups = {{"handle loops", colour_of(CGAL::Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(CGAL::Loop_type::TUNNEL)}};
+}
+
+void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row) {
+  for(std::size_t group = 0; group < 2; ++group)
+    add_line(scene, pair.loop(loop_types[group]).points(), true, group, row);
 }
 
 void add_paragraphs(htl_window::Scene& scene, const std::string& text) {

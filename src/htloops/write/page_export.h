@@ -38,6 +38,12 @@ void add_line(htl_window::Scene& scene,
               std::size_t group,
               std::size_t row = htl_window::no_row);
 
+/// adds the sorts of lines that handle loops and tunnel loops are, which come first.
+void add_groups_of_loops(htl_window::Scene& scene);
+
+/// adds both loops of a pair to these, told of in a row.
+void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row);
+
 /// adds the paragraphs of a text, a line each.
 void add_paragraphs(htl_window::Scene& scene, const std::string& text);
 

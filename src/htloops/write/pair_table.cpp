@@ -12,7 +12,6 @@
 #include "words.h"
 #include "write/linking_words.h"
 #include "write/loop_colours.h"
-#include "write/table_rows.h"
 
 #include <algorithm>
 #include <string>
@@ -32,9 +31,7 @@ std::string in_colour(const std::string& text, CGAL::Loop_type type, bool use_co
 std::string row(const std::vector<std::string>& cells, bool use_colour) {
   std::string line;
   for(std::size_t i = 0; i < cells.size(); ++i) {
-    const Pair_column& column = pair_columns[i];
-    const int width = column.is_number ? column.width : -column.width;
-    const std::string cell = formatted("%*s", width, cells[i].c_str());
+    const std::string cell = padded(pair_columns[i], cells[i]);
     line += i == 0 ? "" : "  ";
     line += i == 1   ? in_colour(cell, CGAL::Loop_type::HANDLE, use_colour)
             : i == 2 ? in_colour(cell, CGAL::Loop_type::TUNNEL, use_colour)
@@ -45,7 +42,7 @@ std::string row(const std::vector<std::string>& cells, bool use_colour) {
 
 std::string header(bool use_colour) {
   std::vector<std::string> names;
-  for(const Pair_column& column : pair_columns)
+  for(const Table_column& column : pair_columns)
     names.push_back(column.name);
   return row(names, use_colour);
 }

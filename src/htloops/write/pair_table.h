@@ -12,6 +12,7 @@
 
 #include "solve/answer.h"
 #include "write/pair_listing.h"
+#include "write/table_rows.h"
 
 #include <string>
 #include <vector>
@@ -25,15 +26,7 @@ struct Table_options
   bool is_verbose = false; ///< why no device was used, too
 };
 
-/// A column of a table for a person.
-struct Pair_column
-{
-  const char* name;
-  int width;
-  bool is_number;
-};
-
-constexpr Pair_column pair_columns[] = {{"pair", 5, true},
+constexpr Table_column pair_columns[] = {{"pair", 5, true},
                                         {"handle", 12, true},
                                         {"tunnel", 12, true},
                                         {"size", 8, true},

@@ -26,7 +26,7 @@ void add_parts(htl_window::Surface& surface, const Arc_surface& cut, std::size_t
 void add_arcs(htl_window::Scene& scene,
               const Reeb_answer& answer,
               const std::vector<Listed_arc>& arcs) {
-  for(const Arc_column& column : arc_columns)
+  for(const Table_column& column : arc_columns)
     scene.table.columns.push_back({column.name, column.is_number});
   std::vector<std::size_t> row_of(arcs.size());
   for(const Listed_arc& arc : arcs) {

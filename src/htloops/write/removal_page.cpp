@@ -9,7 +9,6 @@
 
 #include "write/removal_page.h"
 
-#include "write/loop_colours.h"
 #include "write/removal_table.h"
 #include "write/table_rows.h"
 
@@ -44,9 +43,7 @@ void add_row(htl_window::Table& table, const std::string& name, const Refused_ha
 template <typename Handle>
 void add_handles(htl_window::Scene& scene, const Pairs& pairs, const std::vector<Handle>& handles) {
   for(const Handle& handle : handles) {
-    for(std::size_t group = 0; group < 2; ++group)
-      add_line(scene, pairs[handle.pair].loop(loop_types[group]).points(), true, group,
-               scene.table.rows.size());
+    add_loops(scene, pairs[handle.pair], scene.table.rows.size());
     add_row(scene.table, std::to_string(handle.pair), handle);
     scene.table.numbers.push_back(handle.pair);
   }
@@ -73,8 +70,7 @@ void write_removal_page(const std::string& file, const View& view, const Removal
                                      drawn_surface(shown.before));
   add_paragraphs(scene, summary(shown.report));
   scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
-  scene.groups = {{"handle loops", colour_of(CGAL::Loop_type::HANDLE)},
-                  {"tunnel loops", colour_of(CGAL::Loop_type::TUNNEL)}};
+  add_groups_of_loops(scene);
   scene.table.columns = {{"pair", true}, {"by", false},    {"length", true},
                          {"area", true}, {"volume", true}, {"why not", false}};
   scene.table.choice = "--pairs";

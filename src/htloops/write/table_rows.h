@@ -24,6 +24,19 @@ template <typename... Values> std::string formatted(const char* format, Values..
   return text.data();
 }
 
+/// A column of a table for a person.
+struct Table_column
+{
+  const char* name;
+  int width;      ///< 0: the last one
+  bool is_number; ///< these stand to the right
+};
+
+/// what stands in a column, as wide as that is.
+inline std::string padded(const Table_column& column, const std::string& cell) {
+  return formatted("%*s", column.is_number ? column.width : -column.width, cell.c_str());
+}
+
 /// the rows that `row(i)` makes; of a long table only the first and the last ones, unless all are
 /// to be shown.
 template <typename Row> std::string table_rows(std::size_t count, bool show_all, Row row) {
