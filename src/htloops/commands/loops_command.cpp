@@ -11,6 +11,8 @@
 #include "commands/help_style.h"
 #include "commands/loops_options.h"
 #include "commands/many_meshes.h"
+#include "commands/outcome.h"
+#include "failure.h"
 #include "solve/stopwatch.h"
 #include "terminal/interrupt.h"
 #include "terminal/terminal.h"
@@ -20,6 +22,7 @@
 #include "write/export_lines.h"
 #include "write/loops_json_writer.h"
 #include "write/loops_page.h"
+#include "write/mesh_lines.h"
 #include "write/pair_csv.h"
 #include "write/pair_table.h"
 #include "write/picture_export.h"
@@ -27,6 +30,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -71,8 +75,8 @@ void write_files(const Loops_options& options,
 }
 
 bool is_output_taken(const Loops_options& options) {
-  return options.json_file == "-" || options.csv_file == "-" || options.page_file == "-" ||
-         options.is_mesh_on_standard_output();
+  return options.json_file == "-" || options.csv_file == "-" || options.jsonl_file == "-" ||
+         options.page_file == "-" || options.is_mesh_on_standard_output();
 }
 
 void show(const Loops_options& options, const Answer& answer, const Told& told) {
@@ -89,22 +93,45 @@ void show(const Loops_options& options, const Answer& answer, const Told& told) 
   show_text(text + told.summary, is_output_taken(options));
 }
 
-void run_on_one_mesh(const Loops_options& options) {
+Mesh_line solve_and_tell(const Loops_options& options) {
   const Stopwatch stopwatch;
   const Mesh mesh = read_mesh(options);
   const double read_seconds = stopwatch.seconds();
-  const Interrupt_guard guard;
   write_read_mesh(options, mesh);
-  const Answer answer = solve(mesh, options, !options.is_quiet && is_terminal(stderr));
-  const Told told = told_of(options, mesh, answer, read_seconds);
+  Answer answer = solve(mesh, options, !options.is_quiet && is_terminal(stderr));
+  Told told = told_of(options, mesh, answer, read_seconds);
   write_files(options, mesh, answer, told, read_seconds);
   show(options, answer, told);
+  return answered_line(options.mesh_file, mesh, read_seconds, std::move(answer),
+                       std::move(told.listing));
+}
+
+// Whatever happens to the mesh, there is a line about it.
+void run_with_line(const Loops_options& options) {
+  Mesh_lines_writer writer(options.jsonl_file);
+  Mesh_line line;
+  const Outcome outcome = outcome_of([&] { line = solve_and_tell(options); });
+  throw_if_interrupted(); // then there is no answer about the mesh
+  writer.add(outcome.exit_code == 0
+                 ? line
+                 : failed_line(options.mesh_file, outcome.exit_code, outcome.message));
+  writer.finish();
+  if(outcome.exit_code != 0)
+    throw Failure(static_cast<Exit_code>(outcome.exit_code), outcome.message);
+}
+
+void run_on_one_mesh(const Loops_options& options) {
+  const Interrupt_guard guard;
+  if(options.jsonl_file.empty())
+    solve_and_tell(options);
+  else
+    run_with_line(options);
 }
 
 void run(Loops_options& options) {
   check_loops_options(options);
   options.mesh_file = options.mesh_files.front();
-  if(options.has_many_meshes() || !options.lines_file.empty())
+  if(options.has_many_meshes())
     run_on_many_meshes(options);
   else
     run_on_one_mesh(options);

@@ -37,7 +37,7 @@ void add_output_options(CLI::App& command, Loops_options& options) {
       ->type_name(output_file)
       ->group(group);
   command
-      .add_option("--jsonl", options.lines_file,
+      .add_option("--jsonl", options.jsonl_file,
                   "an object of JSON for each mesh, on a line: genus, sizes, times, error")
       ->option_text("FILE.jsonl")
       ->type_name(output_file)

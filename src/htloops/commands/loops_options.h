@@ -28,7 +28,7 @@ struct Loops_options : Common_options
   std::vector<std::string> mesh_files;
   std::string events_file;
   std::string csv_file;
-  std::string lines_file; ///< an object of JSON for each mesh
+  std::string jsonl_file; ///< an object of JSON for each mesh
   Listing_choice listing;
   std::string backend = "auto";
   std::optional<std::uint32_t> seed;

@@ -24,6 +24,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace htloops {
@@ -34,19 +35,15 @@ Mesh_line solve_one(const Loops_options& all, const std::string& file) {
   Loops_options options = all;
   options.mesh_file = file;
   Mesh_line line;
-  line.mesh_file = file;
   const Outcome outcome = outcome_of([&] {
     const Stopwatch stopwatch;
     const Mesh mesh = read_mesh(options);
-    line.read_seconds = stopwatch.seconds();
-    line.number_of_vertices = mesh.number_of_vertices();
-    line.number_of_faces = mesh.number_of_faces();
-    line.answer = solve(mesh, options, false);
-    line.listing = list_pairs(mesh, line.answer.pairs, listing_options(options.listing, mesh));
+    const double read_seconds = stopwatch.seconds();
+    Answer answer = solve(mesh, options, false);
+    Pair_listing listing = list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh));
+    line = answered_line(file, mesh, read_seconds, std::move(answer), std::move(listing));
   });
-  line.exit_code = outcome.exit_code;
-  line.error = outcome.message;
-  return line;
+  return outcome.exit_code == 0 ? line : failed_line(file, outcome.exit_code, outcome.message);
 }
 
 // Where lines go, in the order of the meshes, as soon as those before are there.
@@ -56,8 +53,8 @@ public:
   explicit Line_printer(const Loops_options& options)
       : options_(options)
       , waiting_(options.mesh_files.size()) {
-    if(!options.lines_file.empty())
-      objects_.emplace(options.lines_file);
+    if(!options.jsonl_file.empty())
+      objects_.emplace(options.jsonl_file);
     if(!options.csv_file.empty())
       rows_.emplace(options.csv_file);
   }
@@ -83,7 +80,7 @@ public:
   }
 
 private:
-  bool is_output_taken() const { return options_.lines_file == "-" || options_.csv_file == "-"; }
+  bool is_output_taken() const { return options_.jsonl_file == "-" || options_.csv_file == "-"; }
 
   void print(const Mesh_line& line) {
     if(line.exit_code != 0 && number_of_failures_++ == 0)

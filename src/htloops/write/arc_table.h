@@ -32,8 +32,8 @@ struct Listed_arc
 std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer);
 
 constexpr Table_column arc_columns[] = {{"arc", 5, true},    {"length", 12, true},
-                                      {"girth", 12, true}, {"vertices", 9, true},
-                                      {"from", 14, false}, {"to", 0, false}};
+                                        {"girth", 12, true}, {"vertices", 9, true},
+                                        {"from", 14, false}, {"to", 0, false}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Listed_arc& arc);

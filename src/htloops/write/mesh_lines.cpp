@@ -13,6 +13,7 @@
 #include "write/table_rows.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -57,6 +58,29 @@ std::string padded(std::string name, int width) {
 }
 
 } // namespace
+
+Mesh_line answered_line(const std::string& mesh_file,
+                        const Mesh& mesh,
+                        double read_seconds,
+                        Answer answer,
+                        Pair_listing listing) {
+  return {mesh_file,
+          0,
+          "",
+          mesh.number_of_vertices(),
+          mesh.number_of_faces(),
+          read_seconds,
+          std::move(answer),
+          std::move(listing)};
+}
+
+Mesh_line failed_line(const std::string& mesh_file, int exit_code, const std::string& error) {
+  Mesh_line line;
+  line.mesh_file = mesh_file;
+  line.exit_code = exit_code;
+  line.error = error;
+  return line;
+}
 
 void Mesh_lines_writer::add(const Mesh_line& line) {
   out_ << json_of(line).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';

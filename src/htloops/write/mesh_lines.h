@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_MESH_LINES_H
 #define HTLOOPS_MESH_LINES_H
 
+#include "mesh_types.h"
 #include "solve/answer.h"
 #include "write/pair_listing.h"
 #include "write/text_writer.h"
@@ -31,6 +32,13 @@ struct Mesh_line
   Answer answer;
   Pair_listing listing;
 };
+
+Mesh_line answered_line(const std::string& mesh_file,
+                        const Mesh& mesh,
+                        double read_seconds,
+                        Answer answer,
+                        Pair_listing listing);
+Mesh_line failed_line(const std::string& mesh_file, int exit_code, const std::string& error);
 
 /// A file with an object of JSON on each line, one for each mesh. On the standard output each is
 /// there at once.

@@ -27,11 +27,11 @@ struct Table_options
 };
 
 constexpr Table_column pair_columns[] = {{"pair", 5, true},
-                                        {"handle", 12, true},
-                                        {"tunnel", 12, true},
-                                        {"size", 8, true},
-                                        {"centre of the shorter", 34, false},
-                                        {"its box", 0, false}};
+                                         {"handle", 12, true},
+                                         {"tunnel", 12, true},
+                                         {"size", 8, true},
+                                         {"centre of the shorter", 34, false},
+                                         {"its box", 0, false}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Listed_pair& pair);
