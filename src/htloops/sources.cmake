@@ -23,6 +23,21 @@ set(HTLOOPS_SOURCES
   commands/remove_command.cpp
   commands/shell_completion.cpp
   commands/usage_message.cpp
+  draw/arc_surface.cpp
+  draw/cut_exports.cpp
+  draw/export_gltf.cpp
+  draw/export_lines.cpp
+  draw/export_vtp.cpp
+  draw/exported_lines.cpp
+  draw/loops_page.cpp
+  draw/mesh_arrays.cpp
+  draw/page_export.cpp
+  draw/picture_export.cpp
+  draw/reeb_exports.cpp
+  draw/reeb_page.cpp
+  draw/removal_page.cpp
+  draw/tube.cpp
+  draw/view.cpp
   mend/duplicate_faces.cpp
   mend/edge_division.cpp
   mend/face_dropping.cpp
@@ -73,37 +88,22 @@ set(HTLOOPS_SOURCES
   terminal/interrupt.cpp
   terminal/progress_bar.cpp
   terminal/terminal.cpp
-  write/arc_surface.cpp
   write/arc_table.cpp
   write/atomic_file.cpp
   write/change_table.cpp
-  write/cut_exports.cpp
   write/dual_cuts_json_writer.cpp
   write/events_writer.cpp
-  write/export_gltf.cpp
-  write/export_lines.cpp
-  write/export_vtp.cpp
-  write/exported_lines.cpp
   write/linking_words.cpp
   write/loops_json_writer.cpp
-  write/loops_page.cpp
-  write/mesh_arrays.cpp
   write/mesh_lines.cpp
   write/mesh_writer.cpp
-  write/page_export.cpp
   write/pair_csv.cpp
   write/pair_listing.cpp
   write/pair_table.cpp
-  write/picture_export.cpp
-  write/reeb_exports.cpp
   write/reeb_json_writer.cpp
-  write/reeb_page.cpp
   write/removal_json_writer.cpp
-  write/removal_page.cpp
   write/removal_table.cpp
-  write/text_writer.cpp
-  write/tube.cpp
-  write/view.cpp)
+  write/text_writer.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_SOURCES solve/reference_backend.cpp)
   set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/solve/backends.cpp" PROPERTIES

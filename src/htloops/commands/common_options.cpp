@@ -10,10 +10,10 @@
 #include "commands/common_options.h"
 
 #include "commands/file_options.h"
+#include "draw/export_gltf.h"
+#include "draw/export_lines.h"
 #include "failure.h"
 #include "write/atomic_file.h"
-#include "write/export_gltf.h"
-#include "write/export_lines.h"
 
 #include <CLI/CLI.hpp>
 

@@ -11,8 +11,8 @@
 #define HTLOOPS_COMMON_OPTIONS_H
 
 #include "commands/mesh_options.h"
-#include "write/picture_export.h"
-#include "write/view.h"
+#include "draw/picture_export.h"
+#include "draw/view.h"
 
 #include <cstdint>
 #include <string>

@@ -11,6 +11,8 @@
 #include "commands/common_options.h"
 #include "commands/file_options.h"
 #include "commands/help_style.h"
+#include "draw/cut_exports.h"
+#include "draw/export_lines.h"
 #include "failure.h"
 #include "solve/cut_solver.h"
 #include "solve/dual_cut_solver.h"
@@ -18,9 +20,7 @@
 #include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
-#include "write/cut_exports.h"
 #include "write/dual_cuts_json_writer.h"
-#include "write/export_lines.h"
 #include "write/mesh_writer.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>

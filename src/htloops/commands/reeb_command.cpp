@@ -11,6 +11,11 @@
 #include "commands/common_options.h"
 #include "commands/file_options.h"
 #include "commands/help_style.h"
+#include "draw/arc_surface.h"
+#include "draw/export_gltf.h"
+#include "draw/export_lines.h"
+#include "draw/reeb_exports.h"
+#include "draw/reeb_page.h"
 #include "failure.h"
 #include "read/values_reader.h"
 #include "solve/reeb_solver.h"
@@ -18,14 +23,9 @@
 #include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
-#include "write/arc_surface.h"
 #include "write/arc_table.h"
 #include "write/atomic_file.h"
-#include "write/export_gltf.h"
-#include "write/export_lines.h"
-#include "write/reeb_exports.h"
 #include "write/reeb_json_writer.h"
-#include "write/reeb_page.h"
 
 #include <cstdio>
 #include <map>

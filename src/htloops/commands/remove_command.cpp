@@ -14,6 +14,7 @@
 #include "commands/help_style.h"
 #include "commands/length_option.h"
 #include "commands/loops_file.h"
+#include "draw/removal_page.h"
 #include "failure.h"
 #include "read/unread_data.h"
 #include "read/vertex_properties_reader.h"
@@ -26,7 +27,6 @@
 #include "words.h"
 #include "write/mesh_writer.h"
 #include "write/removal_json_writer.h"
-#include "write/removal_page.h"
 #include "write/removal_table.h"
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>

@@ -1,4 +1,4 @@
-#include "htloops/write/loops_page.h"
+#include "htloops/draw/loops_page.h"
 
 #include "Browser.h"
 #include "Meshes_of_soups.h"

@@ -1,4 +1,4 @@
-#include "htloops/write/export_lines.h"
+#include "htloops/draw/export_lines.h"
 
 #include "Small_answer.h"
 #include "Temporary_folder.h"

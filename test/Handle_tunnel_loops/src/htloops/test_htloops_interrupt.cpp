@@ -3,8 +3,8 @@
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
+#include "htloops/draw/picture_export.h"
 #include "htloops/failure.h"
-#include "htloops/write/picture_export.h"
 #include "htloops/write/text_writer.h"
 
 #include <gtest/gtest.h>

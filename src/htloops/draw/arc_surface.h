@@ -10,9 +10,9 @@
 #ifndef HTLOOPS_ARC_SURFACE_H
 #define HTLOOPS_ARC_SURFACE_H
 
+#include "draw/mesh_arrays.h"
 #include "mesh_types.h"
 #include "solve/reeb_answer.h"
-#include "write/mesh_arrays.h"
 
 #include <array>
 #include <cstdint>

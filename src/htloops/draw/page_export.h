@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_PAGE_EXPORT_H
 #define HTLOOPS_PAGE_EXPORT_H
 
+#include "draw/view.h"
 #include "mesh_types.h"
-#include "write/view.h"
 
 #include "window/window.h"
 

@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_REEB_EXPORTS_H
 #define HTLOOPS_REEB_EXPORTS_H
 
+#include "draw/exported_lines.h"
 #include "solve/reeb_answer.h"
-#include "write/exported_lines.h"
 
 #include <string>
 #include <vector>

@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_LOOPS_PAGE_H
 #define HTLOOPS_LOOPS_PAGE_H
 
+#include "draw/page_export.h"
 #include "solve/answer.h"
-#include "write/page_export.h"
 #include "write/pair_listing.h"
 
 #include <string>

@@ -7,10 +7,10 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/reeb_page.h"
+#include "draw/reeb_page.h"
 
-#include "write/arc_surface.h"
-#include "write/page_export.h"
+#include "draw/arc_surface.h"
+#include "draw/page_export.h"
 
 #include <cstddef>
 

@@ -10,9 +10,9 @@
 #ifndef HTLOOPS_REEB_PAGE_H
 #define HTLOOPS_REEB_PAGE_H
 
+#include "draw/view.h"
 #include "solve/reeb_answer.h"
 #include "write/arc_table.h"
-#include "write/view.h"
 
 #include <string>
 #include <vector>

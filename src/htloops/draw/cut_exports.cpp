@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/cut_exports.h"
+#include "draw/cut_exports.h"
 
 #include "write/file_format.h"
 #include "write/mesh_writer.h"

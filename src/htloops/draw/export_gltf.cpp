@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/export_gltf.h"
+#include "draw/export_gltf.h"
 
+#include "draw/tube.h"
 #include "failure.h"
 #include "write/file_format.h"
 #include "write/json_writer.h"
 #include "write/text_writer.h"
-#include "write/tube.h"
 
 #include <algorithm>
 #include <cmath>

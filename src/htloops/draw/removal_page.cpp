@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/removal_page.h"
+#include "draw/removal_page.h"
 
 #include "write/removal_table.h"
 #include "write/table_rows.h"

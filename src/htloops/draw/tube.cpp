@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/tube.h"
+#include "draw/tube.h"
 
 #include <algorithm>
 #include <cmath>

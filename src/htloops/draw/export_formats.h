@@ -10,7 +10,7 @@
 #ifndef HTLOOPS_EXPORT_FORMATS_H
 #define HTLOOPS_EXPORT_FORMATS_H
 
-#include "write/exported_lines.h"
+#include "draw/exported_lines.h"
 #include "write/text_writer.h"
 
 namespace htloops {

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/arc_surface.h"
+#include "draw/arc_surface.h"
 
 #include "solve/face_arcs.h"
 

@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_REMOVAL_PAGE_H
 #define HTLOOPS_REMOVAL_PAGE_H
 
+#include "draw/page_export.h"
 #include "mesh_types.h"
-#include "write/page_export.h"
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 

@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_EXPORT_GLTF_H
 #define HTLOOPS_EXPORT_GLTF_H
 
-#include "write/exported_lines.h"
-#include "write/mesh_arrays.h"
+#include "draw/exported_lines.h"
+#include "draw/mesh_arrays.h"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/mesh_arrays.h"
+#include "draw/mesh_arrays.h"
 
 namespace htloops {
 

@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_CUT_EXPORTS_H
 #define HTLOOPS_CUT_EXPORTS_H
 
+#include "draw/exported_lines.h"
 #include "generators/generators.h"
-#include "write/exported_lines.h"
 
 #include <string>
 #include <vector>

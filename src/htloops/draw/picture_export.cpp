@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/picture_export.h"
+#include "draw/picture_export.h"
 
 #ifdef HTLOOPS_HAS_PICTURE
 

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/loops_page.h"
+#include "draw/loops_page.h"
 
 #include "write/loop_colours.h"
 #include "write/pair_table.h"

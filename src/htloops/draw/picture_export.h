@@ -10,9 +10,9 @@
 #ifndef HTLOOPS_PICTURE_EXPORT_H
 #define HTLOOPS_PICTURE_EXPORT_H
 
-#include "write/exported_lines.h"
-#include "write/mesh_arrays.h"
-#include "write/view.h"
+#include "draw/exported_lines.h"
+#include "draw/mesh_arrays.h"
+#include "draw/view.h"
 
 #include <optional>
 #include <string>

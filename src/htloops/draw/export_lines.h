@@ -10,7 +10,7 @@
 #ifndef HTLOOPS_EXPORT_LINES_H
 #define HTLOOPS_EXPORT_LINES_H
 
-#include "write/exported_lines.h"
+#include "draw/exported_lines.h"
 
 #include <string>
 

@@ -7,9 +7,9 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/export_lines.h"
+#include "draw/export_lines.h"
 
-#include "write/export_formats.h"
+#include "draw/export_formats.h"
 #include "write/file_format.h"
 
 namespace htloops {

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/view.h"
+#include "draw/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/exported_lines.h"
+#include "draw/exported_lines.h"
 
 #include "write/loop_colours.h"
 

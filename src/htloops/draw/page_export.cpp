@@ -7,10 +7,10 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/page_export.h"
+#include "draw/page_export.h"
 
+#include "draw/mesh_arrays.h"
 #include "write/loop_colours.h"
-#include "write/mesh_arrays.h"
 #include "write/text_writer.h"
 
 #include <filesystem>

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/export_formats.h"
+#include "draw/export_formats.h"
 
 namespace htloops {
 namespace {

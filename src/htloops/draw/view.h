@@ -10,7 +10,7 @@
 #ifndef HTLOOPS_VIEW_H
 #define HTLOOPS_VIEW_H
 
-#include "write/mesh_arrays.h"
+#include "draw/mesh_arrays.h"
 
 #include <array>
 #include <vector>
