@@ -22,6 +22,7 @@ namespace generators {
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 
 inline double length(const Vector& v) { return std::sqrt(v.squared_length()); }
+inline Vector unit(const Vector& v) { return v / length(v); }
 
 /// An axis-parallel box.
 struct Box

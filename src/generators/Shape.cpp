@@ -28,8 +28,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Vector unit(const Vector& v) { return v / length(v); }
-
 double dot(const Vector& a, const Vector& b) { return a * b; }
 
 // How far a point is from a segment.

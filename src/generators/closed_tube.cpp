@@ -22,8 +22,6 @@ namespace Handle_tunnel_loops {
 namespace generators {
 namespace {
 
-Vector unit(const Vector& v) { return v / length(v); }
-
 /// A point of the centre line with two unit vectors normal to the line and each other.
 struct Ring
 {

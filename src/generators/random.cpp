@@ -33,7 +33,7 @@ struct Surface
   std::uint32_t number_of_vertices;
 };
 
-Surface tetrahedron() { return {{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}, 4}; }
+Surface smallest_sphere() { return {{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}, 4}; }
 
 /// the torus with seven vertices, each of which is joined to all others.
 Surface smallest_torus() {
@@ -75,7 +75,7 @@ void flip_edges(Flippable_triangulation& surface, std::size_t times, Random& ran
 }
 
 Flippable_triangulation random_triangulation(std::size_t genus, std::size_t faces, Random& random) {
-  Surface start = genus == 0 ? tetrahedron() : smallest_torus();
+  Surface start = genus == 0 ? smallest_sphere() : smallest_torus();
   for(std::size_t handle = 1; handle < genus; ++handle)
     add_handle(start, random.below(start.triangles.size()));
 

@@ -75,6 +75,7 @@ set(HTLOOPS_SOURCES
   read/vertex_properties_reader.cpp
   solve/backends.cpp
   solve/boundaries.cpp
+  solve/certification.cpp
   solve/cut_solver.cpp
   solve/dual_cut_solver.cpp
   solve/face_arcs.cpp
@@ -106,13 +107,17 @@ set(HTLOOPS_SOURCES
   write/text_writer.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_SOURCES solve/reference_backend.cpp)
-  set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/solve/backends.cpp" PROPERTIES
-    COMPILE_DEFINITIONS HTLOOPS_HAS_REFERENCE)
 endif()
 
 if(TARGET Handle_tunnel_loops_cuda)
   list(APPEND HTLOOPS_SOURCES solve/cuda_backend.cpp)
 endif()
+
+# What the library makes for one backend it makes for most others, too.
+set(_htloops_backends ${HTLOOPS_SOURCES})
+list(FILTER _htloops_backends INCLUDE REGEX "solve/(.*backends?|certification)\\.cpp")
+list(TRANSFORM _htloops_backends PREPEND "${CMAKE_CURRENT_LIST_DIR}/")
+set_source_files_properties(${_htloops_backends} PROPERTIES UNITY_GROUP backends)
 
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES

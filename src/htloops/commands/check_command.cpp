@@ -13,10 +13,9 @@
 #include "commands/help_style.h"
 #include "commands/loops_file.h"
 #include "commands/mesh_options.h"
+#include "solve/certification.h"
 #include "solve/self_contact.h"
 #include "write/linking_words.h"
-
-#include <CGAL/Handle_tunnel_loops/certificate.h>
 
 #include <memory>
 
@@ -58,9 +57,7 @@ void run(const Check_options& options) {
   const Mesh mesh = read_mesh(options);
   write_read_mesh(options, mesh);
   const Bound_loops loops = read_loops_on(mesh, options.loops_file);
-  const Certificate certificate =
-      CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
-          mesh, loops.pairs, CGAL::parameters::basis_kind(loops.basis_kind));
+  const Certificate certificate = certify(mesh, loops.pairs, loops.basis_kind, true);
   const bool is_boundary_of_solid = loops.pairs.empty() || !touches_itself(mesh);
   // Names mean nothing where there is no inside.
   if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
@@ -69,7 +66,7 @@ void run(const Check_options& options) {
     show_text(options.loops_file + ": " + praise(certificate, is_boundary_of_solid) + "\n", false);
 }
 
-constexpr char description[] =
+constexpr char check_description[] =
     "Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop\n"
     "crosses its handle loop once, and which of them bound inside and outside the surface.\n"
     "\n"
@@ -79,7 +76,7 @@ constexpr char description[] =
     "A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel\n"
     "loop that have each other's names are one.\n";
 
-constexpr char examples[] =
+constexpr char check_examples[] =
     "Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.\n"
     "\n"
     "Example:\n"
@@ -89,7 +86,7 @@ constexpr char examples[] =
 
 void add_check_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Check_options>();
-  CLI::App* check = app.add_subcommand("check", description)->group("Commands");
+  CLI::App* check = app.add_subcommand("check", check_description)->group("Commands");
   add_mesh_argument(*check, *options, "the mesh that the loops were computed on");
   check->add_option("LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote")
       ->option_text(" ")
@@ -97,7 +94,7 @@ void add_check_command(CLI::App& app, Command& command) {
       ->required();
   add_remedy_options(*check, *options);
   check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
-  complete_help(*check, examples);
+  complete_help(*check, check_examples);
   check->callback([options, &command] { command = [options] { run(*options); }; });
 }
 

@@ -72,7 +72,7 @@ void write_files(const Cut_command_options& options, const Mesh& mesh, const Cut
   }
 }
 
-std::string summary(const Cut_answer& answer, double read_seconds) {
+std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
   char text[160];
   std::snprintf(text, sizeof(text),
                 " of length %.6g, boundary of %.6g; %.2f s after %.2f s of reading, ",
@@ -97,9 +97,9 @@ void run(const Cut_command_options& options) {
                          find_dual_cuts(mesh, options.number_of_threads, bar));
   }
   if(!options.is_quiet)
-    show_text(summary(answer, read_seconds), options.opened_file == "-" ||
-                                                 options.selection_file == "-" ||
-                                                 options.is_mesh_on_standard_output());
+    show_text(words_of_cut(answer, read_seconds), options.opened_file == "-" ||
+                                                      options.selection_file == "-" ||
+                                                      options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
@@ -140,13 +140,13 @@ void add_computation_options(CLI::App& command, Cut_command_options& options) {
   add_threads_option(command, options, group);
 }
 
-constexpr char description[] =
+constexpr char cut_description[] =
     "Cuts a triangle mesh open, along short arcs of its edges.\n"
     "\n"
     "Each component of positive genus, or with several boundary curves, becomes one disk, as\n"
     "parametrizations ask for.\n";
 
-constexpr char examples[] =
+constexpr char cut_examples[] =
     "Examples:\n"
     "  htloops cut part.off -o open.obj                the opened mesh\n"
     "  htloops cut part.off --selection part.selection.txt\n"
@@ -160,13 +160,13 @@ constexpr char examples[] =
 
 void add_cut_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Cut_command_options>();
-  CLI::App* cut = app.add_subcommand("cut", description)->group("Commands");
+  CLI::App* cut = app.add_subcommand("cut", cut_description)->group("Commands");
   add_mesh_argument(*cut, *options, mesh_kinds);
   add_output_options(*cut, *options);
   add_remedy_options(*cut, *options);
   add_computation_options(*cut, *options);
   cut->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
-  complete_help(*cut, examples);
+  complete_help(*cut, cut_examples);
   cut->callback([options, &command] { command = [options] { run(*options); }; });
 }
 

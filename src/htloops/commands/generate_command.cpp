@@ -143,10 +143,10 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
       [&kind, options, &command] { command = [&kind, options] { run(kind, *options); }; });
 }
 
-constexpr char description[] =
+constexpr char generate_description[] =
     "Makes a mesh, most of a known genus, to test and to measure with.\n";
 
-constexpr char examples[] =
+constexpr char generate_examples[] =
     "Examples:\n"
     "  htloops generate torus -o torus.off\n"
     "  htloops generate gyroid --faces 1000000 --genus 250 -o gyroid.off\n"
@@ -157,13 +157,13 @@ constexpr char examples[] =
 } // namespace
 
 void add_generate_command(CLI::App& app, Command& command) {
-  CLI::App* generate = app.add_subcommand("generate", description)->group("Commands");
+  CLI::App* generate = app.add_subcommand("generate", generate_description)->group("Commands");
   generate->formatter(std::make_shared<Help_formatter>("KIND"));
   generate->require_subcommand(1);
   for(const generators::Kind& kind : generators::kinds())
     add_kind(*generate, kind, command);
   add_kind(*generate, text_kind(), command);
-  complete_help(*generate, examples);
+  complete_help(*generate, generate_examples);
 }
 
 } // namespace htloops

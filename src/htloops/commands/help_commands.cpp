@@ -19,7 +19,7 @@
 namespace htloops {
 namespace {
 
-constexpr char examples[] =
+constexpr char completion_examples[] =
     "Examples:\n"
     "  source <(htloops completion bash)               for this shell; an installed htloops is\n"
     "                                                  completed in each\n";
@@ -36,7 +36,7 @@ void add_help_commands(CLI::App& app, Command& command) {
       ->option_text(" ")
       ->required()
       ->check(CLI::IsMember(known_shells()));
-  complete_help(*completion, examples);
+  complete_help(*completion, completion_examples);
   completion->callback([&app, shell, &command] {
     command = [&app, shell] { show_text(shell_completion(*shell, told_command(app)), false); };
   });

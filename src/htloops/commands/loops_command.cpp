@@ -137,7 +137,7 @@ void run(Loops_options& options) {
     run_on_one_mesh(options);
 }
 
-constexpr char description[] =
+constexpr char loops_description[] =
     "Finds the handle and tunnel loops of a triangle mesh, closed or with boundary.\n"
     "\n"
     "A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside "
@@ -150,7 +150,7 @@ constexpr char description[] =
     "boundary,\n"
     "together with all boundary curves but one of each component.\n";
 
-constexpr char examples[] =
+constexpr char loops_examples[] =
     "Examples:\n"
     "  htloops loops cup.off                           a table of the loops\n"
     "  htloops loops cup.off -o cup.json --lines cup.ply\n"
@@ -168,9 +168,9 @@ constexpr char examples[] =
 
 void add_loops_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Loops_options>();
-  CLI::App* loops = app.add_subcommand("loops", description)->group("Commands");
+  CLI::App* loops = app.add_subcommand("loops", loops_description)->group("Commands");
   add_loops_options(*loops, *options);
-  complete_help(*loops, examples);
+  complete_help(*loops, loops_examples);
   loops->callback([options, &command] { command = [options] { run(*options); }; });
 }
 

@@ -136,7 +136,7 @@ bool is_output_taken(const Reeb_command_options& options) {
          options.is_mesh_on_standard_output();
 }
 
-std::string summary(const Reeb_answer& answer, double read_seconds) {
+std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
   std::map<CGAL::Reeb_node_type, std::size_t> count;
   for(const auto v : CGAL::make_range(vertices(answer.graph)))
     ++count[answer.graph[v].type];
@@ -165,7 +165,7 @@ void run(const Reeb_command_options& options) {
   const Interrupt_guard guard;
   write_read_mesh(options, mesh);
   const Reeb_answer answer = solve(mended, options);
-  const std::string text = summary(answer, read_seconds);
+  const std::string text = words_of_graph(answer, read_seconds);
   std::vector<Listed_arc> arcs; // measuring them takes a look at every face
   if(!options.is_quiet || !options.csv_file.empty() || !options.page_file.empty())
     arcs = list_arcs(mesh, answer);
@@ -240,14 +240,14 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
   add_threads_option(command, options, group);
 }
 
-constexpr char description[] =
+constexpr char reeb_description[] =
     "Computes the Reeb graph of a triangle mesh.\n"
     "\n"
     "Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an "
     "animal,\n"
     "the bars of a frame. A connected surface of genus g has a graph with g independent cycles.\n";
 
-constexpr char examples[] =
+constexpr char reeb_examples[] =
     "Examples:\n"
     "  htloops reeb horse.off --picture horse.png      a look at it\n"
     "  htloops reeb horse.off -o horse.json --parts parts.ply --lines bones.obj\n"
@@ -259,7 +259,7 @@ constexpr char examples[] =
 
 void add_reeb_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Reeb_command_options>();
-  CLI::App* reeb = app.add_subcommand("reeb", description)->group("Commands");
+  CLI::App* reeb = app.add_subcommand("reeb", reeb_description)->group("Commands");
   add_mesh_argument(*reeb, *options, mesh_kinds);
   add_output_options(*reeb, *options);
   add_remedy_options(*reeb, *options);
@@ -267,7 +267,7 @@ void add_reeb_command(CLI::App& app, Command& command) {
   const char group[] = "What to show";
   reeb->add_flag("--all", options->show_all, "all rows of a long table")->group(group);
   reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group(group);
-  complete_help(*reeb, examples);
+  complete_help(*reeb, reeb_examples);
   reeb->callback([options, &command] { command = [options] { run(*options); }; });
 }
 

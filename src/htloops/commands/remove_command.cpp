@@ -18,6 +18,7 @@
 #include "failure.h"
 #include "read/unread_data.h"
 #include "read/vertex_properties_reader.h"
+#include "solve/certification.h"
 #include "solve/removal_solver.h"
 #include "solve/solvers.h"
 #include "solve/spread_properties.h"
@@ -28,8 +29,6 @@
 #include "write/mesh_writer.h"
 #include "write/removal_json_writer.h"
 #include "write/removal_table.h"
-
-#include <CGAL/Handle_tunnel_loops/certificate.h>
 
 #include <cstdio>
 #include <map>
@@ -104,8 +103,8 @@ std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
 
 Pairs read_basis(const Mesh& mesh, const std::string& file) {
   Bound_loops loops = read_loops_on(mesh, file);
-  const auto certificate = CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
-      mesh, loops.pairs, CGAL::parameters::do_compute_linking(false));
+  const auto certificate =
+      certify(mesh, loops.pairs, CGAL::Handle_tunnel_loops::Basis_kind::PURE, false);
   if(!certificate.closed_on_surface || !certificate.basis)
     require_none(file, lines_of(certificate.failure));
   return std::move(loops.pairs);
@@ -252,7 +251,7 @@ void add_output_options(CLI::App& command, Remove_options& options) {
   add_view_options(command, options, group);
 }
 
-constexpr char description[] =
+constexpr char remove_description[] =
     "Removes handles of a triangle mesh.\n"
     "\n"
     "A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the "
@@ -261,7 +260,7 @@ constexpr char description[] =
     "numbers and colours of its vertices, too, where the file that is written has room for them.\n"
     "A handle that neither can be done to is refused, by name; that is no failure.\n";
 
-constexpr char examples[] =
+constexpr char remove_examples[] =
     "Examples:\n"
     "  htloops remove scan.ply -o clean.ply            all handles\n"
     "  htloops remove scan.ply -o clean.ply --shorter-than 3%\n"
@@ -273,7 +272,7 @@ constexpr char examples[] =
 
 void add_remove_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Remove_options>();
-  CLI::App* remove = app.add_subcommand("remove", description)->group("Commands");
+  CLI::App* remove = app.add_subcommand("remove", remove_description)->group("Commands");
   add_mesh_argument(*remove, *options, mesh_kinds);
   add_output_options(*remove, *options);
   add_remedy_options(*remove, *options);
@@ -282,7 +281,7 @@ void add_remove_command(CLI::App& app, Command& command) {
   const char group[] = "What to show";
   remove->add_flag("--all", options->show_all, "all rows of a long table")->group(group);
   remove->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group(group);
-  complete_help(*remove, examples);
+  complete_help(*remove, remove_examples);
   remove->callback([options, &command] { command = [options] { run(*options); }; });
 }
 

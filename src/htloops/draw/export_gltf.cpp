@@ -206,7 +206,7 @@ private:
   std::map<Colour, std::size_t> materials_;
 };
 
-constexpr File_format<void(Text_writer&)> formats[] = {{".glb", nullptr}};
+constexpr File_format<void(Text_writer&)> gltf_formats[] = {{".glb", nullptr}};
 
 // The triangles of one colour, with all points.
 Smooth_surface
@@ -247,7 +247,7 @@ void add_surface(Gltf& gltf, const Drawn_surface& surface, double diagonal) {
 
 } // namespace
 
-void check_gltf_format(const std::string& file) { format_of(file, formats); }
+void check_gltf_format(const std::string& file) { format_of(file, gltf_formats); }
 
 void export_gltf(const std::string& file,
                  const Drawn_surface& surface,

@@ -70,7 +70,7 @@ void write_lines_polylines(Text_writer& out, const Exported_lines& lines) {
   }
 }
 
-constexpr File_format<void(Text_writer&, const Exported_lines&)> formats[] = {
+constexpr File_format<void(Text_writer&, const Exported_lines&)> line_formats[] = {
     {".ply", write_lines_ply},
     {".obj", write_lines_obj},
     {".polylines.txt", write_lines_polylines},
@@ -79,10 +79,10 @@ constexpr File_format<void(Text_writer&, const Exported_lines&)> formats[] = {
 
 } // namespace
 
-void check_lines_format(const std::string& file) { format_of(file, formats); }
+void check_lines_format(const std::string& file) { format_of(file, line_formats); }
 
 void export_lines(const std::string& file, const Exported_lines& lines) {
-  write_file(file, formats, lines);
+  write_file(file, line_formats, lines);
 }
 
 } // namespace htloops

@@ -100,8 +100,9 @@ constexpr File_format<void(Text_writer&, const Reeb_answer&)> graph_formats[] = 
     {".dot", write_dot},
 };
 
-constexpr File_format<void(Text_writer&, const Mesh&, const Reeb_answer&)> mesh_formats[] = {
-    {".ply", write_coloured_ply},
+constexpr File_format<void(Text_writer&, const Mesh&, const Reeb_answer&)> coloured_mesh_formats[] =
+    {
+        {".ply", write_coloured_ply},
 };
 
 } // namespace
@@ -122,10 +123,10 @@ void export_graph(const std::string& file, const Reeb_answer& answer) {
   write_file(file, graph_formats, answer);
 }
 
-void check_coloured_mesh_format(const std::string& file) { format_of(file, mesh_formats); }
+void check_coloured_mesh_format(const std::string& file) { format_of(file, coloured_mesh_formats); }
 
 void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer) {
-  write_file(file, mesh_formats, mesh, answer);
+  write_file(file, coloured_mesh_formats, mesh, answer);
 }
 
 } // namespace htloops

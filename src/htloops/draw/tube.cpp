@@ -9,6 +9,8 @@
 
 #include "draw/tube.h"
 
+#include "draw/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,25 +18,10 @@
 namespace htloops {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 constexpr std::uint32_t sides = 8;
-constexpr double pi = 3.14159265358979323846;
 
 Vector sum(const Vector& a, double factor, const Vector& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// Of length 1, or none.
-Vector unit(const Vector& a) {
-  const double length = std::hypot(a[0], a[1], a[2]);
-  return length > 0. ? Vector{a[0] / length, a[1] / length, a[2] / length} : Vector{};
 }
 
 // Across a direction.

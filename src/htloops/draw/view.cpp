@@ -9,6 +9,8 @@
 
 #include "draw/view.h"
 
+#include "draw/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,19 +18,6 @@
 
 namespace htloops {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector unit(const Vector& a) {
-  const double length = std::hypot(a[0], a[1], a[2]);
-  return length > 0. ? Vector{a[0] / length, a[1] / length, a[2] / length} : Vector{0., 0., 1.};
-}
 
 // Middles of triangles in a cube from -1 to 1, and how large these are.
 struct Sample
@@ -109,7 +98,6 @@ Vector best_direction(const Drawn_surface& surface, const Vector& up) {
   Vector best = oblique;
   double most = 1.05 * visible_area(samples, unit(oblique), z);
   constexpr int around = 16;
-  constexpr double pi = 3.14159265358979323846;
   for(const double height : {0.25, 0.7})
     for(int i = 0; i < around; ++i) {
       const double angle = 2. * pi * (i + 0.3) / around;

@@ -9,7 +9,7 @@
 
 #include "mend/faces_around_edge.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "mend/exact_point.h"
 
 #include <algorithm>
 #include <tuple>
@@ -17,12 +17,7 @@
 namespace htloops {
 namespace {
 
-using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Exact_point = Exact::Point_3;
-
-constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
-
-Exact_point exact_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
+constexpr std::uint32_t no_partner = static_cast<std::uint32_t>(-1);
 
 // A face at the edge.
 struct Wing
@@ -55,17 +50,17 @@ public:
   }
 
   std::vector<std::array<std::uint32_t, 2>> pairs() {
-    partner_.assign(wings_.size(), none);
+    partner_.assign(wings_.size(), no_partner);
     for(const std::vector<std::uint32_t>& group : groups_of_pieces())
       match(group);
     std::vector<std::uint32_t> rest;
     for(std::uint32_t i = 0; i < wings_.size(); ++i)
-      if(partner_[i] == none)
+      if(partner_[i] == no_partner)
         rest.push_back(i);
     match(rest);
     std::vector<std::array<std::uint32_t, 2>> result;
     for(std::uint32_t i = 0; i < wings_.size(); ++i)
-      if(partner_[i] != none && i < partner_[i])
+      if(partner_[i] != no_partner && i < partner_[i])
         result.push_back({wings_[i].halfedge, wings_[partner_[i]].halfedge});
     return result;
   }
@@ -137,7 +132,7 @@ private:
     std::vector<std::uint32_t> open;
     for(int round = 0; round < 2; ++round)
       for(const std::uint32_t i : group) {
-        if(partner_[i] != none)
+        if(partner_[i] != no_partner)
           continue;
         if(!wings_[i].runs_up) {
           if(round == 0)

@@ -21,7 +21,7 @@
 namespace htloops {
 namespace {
 
-constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+constexpr std::uint32_t no_point = static_cast<std::uint32_t>(-1);
 
 // An edge, as one number, with how many faces it has.
 struct Counted_edge
@@ -119,7 +119,7 @@ private:
   }
 
   void weld() {
-    std::vector<std::uint32_t> first_at(number_of_places_, none);
+    std::vector<std::uint32_t> first_at(number_of_places_, no_point);
     std::vector<std::uint32_t> welded(soup_.points.size());
     Change_counter counter;
     for(std::uint32_t v = 0; v < soup_.points.size(); ++v) {
@@ -127,7 +127,7 @@ private:
       if(!is_welded_[v])
         continue;
       std::uint32_t& first = first_at[places_[v]];
-      if(first == none)
+      if(first == no_point)
         first = v;
       else
         counter.add([&] { return name_of_vertex(v) + " with " + name_of_vertex(first); });

@@ -9,8 +9,9 @@
 
 #include "mend/polygon_triangulation.h"
 
+#include "mend/exact_point.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -23,7 +24,6 @@
 namespace htloops {
 namespace {
 
-using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Plane_point = Exact::Point_2;
 using Is_free = std::function<bool(std::uint32_t, std::uint32_t)>;
 
@@ -74,8 +74,6 @@ private:
   const std::vector<Point>& points_;
   int x_, y_;
 };
-
-Exact::Point_3 exact_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 // Which of its two diagonals cuts a quadrangle: one that is free, whose triangles do not overlap,
 // the shorter one, in this order.

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const char format[] = "htloops/1";
+const char known_format[] = "htloops/1";
 
 // A value in a document that knows, for messages, where it stands: which member or element it is,
 // and of what. The outer node must live as long as the inner one.
@@ -148,8 +148,8 @@ CGAL::Handle_tunnel_loops::Basis_kind basis_kind(const Node& document) {
 }
 
 Loops_record read_document(const Node& document) {
-  if(!document.member("format").is(format))
-    document.fail("is not of the format " + std::string(format));
+  if(!document.member("format").is(known_format))
+    document.fail("is not of the format " + std::string(known_format));
   Loops_record record;
   const Node mesh = document.member("mesh");
   record.number_of_vertices = mesh.member("vertices").count();

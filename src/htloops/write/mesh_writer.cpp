@@ -17,12 +17,12 @@
 namespace htloops {
 namespace {
 
-using CGAL::Handle_tunnel_loops::generators::Soup;
+namespace generators = CGAL::Handle_tunnel_loops::generators;
 
 /// Properties are as long as `mesh.points`.
 struct Written_mesh
 {
-  const Soup& mesh;
+  const generators::Soup& mesh;
   const Vertex_properties& properties;
 };
 
@@ -87,7 +87,7 @@ void write_stl(Text_writer& out, const Written_mesh& written) {
   out << "endsolid htloops\n";
 }
 
-constexpr File_format<void(Text_writer&, const Written_mesh&)> formats[] = {
+constexpr File_format<void(Text_writer&, const Written_mesh&)> mesh_formats[] = {
     {".off", write_off},
     {".obj", write_obj},
     {".ply", write_ply},
@@ -98,7 +98,7 @@ constexpr File_format<void(Text_writer&, const Written_mesh&)> formats[] = {
 std::string name_with_format(const std::string& file) { return file == "-" ? "mesh.off" : file; }
 
 const auto& format_of(const std::string& file) {
-  return format_of(name_with_format(file), formats);
+  return format_of(name_with_format(file), mesh_formats);
 }
 
 // Without the vertices that were removed.
@@ -113,8 +113,8 @@ Vertex_properties compact(const Mesh& mesh, const Vertex_properties& properties)
 }
 
 // Without the elements that were removed.
-Soup compact(const Mesh& mesh) {
-  Soup soup;
+generators::Soup compact(const Mesh& mesh) {
+  generators::Soup soup;
   soup.points.reserve(mesh.number_of_vertices());
   soup.triangles.reserve(mesh.number_of_faces());
   std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
@@ -141,7 +141,7 @@ void write(const std::string& file, const Written_mesh& written) {
 
 void check_mesh_format(const std::string& file) { format_of(file); }
 
-void write_mesh(const std::string& file, const Soup& mesh) { write(file, {mesh, {}}); }
+void write_mesh(const std::string& file, const generators::Soup& mesh) { write(file, {mesh, {}}); }
 
 Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties) {
   const auto& format = format_of(file);

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/certification.h"
+
+#include <CGAL/Handle_tunnel_loops/certificate.h>
+
+namespace htloops {
+
+CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
+                                               const Pairs& pairs,
+                                               CGAL::Handle_tunnel_loops::Basis_kind basis_kind,
+                                               bool with_sides) {
+  return CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
+      mesh, pairs,
+      CGAL::parameters::basis_kind(basis_kind, CGAL::parameters::do_compute_linking(with_sides)));
+}
+
+} // namespace htloops
