@@ -1,5 +1,28 @@
+set(HTLOOPS_SOLVE_SOURCES
+  solve/backends.cpp
+  solve/boundaries.cpp
+  solve/certification.cpp
+  solve/cut_solver.cpp
+  solve/dual_cut_solver.cpp
+  solve/face_arcs.cpp
+  solve/host_backend.cpp
+  solve/reeb_answer.cpp
+  solve/reeb_solver.cpp
+  solve/removal_solver.cpp
+  solve/self_contact.cpp
+  solve/spread_properties.cpp
+  solve/thread_limit.cpp
+  terminal/interrupt.cpp
+  terminal/progress_bar.cpp
+  terminal/terminal.cpp)
+if(HTL_HAS_EIGEN)
+  list(APPEND HTLOOPS_SOLVE_SOURCES solve/reference_backend.cpp)
+endif()
+if(TARGET Handle_tunnel_loops_cuda)
+  list(APPEND HTLOOPS_SOLVE_SOURCES solve/cuda_backend.cpp)
+endif()
+
 set(HTLOOPS_SOURCES
-  main.cpp
   version.cpp
   commands/box_option.cpp
   commands/check_command.cpp
@@ -22,6 +45,7 @@ set(HTLOOPS_SOURCES
   commands/reeb_command.cpp
   commands/remove_command.cpp
   commands/shell_completion.cpp
+  commands/tool.cpp
   commands/usage_message.cpp
   draw/arc_surface.cpp
   draw/cut_exports.cpp
@@ -73,22 +97,6 @@ set(HTLOOPS_SOURCES
   read/unread_data.cpp
   read/values_reader.cpp
   read/vertex_properties_reader.cpp
-  solve/backends.cpp
-  solve/boundaries.cpp
-  solve/certification.cpp
-  solve/cut_solver.cpp
-  solve/dual_cut_solver.cpp
-  solve/face_arcs.cpp
-  solve/host_backend.cpp
-  solve/reeb_answer.cpp
-  solve/reeb_solver.cpp
-  solve/removal_solver.cpp
-  solve/self_contact.cpp
-  solve/spread_properties.cpp
-  solve/thread_limit.cpp
-  terminal/interrupt.cpp
-  terminal/progress_bar.cpp
-  terminal/terminal.cpp
   write/arc_table.cpp
   write/atomic_file.cpp
   write/change_table.cpp
@@ -105,19 +113,6 @@ set(HTLOOPS_SOURCES
   write/removal_json_writer.cpp
   write/removal_table.cpp
   write/text_writer.cpp)
-if(HTL_HAS_EIGEN)
-  list(APPEND HTLOOPS_SOURCES solve/reference_backend.cpp)
-endif()
-
-if(TARGET Handle_tunnel_loops_cuda)
-  list(APPEND HTLOOPS_SOURCES solve/cuda_backend.cpp)
-endif()
-
-# What the library makes for one backend it makes for most others, too.
-set(_htloops_backends ${HTLOOPS_SOURCES})
-list(FILTER _htloops_backends INCLUDE REGEX "solve/(.*backends?|certification)\\.cpp")
-list(TRANSFORM _htloops_backends PREPEND "${CMAKE_CURRENT_LIST_DIR}/")
-set_source_files_properties(${_htloops_backends} PROPERTIES UNITY_GROUP backends)
 
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES
