@@ -9,7 +9,7 @@
 set -euo pipefail
 
 tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
-  libpng-dev libeigen3-dev)
+  libpng-dev libstb-dev fonts-dejavu-core libeigen3-dev)
 tests=("${tool[@]}" libgtest-dev libbenchmark-dev libvalijson-dev)
 checks=("${tests[@]}" clang-format)
 benchmarks=("${tests[@]}" libvtk9-dev)
@@ -27,7 +27,7 @@ esac
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   echo "There is no apt-get here. Needed: a C++17 compiler, CMake 3.21, Ninja, CGAL 5.5, CLI11," >&2
-  echo "nlohmann-json, zlib; used if present: oneTBB, Eigen, libpng, GoogleTest, Google Benchmark." >&2
+  echo "nlohmann-json, zlib; used if present: oneTBB, Eigen, libpng, stb, GoogleTest, Google Benchmark." >&2
   exit 0
 fi
 

@@ -136,6 +136,12 @@ run(0 loops torus.off --jsonl - --quiet)
 string(JSON genus GET "${output}" genus)
 expect_equal("${genus}" 1)
 
+# Words in a picture, where the build found a font.
+run(0 loops --help)
+if(output MATCHES "--labels")
+  run(0 loops torus.off --picture words.png --labels --legend -q)
+endif()
+
 # A line about one mesh goes with all other files, and is written if there is no answer, too.
 run(0 loops torus.off --jsonl one.jsonl --csv one.csv -o one.json --html one.html --lines one.ply)
 expect_match("${output}" "handle.*tunnel")

@@ -1,5 +1,6 @@
 set(HTLOOPS_SOLVE_SOURCES
   solve/backends.cpp
+  solve/border_levels.cpp
   solve/boundaries.cpp
   solve/certification.cpp
   solve/cut_solver.cpp

@@ -13,10 +13,13 @@
 #include "Corner_normals.h"
 #include "Line_layer.h"
 #include "Surface_layer.h"
+#include "Text_layer.h"
 #include "ambient_occlusion.h"
 #include "encode_png.h"
 #include "lights.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 
 namespace htl_picture {
@@ -76,6 +79,7 @@ public:
     for(int y = 0; y < options_.height; ++y)
       for(int x = 0; x < options_.width; ++x)
         pixels.push_back(to_srgb(pixel(samples * x, samples * y, open[pixels.size()])));
+    write_on(pixels);
     return pixels;
   }
 
@@ -165,7 +169,60 @@ private:
     return opacity * surface + (1.f - opacity) * line_colour(behind);
   }
 
+  void write_on(std::vector<Colour>& pixels) const {
+    Text_layer texts(options_.width, options_.height, (std::max)(10., options_.height / 44.));
+    if(!options_.legend.empty())
+      texts.add_legend(options_.legend);
+    const auto hidden = [this](const Rectangle& box) { return lines_in(box); };
+    std::vector<std::vector<Text_layer::Pixel>> seen;
+    for(std::uint32_t i = 0; i < scene_.lines.size(); ++i)
+      seen.push_back(places_on(i, true));
+    // A label of what is hidden would be read as one of what is in front. Bones are all hidden.
+    const bool is_none_seen =
+        std::all_of(seen.begin(), seen.end(), [](const auto& places) { return places.empty(); });
+    for(std::uint32_t i = 0; i < scene_.lines.size(); ++i)
+      if(const Line& line = scene_.lines[i]; !line.label.empty())
+        texts.add_label(line.label, line.colour, is_none_seen ? places_on(i, false) : seen[i],
+                        hidden);
+    texts.draw_on(pixels);
+  }
+
+  /// some pixels at which a line lies, or only those at which it is seen; the middle of it first.
+  std::vector<Text_layer::Pixel> places_on(std::uint32_t number, bool only_seen) const {
+    const Line& line = scene_.lines[number];
+    constexpr std::size_t enough = 24;
+    std::vector<Text_layer::Pixel> places;
+    const std::size_t count = (std::min)(enough, line.points.size());
+    for(std::size_t k = 0; k < count; ++k) {
+      // From the middle to both ends.
+      const std::size_t turn = (k % 2 == 0 ? count - k : count + k) / 2;
+      const std::size_t i = turn * line.points.size() / count;
+      const Projected_point p = camera_.project(camera_.in_frame(line.points[i]));
+      const int x = static_cast<int>(p.x), y = static_cast<int>(p.y);
+      if(x < 0 || y < 0 || x >= samples * options_.width || y >= samples * options_.height)
+        continue;
+      if(!only_seen || lines_.in_front(x, y).line == number)
+        places.push_back({x / samples, y / samples});
+    }
+    return places;
+  }
+
+  /// how many of some pixels of a rectangle show a line.
+  double lines_in(const Rectangle& box) const {
+    int count = 0;
+    for(int y = box.y; y < box.y + box.height; y += 2)
+      for(int x = box.x; x < box.x + box.width; x += 2)
+        count += lines_.in_front(samples * x, samples * y).line != Line_layer::no_line;
+    return count;
+  }
+
   Vector_3 line_colour(const Line_layer::Sample& sample) const {
+    constexpr float border = 0.6f; // of half the width
+    if(scene_.lines[sample.line].is_outlined) {
+      if(sample.across > border)
+        return to_linear({255, 255, 255});
+      return shade_line(to_linear(scene_.lines[sample.line].colour), sample.across / border);
+    }
     return shade_line(to_linear(scene_.lines[sample.line].colour), sample.across);
   }
 

@@ -30,6 +30,15 @@ struct Line
   std::vector<Point> points;
   Colour colour;
   bool closed;
+  std::string label = {};   ///< written beside it where there is room; none if empty
+  bool is_outlined = false; ///< with a white border, which sets it off from dark surfaces
+};
+
+/// What lines of a colour are.
+struct Legend_entry
+{
+  Colour colour;
+  std::string text;
 };
 
 /// How a picture is taken. The mesh always fills the picture.
@@ -43,7 +52,11 @@ struct Options
   double surface_opacity = 0.5; ///< 1 hides the lines behind the surface, 0 draws them like others
   Colour surface_colour = {204, 212, 222};
   Colour background = {255, 255, 255};
+  std::vector<Legend_entry> legend = {}; ///< in a corner; none if empty
 };
+
+/// whether labels and legends are written: the build found a font.
+bool has_font();
 
 /// the content of a PNG file. Throws `std::runtime_error` if the size is not one of a picture, or a
 /// coordinate is not finite.

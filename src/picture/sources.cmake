@@ -3,8 +3,17 @@ set(HTL_PICTURE_SOURCES
   ambient_occlusion.cpp
   Camera.cpp
   Corner_normals.cpp
+  Font.cpp
   lights.cpp
   Line_layer.cpp
   picture.cpp
   Surface_layer.cpp
+  Text_layer.cpp
   encode_png.cpp)
+
+# htl_embed_font(<output>): a font as a source.
+function(htl_embed_font output)
+  file(READ "${HTL_FONT}" bytes HEX)
+  string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+  configure_file("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/font_data.cpp.in" "${output}" @ONLY)
+endfunction()

@@ -36,12 +36,28 @@ void check_json_name(const std::string& file) {
                       "end in .json, or have no such end");
 }
 
-void check_picture_name(const std::string& file) {
+void check_picture(const Picture_options& picture) {
+  const std::string& file = picture.file;
   if(!file.empty() && !boost::algorithm::iends_with(file, ".png") &&
      !std::filesystem::path(file).extension().empty())
     throw Failure(Exit_code::WRONG_USAGE,
                   "cannot write " + file +
                       ": pictures are PNG files, and the name must end in .png");
+  if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "--labels and --legend want a build with stb and the DejaVu fonts");
+}
+
+void add_word_options(CLI::App& command, Picture_options& picture, const std::string& group) {
+  command
+      .add_flag("--labels", picture.has_labels,
+                "numbers beside the lines of the picture, where there is room")
+      ->needs("--picture")
+      ->group(group);
+  command
+      .add_flag("--legend", picture.has_legend, "what the colours of these lines mean, in a corner")
+      ->needs("--picture")
+      ->group(group);
 }
 
 } // namespace
@@ -97,6 +113,7 @@ void add_picture_options(CLI::App& command,
       ->check(why_not_finite)
       ->needs("--picture")
       ->group(group);
+  add_word_options(command, options.picture, group);
 }
 
 void add_page_option(CLI::App& command,
@@ -160,7 +177,7 @@ void check_common_options(const Common_options& options) {
                                                 (has_pictures ? "--picture or --html" : "--html"));
   }
   check_json_name(options.json_file);
-  check_picture_name(options.picture.file);
+  check_picture(options.picture);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
   if(!options.gltf_file.empty())

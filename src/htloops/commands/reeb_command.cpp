@@ -121,8 +121,10 @@ void write_files(const Reeb_command_options& options,
     export_coloured_mesh(options.parts_file, mesh, answer);
   if(!options.picture.file.empty() || !options.gltf_file.empty()) {
     Exported_lines lines = lines_of(answer);
-    for(Exported_line& line : lines.lines)
+    for(Exported_line& line : lines.lines) {
       line.colour = {30, 30, 30}; // the arcs' own colours are those of the surface around them
+      line.is_outlined = true;
+    }
     const Drawn_surface surface = drawn_surface(arc_surface(mesh, answer));
     if(!options.picture.file.empty())
       export_picture(options.picture, options.view, surface, lines);

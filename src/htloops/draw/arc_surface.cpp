@@ -42,14 +42,46 @@ public:
 private:
   void add_face(Mesh::Face_index f) {
     const Corners corners = arcs_.vertices_of(f);
-    const std::vector<Face_part>& parts = arcs_.parts_of(corners);
+    const std::vector<Face_part> parts = arcs_.parts_of(corners);
     const bool is_turned = !has_orientation(f, corners);
-    for(const Face_part& part : parts)
-      if(parts.size() == 1 || part.low < part.high)
+    if(parts != arcs_.parts_of(corners[0], corners[2]))
+      add_fan(f);
+    else if(parts.front().low < parts.back().high)
+      for(const Face_part& part : parts)
         add_polygon(polygon(corners, part), part.arc, is_turned);
-    // All of it is at one level.
-    if(parts.size() > 1 && !(parts.front().low < parts.back().high))
+    else // all of it is at one level
       add_polygon(whole(corners), parts.front().arc, is_turned);
+  }
+
+  // Where the three sides of a face do not tell the same, each has a third of it.
+  void add_fan(Mesh::Face_index f) {
+    const Mesh::Halfedge_index h = mesh_.halfedge(f);
+    const auto middle = static_cast<std::uint32_t>(result_.points.size());
+    const Point& p = mesh_.point(mesh_.source(h));
+    const auto to = [&](Mesh::Vertex_index v) { return mesh_.point(v) - p; };
+    result_.points.push_back(
+        coordinates(p + (to(mesh_.target(h)) + to(mesh_.target(mesh_.next(h)))) / 3.));
+    for(const Mesh::Halfedge_index side : mesh_.halfedges_around_face(h))
+      add_side(side, middle);
+  }
+
+  void add_side(Mesh::Halfedge_index side, std::uint32_t middle) {
+    Vertex low = mesh_.source(side), high = mesh_.target(side);
+    const bool is_turned = std::make_pair(value(high), high) < std::make_pair(value(low), low);
+    if(is_turned)
+      std::swap(low, high);
+    const std::vector<Face_part> parts = arcs_.parts_of(low, high);
+    std::uint32_t from = low.idx();
+    for(const Face_part& part : parts) {
+      const bool is_last = part.high == value(high);
+      if(!is_last && !(part.low < part.high))
+        continue;
+      const std::uint32_t to = is_last ? std::uint32_t(high.idx()) : point_at(low, high, part.high);
+      add_polygon({from, to, middle}, part.arc, is_turned);
+      from = to;
+      if(is_last)
+        break;
+    }
   }
 
   // Whether the corners follow each other as around the face.

@@ -31,6 +31,7 @@ struct Exported_line
   int kind_number = 0;   ///< the same as a number
   std::size_t index = 0; ///< of what it stands for
   double length = 0.;
+  bool is_outlined = false; ///< in pictures, as it has a dark surface below
 
   /// as a closed line has one more edge than an open one.
   std::size_t number_of_edges() const { return points.size() - (is_closed ? 0 : 1); }

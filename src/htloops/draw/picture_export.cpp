@@ -19,15 +19,35 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 namespace htloops {
 namespace {
 
-std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines) {
+std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines, bool has_labels) {
   std::vector<htl_picture::Line> tubes;
   for(const Exported_line& line : lines.lines)
-    tubes.push_back({coordinates(line.points), line.colour, line.is_closed});
+    tubes.push_back({coordinates(line.points), line.colour, line.is_closed,
+                     has_labels ? std::to_string(line.index) : "", line.is_outlined});
   return tubes;
+}
+
+// How many lines of each kind there are, in the order in which they come.
+std::vector<htl_picture::Legend_entry> legend_of(const Exported_lines& lines) {
+  std::vector<std::pair<const Exported_line*, std::size_t>> kinds;
+  for(const Exported_line& line : lines.lines) {
+    const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
+      return kind.first->kind == line.kind;
+    });
+    if(known == kinds.end())
+      kinds.push_back({&line, 1});
+    else
+      ++known->second;
+  }
+  std::vector<htl_picture::Legend_entry> legend;
+  for(const auto& [line, count] : kinds)
+    legend.push_back({line->colour, line->kind + " (" + std::to_string(count) + ")"});
+  return legend;
 }
 
 // Hidden lines are the paler the more there are: what matters is what is in front of them.
@@ -37,6 +57,8 @@ double opacity_before(std::size_t lines) {
 }
 
 } // namespace
+
+bool can_write_on_pictures() { return htl_picture::has_font(); }
 
 void export_picture(const Picture_options& options,
                     const View& view,
@@ -53,11 +75,13 @@ void export_picture(const Picture_options& options,
     picture.line_width_px = (std::max)(picture.line_width_px, 3.);
   }
   picture.surface_opacity = options.opacity.value_or(opacity_before(lines.lines.size()));
+  if(options.has_legend)
+    picture.legend = legend_of(lines);
   const std::string& file = options.file;
   std::string content;
   try {
     content = htl_picture::encode_picture(surface.points, surface.triangles, surface.colours,
-                                          tubes_along(lines), picture);
+                                          tubes_along(lines, options.has_labels), picture);
   } catch(const std::runtime_error& error) {
     throw Failure(Exit_code::WRONG_USAGE, "--picture " + file + ": " + error.what());
   }

@@ -26,6 +26,8 @@ struct Picture_options
   std::string file;
   std::vector<double> size;      ///< width and height in pixels; empty for the default
   std::optional<double> opacity; ///< of the surface; none: so that many hidden lines stay pale
+  bool has_labels = false;       ///< numbers of what lines stand for
+  bool has_legend = false;       ///< what their colours mean
 };
 
 #ifdef HTLOOPS_HAS_PICTURE
@@ -33,6 +35,9 @@ struct Picture_options
 constexpr bool has_pictures = true;
 
 /// writes a picture of a surface and lines.
+/// whether labels and legends can be written.
+bool can_write_on_pictures();
+
 void export_picture(const Picture_options& options,
                     const View& view,
                     const Drawn_surface& surface,
@@ -42,6 +47,7 @@ void export_picture(const Picture_options& options,
 
 constexpr bool has_pictures = false;
 
+inline bool can_write_on_pictures() { return false; }
 inline void
 export_picture(const Picture_options&, const View&, const Drawn_surface&, const Exported_lines&) {}
 

@@ -1,3 +1,4 @@
+#include "picture/Text_layer.h"
 #include "picture/picture.h"
 
 #include "Decoded_png.h"
@@ -164,6 +165,92 @@ TEST_F(Drawn_picture, ColoursTriangles) {
 TEST_F(Drawn_picture, LooksAlongTheUprightDirection) {
   options.view = options.up = {0., 0., 2.};
   EXPECT_FALSE(is_white(draw(cube()).middle()));
+}
+
+TEST_F(Drawn_picture, OutlinesLinesThatAreToBeSetOff) {
+  Line line = red_line_at_height(0.);
+  options.line_width_px = 9.;
+  const auto whites = [&] { return draw(cube(), {line}).count(is_white); };
+  const auto plain = whites();
+  line.is_outlined = true;
+  EXPECT_GT(whites(), plain + 100); // two white lines of more than a pixel
+}
+
+class Written_picture : public Drawn_picture
+{
+protected:
+  void SetUp() override {
+    Drawn_picture::SetUp();
+    if(!htl_picture::has_font())
+      GTEST_SKIP() << "the build found no font";
+    options.width = 640;
+    options.height = 480;
+  }
+
+  // Where pictures of the same size differ.
+  static std::size_t differences(const Picture& a, const Picture& b) {
+    std::size_t count = 0;
+    for(std::size_t i = 0; i < a.pixels.size(); ++i)
+      count += a.pixels[i] != b.pixels[i];
+    return count;
+  }
+};
+
+TEST_F(Written_picture, HasALabelBesideALineThatIsSeen) {
+  Line line = red_line_at_height(0.);
+  const Picture plain = draw(cube(), {line});
+  line.label = "17";
+  const Picture labelled = draw(cube(), {line});
+  const std::size_t pixels = differences(plain, labelled);
+  EXPECT_GT(pixels, 60u);
+  EXPECT_LT(pixels, 1000u);
+  EXPECT_TRUE(is_red(labelled.middle())); // it does not lie on the line
+}
+
+TEST_F(Written_picture, HasNoLabelOfALineBehindIfOthersAreInFront) {
+  Line behind = red_line_at_height(1.);
+  const Line front = red_line_at_height(0.);
+  for(Point& p : behind.points)
+    p[2] += 0.2; // beside it, as it is seen
+  const Picture plain = draw(cube(), {front, behind});
+  behind.label = "17";
+  EXPECT_EQ(differences(plain, draw(cube(), {front, behind})), 0u);
+  EXPECT_GT(differences(draw(cube(), {behind}), plain), 60u); // alone it has one
+}
+
+TEST_F(Written_picture, LabelsDoNotCoverEachOther) {
+  htl_picture::Text_layer texts(640, 480, 12.);
+  const auto cost = [](const htl_picture::Rectangle& box) { return double(box.x); };
+  int written = 0;
+  for(int i = 0; i < 20; ++i)
+    written += texts.add_label("8", {255, 0, 0}, {{320, 240}}, cost);
+  EXPECT_EQ(written, 4); // on four sides of the one place
+  EXPECT_TRUE(texts.add_label("8", {255, 0, 0}, {{320, 240}, {100, 100}}, cost));
+  EXPECT_FALSE(texts.add_label("8", {255, 0, 0}, {{-50, 0}, {700, 500}}, cost)); // outside
+}
+
+TEST_F(Written_picture, HasALegendInACorner) {
+  const auto corner = [&] {
+    const Picture picture = draw(cube(), {red_line_at_height(0.)});
+    std::size_t reds = 0;
+    for(int y = 0; y < 60; ++y)
+      for(int x = 0; x < 60; ++x)
+        reds += is_red(picture.at(x, y));
+    return reds;
+  };
+  EXPECT_EQ(corner(), 0u);
+  options.legend = {{{255, 0, 0}, "handle (1)"}};
+  EXPECT_GT(corner(), 20u);
+}
+
+TEST_F(Written_picture, OfAFewPixelsIsDrawn) {
+  options.legend = {{{255, 0, 0}, "handle (1)"}};
+  Line line = red_line_at_height(0.);
+  line.label = "a label that is wider than the picture";
+  for(const int size : {1, 2, 16}) {
+    options.width = options.height = size;
+    EXPECT_NO_THROW(draw(cube(), {line}));
+  }
 }
 
 TEST_F(Drawn_picture, IsEmptyWithoutAMesh) { EXPECT_EQ(draw({}).count(is_white), 160 * 120); }

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "htloops/draw/arc_surface.h"
+#include "htloops/draw/tube.h"
+#include "htloops/draw/vectors.h"
+#include "htloops/solve/reeb_solver.h"
+#include "htloops/terminal/progress_bar.h"
+
+#include "Meshes_of_soups.h"
+
+#include <gtest/gtest.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+using htloops::Arc_surface;
+using htloops::cross;
+using htloops::dot;
+using htloops::Reeb_answer;
+using htloops::Vector;
+
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+Vector difference(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+double area(const std::vector<Vector>& points, const Triangles& triangles) {
+  double sum = 0.;
+  for(const auto& [a, b, c] : triangles) {
+    const Vector n = cross(difference(points[b], points[a]), difference(points[c], points[a]));
+    sum += std::sqrt(dot(n, n)) / 2.;
+  }
+  return sum;
+}
+
+// How often each edge is passed in each direction.
+std::map<Edge, int> passes(const Triangles& triangles) {
+  std::map<Edge, int> passes;
+  for(const auto& t : triangles)
+    for(int i = 0; i < 3; ++i)
+      ++passes[{t[i], t[(i + 1) % 3]}];
+  return passes;
+}
+
+std::size_t number_of_open_edges(const Triangles& triangles) {
+  const std::map<Edge, int> all = passes(triangles);
+  std::size_t open = 0;
+  for(const auto& [edge, count] : all) {
+    EXPECT_EQ(count, 1);
+    open += all.count({edge.second, edge.first}) == 0;
+  }
+  return open;
+}
+
+// The height is linear, so that it is known of all points, those of cuts, too.
+constexpr Vector upwards = {0.31, 0.17, 0.93};
+
+Reeb_answer reeb_graph_of_height(const Mesh& mesh, double threshold) {
+  htloops::Reeb_options options;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    options.values.push_back(dot(upwards, {p.x(), p.y(), p.z()}));
+  }
+  options.threshold = threshold;
+  htloops::Progress_bar bar(false);
+  return htloops::find_reeb_graph(mesh, options, bar);
+}
+
+// Lengths of the borders between arcs: of all, and of what is not level.
+struct Borders
+{
+  double length = 0., sloping = 0.;
+};
+
+Borders borders_of(const Arc_surface& surface) {
+  std::map<Edge, std::uint32_t> arc_of;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for(int i = 0; i < 3; ++i)
+      arc_of[{surface.triangles[t][i], surface.triangles[t][(i + 1) % 3]}] =
+          surface.triangle_arcs[t];
+  Borders borders;
+  for(const auto& [edge, arc] : arc_of) {
+    const auto other = arc_of.find({edge.second, edge.first});
+    if(other == arc_of.end() || other->second == arc)
+      continue;
+    const Vector along = difference(surface.points[edge.second], surface.points[edge.first]);
+    borders.length += std::sqrt(dot(along, along));
+    if(std::abs(dot(upwards, along)) > 1e-9)
+      borders.sloping += std::sqrt(dot(along, along));
+  }
+  return borders;
+}
+
+class Arc_surfaces : public testing::TestWithParam<Recipe>
+{
+protected:
+  const Mesh mesh_ = mesh_of(GetParam());
+};
+
+} // namespace
+
+TEST_P(Arc_surfaces, are_the_surface_itself_cut) {
+  for(const double threshold : {0., 0.05}) {
+    const Arc_surface surface = arc_surface(mesh_, reeb_graph_of_height(mesh_, threshold));
+    EXPECT_EQ(surface.triangles.size(), surface.triangle_arcs.size());
+    EXPECT_NEAR(area(surface.points, surface.triangles) /
+                    CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh_)),
+                1., 1e-9);
+    EXPECT_EQ(number_of_open_edges(surface.triangles), 0u);
+  }
+}
+
+TEST_P(Arc_surfaces, have_borders_along_contours) {
+  const Borders exact = borders_of(arc_surface(mesh_, reeb_graph_of_height(mesh_, 0.)));
+  EXPECT_GT(exact.length, 0.);
+  // Where arcs end within one face, the sides of that face do not always tell the same.
+  EXPECT_LT(exact.sloping, 0.1 * exact.length);
+  // What the simplification does to the graph it does not do to the surface.
+  const Borders simplified = borders_of(arc_surface(mesh_, reeb_graph_of_height(mesh_, 0.05)));
+  EXPECT_LT(simplified.sloping, 0.2 * simplified.length);
+}
+
+TEST_P(Arc_surfaces, show_all_arcs_that_have_vertices) {
+  const Reeb_answer answer = reeb_graph_of_height(mesh_, 0.05);
+  const Arc_surface surface = arc_surface(mesh_, answer);
+  const std::set<std::size_t> wanted(answer.vertex_arc.begin(), answer.vertex_arc.end());
+  const std::set<std::size_t> shown(surface.triangle_arcs.begin(), surface.triangle_arcs.end());
+  EXPECT_TRUE(std::includes(shown.begin(), shown.end(), wanted.begin(), wanted.end()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes,
+                         Arc_surfaces,
+                         testing::Values(Recipe{"torus", {2000, 1, 0}},
+                                         Recipe{"multi-torus", {6000, 4, 0}},
+                                         Recipe{"gyroid", {9000, 9, 1}},
+                                         Recipe{"chair", {20000, 7, 0}}));
+
+namespace {
+
+std::vector<Vector> circle(int count) {
+  std::vector<Vector> line;
+  for(int i = 0; i < count; ++i) {
+    const double angle = 2. * htloops::pi * i / count;
+    line.push_back({std::cos(angle), std::sin(angle), 0.3 * std::sin(2. * angle)});
+  }
+  return line;
+}
+
+} // namespace
+
+TEST(Tube, of_a_closed_line_is_closed_and_as_thick_as_asked_for) {
+  const std::vector<Vector> line = circle(200);
+  const auto tube = htloops::tube_around(line, true, 0.05);
+  EXPECT_EQ(number_of_open_edges(tube.triangles), 0u);
+  ASSERT_EQ(tube.points.size(), tube.normals.size());
+  for(std::size_t i = 0; i < tube.points.size(); ++i) {
+    EXPECT_NEAR(dot(tube.normals[i], tube.normals[i]), 1., 1e-9);
+    double nearest = 1.;
+    for(const Vector& p : line) {
+      const Vector d = difference(tube.points[i], p);
+      nearest = (std::min)(nearest, std::sqrt(dot(d, d)));
+    }
+    EXPECT_NEAR(nearest, 0.05, 1e-9);
+  }
+}
+
+TEST(Tube, of_an_open_line_is_open_at_its_ends) {
+  std::vector<Vector> line = circle(200);
+  line.resize(50);
+  EXPECT_EQ(number_of_open_edges(htloops::tube_around(line, false, 0.05).triangles), 16u);
+}
+
+TEST(Tube, of_points_at_one_place_is_that_of_one_of_them) {
+  std::vector<Vector> line = circle(20), twice;
+  for(const Vector& p : line)
+    twice.insert(twice.end(), {p, p});
+  const auto once = htloops::tube_around(line, true, 0.05);
+  const auto again = htloops::tube_around(twice, true, 0.05);
+  EXPECT_EQ(once.points, again.points);
+  EXPECT_EQ(once.triangles, again.triangles);
+  EXPECT_TRUE(htloops::tube_around({{1., 2., 3.}, {1., 2., 3.}}, true, 0.05).triangles.empty());
+}
