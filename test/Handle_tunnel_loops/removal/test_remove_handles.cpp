@@ -15,6 +15,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -153,6 +156,51 @@ TEST(Handle_removal, SaysWhatIsTakenAwayAndWhatIsPutIn) {
                   .volume,
               0.);
   }
+}
+
+namespace {
+
+// A round plate with a round hole, and no vertices but those of the four circles.
+Mesh plate_with_a_hole(double hole_radius, double plate_radius, double thickness) {
+  constexpr std::uint32_t n = 24;
+  Soup soup;
+  const auto add_circle = [&](double radius, double z) {
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2. * CGAL_PI * i / n;
+      soup.points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  };
+  add_circle(hole_radius, 0.);
+  add_circle(plate_radius, 0.);
+  add_circle(plate_radius, thickness);
+  add_circle(hole_radius, thickness);
+  for(std::uint32_t ring = 0; ring < 4; ++ring)
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = ring * n + i, b = ring * n + (i + 1) % n;
+      const std::uint32_t c = (a + n) % (4 * n), d = (b + n) % (4 * n);
+      soup.triangles.push_back({a, c, b});
+      soup.triangles.push_back({b, c, d});
+    }
+  Mesh mesh = mesh_of(soup);
+  if(PMP::volume(mesh) < 0.)
+    PMP::reverse_face_orientations(mesh);
+  return mesh;
+}
+
+} // namespace
+
+// Whatever direction the walls have at whose edges the plate ends.
+TEST(Handle_removal, FillsTheHoleOfAPlateFlat) {
+  Mesh mesh = plate_with_a_hole(1., 20., 3.);
+  const double volume = PMP::volume(mesh), hole = PMP::volume(plate_with_a_hole(1e-9, 1., 3.));
+  const htl::Removal_report report =
+      CGAL::remove_handles(mesh, params::removal_method(htl::Removal_method::FILL));
+  EXPECT_EQ(report.genus_after, 0u);
+  expect_solid(mesh, 0);
+  EXPECT_NEAR(PMP::volume(mesh), volume + hole, 1e-6);
+  for(const auto v : mesh.vertices())
+    EXPECT_NEAR((std::min)(std::abs(mesh.point(v).z()), std::abs(mesh.point(v).z() - 3.)), 0.,
+                1e-9);
 }
 
 TEST(Handle_removal, StopsAtTheTargetSmallestFirst) {

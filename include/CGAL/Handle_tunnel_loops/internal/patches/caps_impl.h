@@ -96,7 +96,9 @@ public:
   }
 
   /// makes them smooth, if there are any.
-  bool fair() { return !own_.empty() && make_smooth(copy_, own_); }
+  bool fair() {
+    return !own_.empty() && make_smooth(copy_, own_, [this](Vertex v) { return is_crease(v); });
+  }
 
   Patch caps() const {
     Patch patch;
@@ -114,6 +116,43 @@ public:
   }
 
 private:
+  using Normal = Simple_cartesian<double>::Vector_3;
+
+  /// whether a cap has no direction to continue at a vertex of its border: what is kept there bends
+  /// by more than half a right angle; or it does so together with what was taken away, and the cap,
+  /// as it is now, goes on like that and not like what is kept.
+  bool is_crease(Vertex v) const {
+    std::vector<Normal> kept, caps, all;
+    for(Halfedge h : halfedges_around_target(copy_.halfedge(v), copy_))
+      if(!copy_.is_border(h))
+        (copy_.face(h) < Mesh::Face_index(first_cap_face_) ? kept : caps)
+            .push_back(normal(vertices_around_face(h, copy_), copy_));
+    mesh_.for_each_outgoing(originals_[v], [&](Index h) {
+      all.push_back(normal(mesh_.corners(mesh_.face(h)), mesh_));
+    });
+    return !kept.empty() && (bends(kept, kept) || (bends(kept, all) && bends(kept, caps)));
+  }
+
+  template <typename Vertices, typename SomeMesh>
+  static Normal normal(const Vertices& vertices, const SomeMesh& mesh) {
+    std::array<Simple_cartesian<double>::Point_3, 3> p;
+    auto next = p.begin();
+    for(const auto v : vertices) {
+      const auto& q = mesh.point(v);
+      *next++ = {q.x(), q.y(), q.z()};
+    }
+    return cross_product(p[1] - p[0], p[2] - p[0]);
+  }
+
+  /// whether some of the others is at more than half a right angle to the first.
+  static bool bends(const std::vector<Normal>& first, const std::vector<Normal>& others) {
+    const Normal& n = first.front();
+    return std::any_of(others.begin(), others.end(), [&](const Normal& m) {
+      const double product = n * m, lengths = n.squared_length() * m.squared_length();
+      return lengths > 0. && (product < 0. || 2. * product * product < lengths);
+    });
+  }
+
   Vertex copied(Index v) {
     const auto [it, is_new] = copies_.insert({v, Vertex()});
     if(is_new) {

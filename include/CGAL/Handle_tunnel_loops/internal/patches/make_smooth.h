@@ -28,13 +28,16 @@ namespace internal {
 
 /*!
 Moves some vertices of a `Surface_mesh` so that the surface there is as little curved as it can be
-between the others, of which it continues the directions: the Laplacian of the Laplacian vanishes.
-Edges have equal weights, which suit an even density and make the system symmetric.
+between the others: the sum of the squared Laplacians is least. Those of the others count, so that
+the surface continues their directions, but not where it has a crease, at `is_crease(vertex)`, and
+so none that could be continued. Edges have equal weights, which suit an even density.
 
 \returns whether that was done: there is a solution, and Eigen to find it
 */
-template <typename SurfaceMesh>
-bool make_smooth(SurfaceMesh& mesh, const std::vector<typename SurfaceMesh::Vertex_index>& free) {
+template <typename SurfaceMesh, typename IsCrease>
+bool make_smooth(SurfaceMesh& mesh,
+                 const std::vector<typename SurfaceMesh::Vertex_index>& free,
+                 const IsCrease& is_crease) {
 #ifdef CGAL_EIGEN3_ENABLED
   using Vertex = typename SurfaceMesh::Vertex_index;
   std::vector<int> row(mesh.number_of_vertices(), -1);
@@ -57,7 +60,8 @@ bool make_smooth(SurfaceMesh& mesh, const std::vector<typename SurfaceMesh::Vert
   };
   for(Vertex v : free) {
     for(Vertex w : vertices_around_target(mesh.halfedge(v), mesh))
-      add_laplacian(row[v], w, 1.);
+      if(row[w] >= 0 || !is_crease(w))
+        add_laplacian(row[v], w, 1.);
     add_laplacian(row[v], v, -1. * mesh.degree(v));
   }
   Eigen::SparseMatrix<double> matrix(free.size(), free.size());
@@ -72,6 +76,7 @@ bool make_smooth(SurfaceMesh& mesh, const std::vector<typename SurfaceMesh::Vert
 #else
   (void)mesh;
   (void)free;
+  (void)is_crease;
   return false;
 #endif
 }
