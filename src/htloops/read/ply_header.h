@@ -40,6 +40,9 @@ struct Ply_element
 
   bool has_vertices() const { return name == "vertex" || name == "vertices"; }
   bool has_faces() const { return name == "face" || name == "faces"; }
+  bool has_strips() const {
+    return name == "tristrips";
+  } ///< of triangles, as Stanford's scans have
 };
 
 enum class Ply_format { ASCII, BINARY_LITTLE_ENDIAN, BINARY_BIG_ENDIAN };

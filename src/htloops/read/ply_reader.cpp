@@ -59,8 +59,10 @@ public:
         read_points(element);
       else if(element.has_faces())
         read_faces(element);
+      else if(element.has_strips())
+        read_strips(element);
       else
-        read_items(element, nowhere, [] {});
+        read_items(element, nowhere, ignore, [] {});
     }
     return std::move(soup_);
   }
@@ -82,24 +84,68 @@ private:
         fail_to_read(file_, "its vertices have no coordinate " + name);
     }
     reserve(soup_.points, element.count);
-    read_items(element, nowhere, [&] {
+    read_items(element, nowhere, ignore, [&] {
       soup_.points.emplace_back(values_[coordinates[0]], values_[coordinates[1]],
                                 values_[coordinates[2]]);
     });
   }
 
   void read_faces(const Ply_element& element) {
-    const std::size_t corners = find_property(element, is_vertex_list);
-    if(corners == nowhere)
-      fail_to_read(file_,
-                   "its faces have no list vertex_indices (or vertex_index) of an integer type");
+    const std::size_t corners = vertex_list_of(element);
     reserve(soup_.faces, element.count);
-    read_items(element, corners, [&] { soup_.faces.push_back(face_); });
+    const auto set_corner = [&](std::size_t i, std::size_t count, double value) {
+      if(i == 0)
+        face_.resize(count);
+      soup_.set_corner(face_, i, vertex(value));
+    };
+    read_items(element, corners, set_corner, [&] {
+      if(values_[corners] == 0.)
+        face_.resize(0);
+      soup_.faces.push_back(face_);
+    });
   }
 
-  // The numbers of an item are left in values_, the list of its corners, if it has one, in face_.
-  template <typename Keep>
-  void read_items(const Ply_element& element, std::size_t corners, Keep keep) {
+  // Each number after the first two makes a triangle with the two before, which is turned over
+  // every second time; -1 begins anew. A number may come twice, which goes on elsewhere without a
+  // triangle.
+  void read_strips(const Ply_element& element) {
+    std::array<std::uint32_t, 3> last{};
+    std::size_t length = 0;
+    const auto add = [&](std::size_t i, std::size_t, double value) {
+      if(i == 0 || value == -1.)
+        length = 0;
+      if(value == -1.)
+        return;
+      last = {last[1], last[2], vertex(value)};
+      if(++length >= 3)
+        add_triangle_of_strip(last, length % 2 == 0);
+    };
+    read_items(element, vertex_list_of(element), add, [] {});
+  }
+
+  void add_triangle_of_strip(const std::array<std::uint32_t, 3>& corners, bool is_turned) {
+    const auto& [a, b, c] = corners;
+    if(a == b || b == c || c == a)
+      return;
+    face_.resize(3);
+    soup_.set_corner(face_, 0, is_turned ? b : a);
+    soup_.set_corner(face_, 1, is_turned ? a : b);
+    soup_.set_corner(face_, 2, c);
+    soup_.faces.push_back(face_);
+  }
+
+  std::size_t vertex_list_of(const Ply_element& element) const {
+    const std::size_t corners = find_property(element, is_vertex_list);
+    if(corners == nowhere)
+      fail_to_read(file_, "its " + std::string(element.has_faces() ? "faces" : element.name) +
+                              " have no list vertex_indices (or vertex_index) of an integer type");
+    return corners;
+  }
+
+  // The numbers of an item are left in values_; those of one of its lists are given to `take`, with
+  // their place in it and its length.
+  template <typename Take, typename Keep>
+  void read_items(const Ply_element& element, std::size_t taken, Take take, Keep keep) {
     values_.resize(element.properties.size());
     for(item_ = 0; item_ < element.count; ++item_) {
       numbers_.begin_element();
@@ -107,8 +153,12 @@ private:
         const Ply_property& property = element.properties[i];
         values_[i] =
             read(element, property, property.is_list() ? property.count_type : property.type);
-        if(property.is_list())
-          read_list(element, property, values_[i], i == corners);
+        if(!property.is_list())
+          continue;
+        if(i == taken)
+          read_list(element, property, values_[i], take);
+        else
+          read_list(element, property, values_[i], ignore);
       }
       if(!numbers_.end_element())
         numbers_.fail(name_of_item(element) + " has more on its line than the header declares");
@@ -116,20 +166,17 @@ private:
     }
   }
 
-  void read_list(const Ply_element& element,
-                 const Ply_property& property,
-                 double count,
-                 bool has_corners) {
+  static constexpr auto ignore = [](std::size_t, std::size_t, double) {};
+
+  template <typename Take>
+  void
+  read_list(const Ply_element& element, const Ply_property& property, double count, Take take) {
     if(count < 0.)
       numbers_.fail("the length of " + property.name + " of " + name_of_item(element) +
                     " is negative");
-    if(has_corners)
-      face_.resize(static_cast<std::size_t>(count));
-    for(std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      const double value = read(element, property, property.type);
-      if(has_corners)
-        soup_.set_corner(face_, i, vertex(value));
-    }
+    const auto length = static_cast<std::size_t>(count);
+    for(std::size_t i = 0; i < length; ++i)
+      take(i, length, read(element, property, property.type));
   }
 
   double read(const Ply_element& element, const Ply_property& property, Ply_type type) {

@@ -110,6 +110,14 @@ public:
     release(x, y);
   }
 
+  /// a part of a gesture: "touchStart", "touchMove" or "touchEnd", and where fingers are then.
+  void touch(const char* type, const std::vector<std::array<double, 2>>& fingers) {
+    Json points = Json::array();
+    for(std::size_t i = 0; i < fingers.size(); ++i)
+      points.push_back({{"x", fingers[i][0]}, {"y", fingers[i][1]}, {"id", i}});
+    send("Input.dispatchTouchEvent", {{"type", type}, {"touchPoints", points}});
+  }
+
   void key(const std::string& name) {
     Json event = {{"type", "keyDown"}, {"key", name}};
     if(name.size() == 1)

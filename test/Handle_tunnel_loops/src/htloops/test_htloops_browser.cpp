@@ -277,6 +277,29 @@ TEST_F(Page, turns_and_moves_with_the_mouse_and_by_keys) {
   expect_quiet();
 }
 
+TEST_F(Page, turns_and_zooms_with_fingers) {
+  open(mesh_of(Recipe{"torus", {2000, 1, 0}}));
+  const auto view = [] { return browser().evaluate("[...htloops.viewer.camera.back]"); };
+  const auto distance = [] { return double(browser().evaluate("htloops.viewer.camera.distance")); };
+  const Json at_first = view();
+  const double far = distance();
+  browser().touch("touchStart", {{300., 300.}});
+  browser().touch("touchMove", {{340., 310.}});
+  browser().touch("touchMove", {{380., 330.}});
+  browser().touch("touchEnd", {});
+  const Json dragged = view();
+  EXPECT_NE(dragged, at_first);
+  EXPECT_EQ(lit_row(), -1);
+  EXPECT_EQ(distance(), far);
+  browser().touch("touchStart", {{270., 300.}, {330., 300.}});
+  browser().touch("touchMove", {{240., 300.}, {360., 300.}});
+  browser().touch("touchMove", {{210., 300.}, {390., 300.}});
+  browser().touch("touchEnd", {});
+  EXPECT_LT(distance(), far / 2.); // three times as far from each other
+  EXPECT_EQ(lit_row(), -1);
+  expect_quiet();
+}
+
 TEST_F(Page, chosen_rows_become_an_argument_of_remove) {
   open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
   const auto choice = [] { return browser().evaluate("document.getElementById('choice').value"); };

@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace fs = std::filesystem;
 using namespace htloops;
@@ -183,6 +185,21 @@ TEST_F(Soup_reader, reads_all_forms_of_ply) {
     expect_tetrahedron("lists.ply", ply_header("ascii", "float", list) + points + faces);
   expect_tetrahedron("little.ply", binary_ply_file(false));
   expect_tetrahedron("big.ply", binary_ply_file(true));
+}
+
+TEST_F(Soup_reader, reads_strips_of_triangles_in_ply) {
+  const std::string head =
+      replaced(ply_header("ascii", "double", "int int"), "element face 4", "element tristrips 1") +
+      points;
+  for(const char* strip : {"6 0 1 2 3 0 1\n", "9 0 1 2 3 -1 2 3 0 1\n", "8 0 1 2 3 3 3 0 1\n"}) {
+    expect_tetrahedron("strips.ply", head + strip);
+    const Soup soup = read_soup(folder_.write("strips.ply", head + strip));
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for(std::uint32_t h = 0; h < 12; ++h)
+      EXPECT_TRUE(edges.insert({soup.source(h), soup.source(next_in_triangle(h))}).second);
+  }
+  expect_failure("strips.ply", head + "3 0 1 4\n", "vertex 4");
+  expect_failure("strips.ply", head + "3 0 1 -2\n", "vertex -2");
 }
 
 TEST_F(Soup_reader, passes_over_what_else_is_in_a_ply_file) {
