@@ -11,8 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace htl_picture {
@@ -48,10 +48,12 @@ void Text_layer::add_legend(const std::vector<Legend_entry>& entries) {
     const int y = top + static_cast<int>(i) * row;
     box.width = (std::max)(box.width, line + 2 * row + mask.width);
     const int thickness = (std::max)(2, row / 5);
-    plain_.push_back({{left, y + (row - thickness) / 2, line, thickness}, entries[i].colour});
+    legend_lines_.push_back(
+        {{left, y + (row - thickness) / 2, line, thickness}, entries[i].colour});
     texts_.push_back({std::move(mask), left + line + row / 2, y, ink});
   }
   taken_.push_back(box);
+  legend_box_ = box;
 }
 
 bool Text_layer::is_free(const Rectangle& box) const {
@@ -112,9 +114,9 @@ void Text_layer::draw_on(std::vector<Colour>& pixels) const {
       for(int x = box.x; x < box.x + box.width; ++x)
         blend(x, y, colour, part, pixels);
   };
-  if(!plain_.empty())
-    fill(taken_.front(), white, 0.8f);
-  for(const auto& [box, colour] : plain_)
+  if(legend_box_)
+    fill(*legend_box_, white, 0.8f);
+  for(const auto& [box, colour] : legend_lines_)
     fill(box, colour, 1.f);
   for(const Text& text : texts_)
     draw_text(text, pixels);

@@ -13,9 +13,11 @@
 #include "Font.h"
 #include "picture.h"
 
-#include <cstddef>
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace htl_picture {
@@ -34,8 +36,8 @@ struct Rectangle
 /*!
 Words on a picture: a legend in a corner, and labels, none of which lies on another.
 
-A label is written beside the first of its places where there is room, with the least below it that
-would be hidden. There may be no room at all: then it is left out, so that the rest can be read.
+A label is written beside that of its places where it hides least. There may be no room at all: then
+it is left out, so that the rest can be read.
 */
 class Text_layer
 {
@@ -48,6 +50,8 @@ public:
   Text_layer(int width, int height, double text_height);
 
   void add_legend(const std::vector<Legend_entry>& entries);
+
+  /// returns whether there was room. A legend comes before all labels.
   bool add_label(const std::string& text,
                  Colour colour,
                  const std::vector<Pixel>& places,
@@ -73,7 +77,8 @@ private:
   int margin_;
   std::vector<Text> texts_;
   std::vector<Rectangle> taken_;
-  std::vector<std::pair<Rectangle, Colour>> plain_; // legend: what is below it, and its lines
+  std::optional<Rectangle> legend_box_;
+  std::vector<std::pair<Rectangle, Colour>> legend_lines_;
 };
 
 } // namespace htl_picture
