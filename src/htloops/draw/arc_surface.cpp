@@ -42,8 +42,15 @@ public:
 private:
   void add_face(Mesh::Face_index f) {
     const Corners corners = arcs_.vertices_of(f);
-    const std::vector<Face_part> parts = arcs_.parts_of(corners);
     const bool is_turned = !has_orientation(f, corners);
+    if(arcs_.is_of_one_arc(corners))
+      add_polygon(whole(corners), answer_.vertex_arc[corners[0].idx()], is_turned);
+    else
+      add_divided_face(f, corners, is_turned);
+  }
+
+  void add_divided_face(Mesh::Face_index f, const Corners& corners, bool is_turned) {
+    const std::vector<Face_part> parts = arcs_.parts_of(corners);
     if(parts != arcs_.parts_of(corners[0], corners[2]))
       add_fan(f);
     else if(parts.front().low < parts.back().high)

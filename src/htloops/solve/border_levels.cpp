@@ -12,11 +12,15 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <array>
-#include <numeric>
+#include <cstddef>
 #include <utility>
 
 namespace htloops {
+namespace {
+
+constexpr std::uint32_t not_crossed = static_cast<std::uint32_t>(-1);
+
+} // namespace
 
 Border_levels::Border_levels(const Mesh& mesh,
                              const Reeb_answer& answer,
@@ -24,33 +28,30 @@ Border_levels::Border_levels(const Mesh& mesh,
     : mesh_(mesh)
     , answer_(answer) {
   find_crossed_edges();
-  const std::vector<std::uint32_t> first_of = connected_borders();
-  std::vector<std::vector<std::uint32_t>> borders(crossed_.size());
-  for(std::uint32_t i = 0; i < crossed_.size(); ++i)
-    borders[first_of[i]].push_back(i);
   levels_.resize(crossed_.size());
-  for(std::uint32_t i = 0; i < crossed_.size(); ++i)
-    if(!borders[i].empty())
-      levels_[i] = best_level(borders[i], node_level);
-  for(auto& [edge, number] : borders_)
-    number = first_of[number];
+  for(const std::vector<std::uint32_t>& border : connected_borders()) {
+    const double level = best_level(border, node_level);
+    for(const std::uint32_t i : border)
+      levels_[i] = level;
+  }
 }
 
 void Border_levels::find_crossed_edges() {
+  numbers_.assign(mesh_.num_edges(), not_crossed);
   for(const Mesh::Edge_index e : mesh_.edges()) {
     std::size_t v = mesh_.vertex(e, 0).idx(), w = mesh_.vertex(e, 1).idx();
     if(answer_.vertex_arc[v] == answer_.vertex_arc[w])
       continue;
     if(std::pair(answer_.values[w], w) < std::pair(answer_.values[v], v))
       std::swap(v, w);
-    borders_.emplace(e.idx(), static_cast<std::uint32_t>(crossed_.size()));
+    numbers_[e.idx()] = static_cast<std::uint32_t>(crossed_.size());
     crossed_.push_back(
-        {answer_.values[v], answer_.values[w], answer_.vertex_arc[v], answer_.vertex_arc[w]});
+        {e, answer_.values[v], answer_.values[w], answer_.vertex_arc[v], answer_.vertex_arc[w]});
   }
 }
 
-// For each edge the first one of its border: edges of a face between the same two arcs are of one.
-std::vector<std::uint32_t> Border_levels::connected_borders() const {
+// Edges of a face between the same two arcs are of one border.
+std::vector<std::vector<std::uint32_t>> Border_levels::connected_borders() const {
   const std::size_t count = crossed_.size();
   std::vector<std::uint32_t> rank(count), parent(count);
   boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets(rank.data(), parent.data());
@@ -59,25 +60,29 @@ std::vector<std::uint32_t> Border_levels::connected_borders() const {
   const auto arcs = [this](std::uint32_t i) {
     return std::minmax(crossed_[i].low_arc, crossed_[i].high_arc);
   };
-  for(const auto& [edge, number] : borders_) {
-    const Mesh::Halfedge_index h = mesh_.halfedge(Mesh::Edge_index(edge));
+  for(std::uint32_t i = 0; i < count; ++i) {
+    const Mesh::Halfedge_index h = mesh_.halfedge(crossed_[i].edge);
     for(const Mesh::Halfedge_index side : {h, mesh_.opposite(h)}) {
       if(mesh_.is_border(side))
         continue;
       for(const Mesh::Halfedge_index other : {mesh_.next(side), mesh_.prev(side)}) {
-        const auto found = borders_.find(mesh_.edge(other).idx());
-        if(found != borders_.end() && arcs(found->second) == arcs(number))
-          sets.union_set(number, found->second);
+        const std::uint32_t beside = numbers_[mesh_.edge(other).idx()];
+        if(beside != not_crossed && arcs(beside) == arcs(i))
+          sets.union_set(i, beside);
       }
     }
   }
-  std::vector<std::uint32_t> first(count, static_cast<std::uint32_t>(count)), result(count);
+  std::vector<std::vector<std::uint32_t>> borders;
+  std::vector<std::uint32_t> border_of(count, not_crossed); // by the first of a set
   for(std::uint32_t i = 0; i < count; ++i) {
-    std::uint32_t& known = first[sets.find_set(i)];
-    known = (std::min)(known, i);
-    result[i] = known;
+    std::uint32_t& border = border_of[sets.find_set(i)];
+    if(border == not_crossed) {
+      border = static_cast<std::uint32_t>(borders.size());
+      borders.emplace_back();
+    }
+    borders[border].push_back(i);
   }
-  return result;
+  return borders;
 }
 
 double Border_levels::best_level(const std::vector<std::uint32_t>& border,

@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace htloops {
@@ -39,24 +38,25 @@ public:
   Border_levels(const Mesh& mesh, const Reeb_answer& answer, const Node_level& node_level);
 
   /// at an edge between vertices of two arcs.
-  double level(Mesh::Edge_index e) const { return levels_[borders_.at(e.idx())]; }
+  double level(Mesh::Edge_index e) const { return levels_[numbers_[e.idx()]]; }
 
 private:
   struct Crossed_edge
   {
+    Mesh::Edge_index edge;
     double low, high;
     std::size_t low_arc, high_arc;
   };
 
   void find_crossed_edges();
-  std::vector<std::uint32_t> connected_borders() const;
+  std::vector<std::vector<std::uint32_t>> connected_borders() const;
   double best_level(const std::vector<std::uint32_t>& border, const Node_level& node_level) const;
 
   const Mesh& mesh_;
   const Reeb_answer& answer_;
   std::vector<Crossed_edge> crossed_;
-  std::unordered_map<std::uint32_t, std::uint32_t> borders_; // first crossed edges, then borders
-  std::vector<double> levels_;                               // by border
+  std::vector<std::uint32_t> numbers_; // of crossed edges, by edge
+  std::vector<double> levels_;         // by crossed edge
 };
 
 } // namespace htloops

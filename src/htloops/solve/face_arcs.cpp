@@ -152,17 +152,22 @@ std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer) {
     const double ratio = low < high ? (level - low) / (high - low) : 0.;
     return mesh.point(v) + ratio * (mesh.point(w) - mesh.point(v));
   };
+  const auto add = [&](const std::array<Mesh::Vertex_index, 3>& v, const Face_part& part) {
+    const double level = levels[part.arc];
+    if(!(part.low < level && level <= part.high))
+      return;
+    const bool is_above = answer.values[v[1].idx()] < level;
+    const Point p = at(v[0], v[2], level);
+    const Point q = is_above ? at(v[1], v[2], level) : at(v[0], v[1], level);
+    girths[part.arc] += std::sqrt(CGAL::squared_distance(p, q));
+  };
   for(const Mesh::Face_index f : mesh.faces()) {
     const auto v = arcs.vertices_of(f);
-    for(const Face_part& part : arcs.parts_of(v)) {
-      const double level = levels[part.arc];
-      if(!(part.low < level && level <= part.high))
-        continue;
-      const bool is_above = answer.values[v[1].idx()] < level;
-      const Point p = at(v[0], v[2], level);
-      const Point q = is_above ? at(v[1], v[2], level) : at(v[0], v[1], level);
-      girths[part.arc] += std::sqrt(CGAL::squared_distance(p, q));
-    }
+    if(arcs.is_of_one_arc(v))
+      add(v, {answer.vertex_arc[v[0].idx()], answer.values[v[0].idx()], answer.values[v[2].idx()]});
+    else
+      for(const Face_part& part : arcs.parts_of(v))
+        add(v, part);
   }
   return girths;
 }

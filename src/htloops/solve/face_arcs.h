@@ -48,6 +48,12 @@ public:
   /// the vertices of a face by increasing value.
   std::array<Mesh::Vertex_index, 3> vertices_of(Mesh::Face_index f) const;
 
+  /// whether all of a face belongs to the arc of its first vertex, as nearly always.
+  bool is_of_one_arc(const std::array<Mesh::Vertex_index, 3>& vertices) const {
+    const auto arc = [this](Mesh::Vertex_index v) { return answer_.vertex_arc[v.idx()]; };
+    return arc(vertices[0]) == arc(vertices[1]) && arc(vertices[1]) == arc(vertices[2]);
+  }
+
   /// the parts of the face that has these vertices, from below, as one finds them on the way over
   /// the one in the middle.
   std::vector<Face_part> parts_of(const std::array<Mesh::Vertex_index, 3>& vertices);
