@@ -9,6 +9,8 @@
 
 #include "Font.h"
 
+#include "picture.h"
+
 #ifdef HTL_PICTURE_HAS_FONT
 
 #include "font_data.h"

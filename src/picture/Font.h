@@ -28,9 +28,6 @@ struct Mask
   }
 };
 
-/// whether there is a font to write with: the build found one.
-bool has_font();
-
 /// a text of ASCII in one row, as high as the font's lines are; empty without a font.
 Mask written(const std::string& text, double height);
 

@@ -170,6 +170,10 @@ private:
   }
 
   void write_on(std::vector<Colour>& pixels) const {
+    const bool has_labels = std::any_of(scene_.lines.begin(), scene_.lines.end(),
+                                        [](const Line& line) { return !line.label.empty(); });
+    if(!has_labels && options_.legend.empty())
+      return;
     Text_layer texts(options_.width, options_.height, (std::max)(10., options_.height / 44.));
     if(!options_.legend.empty())
       texts.add_legend(options_.legend);

@@ -58,9 +58,15 @@ bool make_smooth(SurfaceMesh& mesh,
       add(i, w, weight);
     add(i, v, -weight * mesh.degree(v));
   };
+  std::vector<signed char> crease(mesh.number_of_vertices(), -1); // -1: not asked yet
+  const auto counts = [&](Vertex v) {
+    if(row[v] < 0 && crease[v] < 0)
+      crease[v] = is_crease(v) ? 1 : 0;
+    return row[v] >= 0 || crease[v] == 0;
+  };
   for(Vertex v : free) {
     for(Vertex w : vertices_around_target(mesh.halfedge(v), mesh))
-      if(row[w] >= 0 || !is_crease(w))
+      if(counts(w))
         add_laplacian(row[v], w, 1.);
     add_laplacian(row[v], v, -1. * mesh.degree(v));
   }
