@@ -1,6 +1,8 @@
 #ifndef HTL_TEST_MESH_CORPUS_H
 #define HTL_TEST_MESH_CORPUS_H
 
+#include "Number_of_cases.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +21,7 @@ inline std::filesystem::path mesh_corpus() {
   return (tests / "../../../shared/meshes").lexically_normal();
 }
 
-// All closed meshes, in the order of their names.
+// The closed meshes, in the order of their names.
 inline std::vector<std::filesystem::path> files_of_corpus() {
   std::vector<std::filesystem::path> files;
   for(const char* folder : {"closed", "sphere_like"})
@@ -27,7 +29,7 @@ inline std::vector<std::filesystem::path> files_of_corpus() {
       for(const auto& entry : std::filesystem::directory_iterator(mesh_corpus() / folder))
         files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  return files;
+  return enough_of(files);
 }
 
 // For the names of tests.

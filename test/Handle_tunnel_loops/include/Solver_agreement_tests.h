@@ -3,6 +3,7 @@
 
 #include "Flat_mesh_of_soup.h"
 #include "Mesh_corpus.h"
+#include "Number_of_cases.h"
 #include "Solver_agreement.h"
 
 #include "generators/Random.h"
@@ -50,7 +51,7 @@ TYPED_TEST_P(Solver, AgreesOnTheCoarsestSurfaces) {
   expect_agreement<typename TypeParam::Tested, typename TypeParam::Expected>(
       mesh_of(smallest_torus()), 1);
   generators::Random random(21);
-  for(int i = 0; i < 100; ++i) {
+  for(int i = 0; i < number_of_cases(100); ++i) {
     const std::size_t genus = random.below(9);
     const Recipe recipe = {
         "random",

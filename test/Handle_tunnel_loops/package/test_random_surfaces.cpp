@@ -3,6 +3,7 @@
 
 #include "Loop_definitions.h"
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
 
 #include "generators/Random.h"
 
@@ -38,19 +39,19 @@ void expect_as_many_pairs_as_handles(const Recipe& recipe) {
 
 TEST(Random_surfaces, HaveAsManyPairsAsHandles) {
   Random random(1);
-  for(int i = 0; i < 3000; ++i)
+  for(int i = 0; i < number_of_cases(3000); ++i)
     expect_as_many_pairs_as_handles(random_recipe(random, 20, 3000));
 }
 
 TEST(Large_random_surfaces, HaveAsManyPairsAsHandles) {
   Random random(5);
-  for(int i = 0; i < 60; ++i)
+  for(int i = 0; i < number_of_cases(60); ++i)
     expect_as_many_pairs_as_handles(random_recipe(random, 3000, 20000));
 }
 
 TEST(Random_surfaces, HaveLoopsAsDefined) {
   Random random(2);
-  for(int i = 0; i < 300; ++i) {
+  for(int i = 0; i < number_of_cases(300); ++i) {
     const Recipe recipe = random_recipe(random, 20, 500);
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Mesh mesh = mesh_of(recipe);
@@ -60,7 +61,7 @@ TEST(Random_surfaces, HaveLoopsAsDefined) {
 
 TEST(Random_surfaces, CanBeSweptFromEveryVertex) {
   Random random(3);
-  for(int i = 0; i < 60; ++i) {
+  for(int i = 0; i < number_of_cases(60); ++i) {
     const Recipe recipe = random_recipe(random, 20, 200);
     const Mesh mesh = mesh_of(recipe);
     CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
@@ -77,7 +78,7 @@ TEST(Random_surfaces, CanBeSweptFromEveryVertex) {
 // Components of all kinds of shapes in one mesh, numbered at random.
 TEST(Random_surfaces, MayHaveManyComponents) {
   Random random(4);
-  for(int i = 0; i < 100; ++i) {
+  for(int i = 0; i < number_of_cases(100); ++i) {
     std::vector<Soup> soups;
     std::size_t genus = 0;
     const std::size_t number_of_components = 2 + random.below(6);

@@ -1,4 +1,5 @@
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
 #include "generators/generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -179,7 +180,7 @@ std::vector<Case> cases_of_any_genus() {
 
 INSTANTIATE_TEST_SUITE_P(Any_genus,
                          Generated_mesh,
-                         testing::ValuesIn(cases_of_any_genus()),
+                         testing::ValuesIn(enough_of(cases_of_any_genus())),
                          name_of_case);
 
 std::vector<Case> cases_of_parts() {
@@ -194,7 +195,10 @@ std::vector<Case> cases_of_parts() {
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Generated_mesh, testing::ValuesIn(cases_of_parts()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Parts,
+                         Generated_mesh,
+                         testing::ValuesIn(enough_of(cases_of_parts())),
+                         name_of_case);
 
 std::vector<Case> cases_of_tubes() {
   std::vector<Case> cases;
@@ -213,7 +217,10 @@ std::vector<Case> cases_of_tubes() {
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(Tubes, Generated_mesh, testing::ValuesIn(cases_of_tubes()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Tubes,
+                         Generated_mesh,
+                         testing::ValuesIn(enough_of(cases_of_tubes())),
+                         name_of_case);
 
 std::vector<Case> cases_of_grids() {
   std::vector<Case> cases;
@@ -225,7 +232,10 @@ std::vector<Case> cases_of_grids() {
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(Grids, Generated_mesh, testing::ValuesIn(cases_of_grids()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Grids,
+                         Generated_mesh,
+                         testing::ValuesIn(enough_of(cases_of_grids())),
+                         name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(High_genus,
                          Generated_mesh,
