@@ -10,7 +10,7 @@ set -euo pipefail
 
 tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
   libpng-dev libstb-dev fonts-dejavu-core libeigen3-dev)
-tests=("${tool[@]}" libgtest-dev libbenchmark-dev libvalijson-dev)
+tests=("${tool[@]}" libgtest-dev libbenchmark-dev libvalijson-dev assimp-utils)
 checks=("${tests[@]}" clang-format)
 benchmarks=("${tests[@]}" libvtk9-dev)
 

@@ -7,5 +7,5 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/install_dependencies.sh tests
-scripts/build.sh all "$@"
+scripts/build.sh all -DHTL_CUDA=ON "$@" # the sample does without
 exec ctest --test-dir build --output-on-failure --timeout 600 --parallel "$(nproc)"

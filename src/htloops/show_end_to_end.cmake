@@ -87,6 +87,16 @@ string(REGEX MATCH "(src|href)=.(http|file|//)" foreign "${page}")
 expect_equal("${foreign}" "")
 file(READ "${FOLDER}/small.glb" magic LIMIT 8 HEX)
 expect_equal("${magic}" "676c544602000000") # glTF, version 2
+find_program(assimp assimp) # what reads such files in many programs
+if(assimp)
+  execute_process(COMMAND "${assimp}" info small.glb WORKING_DIRECTORY "${FOLDER}"
+    OUTPUT_VARIABLE info RESULT_VARIABLE status)
+  expect_equal("${status}" 0)
+  math(EXPR parts "1 + 2 * ${count}")
+  expect_match("${info}" "Meshes: +${parts}\n.*Materials: +3\n.*\\(surface\\):.*\\((handle|tunnel) ")
+else()
+  message("assimp is not there: the glTF file is checked by its header only")
+endif()
 run(2 loops mesh.off --gltf loops.gltf)
 expect_match("${errors}" "[.]glb")
 run(2 loops mesh.off --view 0,0,1)

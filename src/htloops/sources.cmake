@@ -25,29 +25,6 @@ endif()
 
 set(HTLOOPS_SOURCES
   version.cpp
-  commands/box_option.cpp
-  commands/check_command.cpp
-  commands/command_line.cpp
-  commands/common_options.cpp
-  commands/cut_command.cpp
-  commands/file_options.cpp
-  commands/generate_command.cpp
-  commands/help_commands.cpp
-  commands/help_style.cpp
-  commands/length_option.cpp
-  commands/listing_choice.cpp
-  commands/loops_command.cpp
-  commands/loops_file.cpp
-  commands/loops_options.cpp
-  commands/man_page.cpp
-  commands/many_meshes.cpp
-  commands/mesh_options.cpp
-  commands/outcome.cpp
-  commands/reeb_command.cpp
-  commands/remove_command.cpp
-  commands/shell_completion.cpp
-  commands/tool.cpp
-  commands/usage_message.cpp
   draw/arc_surface.cpp
   draw/cut_exports.cpp
   draw/export_gltf.cpp
@@ -114,6 +91,31 @@ set(HTLOOPS_SOURCES
   write/removal_json_writer.cpp
   write/removal_table.cpp
   write/text_writer.cpp)
+
+set(HTLOOPS_COMMANDS_SOURCES
+  commands/box_option.cpp
+  commands/check_command.cpp
+  commands/command_line.cpp
+  commands/common_options.cpp
+  commands/cut_command.cpp
+  commands/file_options.cpp
+  commands/generate_command.cpp
+  commands/help_commands.cpp
+  commands/help_style.cpp
+  commands/length_option.cpp
+  commands/listing_choice.cpp
+  commands/loops_command.cpp
+  commands/loops_file.cpp
+  commands/loops_options.cpp
+  commands/man_page.cpp
+  commands/many_meshes.cpp
+  commands/mesh_options.cpp
+  commands/outcome.cpp
+  commands/reeb_command.cpp
+  commands/remove_command.cpp
+  commands/shell_completion.cpp
+  commands/tool.cpp
+  commands/usage_message.cpp)
 
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES

@@ -70,7 +70,11 @@ public:
       middle_[i] = bounds.low[i] / 2. + bounds.high[i] / 2.;
   }
 
-  void add(const std::string& name, const Smooth_surface& surface, const Colour& colour) {
+  // What is of one colour is of one kind.
+  void add(const std::string& name,
+           const std::string& kind,
+           const Smooth_surface& surface,
+           const Colour& colour) {
     if(surface.triangles.empty())
       return;
     Bounds bounds;
@@ -84,7 +88,7 @@ public:
         {"attributes", attributes},
         {"indices", accessor_of(3 * surface.triangles.size(), "SCALAR", unsigned_number,
                                 element_array_buffer, [&] { append(surface.triangles); })},
-        {"material", material(colour)}};
+        {"material", material(kind, colour)}};
     json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
     json_["nodes"].push_back({{"name", name}, {"mesh", json_["meshes"].size() - 1}});
   }
@@ -177,7 +181,7 @@ private:
   }
 
   // One for each colour; glTF wants the amount of light.
-  std::size_t material(const Colour& colour) {
+  std::size_t material(const std::string& kind, const Colour& colour) {
     const auto [position, is_new] = materials_.try_emplace(colour, materials_.size());
     if(is_new) {
       Json light = Json::array();
@@ -185,7 +189,8 @@ private:
         light.push_back(std::pow(part / 255., 2.2));
       light.push_back(1.);
       json_["materials"].push_back(
-          {{"pbrMetallicRoughness",
+          {{"name", kind},
+           {"pbrMetallicRoughness",
             {{"baseColorFactor", light}, {"metallicFactor", 0.}, {"roughnessFactor", 0.7}}},
            {"doubleSided", true}});
     }
@@ -235,14 +240,15 @@ void add_surface(Gltf& gltf, const Drawn_surface& surface, double diagonal) {
   constexpr Colour plain = {204, 212, 222};
   const std::vector<Vector> normals = normals_of(surface, diagonal);
   if(surface.colours.empty()) {
-    gltf.add("surface", {surface.points, normals, surface.triangles}, plain);
+    gltf.add("surface", "surface", {surface.points, normals, surface.triangles}, plain);
     return;
   }
   std::vector<Colour> colours = surface.colours;
   std::sort(colours.begin(), colours.end());
   colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
   for(std::size_t i = 0; i < colours.size(); ++i)
-    gltf.add("part " + std::to_string(i), in_colour(surface, normals, colours[i]), colours[i]);
+    gltf.add("part " + std::to_string(i), "part " + std::to_string(i),
+             in_colour(surface, normals, colours[i]), colours[i]);
 }
 
 } // namespace
@@ -267,7 +273,7 @@ void export_gltf(const std::string& file,
   add_surface(gltf, surface, diagonal);
   constexpr double relative_radius = 0.003;
   for(const Exported_line& line : lines.lines)
-    gltf.add(line.kind + " " + std::to_string(line.index),
+    gltf.add(line.kind + " " + std::to_string(line.index), line.kind,
              tube_around(coordinates(line.points), line.is_closed, relative_radius * diagonal),
              line.colour);
   const std::string content = gltf.file();
