@@ -101,6 +101,22 @@ if(EXISTS "/dev/null")
   run(0 loops mesh.off -o /dev/null --events null.json --quiet)
 endif()
 
+# The standard input may be a file, too; and a name may be missing.
+file(COPY_FILE "${FOLDER}/mesh.off" "${FOLDER}/same.off")
+execute_process(COMMAND "${HTLOOPS}" loops - --format off --write-mesh same.off --quiet
+  WORKING_DIRECTORY "${FOLDER}" INPUT_FILE "${FOLDER}/same.off"
+  RESULT_VARIABLE code ERROR_VARIABLE errors)
+if(EXISTS "/dev/stdin")
+  expect_equal("${code}" 2)
+  expect_match("${errors}" "name the same file")
+endif()
+execute_process(COMMAND "${HTLOOPS}" loops mesh.off --quiet "--output=" WORKING_DIRECTORY "${FOLDER}"
+  RESULT_VARIABLE code ERROR_VARIABLE errors)
+expect_equal("${code}" 2)
+expect_match("${errors}" "name of the file is empty|--output")
+run(2 generate torus --faces -5 -o new.off)
+expect_match("${errors}" "-5 is no count")
+
 # Help that cannot be written is a failure.
 if(EXISTS "/dev/full")
   foreach(arguments IN ITEMS --help --version "loops;--help")

@@ -77,6 +77,7 @@ set(HTLOOPS_SOURCES
   read/vertex_properties_reader.cpp
   write/arc_table.cpp
   write/atomic_file.cpp
+  write/boundary_table.cpp
   write/change_table.cpp
   write/dual_cuts_json_writer.cpp
   write/events_writer.cpp

@@ -17,14 +17,17 @@ namespace htl_picture {
 Line_layer::Line_layer(const Camera& camera,
                        const Surface_layer& surface,
                        const std::vector<Line>& lines,
-                       float radius)
+                       float radius,
+                       const std::function<void()>& look)
     : camera_(camera)
     , surface_(surface)
     , radius_(radius)
-    , in_front_(std::size_t(surface.width()) * surface.height())
-    , behind_(in_front_.size()) {
-  for(std::size_t i = 0; i < lines.size(); ++i)
+    , in_front_(surface.width(), surface.height())
+    , behind_(surface.width(), surface.height()) {
+  for(std::size_t i = 0; i < lines.size(); ++i) {
+    look();
     draw_line(static_cast<std::uint32_t>(i), lines[i]);
+  }
 }
 
 void Line_layer::draw_line(std::uint32_t line, const Line& polyline) {
@@ -46,12 +49,18 @@ void Line_layer::draw_line(std::uint32_t line, const Line& polyline) {
 }
 
 void Line_layer::draw_segment(std::uint32_t line, Projected_point a, Projected_point b) {
-  const int first_x = (std::max)(0, int((std::min)(a.x, b.x) - radius_));
-  const int last_x = (std::min)(surface_.width() - 1, int((std::max)(a.x, b.x) + radius_));
   const int first_y = (std::max)(0, int((std::min)(a.y, b.y) - radius_));
   const int last_y = (std::min)(surface_.height() - 1, int((std::max)(a.y, b.y) + radius_));
   const float dx = b.x - a.x, dy = b.y - a.y, squared_length = dx * dx + dy * dy;
-  for(int y = first_y; y <= last_y; ++y)
+  for(int y = first_y; y <= last_y; ++y) {
+    // The part of the segment that is near this row of samples.
+    const float below = y - a.y - radius_, above = y + 1.f - a.y + radius_;
+    const bool is_steep = std::abs(dy) > radius_;
+    const float s = is_steep ? std::clamp(below / dy, 0.f, 1.f) : 0.f,
+                e = is_steep ? std::clamp(above / dy, 0.f, 1.f) : 1.f;
+    const float left = a.x + (std::min)(s * dx, e * dx), right = a.x + (std::max)(s * dx, e * dx);
+    const int first_x = (std::max)(0, int(left - radius_) - 1),
+              last_x = (std::min)(surface_.width() - 1, int(right + radius_) + 1);
     for(int x = first_x; x <= last_x; ++x) {
       const float px = x + 0.5f - a.x, py = y + 0.5f - a.y;
       const float t =
@@ -61,6 +70,7 @@ void Line_layer::draw_segment(std::uint32_t line, Projected_point a, Projected_p
         draw_sample(line, x, y, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth),
                     std::sqrt(squared_distance));
     }
+  }
 }
 
 void Line_layer::draw_sample(
@@ -75,7 +85,7 @@ void Line_layer::draw_sample(
   const float surface = surface_.inverse_depth(x, y);
   const bool is_in_front = (front - lift * radius) * surface < 1.f;
 
-  Sample& sample = (is_in_front ? in_front_ : behind_)[index(x, y)];
+  Sample& sample = (is_in_front ? in_front_ : behind_).made_at(x, y);
   // Where segments of a line join, the middle of one covers the rim of the other's round end.
   const bool is_joint =
       sample.line == line && std::abs(front * sample.inverse_depth - 1.f) < 2.f * radius / front;

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace htl_picture {
@@ -35,17 +36,51 @@ public:
     float across = 0.f; ///< the distance from the middle of the line, in units of half its width
   };
 
-  /// draws lines that are `radius` samples wide to each side.
+  /// draws lines that are `radius` samples wide to each side. `look` is called again and again, and
+  /// may end it by throwing.
   Line_layer(const Camera& camera,
              const Surface_layer& surface,
              const std::vector<Line>& lines,
-             float radius);
+             float radius,
+             const std::function<void()>& look);
 
-  const Sample& in_front(int x, int y) const { return in_front_[index(x, y)]; }
-  const Sample& behind(int x, int y) const { return behind_[index(x, y)]; }
+  const Sample& in_front(int x, int y) const { return in_front_.at(x, y); }
+  const Sample& behind(int x, int y) const { return behind_.at(x, y); }
 
 private:
-  std::size_t index(int x, int y) const { return std::size_t(y) * surface_.width() + x; }
+  // Lines are at few samples: squares of them are made where there are any.
+  class Samples
+  {
+  public:
+    Samples(int width, int height)
+        : squares_in_row_((width + side - 1) / side)
+        , squares_(std::size_t(squares_in_row_) * ((height + side - 1) / side)) {}
+
+    const Sample& at(int x, int y) const {
+      static const Sample none;
+      const auto& square = squares_[number(x, y)];
+      return square.empty() ? none : square[place(x, y)];
+    }
+
+    Sample& made_at(int x, int y) {
+      auto& square = squares_[number(x, y)];
+      if(square.empty())
+        square.resize(side * side);
+      return square[place(x, y)];
+    }
+
+  private:
+    static constexpr int side = 32;
+
+    std::size_t number(int x, int y) const {
+      return std::size_t(y / side) * squares_in_row_ + x / side;
+    }
+    static std::size_t place(int x, int y) { return std::size_t(y % side) * side + x % side; }
+
+    int squares_in_row_;
+    std::vector<std::vector<Sample>> squares_;
+  };
+
   void draw_line(std::uint32_t line, const Line& points);
   void draw_segment(std::uint32_t line, Projected_point a, Projected_point b);
   void draw_sample(std::uint32_t line, int x, int y, float inverse_depth, float distance);
@@ -53,7 +88,7 @@ private:
   const Camera& camera_;
   const Surface_layer& surface_;
   float radius_;
-  std::vector<Sample> in_front_, behind_;
+  Samples in_front_, behind_;
 };
 
 } // namespace htl_picture

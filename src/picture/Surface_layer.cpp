@@ -26,12 +26,16 @@ double signed_area(Projected_point a, Projected_point b, double x, double y) {
 Surface_layer::Surface_layer(const std::vector<Projected_point>& points,
                              const std::vector<Triangle>& triangles,
                              int width,
-                             int height)
+                             int height,
+                             const std::function<void()>& look)
     : width_(width)
     , height_(height)
     , inverse_depths_(std::size_t(width) * height, 0.f)
     , triangles_(std::size_t(width) * height, no_triangle) {
   for(std::size_t t = 0; t < triangles.size(); ++t) {
+    constexpr std::size_t triangles_between_looks = 64; // each may cover the whole picture
+    if(t % triangles_between_looks == 0)
+      look();
     const auto& [a, b, c] = triangles[t];
     draw(static_cast<std::uint32_t>(t), points[a], points[b], points[c]);
   }

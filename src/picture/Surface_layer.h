@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace htl_picture {
@@ -25,10 +26,12 @@ class Surface_layer
 public:
   static constexpr std::uint32_t no_triangle = 0xffffffffu;
 
+  /// `look` is called again and again, and may end it by throwing.
   Surface_layer(const std::vector<Projected_point>& points,
                 const std::vector<Triangle>& triangles,
                 int width,
-                int height);
+                int height,
+                const std::function<void()>& look);
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -46,9 +46,12 @@ float occlusion(Vector_3 from, Vector_3 normal, Vector_3 occluder) {
 }
 
 /// the mean over a tile around each pixel, of the pixels that are on the same part of the surface.
-std::vector<float> blur(const std::vector<float>& values, const Seen_surface& seen) {
+std::vector<float> blur(const std::vector<float>& values,
+                        const Seen_surface& seen,
+                        const std::function<void()>& look) {
   std::vector<float> blurred(values.size(), 1.f);
-  for(int y = 0; y < seen.height; ++y)
+  for(int y = 0; y < seen.height; ++y) {
+    look();
     for(int x = 0; x < seen.width; ++x) {
       const std::size_t here = std::size_t(y) * seen.width + x;
       if(!seen.is_covered(here))
@@ -69,19 +72,22 @@ std::vector<float> blur(const std::vector<float>& values, const Seen_surface& se
         }
       blurred[here] = count > 0.f ? sum / count : values[here];
     }
+  }
   return blurred;
 }
 
 } // namespace
 
-std::vector<float> openness(const Seen_surface& seen, float pixels_per_unit) {
+std::vector<float>
+openness(const Seen_surface& seen, float pixels_per_unit, const std::function<void()>& look) {
   std::array<std::array<Offset, number_of_directions>, tile * tile> patterns;
   for(int i = 0; i < tile * tile; ++i)
     patterns[i] =
         spiral(reach * pixels_per_unit, 6.28319f * ((i * 7) % (tile * tile)) / (tile * tile));
 
   std::vector<float> open(seen.points.size(), 1.f);
-  for(int y = 0; y < seen.height; ++y)
+  for(int y = 0; y < seen.height; ++y) {
+    look();
     for(int x = 0; x < seen.width; ++x) {
       const std::size_t here = std::size_t(y) * seen.width + x;
       if(!seen.is_covered(here))
@@ -97,7 +103,8 @@ std::vector<float> openness(const Seen_surface& seen, float pixels_per_unit) {
       }
       open[here] = std::clamp(1.f - 2.2f * hidden / number_of_directions, 0.f, 1.f);
     }
-  return blur(open, seen);
+  }
+  return blur(open, seen, look);
 }
 
 } // namespace htl_picture

@@ -14,6 +14,7 @@
 #include "Surface_layer.h"
 #include "Vector_3.h"
 
+#include <functional>
 #include <vector>
 
 namespace htl_picture {
@@ -29,8 +30,10 @@ struct Seen_surface
 };
 
 /// for each pixel the share, in [0, 1], of the sky above the surface that the surface around it
-/// leaves free, estimated from what is seen. `pixels_per_unit` is the scale of the picture.
-std::vector<float> openness(const Seen_surface& seen, float pixels_per_unit);
+/// leaves free, estimated from what is seen. `pixels_per_unit` is the scale of the picture; `look`
+/// is called between rows.
+std::vector<float>
+openness(const Seen_surface& seen, float pixels_per_unit, const std::function<void()>& look);
 
 } // namespace htl_picture
 

@@ -12,14 +12,18 @@
 
 #include "picture.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace htl_picture {
 
 /// the content of a PNG file of pixels, row by row from the top. Throws `std::runtime_error` on
-/// failure.
-std::string encode_png(int width, int height, const std::vector<Colour>& pixels);
+/// failure. `look` is called between rows, and may end it by throwing.
+std::string encode_png(int width,
+                       int height,
+                       const std::vector<Colour>& pixels,
+                       const std::function<void()>& look);
 
 } // namespace htl_picture
 

@@ -69,16 +69,26 @@ public:
       , points_(points_in_frame(camera_, scene.points))
       , projected_(project(camera_, points_))
       , normals_(points_, scene.triangles)
-      , surface_(projected_, scene.triangles, samples * options.width, samples * options.height)
-      , lines_(camera_, surface_, scene.lines, float(samples * options.line_width_px / 2.)) {}
+      , surface_(projected_,
+                 scene.triangles,
+                 samples * options.width,
+                 samples * options.height,
+                 options.look)
+      , lines_(camera_,
+               surface_,
+               scene.lines,
+               float(samples * options.line_width_px / 2.),
+               options.look) {}
 
   std::vector<Colour> paint() {
     const std::vector<float> open = find_openness();
     std::vector<Colour> pixels;
     pixels.reserve(open.size());
-    for(int y = 0; y < options_.height; ++y)
+    for(int y = 0; y < options_.height; ++y) {
+      options_.look();
       for(int x = 0; x < options_.width; ++x)
         pixels.push_back(to_srgb(pixel(samples * x, samples * y, open[pixels.size()])));
+    }
     write_on(pixels);
     return pixels;
   }
@@ -117,7 +127,8 @@ private:
 
   std::vector<float> find_openness() {
     Seen_surface seen = {options_.width, options_.height, {}, {}};
-    for(int y = 0; y < options_.height; ++y)
+    for(int y = 0; y < options_.height; ++y) {
+      options_.look();
       for(int x = 0; x < options_.width; ++x) {
         const int i = samples * x, j = samples * y;
         seen.normals.push_back(normal(i, j));
@@ -126,7 +137,8 @@ private:
                 ? camera_.unproject({i + 0.5f, j + 0.5f, surface_.inverse_depth(i, j)})
                 : Vector_3{});
       }
-    return openness(seen, 1.f / (samples * camera_.pixel_size_in_middle()));
+    }
+    return openness(seen, 1.f / (samples * camera_.pixel_size_in_middle()), options_.look);
   }
 
   /// the mean of the samples of a pixel, of which the first is given.
@@ -246,6 +258,9 @@ std::vector<Colour> paint(const Scene& scene, const Options& options) {
   if(options.width < 1 || options.height < 1 || options.width > largest || options.height > largest)
     throw std::runtime_error("no picture: its width and height must be from 1 to " +
                              std::to_string(largest) + " pixels");
+  if(std::size_t(options.width) * std::size_t(options.height) > most_pixels)
+    throw std::runtime_error("no picture: it would have more than " +
+                             std::to_string(most_pixels / 1000000) + " million pixels");
   if(!scene.triangle_colours.empty() && scene.triangle_colours.size() != scene.triangles.size())
     throw std::runtime_error("no picture: there must be a colour for each triangle");
   return Painter(scene, options).paint();
@@ -259,7 +274,7 @@ std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Line>& lines,
                            const Options& options) {
   return encode_png(options.width, options.height,
-                    paint({points, triangles, triangle_colours, lines}, options));
+                    paint({points, triangles, triangle_colours, lines}, options), options.look);
 }
 
 std::string encode_picture(const std::vector<Point>& points,

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -53,10 +54,15 @@ struct Options
   Colour surface_colour = {204, 212, 222};
   Colour background = {255, 255, 255};
   std::vector<Legend_entry> legend = {}; ///< in a corner; none if empty
+  /// is called again and again while the picture is drawn, and may end that by throwing.
+  std::function<void()> look = [] {};
 };
 
 /// whether labels and legends are written: the build found a font.
 bool has_font();
+
+/// the most pixels that a picture has: it takes some 70 bytes for each.
+constexpr std::size_t most_pixels = 50000000;
 
 /// the content of a PNG file. Throws `std::runtime_error` if the size is not one of a picture, or a
 /// coordinate is not finite.

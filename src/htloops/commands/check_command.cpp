@@ -13,6 +13,7 @@
 #include "commands/help_style.h"
 #include "commands/loops_file.h"
 #include "commands/mesh_options.h"
+#include "solve/boundaries.h"
 #include "solve/certification.h"
 #include "solve/self_contact.h"
 #include "write/linking_words.h"
@@ -35,10 +36,12 @@ bool has_wrong_types_only(const Certificate& c) {
 }
 
 // What has been found to be right, and what is no failure but should be known.
-std::string praise(const Certificate& certificate, bool is_boundary_of_solid) {
+std::string praise(const Certificate& certificate, bool has_boundary, bool is_boundary_of_solid) {
   const std::size_t number_of_loops = certificate.linking.size();
-  const std::string text = "the " + std::to_string(number_of_loops) +
-                           " loops are closed, lie on the surface and are a basis of H1(S; Z)";
+  const std::string text =
+      "the " + std::to_string(number_of_loops) +
+      " loops are closed, lie on the surface and are a basis of H1(S; Z)" +
+      (has_boundary ? " with the boundary curves but one of each component" : "");
   if(number_of_loops == 0)
     return text;
   std::vector<std::string> remarks;
@@ -57,13 +60,17 @@ void run(const Check_options& options) {
   const Mesh mesh = read_mesh(options);
   write_read_mesh(options, mesh);
   const Bound_loops loops = read_loops_on(mesh, options.loops_file);
+  if(loops.has_boundaries)
+    require_none(options.loops_file, problems_of_boundaries(mesh, loops.curves, loops.waists));
   const Certificate certificate = certify(mesh, loops.pairs, loops.basis_kind, true);
   const bool is_boundary_of_solid = loops.pairs.empty() || !touches_itself(mesh);
   // Names mean nothing where there is no inside.
   if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
     require_none(options.loops_file, lines_of(certificate.failure));
   if(!options.is_quiet)
-    show_text(options.loops_file + ": " + praise(certificate, is_boundary_of_solid) + "\n", false);
+    show_text(options.loops_file + ": " +
+                  praise(certificate, !CGAL::is_closed(mesh), is_boundary_of_solid) + "\n",
+              false);
 }
 
 constexpr char check_description[] =

@@ -20,6 +20,7 @@
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -88,7 +89,8 @@ void add_lines_option(CLI::App& command,
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         const std::string& group) {
+                         const std::string& group,
+                         bool has_words) {
   if(!has_pictures)
     return;
   command.add_option("--picture", options.picture.file, "a picture of the mesh and " + what)
@@ -106,14 +108,15 @@ void add_picture_options(CLI::App& command,
       ->group(group);
   command
       .add_option("--opacity", options.picture.opacity,
-                  "of the surface in the picture, 0 to 1: 1 hides what is behind it;\n"
+                  "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
                   "default: 0.5, and more the more lines there are")
       ->option_text("PART")
       ->check(CLI::Range(0., 1.))
       ->check(why_not_finite)
       ->needs("--picture")
       ->group(group);
-  add_word_options(command, options.picture, group);
+  if(has_words)
+    add_word_options(command, options.picture, group);
 }
 
 void add_page_option(CLI::App& command,
@@ -178,10 +181,18 @@ void check_common_options(const Common_options& options) {
   }
   check_json_name(options.json_file);
   check_picture(options.picture);
+  check_picture_size(options.picture);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
   if(!options.gltf_file.empty())
     check_gltf_format(options.gltf_file);
+}
+
+std::string why_no_count(const std::string& text) {
+  const bool is_count = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isdigit(c) != 0;
+  });
+  return is_count && text.size() < 19 ? "" : text + " is no count";
 }
 
 std::string why_not_finite(const std::string& text) {

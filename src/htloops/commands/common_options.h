@@ -48,7 +48,8 @@ void add_lines_option(CLI::App& command,
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         const std::string& group);
+                         const std::string& group,
+                         bool has_words = true);
 void add_page_option(CLI::App& command,
                      Common_options& options,
                      const std::string& what,
@@ -64,8 +65,12 @@ void add_threads_option(CLI::App& command, Common_options& options, const std::s
 /// direction.
 void check_common_options(const Common_options& options);
 
-/// for `CLI::Option::check()`: empty for a finite number, else what is wrong. A range lets pass
-/// what is not a number, as it is neither below nor above.
+/// for `CLI::Option::check()`: empty for a number without a sign, else what is wrong. Without it -5
+/// would be a very large one.
+std::string why_no_count(const std::string& text);
+
+/// the same for a finite number. A range lets pass what is not a number, as it is neither below nor
+/// above.
 std::string why_not_finite(const std::string& text);
 
 /// the vertex that a number stands for; throws `Failure` if there is none, or if it has no face.

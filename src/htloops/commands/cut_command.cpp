@@ -17,7 +17,6 @@
 #include "solve/cut_solver.h"
 #include "solve/dual_cut_solver.h"
 #include "solve/stopwatch.h"
-#include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
 #include "write/dual_cuts_json_writer.h"
@@ -87,7 +86,6 @@ void run(const Cut_command_options& options) {
   const Stopwatch stopwatch;
   const Mesh mesh = read_mesh(options);
   const double read_seconds = stopwatch.seconds();
-  const Interrupt_guard guard;
   write_read_mesh(options, mesh);
   const Cut_answer answer = solve(mesh, options);
   write_files(options, mesh, answer);
@@ -122,7 +120,7 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
       ->type_name(output_file)
       ->group(group);
   add_lines_option(command, options, "the edges", group);
-  add_picture_options(command, options, "the cut", group);
+  add_picture_options(command, options, "the cut", group, false);
   add_view_options(command, options, group);
 }
 

@@ -14,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -36,12 +37,12 @@ void collect(const CLI::App& command, const char* type, Named_files& files) {
   for(const CLI::Option* option : command.get_options())
     if(option->get_type_name() == type)
       for(const std::string& name : option->results())
-        if(!name.empty())
-          files.push_back({option->get_name(), name});
+        files.push_back({option->get_name(), name});
   for(const CLI::App* subcommand : command.get_subcommands())
     collect(*subcommand, type, files);
 }
 
+std::string path_of_input(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
 std::string path_of_output(const std::string& name) { return name == "-" ? "/dev/stdout" : name; }
 
 // Of two files that do not exist yet, where they would be tells. A device is not overwritten: a
@@ -62,6 +63,12 @@ void check_differ(const Named_file& file, const std::string& path, const Named_f
                                               " name the same file, which would be overwritten");
 }
 
+// As of a variable of the shell that is not set.
+void check_has_name(const Named_file& file) {
+  if(file.name.empty())
+    throw Failure(Exit_code::WRONG_USAGE, file.option + ": the name of the file is empty");
+}
+
 // As what follows -o in "-o -q".
 void check_is_no_option(const Named_file& output) {
   if(output.name.size() > 1 && output.name.front() == '-')
@@ -76,10 +83,11 @@ void check_files(const CLI::App& app) {
   Named_files inputs, outputs;
   collect(app, input_file, inputs);
   collect(app, output_file, outputs);
+  for(const Named_files* files : {&inputs, &outputs})
+    std::for_each(files->begin(), files->end(), check_has_name);
   for(auto output = outputs.begin(); output != outputs.end(); ++output) {
     for(const Named_file& input : inputs)
-      if(input.name != "-") // the standard input, which no output is
-        check_differ(input, input.name, *output);
+      check_differ(input, path_of_input(input.name), *output);
     for(auto other = outputs.begin(); other != output; ++other)
       check_differ(*other, path_of_output(other->name), *output);
     check_is_no_option(*output);

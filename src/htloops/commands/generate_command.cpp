@@ -16,7 +16,6 @@
 #include "generators/generators.h"
 #include "generators/holes.h"
 #include "read/input_file.h"
-#include "terminal/interrupt.h"
 #include "words.h"
 #include "write/mesh_writer.h"
 
@@ -67,7 +66,6 @@ void run(const generators::Kind& kind, const Generate_options& options) {
   generators::Soup mesh = generate(kind, options);
   if(options.holes.number > 0)
     mesh = generators::with_holes(mesh, options.holes);
-  const Interrupt_guard guard;
   write_mesh(options.mesh_file, mesh);
   if(!options.is_quiet)
     show_text(options.mesh_file + ": " + std::to_string(mesh.points.size()) + " vertices, " +
@@ -81,7 +79,7 @@ std::string default_of(std::size_t value) { return "; default: " + std::to_strin
 void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& request) {
   const auto add = [&](unsigned option, const char* name, std::size_t& value, const char* what) {
     if((options & option) != 0)
-      sub.add_option(name, value, what + default_of(value))->option_text("N");
+      sub.add_option(name, value, what + default_of(value))->option_text("N")->check(why_no_count);
   };
   add(generators::PARTS, "--parts", request.parts, "how many components");
   add(generators::TORUS_KNOT, "--long-way", request.p,
@@ -114,7 +112,8 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
       ->required();
   sub->add_option("--faces", options->request.faces,
                   "about how many triangles" + default_of(options->request.faces))
-      ->option_text("N");
+      ->option_text("N")
+      ->check(why_no_count);
   if(&kind == &text_kind())
     sub->add_option("--text", options->text_file,
                     "what the shape is: a part on each line, as in the manual (required)")
@@ -124,17 +123,21 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
   if((kind.options & generators::GENUS) != 0)
     sub->add_option("--genus", options->request.genus,
                     "how many handles" + default_of(options->request.genus))
-        ->option_text("G");
+        ->option_text("G")
+        ->check(why_no_count);
   sub->add_option("--seed", options->request.seed,
                   "of the random numbers, if the kind uses any" + default_of(options->request.seed))
-      ->option_text("N");
+      ->option_text("N")
+      ->check(why_no_count);
   add_options_of_kind(*sub, kind.options, options->request);
   sub->add_option("--holes", options->holes.number,
                   "how many holes, so that the mesh has a boundary" + default_of(0))
-      ->option_text("N");
+      ->option_text("N")
+      ->check(why_no_count);
   sub->add_option("--hole-faces", options->holes.faces,
                   "about how many triangles each of them takes" + default_of(options->holes.faces))
-      ->option_text("N");
+      ->option_text("N")
+      ->check(why_no_count);
   sub->add_flag("--ragged-holes", options->holes.is_ragged,
                 "holes with as long a boundary as can be");
   sub->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");

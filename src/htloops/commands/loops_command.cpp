@@ -21,6 +21,7 @@
 #include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
+#include "write/boundary_table.h"
 #include "write/events_writer.h"
 #include "write/loops_json_writer.h"
 #include "write/mesh_lines.h"
@@ -90,6 +91,7 @@ void show(const Loops_options& options, const Answer& answer, const Told& told) 
   std::string text = table_of_pairs(told.listing, table);
   if(const std::size_t left_out = answer.pairs.size() - told.listing.size(); left_out > 0)
     text += counted(left_out, "pair is", "pairs are") + " left out as asked for\n";
+  text += table_of_boundaries(answer.boundaries, options.show_all);
   show_text(text + told.summary, is_output_taken(options));
 }
 
@@ -121,7 +123,6 @@ void run_with_line(const Loops_options& options) {
 }
 
 void run_on_one_mesh(const Loops_options& options) {
-  const Interrupt_guard guard;
   if(options.jsonl_file.empty())
     solve_and_tell(options);
   else

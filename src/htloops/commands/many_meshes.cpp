@@ -146,7 +146,6 @@ void solve_all(Loops_options options, Line_printer& printer) {
 } // namespace
 
 void run_on_many_meshes(const Loops_options& options) {
-  const Interrupt_guard guard;
   Line_printer printer(options);
   solve_all(options, printer);
   printer.finish();

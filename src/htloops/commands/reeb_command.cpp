@@ -20,7 +20,6 @@
 #include "read/values_reader.h"
 #include "solve/reeb_solver.h"
 #include "solve/stopwatch.h"
-#include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
 #include "write/arc_table.h"
@@ -164,7 +163,6 @@ void run(const Reeb_command_options& options) {
   const Mended_mesh mended = read_mended_mesh(options, input_of(options));
   const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
-  const Interrupt_guard guard;
   write_read_mesh(options, mesh);
   const Reeb_answer answer = solve(mended, options);
   const std::string text = words_of_graph(answer, read_seconds);

@@ -23,7 +23,6 @@
 #include "solve/solvers.h"
 #include "solve/spread_properties.h"
 #include "solve/stopwatch.h"
-#include "terminal/interrupt.h"
 #include "terminal/terminal.h"
 #include "words.h"
 #include "write/mesh_writer.h"
@@ -169,7 +168,6 @@ void run(const Remove_options& options) {
   const Stopwatch stopwatch;
   auto [mesh, properties] = read(options);
   const double read_seconds = stopwatch.seconds();
-  const Interrupt_guard guard;
   write_read_mesh(options, mesh);
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;

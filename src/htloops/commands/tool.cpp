@@ -15,6 +15,7 @@
 #include "commands/outcome.h"
 #include "commands/usage_message.h"
 #include "failure.h"
+#include "terminal/interrupt.h"
 #include "version.h"
 
 #include <iostream>
@@ -30,7 +31,8 @@ constexpr char tool_description[] = "Finds handle and tunnel loops, and Reeb gra
 constexpr char tool_footer[] =
     "Exit codes: 0 done, 1 no certified answer (or no memory to find it), 2 wrong usage or\n"
     "  unwritable output, 3 a file cannot be read, 4 the mesh is not an oriented manifold of\n"
-    "  triangles, 5 the backend asked for is not there, 130 interrupted.\n"
+    "  triangles, 5 the backend asked for is not there; 128 and the\n"
+    "  number of the signal if interrupted: 130 by Ctrl-C.\n"
     "\n"
     "Examples:\n"
     "  htloops generate torus -o torus.off             makes a mesh to try\n"
@@ -41,12 +43,21 @@ constexpr char tool_footer[] =
     "  htloops remove torus.off -o ball.off            removes its handle\n"
     "  htloops loops --help                            says more of a command\n";
 
+// Names of files may be of any characters; none of them is to move the cursor.
+std::string printable(std::string message) {
+  for(char& c : message)
+    if(static_cast<unsigned char>(c) < ' ' && c != '\n')
+      c = '?';
+  return message;
+}
+
 int report(int code, const std::string& message) {
-  std::cerr << "htloops: " << message << std::endl;
+  std::cerr << "htloops: " << printable(message) << std::endl;
   return code;
 }
 
 int run_command(const CLI::App& app, const Command& command) {
+  const Interrupt_guard guard;
   const Outcome outcome = outcome_of([&] {
     check_files(app);
     command();

@@ -40,8 +40,8 @@ void add_lines(Exported_lines& lines, const Pair& pair, std::size_t index) {
 
 Exported_lines lines_of(const Pairs& pairs) {
   Exported_lines result = {"handle and tunnel loops", "pair", {}};
-  for(std::size_t i = 0; i < pairs.size(); ++i)
-    add_lines(result, pairs[i], i);
+  for(const Pair& pair : pairs)
+    add_lines(result, pair, pair.handle().pair_index());
   return result;
 }
 
@@ -49,9 +49,14 @@ Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
   Exported_lines result = {"handle and tunnel loops", "pair", {}};
   for(const Listed_pair& listed : listing)
     add_lines(result, answer.pairs[listed.pair], listed.pair);
-  for(const Loop& loop : answer.boundaries.waists)
-    result.lines.push_back({loop.points(), true, colour_of(loop.type()), name_of(loop.type()), 2,
-                            loop.pair_index(), loop.length()});
+  const auto add = [&result](const std::vector<Loop>& loops, const auto& colour, const char* kind,
+                             int number) {
+    for(const Loop& loop : loops)
+      result.lines.push_back({loop.points(), true, colour, kind, number, loop.pair_index(),
+                              loop.length(), false, false});
+  };
+  add(answer.boundaries.curves, colour_of_boundary_curve, "boundary", 2);
+  add(answer.boundaries.waists, colour_of(CGAL::Loop_type::BOUNDARY), "waist", 3);
   return result;
 }
 

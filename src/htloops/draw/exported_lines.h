@@ -32,6 +32,7 @@ struct Exported_line
   std::size_t index = 0; ///< of what it stands for
   double length = 0.;
   bool is_outlined = false; ///< in pictures, as it has a dark surface below
+  bool is_numbered = true;  ///< in pictures with labels
 
   /// as a closed line has one more edge than an open one.
   std::size_t number_of_edges() const { return points.size() - (is_closed ? 0 : 1); }
@@ -48,10 +49,11 @@ struct Exported_lines
   std::size_t number_of_edges() const;
 };
 
-/// the loops of pairs; the kind of a handle is 0, that of a tunnel 1.
+/// the loops of pairs, which know their numbers; the kind of a handle is 0, that of a tunnel 1.
 Exported_lines lines_of(const Pairs& pairs);
 
-/// those of the listed pairs; and the waists of boundary curves, if there are any, of kind 2.
+/// those of the listed pairs; and the boundary curves, of kind 2, and their waists, of kind 3, if
+/// there are any. In pictures only pairs are numbered.
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing);
 
 } // namespace htloops

@@ -13,6 +13,7 @@
 
 #include "failure.h"
 #include "picture/picture.h"
+#include "terminal/interrupt.h"
 #include "write/text_writer.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines, bool has
   std::vector<htl_picture::Line> tubes;
   for(const Exported_line& line : lines.lines)
     tubes.push_back({coordinates(line.points), line.colour, line.is_closed,
-                     has_labels ? std::to_string(line.index) : "", line.is_outlined});
+                     has_labels && line.is_numbered ? std::to_string(line.index) : "",
+                     line.is_outlined});
   return tubes;
 }
 
@@ -60,6 +62,14 @@ double opacity_before(std::size_t lines) {
 
 bool can_write_on_pictures() { return htl_picture::has_font(); }
 
+void check_picture_size(const Picture_options& options) {
+  if(!options.size.empty() && options.size[0] * options.size[1] > htl_picture::most_pixels)
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "--size: a picture has at most " +
+                      std::to_string(htl_picture::most_pixels / 1000000) +
+                      " million pixels, for which 4 GB of memory are needed");
+}
+
 void export_picture(const Picture_options& options,
                     const View& view,
                     const Drawn_surface& surface,
@@ -74,6 +84,7 @@ void export_picture(const Picture_options& options,
     picture.line_width_px *= picture.height / 1200.;
     picture.line_width_px = (std::max)(picture.line_width_px, 3.);
   }
+  picture.look = throw_if_interrupted;
   picture.surface_opacity = options.opacity.value_or(opacity_before(lines.lines.size()));
   if(options.has_legend)
     picture.legend = legend_of(lines);

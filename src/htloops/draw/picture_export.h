@@ -34,10 +34,13 @@ struct Picture_options
 
 constexpr bool has_pictures = true;
 
-/// writes a picture of a surface and lines.
 /// whether labels and legends can be written.
 bool can_write_on_pictures();
 
+/// throws `Failure` if pictures are not made so large.
+void check_picture_size(const Picture_options& options);
+
+/// writes a picture of a surface and lines.
 void export_picture(const Picture_options& options,
                     const View& view,
                     const Drawn_surface& surface,
@@ -48,6 +51,7 @@ void export_picture(const Picture_options& options,
 constexpr bool has_pictures = false;
 
 inline bool can_write_on_pictures() { return false; }
+inline void check_picture_size(const Picture_options&) {}
 inline void
 export_picture(const Picture_options&, const View&, const Drawn_surface&, const Exported_lines&) {}
 

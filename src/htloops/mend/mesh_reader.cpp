@@ -16,6 +16,7 @@
 #include "read/mesh_builder.h"
 #include "read/soup_diagnosis.h"
 #include "read/soup_reader.h"
+#include "terminal/interrupt.h"
 
 #include <algorithm>
 #include <utility>
@@ -68,7 +69,9 @@ Mended_mesh read_mesh(const Input_file& file, const Remedies& remedies) {
     mended = mend(read_soup(file), remedies);
   else
     mended.soup = read_soup(file);
+  throw_if_interrupted();
   const Diagnosis diagnosis = diagnose(mended.soup);
+  throw_if_interrupted();
   if(!diagnosis.defects.empty())
     refuse(file, diagnosis.defects, remedies, mended.changes);
   Mesh mesh = build_mesh(mended.soup, diagnosis);

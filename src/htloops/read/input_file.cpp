@@ -10,6 +10,7 @@
 #include "read/input_file.h"
 
 #include "failure.h"
+#include "terminal/interrupt.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -26,6 +27,7 @@ namespace htloops {
 namespace {
 
 [[noreturn]] void fail(const std::string& file) {
+  throw_if_interrupted(); // while it waited
   throw Failure(Exit_code::UNREADABLE_FILE, "cannot read " + file + ": " + std::strerror(errno));
 }
 
@@ -40,6 +42,7 @@ std::string read_to_the_end(std::FILE* stream, std::size_t expected_size, const 
   // One byte more than expected, so that a file that has not grown is read in one go.
   content.resize(expected_size + 1);
   while(const std::size_t n = std::fread(&content[size], 1, content.size() - size, stream)) {
+    throw_if_interrupted();
     size += n;
     if(size == content.size())
       content.resize(2 * size);

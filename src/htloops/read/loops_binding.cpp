@@ -32,13 +32,26 @@ public:
 
   Bound_loops bind() {
     result_.basis_kind = record_.basis_kind;
+    result_.has_boundaries = record_.has_boundaries;
     if(!is_same_mesh())
       return std::move(result_);
     measure_mesh();
     for(std::size_t i = 0; i < record_.pairs.size(); ++i) {
-      Loop handle = bind_loop(i, CGAL::Loop_type::HANDLE);
-      Loop tunnel = bind_loop(i, CGAL::Loop_type::TUNNEL);
+      const auto bind_one_of_pair = [&](CGAL::Loop_type type) {
+        place_ = "pair " + std::to_string(i) + ", " + name_of(type);
+        return bind_loop(record_.pairs[i].loop(type), type, i);
+      };
+      Loop handle = bind_one_of_pair(CGAL::Loop_type::HANDLE);
+      Loop tunnel = bind_one_of_pair(CGAL::Loop_type::TUNNEL);
       result_.pairs.emplace_back(std::move(handle), std::move(tunnel));
+    }
+    for(std::size_t i = 0; i < record_.boundaries.size(); ++i) {
+      const Boundary_record& boundary = record_.boundaries[i];
+      place_ = "boundary " + std::to_string(i);
+      result_.curves.push_back(bind_loop(boundary.curve, CGAL::Loop_type::BOUNDARY, i));
+      place_ += ", waist";
+      if(boundary.waist)
+        result_.waists.push_back(bind_loop(*boundary.waist, CGAL::Loop_type::BOUNDARY, i));
     }
     return std::move(result_);
   }
@@ -65,9 +78,7 @@ private:
     tolerance_ = relative_tolerance * largest + 8. * std::numeric_limits<double>::denorm_min();
   }
 
-  Loop bind_loop(std::size_t pair, CGAL::Loop_type type) {
-    const Loop_record& record = record_.pairs[pair].loop(type);
-    place_ = "pair " + std::to_string(pair) + ", " + name_of(type);
+  Loop bind_loop(const Loop_record& record, CGAL::Loop_type type, std::size_t number) {
     if(record.locations.size() != record.points.size())
       add_problem(place_ + ": " + std::to_string(record.locations.size()) + " locations, but " +
                   std::to_string(record.points.size()) + " points");
@@ -85,7 +96,7 @@ private:
         check_point(points.back(), record.points[i]);
     }
     check_length(record, points);
-    return Loop(std::move(steps), std::move(points), record.length, type, pair);
+    return Loop(std::move(steps), std::move(points), record.length, type, number);
   }
 
   void add_problem_here(const std::string& problem) {

@@ -23,6 +23,8 @@ struct Bound_loops
 {
   CGAL::Handle_tunnel_loops::Basis_kind basis_kind; ///< what they are meant to be
   Pairs pairs;                                      ///< complete only if there is no problem
+  bool has_boundaries = false;                      ///< whether the file tells of them
+  std::vector<Loop> curves, waists;                 ///< of the boundary
   std::vector<std::string> problems;                ///< in words, naming pair, kind and position
 };
 

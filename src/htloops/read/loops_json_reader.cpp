@@ -160,6 +160,13 @@ Loops_record read_document(const Node& document) {
   pairs.for_each("pair", [&](const Node& pair) {
     record.pairs.push_back({read_loop(pair.member("handle")), read_loop(pair.member("tunnel"))});
   });
+  record.has_boundaries = document.has("boundaries");
+  if(record.has_boundaries)
+    document.member("boundaries").for_each("boundary", [&](const Node& curve) {
+      record.boundaries.push_back({read_loop(curve), std::nullopt});
+      if(curve.has("waist"))
+        record.boundaries.back().waist = read_loop(curve.member("waist"));
+    });
   return record;
 }
 

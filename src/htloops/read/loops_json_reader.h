@@ -44,6 +44,13 @@ struct Pair_record
   }
 };
 
+/// A boundary curve, and what was found to go around the same.
+struct Boundary_record
+{
+  Loop_record curve;
+  std::optional<Loop_record> waist;
+};
+
 /// What a file of the format "htloops/1" says of a mesh.
 struct Loops_record
 {
@@ -51,6 +58,8 @@ struct Loops_record
   std::size_t number_of_faces = 0;
   CGAL::Handle_tunnel_loops::Basis_kind basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::PURE;
   std::vector<Pair_record> pairs;
+  bool has_boundaries = false; ///< older files do not say
+  std::vector<Boundary_record> boundaries;
 };
 
 /// reads a file of the format "htloops/1"; throws `Failure`, naming what is missing or of the wrong

@@ -9,6 +9,8 @@
 
 #include "read/text_cursor.h"
 
+#include "terminal/interrupt.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -62,6 +64,7 @@ void Text_cursor::skip_line() {
 }
 
 bool Text_cursor::skip_to_content() {
+  throw_if_interrupted();
   for(;;) {
     skip_blanks();
     if(at_ == end_)

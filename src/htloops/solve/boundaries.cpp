@@ -15,7 +15,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <map>
 
 namespace htloops {
 
@@ -27,6 +30,83 @@ Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists) {
     CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.waists),
                               CGAL::parameters::do_tighten(true));
   return boundaries;
+}
+
+namespace {
+
+using Corners = std::vector<std::uint32_t>;
+
+// The vertices of a curve along edges, from the smallest one on, in the direction of its smaller
+// neighbor; none if the curve is not along edges.
+Corners corners_of(const Mesh& mesh, const Loop& curve) {
+  Corners corners;
+  for(const Loop::Step& step : curve.steps()) {
+    if(!step.is_vertex())
+      return {};
+    const auto v = step.ratio == 0. ? mesh.source(step.halfedge) : mesh.target(step.halfedge);
+    corners.push_back(v.idx());
+  }
+  if(corners.empty())
+    return {};
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  if(corners.size() > 2 && corners.back() < corners[1])
+    std::reverse(corners.begin() + 1, corners.end());
+  return corners;
+}
+
+// The faces at a step, two at most inside an edge.
+std::vector<Mesh::Face_index> faces_at(const Mesh& mesh, const Loop::Step& step) {
+  std::vector<Mesh::Face_index> faces;
+  const auto add = [&](Mesh::Halfedge_index h) {
+    if(!mesh.is_border(h))
+      faces.push_back(mesh.face(h));
+  };
+  if(!step.is_vertex()) {
+    add(step.halfedge);
+    add(mesh.opposite(step.halfedge));
+    return faces;
+  }
+  const auto h = step.ratio == 1. ? step.halfedge : mesh.opposite(step.halfedge);
+  for(const Mesh::Halfedge_index g : CGAL::halfedges_around_target(h, mesh))
+    add(g);
+  return faces;
+}
+
+bool is_on_surface(const Mesh& mesh, const Loop& loop) {
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const auto here = faces_at(mesh, loop.steps()[i]),
+               there = faces_at(mesh, loop.steps()[(i + 1) % loop.size()]);
+    if(std::find_first_of(here.begin(), here.end(), there.begin(), there.end()) == here.end())
+      return false;
+  }
+  return loop.size() > 0;
+}
+
+} // namespace
+
+std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
+                                                const std::vector<Loop>& curves,
+                                                const std::vector<Loop>& waists) {
+  std::vector<std::string> problems;
+  std::map<Corners, std::size_t> times;
+  const Boundaries expected = find_boundaries(mesh, false);
+  for(const Loop& curve : expected.curves)
+    times.emplace(corners_of(mesh, curve), 0);
+  for(std::size_t i = 0; i < curves.size(); ++i) {
+    const auto found = times.find(corners_of(mesh, curves[i]));
+    if(found == times.end())
+      problems.push_back("boundary " + std::to_string(i) + " is no boundary curve of the mesh");
+    else if(found->second++ > 0)
+      problems.push_back("boundary " + std::to_string(i) + " is there twice");
+  }
+  if(curves.size() < expected.curves.size())
+    problems.push_back("it has " + std::to_string(curves.size()) + " of the " +
+                       std::to_string(expected.curves.size()) + " boundary curves");
+  for(const Loop& waist : waists)
+    if(!is_on_surface(mesh, waist))
+      problems.push_back("boundary " + std::to_string(waist.pair_index()) +
+                         ": its waist is no closed curve on the surface");
+  return problems;
 }
 
 std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t number_of_them) {

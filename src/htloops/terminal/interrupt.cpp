@@ -27,13 +27,29 @@ extern "C" void note_signal(int signal) {
   if(noted_signal != 0 && number_of_unfinished_files == 0)
     std::_Exit(128 + signal);
   noted_signal = signal;
+#ifndef SA_RESTART
   std::signal(signal, note_signal); // some systems forget the handler when it is called
+#endif
 }
+
+using Handler = void (*)(int);
+
+#ifdef SA_RESTART
+// Without that flag a call that waits, for what comes through a pipe say, ends when a signal comes.
+Handler set_handler(int number, Handler handler) {
+  struct sigaction action = {}, previous = {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  return sigaction(number, &action, &previous) == 0 ? previous.sa_handler : SIG_ERR;
+}
+#else
+Handler set_handler(int number, Handler handler) { return std::signal(number, handler); }
+#endif
 
 struct Guarded_signal
 {
   int number;
-  void (*handler)(int);
+  Handler handler;
 };
 
 const Guarded_signal guarded_signals[] = {
@@ -49,9 +65,9 @@ const Guarded_signal guarded_signals[] = {
 
 // A signal that the parent process chose to ignore stays ignored.
 auto install(const Guarded_signal& signal) {
-  const auto previous = std::signal(signal.number, signal.handler);
+  const Handler previous = set_handler(signal.number, signal.handler);
   if(previous == SIG_IGN)
-    std::signal(signal.number, SIG_IGN);
+    set_handler(signal.number, SIG_IGN);
   return previous;
 }
 
@@ -65,7 +81,7 @@ Interrupt_guard::Interrupt_guard() {
 
 Interrupt_guard::~Interrupt_guard() {
   for(std::size_t i = 0; i < std::size(guarded_signals); ++i)
-    std::signal(guarded_signals[i].number, previous_[i]);
+    set_handler(guarded_signals[i].number, previous_[i]);
 }
 
 Unfinished_file::Unfinished_file() { ++number_of_unfinished_files; }

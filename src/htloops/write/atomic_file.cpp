@@ -26,7 +26,11 @@ namespace fs = std::filesystem;
   throw Failure(Exit_code::WRONG_USAGE, "cannot write " + target + ": " + reason);
 }
 
-[[noreturn]] void fail_with_errno(const std::string& target) { fail(target, std::strerror(errno)); }
+[[noreturn]] void fail_with_errno(const std::string& target) {
+  const std::string reason = std::strerror(errno);
+  throw_if_interrupted(); // while it waited
+  fail(target, reason);
+}
 
 // Beside the file. Not with its name, which may be as long as a name can be.
 std::string name_of_temporary(const fs::path& destination) {

@@ -144,10 +144,10 @@ void write_loops_json(const std::string& target,
     out.member("linking", json_of(linking));
   if(!answer.statistics.fallback.empty())
     out.member("fallback", answer.statistics.fallback);
-  const double diagonal = diagonal_of(mesh);
+  const CGAL::Bbox_3 box = box_of(mesh);
   std::size_t index = 0; // of the next loop
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
-    Json json = json_of_place(listed_pair(pair, index / 2, diagonal));
+    Json json = json_of_place(listed_pair(pair, index / 2, box));
     for(const CGAL::Loop_type type : loop_types) {
       json[name_of(type)] =
           json_of(pair.loop(type), mesh, components, linking.empty() ? nullptr : &linking[index]);

@@ -41,6 +41,9 @@ Json json_of(const Mesh_line& line) {
                              {"handle", pair.handle_length},
                              {"tunnel", pair.tunnel_length},
                              {"size", pair.size}});
+  json["boundary_lengths"] = Json::array();
+  for(const Loop& curve : line.answer.boundaries.curves)
+    json["boundary_lengths"].push_back(curve.length());
   json["seconds"] = {{"read", line.read_seconds}, {"total", line.answer.total_seconds}};
   return json;
 }

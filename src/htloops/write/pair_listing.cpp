@@ -16,6 +16,10 @@
 namespace htloops {
 namespace {
 
+CGAL::Bbox_3 box_of(const std::vector<Point>& points) {
+  return CGAL::bbox_3(points.begin(), points.end());
+}
+
 bool lies_in(const CGAL::Bbox_3& inner, const CGAL::Bbox_3& outer) {
   for(int i = 0; i < 3; ++i)
     if(!(outer.min(i) <= inner.min(i) && inner.max(i) <= outer.max(i)))
@@ -24,15 +28,16 @@ bool lies_in(const CGAL::Bbox_3& inner, const CGAL::Bbox_3& outer) {
 }
 
 bool is_wanted(const Loop& loop, const Listing_options& options) {
-  return loop.length() < options.shorter_than &&
-         (!options.box ||
-          lies_in(CGAL::bbox_3(loop.points().begin(), loop.points().end()), *options.box));
+  const bool is_any_length_wanted =
+      std::isinf(options.shorter_than); // a length may be infinite, too
+  return (is_any_length_wanted || loop.length() < options.shorter_than) &&
+         (!options.box || lies_in(box_of(loop.points()), *options.box));
 }
 
 bool is_wanted(const Pair& pair, const Listing_options& options) {
   return (is_wanted(pair.handle(), options) || is_wanted(pair.tunnel(), options)) &&
-         pair.handle().length() > options.longer_than &&
-         pair.tunnel().length() > options.longer_than;
+         (options.longer_than == 0. || (pair.handle().length() > options.longer_than &&
+                                        pair.tunnel().length() > options.longer_than));
 }
 
 bool precedes(const Listed_pair& a, const Listed_pair& b, Pair_order order) {
@@ -49,29 +54,55 @@ bool precedes(const Listed_pair& a, const Listed_pair& b, Pair_order order) {
   }
 }
 
+// Relative to the diagonal of a box, in units in which neither is too large.
+double relative_length(const Loop& loop, const CGAL::Bbox_3& box) {
+  double largest = 0.;
+  for(int i = 0; i < 3; ++i)
+    largest = (std::max)(largest, box.max(i) / 2. - box.min(i) / 2.);
+  if(!(largest > 0.))
+    return 0.; // all is at one place
+  const auto distance = [largest](const auto& difference) {
+    return std::hypot(difference(0) / largest, difference(1) / largest, difference(2) / largest);
+  };
+  double length = 0.;
+  const std::vector<Point>& points = loop.points();
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    const Point &p = points[i], &q = points[i + 1 == points.size() ? 0 : i + 1];
+    length += distance([&](int k) { return p[k] / 2. - q[k] / 2.; });
+  }
+  return length / distance([&](int k) { return box.max(k) / 2. - box.min(k) / 2.; });
+}
+
 } // namespace
 
+CGAL::Bbox_3 box_of(const Mesh& mesh) {
+  return CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+}
+
 double diagonal_of(const Mesh& mesh) {
-  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  const CGAL::Bbox_3 box = box_of(mesh);
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
-Listed_pair listed_pair(const Pair& pair, std::size_t number, double diagonal) {
-  const double handle = pair.handle().length(), tunnel = pair.tunnel().length();
-  const Loop& shorter = handle <= tunnel ? pair.handle() : pair.tunnel();
-  const CGAL::Bbox_3 box = CGAL::bbox_3(shorter.points().begin(), shorter.points().end());
+Listed_pair listed_pair(const Pair& pair, std::size_t number, const CGAL::Bbox_3& box_of_mesh) {
+  const double handle = relative_length(pair.handle(), box_of_mesh),
+               tunnel = relative_length(pair.tunnel(), box_of_mesh);
+  const CGAL::Bbox_3 box = box_of((handle <= tunnel ? pair.handle() : pair.tunnel()).points());
   const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
-  return {
-      number, handle, tunnel, shorter.length() / diagonal, Point(middle(0), middle(1), middle(2)),
-      box};
+  return {number,
+          pair.handle().length(),
+          pair.tunnel().length(),
+          (std::min)(handle, tunnel),
+          Point(middle(0), middle(1), middle(2)),
+          box};
 }
 
 Pair_listing list_pairs(const Mesh& mesh, const Pairs& pairs, const Listing_options& options) {
-  const double diagonal = diagonal_of(mesh);
+  const CGAL::Bbox_3 box = box_of(mesh);
   Pair_listing listing;
   for(std::size_t i = 0; i < pairs.size(); ++i)
     if(is_wanted(pairs[i], options))
-      listing.push_back(listed_pair(pairs[i], i, diagonal));
+      listing.push_back(listed_pair(pairs[i], i, box));
   std::sort(listing.begin(), listing.end(), [&](const Listed_pair& a, const Listed_pair& b) {
     return precedes(a, b, options.order);
   });

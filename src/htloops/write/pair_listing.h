@@ -43,7 +43,8 @@ struct Listed_pair
 {
   std::size_t pair; ///< its number
   double handle_length, tunnel_length;
-  double size;      ///< the length of the shorter loop, relative to the diagonal of the mesh's box
+  double size;      ///< the length of the shorter loop, relative to the diagonal of the mesh's box;
+                    ///< 0 if that is a point
   Point centre;     ///< of the box of the shorter loop
   CGAL::Bbox_3 box; ///< of the shorter loop
 };
@@ -56,8 +57,11 @@ Pair_listing list_pairs(const Mesh& mesh, const Pairs& pairs, const Listing_opti
 /// the diagonal of the bounding box.
 double diagonal_of(const Mesh& mesh);
 
-/// what is told of one pair.
-Listed_pair listed_pair(const Pair& pair, std::size_t number, double diagonal);
+/// the bounding box.
+CGAL::Bbox_3 box_of(const Mesh& mesh);
+
+/// what is told of one pair on a mesh with this box.
+Listed_pair listed_pair(const Pair& pair, std::size_t number, const CGAL::Bbox_3& box_of_mesh);
 
 } // namespace htloops
 

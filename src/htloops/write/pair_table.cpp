@@ -120,7 +120,9 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
     text += ", " + counted(statistics.number_of_boundaries, "boundary curve", "boundary curves");
   text += ": ";
   if(answer.pairs.empty())
-    text += "no loops\n";
+    text += has_boundary ? "no pairs; the boundary curves but one of each component are a basis of "
+                           "H1(S; Z)\n"
+                         : "no loops\n";
   else
     text += counted(answer.pairs.size(), "pair", "pairs") +
             " of loops, certified as a basis of H1(S; Z)" +

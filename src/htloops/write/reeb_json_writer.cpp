@@ -9,6 +9,7 @@
 
 #include "write/reeb_json_writer.h"
 
+#include "solve/face_arcs.h"
 #include "write/json_writer.h"
 
 namespace htloops {
@@ -35,13 +36,14 @@ Json json_of_node(const Graph& graph, Graph::vertex_descriptor v) {
           {"position", json_of_point(node.point)}};
 }
 
-Json json_of_arc(const Graph& graph, Graph::edge_descriptor e) {
+Json json_of_arc(const Graph& graph, Graph::edge_descriptor e, const std::vector<double>& girths) {
   const auto& arc = graph[e];
   return {{"id", arc.index},
           {"source", source(e, graph)},
           {"target", target(e, graph)},
           {"vertex_count", arc.vertices.size()},
           {"length", arc.length},
+          {"girth", girths[arc.index]},
           {"polyline", json_of_points(arc.polyline)}};
 }
 
@@ -60,6 +62,7 @@ void write_reeb_json(const std::string& target,
                      const Reeb_answer& answer,
                      double read_seconds) {
   const Graph& graph = answer.graph;
+  const std::vector<double> girths = girths_of(mesh, answer);
   Json_writer out(target);
   out.member("format", "htloops-reeb/1");
   out.member("mesh", json_of_mesh(mesh, answer.statistics));
@@ -70,7 +73,7 @@ void write_reeb_json(const std::string& target,
   out.array("nodes", CGAL::make_range(vertices(graph)),
             [&graph](auto v) { return json_of_node(graph, v); });
   out.array("arcs", CGAL::make_range(edges(graph)),
-            [&graph](auto e) { return json_of_arc(graph, e); });
+            [&](auto e) { return json_of_arc(graph, e, girths); });
   out.member("vertex_arc", json_of_vertex_arc(answer.vertex_arc));
   out.finish();
 }

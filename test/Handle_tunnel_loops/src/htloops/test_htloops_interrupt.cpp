@@ -5,16 +5,21 @@
 
 #include "htloops/draw/picture_export.h"
 #include "htloops/failure.h"
+#include "htloops/read/input_file.h"
 #include "htloops/write/text_writer.h"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #ifndef _WIN32
+#include <pthread.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #endif
 
 using namespace htloops;
@@ -74,6 +79,27 @@ TEST(Interrupt_DeathTest, no_signal_leaves_an_unfinished_file) {
 }
 
 #ifndef _WIN32
+// Nobody ever writes to it, or reads from it.
+TEST(Interrupt_DeathTest, who_waits_for_a_pipe_hears_the_first_signal) {
+  const Temporary_folder folder;
+  const std::string pipe = folder.path("pipe.off");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto expect_end = [](const auto& wait) {
+    EXPECT_EXIT(end_after([&] {
+                  const Interrupt_guard guard;
+                  const pthread_t waiting = pthread_self();
+                  std::thread([waiting] {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                    pthread_kill(waiting, SIGTERM);
+                  }).detach();
+                  wait();
+                }),
+                testing::ExitedWithCode(128 + SIGTERM), "");
+  };
+  expect_end([&] { Input_file{pipe}; });
+  expect_end([&] { Text_writer{pipe}; });
+}
+
 TEST(Interrupt_DeathTest, a_file_that_may_not_grow_is_an_error_of_writing) {
   const Temporary_folder folder;
   EXPECT_EXIT(end_after([&] {

@@ -253,6 +253,25 @@ TEST_F(Written_picture, OfAFewPixelsIsDrawn) {
   }
 }
 
+// Whenever that is: each look is the last one in its turn.
+TEST_F(Drawn_picture, CanBeEndedAtAnyLook) {
+  struct Enough
+  {};
+  int looks = 0, last = -1;
+  options.look = [&] {
+    if(looks++ == last)
+      throw Enough();
+  };
+  draw(cube(), {red_line_at_height(0.)});
+  const int all = looks;
+  EXPECT_GT(all, 5 * options.height) << "of each step that goes over the rows";
+  for(last = 0; last < all; last += 37) {
+    looks = 0;
+    EXPECT_THROW(draw(cube(), {red_line_at_height(0.)}), Enough);
+    EXPECT_EQ(looks, last + 1);
+  }
+}
+
 TEST_F(Drawn_picture, IsEmptyWithoutAMesh) { EXPECT_EQ(draw({}).count(is_white), 160 * 120); }
 
 TEST_F(Drawn_picture, OfAFlatOrTinyMeshIsDrawn) {
