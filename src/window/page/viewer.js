@@ -229,6 +229,7 @@ class Viewer {
   }
 
   // Hidden ones pale, and the paler the more there are; the stencil keeps each pixel to one of them.
+  // None covers depth: the faint rim of a segment would hide the next one.
   drawLines() {
     if (!this.lines)
       return;
@@ -242,8 +243,10 @@ class Viewer {
       this.drawSegments(gl.GREATER, 1, 0.65);
     this.drawSegments(gl.GREATER, 0, (0.34 + 0.5 * (1 - this.opacity)) * crowd);
     gl.disable(gl.STENCIL_TEST);
-    gl.depthMask(true);
     this.drawSegments(gl.LEQUAL, 0, 1);
+    if (this.isAnyLit)
+      this.drawSegments(gl.LEQUAL, 1, 1);
+    gl.depthMask(true);
   }
 
   drawSegments(depth, wanted, strength, extra = 0) {

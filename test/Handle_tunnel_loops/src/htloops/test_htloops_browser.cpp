@@ -100,6 +100,26 @@ protected:
     return number;
   }
 
+  // How often a line goes from being seen in its colour to not being so, step by step of a pixel.
+  static int number_of_ends(const Decoded_png& picture, std::size_t line, const Colour& colour) {
+    const auto places = places_of_line(line);
+    int ends = 0;
+    bool was_seen = false;
+    for(std::size_t i = 1; i < places.size(); ++i) {
+      const auto& [x, y] = places[i - 1];
+      const auto& [u, v] = places[i];
+      const int steps = static_cast<int>(std::hypot(u - x, v - y)) + 1;
+      for(int k = 0; k < steps; ++k) {
+        const double t = double(k) / steps;
+        const bool is_seen =
+            is_like(colour_at(picture, {x + t * (u - x), y + t * (v - y)}), colour);
+        ends += was_seen && !is_seen ? 1 : 0;
+        was_seen = is_seen;
+      }
+    }
+    return ends;
+  }
+
   // The middle of an element.
   static std::array<double, 2> place_of(const std::string& element) {
     const Json box = browser().evaluate("(() => { const b = " + element +
@@ -171,6 +191,14 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"gyroid", {20000, 6, 0}},
                                          Recipe{"chain", {6000, 4, 0}},
                                          Recipe{"plates", {3000, 5, 0}}));
+
+TEST_F(Page, loops_that_are_seen_have_no_gaps) {
+  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  const Decoded_png picture = browser().screenshot();
+  for(std::size_t line = 0; line < 6; ++line)
+    EXPECT_LE(number_of_ends(picture, line, line % 2 == 0 ? handle_colour : tunnel_colour), 5)
+        << "line " << line;
+}
 
 TEST_F(Page, a_click_on_a_row_centres_and_lights_its_loops) {
   open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
