@@ -222,6 +222,23 @@ TEST_F(Page, a_click_on_a_row_centres_and_lights_its_loops) {
   expect_quiet();
 }
 
+// Insides are brownish; a loop that is behind the surface is paler than it is on the list.
+TEST_F(Page, a_row_is_looked_at_from_where_its_loops_are_seen) {
+  open(mesh_of(Recipe{"gyroid", {20000, 6, 0}}));
+  for(std::size_t i = 0; i < listing_.size(); ++i) {
+    browser().evaluate("htloops.page.light(" + std::to_string(i) + ", true)");
+    const Decoded_png picture = browser().screenshot();
+    EXPECT_GT(number_in_colour(picture, 2 * i, handle_colour) +
+                  number_in_colour(picture, 2 * i + 1, tunnel_colour),
+              0u)
+        << "row " << i;
+    const auto brownish =
+        picture.count([](const Colour& c) { return c[0] - c[2] > 15 && c[0] - c[2] < 45; });
+    EXPECT_LT(brownish, width * height / 20) << "row " << i;
+  }
+  expect_quiet();
+}
+
 TEST_F(Page, a_click_on_a_loop_lights_its_row_and_one_beside_none) {
   open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
   const Decoded_png picture = browser().screenshot();
