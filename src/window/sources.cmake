@@ -9,8 +9,8 @@ set(HTL_WINDOW_SOURCES
   scene_json.cpp
   Streams.cpp)
 
-# htl_embed_page(<output>): the files in page/ as a source. Blanks at the beginning of lines, and lines
-# of comments, are for who reads them here.
+# htl_embed_page(<output>): the files in page/ as a source. Blanks at the beginning of lines and after
+# commas of scripts, and lines of comments, are for who reads them here.
 function(htl_embed_page output)
   set(folder "${CMAKE_CURRENT_FUNCTION_LIST_DIR}")
   foreach(name IN ITEMS page.html page.css decode.js camera.js shaders.js coarse.js viewer.js page.js)
@@ -20,6 +20,7 @@ function(htl_embed_page output)
     if(name MATCHES "js$")
       string(REGEX REPLACE "(^|\n)(//[^\n]*\n)+" "\\1" text "${text}")
       string(REGEX REPLACE "\n\n+" "\n" text "${text}")
+      string(REPLACE ", " "," text "${text}")
     endif()
     string(REPLACE "." "_" variable "${name}")
     set(${variable} "${text}")

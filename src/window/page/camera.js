@@ -66,6 +66,14 @@ class Camera {
     this.distance = Math.min(Math.max(radius * 2.5, 0.02), 1.05) / Camera.halfAngle;
   }
 
+  // Turns about the place, to where the eye is in a direction; upright as far as that can be.
+  lookFrom(back) {
+    const across = cross(this.home.up, back);
+    this.back = back;
+    this.right = normalized(Math.hypot(...across) > 1e-3 ? across : cross(back, this.home.view));
+    this.up = cross(this.back, this.right);
+  }
+
   // From points to the picture, columns one after the other.
   matrix() {
     const [width, height] = this.extent;

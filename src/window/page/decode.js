@@ -73,29 +73,42 @@ function decodeSurface(bytes, surface) {
   return { points, triangles, parts };
 }
 
-// A vertex belongs to one part: where parts meet it has copies, which `original` leads back from. A
-// vertex and its copies are chained by `next`.
-function splitByParts(surface) {
-  const { points, triangles, parts } = surface;
+// A vertex has copies, each for those faces around it that are like the first of them. `original`
+// leads back from copies, which are chained by `next`.
+function splitVertices(points, triangles, areLike) {
   const count = points.length / 4;
-  const partOf = new Array(count).fill(-1), next = new Array(count).fill(-1), original = [];
+  const first = new Array(count).fill(-1), next = new Array(count).fill(-1), original = [];
   triangles.forEach((v, corner) => {
-    const part = parts[Math.floor(corner / 3)];
+    const face = Math.floor(corner / 3), fits = w => first[w] === -1 || areLike(face, first[w], v);
     let w = v;
-    while (partOf[w] !== part && next[w] !== -1)
+    while (!fits(w) && next[w] !== -1)
       w = next[w];
-    if (partOf[w] !== part && partOf[w] !== -1) {
+    if (!fits(w)) {
       w = next[w] = count + original.length;
       next.push(-1);
+      first.push(-1);
       original.push(v);
     }
-    partOf[w] = part;
+    if (first[w] === -1)
+      first[w] = face;
     triangles[corner] = w;
   });
-  const all = new Uint16Array(4 * (count + original.length));
-  all.set(points);
-  original.forEach((v, i) => all.set(points.subarray(4 * v, 4 * v + 4), 4 * (count + i)));
-  return { points: all, triangles, partOf: Uint16Array.from(partOf, p => Math.max(p, 0)), original };
+  return { first, original };
+}
+
+// Four numbers of each vertex, with those of copies.
+function withCopies(numbers, original) {
+  const all = new numbers.constructor(numbers.length + 4 * original.length);
+  all.set(numbers);
+  original.forEach((v, i) => all.set(numbers.subarray(4 * v, 4 * v + 4), numbers.length + 4 * i));
+  return all;
+}
+
+// A vertex belongs to one part: where parts meet it has copies.
+function splitByParts({ points, triangles, normals, parts }) {
+  const { first, original } = splitVertices(points, triangles, (f, g) => parts[f] === parts[g]);
+  return { points: withCopies(points, original), normals: withCopies(normals, original), triangles,
+           partOf: Uint16Array.from(first, face => parts[face] || 0) };
 }
 
 // A surface that looks inwards is turned over: what is looked at is its outside.
@@ -113,33 +126,64 @@ function turnOutwards({ points, triangles }) {
       [triangles[i], triangles[i + 1]] = [triangles[i + 1], triangles[i]];
 }
 
-// Sums of the normals of the faces around each vertex, of length 127.
-function vertexNormals(points, triangles, original, size) {
-  const count = points.length / 4, first = count - original.length;
-  const sums = new Float32Array(3 * count);
-  const home = v => v < first ? v : original[v - first];
+const CREASE = 0.87; // cosine of an angle between normals beyond which a surface is not smooth
+
+// Three numbers of each face: a normal as long as the face is large.
+function faceNormals(points, triangles, size) {
+  const normals = new Float32Array(triangles.length);
   const [sx, sy, sz] = size.map(s => s / STEPS);
   for (let i = 0; i < triangles.length; i += 3) {
     const a = 4 * triangles[i], b = 4 * triangles[i + 1], c = 4 * triangles[i + 2];
     const ux = (points[b] - points[a]) * sx, vx = (points[c] - points[a]) * sx;
     const uy = (points[b + 1] - points[a + 1]) * sy, vy = (points[c + 1] - points[a + 1]) * sy;
     const uz = (points[b + 2] - points[a + 2]) * sz, vz = (points[c + 2] - points[a + 2]) * sz;
-    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-    for (let k = i; k < i + 3; ++k) {
-      const v = 3 * home(triangles[k]);
-      sums[v] += nx;
-      sums[v + 1] += ny;
-      sums[v + 2] += nz;
-    }
-  }
-  const normals = new Int8Array(4 * count);
-  for (let v = 0; v < count; ++v) {
-    const s = 3 * home(v);
-    const length = Math.hypot(sums[s], sums[s + 1], sums[s + 2]) || 1;
-    for (let i = 0; i < 3; ++i)
-      normals[4 * v + i] = Math.round(127 * sums[s + i] / length);
+    normals[i] = uy * vz - uz * vy;
+    normals[i + 1] = uz * vx - ux * vz;
+    normals[i + 2] = ux * vy - uy * vx;
   }
   return normals;
+}
+
+// Three numbers of each vertex: the sum over the faces around it.
+function sumsAround(count, triangles, ofFaces) {
+  const sums = new Float32Array(3 * count);
+  triangles.forEach((v, corner) => {
+    const face = corner - corner % 3;
+    for (let k = 0; k < 3; ++k)
+      sums[3 * v + k] += ofFaces[face + k];
+  });
+  return sums;
+}
+
+// Whether the i-th of some vectors and the j-th of others are about parallel.
+function areParallel(u, i, v, j) {
+  i *= 3;
+  j *= 3;
+  const product = u[i] * v[j] + u[i + 1] * v[j + 1] + u[i + 2] * v[j + 2];
+  const squares = (u[i] ** 2 + u[i + 1] ** 2 + u[i + 2] ** 2) * (v[j] ** 2 + v[j + 1] ** 2 + v[j + 2] ** 2);
+  return squares === 0 || product > 0 && product ** 2 > CREASE ** 2 * squares;
+}
+
+// Adds normals of vertices, of length 127. Those at creases have copies, so that what is flat up to a
+// crease looks flat.
+function withNormals({ points, triangles, parts }, size) {
+  const ofFaces = faceNormals(points, triangles, size);
+  let sums = sumsAround(points.length / 4, triangles, ofFaces);
+  const isSmooth = new Uint8Array(points.length / 4).fill(1);
+  triangles.forEach((v, corner) => {
+    if (isSmooth[v] && !areParallel(sums, v, ofFaces, Math.floor(corner / 3)))
+      isSmooth[v] = 0;
+  });
+  const { original } = splitVertices(points, triangles,
+                                     (f, g, v) => isSmooth[v] || areParallel(ofFaces, f, ofFaces, g));
+  const all = withCopies(points, original), normals = new Int8Array(all.length);
+  sums = sumsAround(all.length / 4, triangles, ofFaces);
+  for (let v = 0; v < sums.length / 3; ++v) {
+    const length = Math.hypot(sums[3 * v], sums[3 * v + 1], sums[3 * v + 2]) || 1;
+    for (let i = 0; i < 3; ++i)
+      normals[4 * v + i] = Math.round(127 * sums[3 * v + i] / length);
+  }
+  return { points: all, triangles, normals, parts };
 }
 
 // From the middle of the box, in the unit of `size`.
@@ -157,10 +201,9 @@ function farthest(points, size) {
 async function loadSurface(surface, id, size) {
   const coded = decodeSurface(await inflated(id), surface);
   turnOutwards(coded);
-  const { points, triangles, partOf, original } = surface.parts ? splitByParts(coded)
-    : { ...coded, partOf: null, original: [] };
-  return { ...surface, points, triangles, partOf,
-           normals: vertexNormals(points, triangles, original, size), radius: farthest(points, size) };
+  const creased = withNormals(coded, size);
+  const loaded = surface.parts ? splitByParts(creased) : creased;
+  return { ...surface, ...loaded, radius: farthest(loaded.points, size) };
 }
 
 // All lines in one array of points; the fourth number of a point is twice that of its line, and one

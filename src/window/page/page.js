@@ -92,7 +92,7 @@ class Page {
       return;
     const low = [0, 1, 2].map(i => places.reduce((m, p) => Math.min(m, p[i]), Infinity));
     const high = [0, 1, 2].map(i => places.reduce((m, p) => Math.max(m, p[i]), -Infinity));
-    this.viewer.camera.lookAt(scaled(sum(low, high), .5), Math.hypot(...difference(high, low)) / 2);
+    this.viewer.lookAt(row.lines, scaled(sum(low, high), .5), Math.hypot(...difference(high, low)) / 2);
   }
 
   step(by) {

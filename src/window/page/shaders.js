@@ -37,6 +37,10 @@ out vec4 result;
 void main() {
   if(dot(place, cut.xyz) > cut.w)
     discard;
+  if(opacity < 0.) { // only which side is seen
+    result = vec4(0., 0., 0., gl_FrontFacing ? 0. : .5);
+    return;
+  }
   vec3 to_eye = normalize(eye - place);
   vec3 flat_normal = normalize(cross(dFdx(place), dFdy(place)));
   flat_normal *= sign(dot(flat_normal, to_eye));

@@ -89,7 +89,8 @@ class Viewer {
     const full = this.indices(surface.triangles);
     const coarse = this.indices(coarseTriangles(surface.points, surface.triangles, surface.partOf));
     gl.bindVertexArray(null);
-    this.surfaces.push({ array, full, coarse, palette: this.palette() });
+    const { points, triangles } = surface;
+    this.surfaces.push({ array, full, coarse, points, triangles, palette: this.palette() });
   }
 
   indices(triangles) {
@@ -159,6 +160,7 @@ class Viewer {
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (this.canvas.width !== width || this.canvas.height !== height)
       Object.assign(this.canvas, { width, height });
+    this.frame = [width, height];
     this.camera.aspect = width / height;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
@@ -229,6 +231,7 @@ class Viewer {
   }
 
   // Hidden ones pale, and the paler the more there are; the stencil keeps each pixel to one of them.
+  // None covers depth: the faint rim of a segment would hide the next one.
   drawLines() {
     if (!this.lines)
       return;
@@ -242,17 +245,19 @@ class Viewer {
       this.drawSegments(gl.GREATER, 1, 0.65);
     this.drawSegments(gl.GREATER, 0, (0.34 + 0.5 * (1 - this.opacity)) * crowd);
     gl.disable(gl.STENCIL_TEST);
-    gl.depthMask(true);
     this.drawSegments(gl.LEQUAL, 0, 1);
+    if (this.isAnyLit)
+      this.drawSegments(gl.LEQUAL, 1, 1);
+    gl.depthMask(true);
   }
 
   drawSegments(depth, wanted, strength, extra = 0) {
     const gl = this.gl, uniforms = this.use(this.programs.line);
-    gl.uniform2f(uniforms.size, this.canvas.width, this.canvas.height);
+    gl.uniform2fv(uniforms.size, this.frame);
     gl.uniform1f(uniforms.width, this.lineWidth * (window.devicePixelRatio || 1) + extra);
     gl.uniform1f(uniforms.strength, strength);
     gl.uniform1i(uniforms.wanted, wanted);
-    const { texture, count } = this.lines[this.detail];
+    const { texture, count } = this.lines[this.detail === 'coarse' ? 'coarse' : 'full'];
     gl.uniform1i(uniforms.points, 1);
     gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -261,6 +266,75 @@ class Viewer {
     gl.bindVertexArray(this.lines.nothing);
     gl.depthFunc(depth);
     gl.drawArrays(gl.TRIANGLES, 0, 6 * Math.max(0, count - 1));
+  }
+
+  // Looks at lines from where most of them is seen and the eye is outside: small pictures tell. It
+  // stays where it is if that is about as good, and tries fewer places where drawing takes long.
+  lookAt(lines, place, radius) {
+    const { camera, frame, lineWidth } = this, { back, right, up, aspect } = camera, steps = [-1, 0, 1];
+    camera.lookAt(place, radius);
+    this.lineWidth = 1 / (window.devicePixelRatio || 1);
+    this.frame = [0, 1].map(i => Math.min(160, frame[i]));
+    camera.aspect = this.frame[0] / this.frame[1];
+    this.surfaces[this.shown].near = this.trianglesNear(place, camera.distance + radius);
+    this.detail = 'near';
+    let most = 1.2 * this.seen(lines), best = null;
+    for (const side of steps.flatMap(x => steps.flatMap(y => steps.map(z => [x, y, z])))) {
+      const square = dot(side, side);
+      if (square === 0 || square === 2 && this.isSlow)
+        continue;
+      camera.lookFrom(normalized(side));
+      const seen = this.seen(lines);
+      if (seen > most)
+        [most, best] = [seen, camera.back];
+    }
+    Object.assign(camera, { back, right, up, aspect });
+    if (best)
+      camera.lookFrom(best);
+    Object.assign(this, { frame, lineWidth });
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, null);
+  }
+
+  // How well lines are seen: less where insides are seen, too, as from an eye that is inside.
+  seen(lines) {
+    const gl = this.gl, [width, height] = this.frame, pixels = new Uint8Array(4 * width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.pickingTarget());
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.drawSurface(-1);
+    this.drawSegments(gl.LEQUAL, 2, 1);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const counts = new Map(lines.map(line => [line + 1, 0]));
+    let insides = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      const number = pixels[i] + 256 * pixels[i + 1] + 65536 * pixels[i + 2];
+      if (counts.has(number))
+        counts.set(number, counts.get(number) + 1);
+      insides += number === 0 && pixels[i + 3] > 0 ? 1 : 0;
+    }
+    return [...counts.values()].reduce((s, n) => s + Math.sqrt(n), 0) * (1.01 - insides / width / height);
+  }
+
+  // Of many triangles those that can hide a place from an eye at a distance.
+  trianglesNear(place, distance) {
+    const { full, coarse, points, triangles } = this.surfaces[this.shown], most = 6e5, near = [];
+    if (full.count < most)
+      return full;
+    for (let i = 0; i < triangles.length && near.length < most; i += 3) {
+      let square = 0;
+      for (let k = 0; k < 3; ++k)
+        square += (points[4 * triangles[i] + k] * this.scale[k] + this.shift[k] - place[k]) ** 2;
+      if (square < (distance + 0.02) ** 2)
+        near.push(triangles[i], triangles[i + 1], triangles[i + 2]);
+    }
+    if (near.length >= most)
+      return coarse;
+    this.gl.bindVertexArray(null);
+    this.gl.deleteBuffer(this.nearBuffer);
+    const indices = this.indices(Uint32Array.from(near));
+    this.nearBuffer = indices.buffer;
+    return indices;
   }
 
   // The line at a pixel of the canvas: one that is seen, else one behind the surface, else -1.

@@ -100,6 +100,26 @@ protected:
     return number;
   }
 
+  // How often a line goes from being seen in its colour to not being so, step by step of a pixel.
+  static int number_of_ends(const Decoded_png& picture, std::size_t line, const Colour& colour) {
+    const auto places = places_of_line(line);
+    int ends = 0;
+    bool was_seen = false;
+    for(std::size_t i = 1; i < places.size(); ++i) {
+      const auto& [x, y] = places[i - 1];
+      const auto& [u, v] = places[i];
+      const int steps = static_cast<int>(std::hypot(u - x, v - y)) + 1;
+      for(int k = 0; k < steps; ++k) {
+        const double t = double(k) / steps;
+        const bool is_seen =
+            is_like(colour_at(picture, {x + t * (u - x), y + t * (v - y)}), colour);
+        ends += was_seen && !is_seen ? 1 : 0;
+        was_seen = is_seen;
+      }
+    }
+    return ends;
+  }
+
   // The middle of an element.
   static std::array<double, 2> place_of(const std::string& element) {
     const Json box = browser().evaluate("(() => { const b = " + element +
@@ -172,6 +192,14 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"chain", {6000, 4, 0}},
                                          Recipe{"plates", {3000, 5, 0}}));
 
+TEST_F(Page, loops_that_are_seen_have_no_gaps) {
+  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  const Decoded_png picture = browser().screenshot();
+  for(std::size_t line = 0; line < 6; ++line)
+    EXPECT_LE(number_of_ends(picture, line, line % 2 == 0 ? handle_colour : tunnel_colour), 5)
+        << "line " << line;
+}
+
 TEST_F(Page, a_click_on_a_row_centres_and_lights_its_loops) {
   open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
   click(row(1));
@@ -191,6 +219,23 @@ TEST_F(Page, a_click_on_a_row_centres_and_lights_its_loops) {
   EXPECT_NEAR((low[0] + high[0]) / 2., double(canvas[0]), 0.15 * width);
   EXPECT_NEAR((low[1] + high[1]) / 2., double(canvas[1]), 0.15 * height);
   EXPECT_GT(std::max(high[0] - low[0], high[1] - low[1]), 0.15 * height);
+  expect_quiet();
+}
+
+// Insides are brownish; a loop that is behind the surface is paler than it is on the list.
+TEST_F(Page, a_row_is_looked_at_from_where_its_loops_are_seen) {
+  open(mesh_of(Recipe{"gyroid", {20000, 6, 0}}));
+  for(std::size_t i = 0; i < listing_.size(); ++i) {
+    browser().evaluate("htloops.page.light(" + std::to_string(i) + ", true)");
+    const Decoded_png picture = browser().screenshot();
+    EXPECT_GT(number_in_colour(picture, 2 * i, handle_colour) +
+                  number_in_colour(picture, 2 * i + 1, tunnel_colour),
+              0u)
+        << "row " << i;
+    const auto brownish =
+        picture.count([](const Colour& c) { return c[0] - c[2] > 15 && c[0] - c[2] < 45; });
+    EXPECT_LT(brownish, width * height / 20) << "row " << i;
+  }
   expect_quiet();
 }
 
