@@ -4,6 +4,7 @@
 #include "Temporary_folder.h"
 
 #include "htloops/failure.h"
+#include "htloops/read/soup_diagnosis.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -221,6 +222,7 @@ TEST_F(Soup_reader, reads_both_forms_of_stl_and_merges_points) {
   expect_tetrahedron("text.stl", text);
   expect_tetrahedron("binary.stl", binary_stl_file(-0.2f));
   expect_tetrahedron("more.stl", binary_stl_file(-0.2f) + "more");
+  expect_tetrahedron("more.stl", binary_stl_file(-0.2f) + std::string(49, ' '));
   expect_tetrahedron("zeros.stl", replaced(text, "vertex 0 0 0", "vertex -0 0.0 -0e9"));
 }
 
@@ -384,12 +386,25 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
   expect_failure("a.stl", text + "facet", "'facet' is out of place");
   expect_failure("a.stl", binary.substr(0, 83), "too short");
   expect_failure("a.stl", binary.substr(0, 200), "ends after 2 of 4 faces");
+  expect_failure("a.stl", binary + std::string(49 + 50, 'x'),
+                 "announces 4 faces, but has room for 5");
+  for(const char count : {'\0', '\1'})
+    expect_failure("a.stl", std::string(binary).replace(80, 1, 1, count), ", but has room for 4");
 }
 
-// What is not a number is refused later, with the vertex that has it.
-TEST_F(Soup_reader, merges_points_that_are_nowhere) {
+// They are refused later, for nothing but that: they are not where others are.
+TEST_F(Soup_reader, does_not_merge_points_that_are_nowhere) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(read_soup(folder_.write("a.stl", binary_stl_file(nan))).points.size(), 4u);
+  EXPECT_EQ(read_soup(folder_.write("a.stl", binary_stl_file(nan))).points.size(), 6u);
+  std::string text = text_stl_file();
+  for(const char* point : {"0 0 0", "0 1.5 0", "1 0 0"}) // of the first face
+    text = replaced(text, std::string("vertex ") + point, "vertex nan nan nan");
+  for(const std::string& content : {text, binary_stl_file(nan)}) {
+    const auto defects = diagnose(read_soup(folder_.write("a.stl", content))).defects;
+    ASSERT_EQ(defects.size(), 1u);
+    EXPECT_EQ(defects[0].kind, Mesh_defect::NON_FINITE_COORDINATE);
+    EXPECT_EQ(defects[0].count, 3u);
+  }
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_other_files) {
