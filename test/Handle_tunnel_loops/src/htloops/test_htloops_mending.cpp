@@ -655,15 +655,17 @@ TEST(Remedy, is_the_one_that_helps) {
     return words_on_remedy(soup, diagnose(mend(soup, given).soup).defects, given);
   };
   EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate makes them triangles");
-  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair),
-            "--triangulate and --repair together mend this");
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair), "--triangulate makes them triangles");
   Faces faces = cube;
   faces.push_back({0, 0, 1});
   EXPECT_EQ(words_on(soup_of(corners_of_cube, faces)),
             "--triangulate and --repair together mend this");
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, faces), repair),
+            "--triangulate and --repair together mend this");
   faces = tetrahedron;
   faces.push_back({0, 0, 1});
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair drops it");
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces), triangulation), "--repair drops it");
   faces.back() = {0, 1, 2};
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair mends this");
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {})), "no option mends this");
