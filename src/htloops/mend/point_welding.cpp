@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 namespace htloops {
@@ -34,40 +35,124 @@ struct Counted_edge
   std::uint32_t second() const { return static_cast<std::uint32_t>(edge); }
 };
 
-// Of a face that goes along an edge and back again, it is none.
-void append_sides(const Corners& corners, std::vector<std::uint64_t>& sides) {
-  const std::size_t before = sides.size();
-  for_each_side(corners, [&](std::uint32_t u, std::uint32_t v) {
-    if(u != v)
-      sides.push_back(key_of_edge(u, v));
-  });
-  if(corners.size() == 3 && sides.size() == before + 3)
-    return; // as nearly always
-  const auto begin = sides.begin() + static_cast<std::ptrdiff_t>(before);
-  std::sort(begin, sides.end());
-  auto kept = begin;
-  for(auto side = begin; side != sides.end();) {
-    const auto next =
-        std::find_if(side, sides.end(), [side](auto other) { return other != *side; });
-    if(next == side + 1)
-      *kept++ = *side;
-    side = next;
+// A side of a face, with what tells the face from others at the same edge. Of one that is there
+// twice, both are the same: it will be dropped, and until then must not hide that an edge is open.
+struct Side
+{
+  std::uint64_t edge;
+  std::uint32_t face;
+
+  bool operator<(const Side& other) const {
+    return edge != other.edge ? edge < other.edge : face < other.face;
   }
-  sides.erase(kept, sides.end());
+};
+
+// The same for all polygons with the same sides, and nearly always different for others.
+std::uint64_t hash_of(const Corners& corners) {
+  std::uint64_t sum = 0;
+  for_each_side(corners, [&sum](std::uint32_t u, std::uint32_t v) {
+    const std::uint64_t product = (key_of_edge(u, v) + 1) * 0x9E3779B97F4A7C15u;
+    sum += (product ^ product >> 32) * 0xC2B2AE3D27D4EB4Fu;
+  });
+  return sum;
 }
 
-std::vector<Counted_edge> edges_of(const Soup& soup) {
-  std::vector<std::uint64_t> sides;
-  sides.reserve(3 * soup.faces.size() + soup.further_corners.size());
-  for_each_polygon(soup,
-                   [&](std::size_t, const Corners& corners) { append_sides(corners, sides); });
-  std::sort(sides.begin(), sides.end());
-  std::vector<Counted_edge> edges;
-  for(const std::uint64_t side : sides)
-    if(!edges.empty() && edges.back().edge == side)
-      ++edges.back().count;
+// Numbers polygons; those with the same sides have the same number. Looks closely only at those
+// whose hashes say that they may.
+class Polygon_numbers
+{
+public:
+  explicit Polygon_numbers(const Soup& soup) {
+    if(soup.further_corners.empty())
+      return;
+    std::vector<std::uint64_t> hashes;
+    hashes.reserve(soup.faces.size());
+    for_each_polygon(
+        soup, [&](std::size_t, const Corners& corners) { hashes.push_back(hash_of(corners)); });
+    std::sort(hashes.begin(), hashes.end());
+    for(std::size_t i = 1; i < hashes.size(); ++i)
+      if(hashes[i] == hashes[i - 1])
+        repeated_.push_back(hashes[i]);
+  }
+
+  std::uint32_t number(std::size_t f, const Corners& corners) {
+    const auto own = static_cast<std::uint32_t>(f);
+    if(!std::binary_search(repeated_.begin(), repeated_.end(), hash_of(corners)))
+      return own;
+    return first_.try_emplace(in_standard_order(corners), own).first->second;
+  }
+
+private:
+  std::vector<std::uint64_t> repeated_; // sorted
+  std::map<Corners, std::uint32_t> first_;
+};
+
+class Side_collector
+{
+public:
+  explicit Side_collector(const Soup& soup)
+      : number_of_points_(static_cast<std::uint32_t>(soup.points.size()))
+      , numbers_(soup) {
+    sides_.reserve(3 * soup.faces.size() + soup.further_corners.size());
+    for_each_polygon(soup, [this](std::size_t f, const Corners& corners) { add(f, corners); });
+  }
+
+  std::vector<Side> take_sorted() {
+    std::sort(sides_.begin(), sides_.end());
+    return std::move(sides_);
+  }
+
+private:
+  // At an edge, the third corner tells triangles apart.
+  void add(std::size_t f, const Corners& corners) {
+    if(corners.size() == 3 && corners[0] != corners[1] && corners[1] != corners[2] &&
+       corners[2] != corners[0])
+      for(std::size_t i = 0; i < 3; ++i)
+        sides_.push_back({key_of_edge(corners[i], corners[(i + 1) % 3]), corners[(i + 2) % 3]});
     else
-      edges.push_back({side, 1});
+      add_polygon(f, corners);
+  }
+
+  void add_polygon(std::size_t f, const Corners& corners) {
+    const std::uint32_t face = number_of_points_ + numbers_.number(f, corners);
+    const auto before = static_cast<std::ptrdiff_t>(sides_.size());
+    for_each_side(corners, [&](std::uint32_t u, std::uint32_t v) {
+      if(u != v)
+        sides_.push_back({key_of_edge(u, v), face});
+    });
+    drop_slits(before);
+  }
+
+  // Of a face that goes along an edge and back again, it is none.
+  void drop_slits(std::ptrdiff_t before) {
+    const auto begin = sides_.begin() + before;
+    std::sort(begin, sides_.end());
+    auto kept = begin;
+    for(auto side = begin; side != sides_.end();) {
+      const auto next = std::find_if(
+          side, sides_.end(), [side](const Side& other) { return other.edge != side->edge; });
+      if(next == side + 1)
+        *kept++ = *side;
+      side = next;
+    }
+    sides_.erase(kept, sides_.end());
+  }
+
+  const std::uint32_t number_of_points_;
+  Polygon_numbers numbers_;
+  std::vector<Side> sides_;
+};
+
+std::vector<Counted_edge> edges_of(const Soup& soup) {
+  std::vector<Counted_edge> edges;
+  std::uint32_t last_face = 0;
+  for(const auto& [edge, face] : Side_collector(soup).take_sorted()) {
+    if(edges.empty() || edges.back().edge != edge)
+      edges.push_back({edge, 1});
+    else if(face != last_face)
+      ++edges.back().count;
+    last_face = face;
+  }
   return edges;
 }
 

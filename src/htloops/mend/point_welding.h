@@ -15,7 +15,8 @@
 namespace htloops {
 
 /// makes one vertex of those at the same place, exactly, where an edge without a second face lies
-/// on another edge. What touches in points stays apart, and a mesh without such edges as it is.
+/// on another edge. Faces with the same sides count as one. What touches in points stays apart, and
+/// a mesh without such edges as it is.
 void weld_points(Mended_soup& mended);
 
 } // namespace htloops

@@ -12,6 +12,7 @@
 
 #include "read/soup.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,6 +42,15 @@ template <typename Visit> void for_each_polygon(const Soup& soup, Visit visit) {
 template <typename Visit> void for_each_side(const Corners& corners, Visit visit) {
   for(std::size_t i = 0; i < corners.size(); ++i)
     visit(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
+}
+
+/// the same for all polygons with the same sides: from the least corner on, its smaller neighbor
+/// next. (A corner that comes twice makes no more of it than that one may be missed.)
+inline Corners in_standard_order(Corners corners) {
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  if(corners.back() < corners[1])
+    std::reverse(corners.begin() + 1, corners.end());
+  return corners;
 }
 
 inline void add_face(Soup& soup, const Corners& corners) {

@@ -43,18 +43,18 @@ std::string words_for(const Remedies& remedies, const std::vector<Defect>& defec
 
 } // namespace
 
+// What helps alone is said even where the other one was given: it was of no use.
 std::string
 words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Remedies& given) {
-  constexpr Remedies candidates[] = {{true, false}, {false, true}, {true, true}};
+  constexpr Remedies both = {true, true}, candidates[] = {{true, false}, {false, true}, both};
+  const bool are_all_given = given.do_triangulate && given.do_repair;
   for(const Remedies& remedies : candidates) {
-    const bool has_given = (remedies.do_triangulate || !given.do_triangulate) &&
-                           (remedies.do_repair || !given.do_repair);
-    const bool has_more =
-        remedies.do_triangulate != given.do_triangulate || remedies.do_repair != given.do_repair;
-    if(has_given && has_more && would_help(soup, remedies))
+    const bool is_given =
+        remedies.do_triangulate == given.do_triangulate && remedies.do_repair == given.do_repair;
+    if(!are_all_given && !is_given && would_help(soup, remedies))
       return words_for(remedies, defects);
   }
-  if(mend(soup, candidates[2]).is_one_sided)
+  if(mend(soup, both).is_one_sided)
     return "no option mends this, as the surface is not orientable";
   return given.any() ? "no other option mends this" : "no option mends this";
 }

@@ -35,15 +35,6 @@ std::vector<std::uint64_t> edges_of_polygons(const Soup& soup) {
   return edges;
 }
 
-// The same for all polygons with the same sides: from the least corner on, its smaller neighbor
-// next. (A corner that comes twice makes no more of it than that one may be missed.)
-Corners in_standard_order(Corners corners) {
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  if(corners.back() < corners[1])
-    std::reverse(corners.begin() + 1, corners.end());
-  return corners;
-}
-
 class Triangulator
 {
 public:

@@ -11,6 +11,7 @@
 
 #include "read/off_header.h"
 #include "read/soup_words.h"
+#include "words.h"
 
 #include <algorithm>
 
@@ -28,6 +29,7 @@ public:
   Soup parse() {
     read_points();
     read_faces();
+    text_.expect_end("the last of " + counted(header_.number_of_faces, "face", "faces"));
     return std::move(soup_);
   }
 

@@ -14,6 +14,12 @@
 namespace htloops {
 namespace {
 
+void check_version(Text_source& text) {
+  const std::string_view version = text.word();
+  if(version != "1.0" && !version.empty())
+    text.fail("the unknown version " + in_quotes(version) + " of PLY");
+}
+
 Ply_format read_format(Text_source& text) {
   const std::string_view format = text.word();
   if(format == "ascii")
@@ -81,6 +87,7 @@ Ply_header read_ply_header(Text_source& text) {
     const std::string_view keyword = text.word();
     if(keyword == "format") {
       header.format = read_format(text);
+      check_version(text);
     } else if(keyword == "element") {
       header.elements.push_back(read_element(text));
     } else if(keyword == "property") {

@@ -31,6 +31,9 @@ public:
   /// whether nothing is left of the element.
   bool end_element() { return text_.is_at_line_end(); }
 
+  /// fails if there is more than all elements.
+  void end() { text_.expect_end("the last of the elements that the header declares"); }
+
   /// reads the next number, which has a type; false if there is none.
   bool read(Ply_type type, double& value);
 
@@ -55,6 +58,7 @@ public:
 
   void begin_element() {}
   bool end_element() { return true; }
+  void end() {} // some programs fill up the last block
   bool read(Ply_type type, double& value);
 
   [[noreturn]] void fail(const std::string& problem) const { data_.fail(problem); }

@@ -64,6 +64,7 @@ public:
       else
         read_items(element, nowhere, ignore, [] {});
     }
+    numbers_.end();
     return std::move(soup_);
   }
 

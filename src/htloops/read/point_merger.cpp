@@ -9,6 +9,7 @@
 
 #include "read/point_merger.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace htloops {
@@ -17,6 +18,10 @@ namespace {
 constexpr std::uint32_t nothing = static_cast<std::uint32_t>(-1);
 
 static_assert(sizeof(Point) == 3 * sizeof(double), "points are compared by their bytes");
+
+bool is_finite(const Point& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
 
 bool are_same(const Point& p, const Point& q) { return std::memcmp(&p, &q, sizeof p) == 0; }
 
@@ -39,6 +44,10 @@ Point_merger::Point_merger()
     : slots_(1024, nothing) {}
 
 std::uint32_t Point_merger::number(const Point& point) {
+  if(!is_finite(point)) {
+    points_.push_back(point);
+    return static_cast<std::uint32_t>(points_.size() - 1);
+  }
   const Point with_one_zero(point.x() + 0., point.y() + 0., point.z() + 0.);
   if(2 * points_.size() >= slots_.size())
     grow();
@@ -62,7 +71,8 @@ std::size_t Point_merger::slot_of(const Point& point) const {
 void Point_merger::grow() {
   slots_.assign(2 * slots_.size(), nothing);
   for(std::size_t i = 0; i < points_.size(); ++i)
-    slots_[slot_of(points_[i])] = static_cast<std::uint32_t>(i);
+    if(is_finite(points_[i]))
+      slots_[slot_of(points_[i])] = static_cast<std::uint32_t>(i);
 }
 
 } // namespace htloops

@@ -26,8 +26,9 @@ class Point_merger
 public:
   Point_merger();
 
-  /// the number of a point, a new one if it has not come yet. Bits are compared, so that also what
-  /// is not a number is equal to itself, but for the two zeros.
+  /// the number of a point, a new one if it has not come yet. Bits are compared, but for
+  /// the two zeros. A point that is nowhere, as a coordinate is infinite or not a number, is at the
+  /// place of no other.
   std::uint32_t number(const Point& point);
 
   /// the points by their numbers, which are taken away.

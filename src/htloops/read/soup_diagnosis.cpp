@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -186,33 +187,50 @@ private:
                       "faces are duplicates");
   }
 
-  // A surface may have a boundary. But where no two faces share a vertex, that is a matter of the
-  // file.
+  // A surface may have a boundary. But where no two faces share a vertex, and edges lie on others,
+  // that is a matter of the file.
   void report_unwelded(const Finding& boundary) {
     const std::size_t corners = 3 * soup_.faces.size();
-    if(boundary.count() != corners || soup_.faces.size() == 1)
+    if(boundary.count() != corners || soup_.faces.size() == 1 || do_faces_share_vertices())
       return;
-    std::vector<char> is_used(soup_.points.size(), 0);
-    std::size_t vertices = 0;
-    for(const Soup_face& face : soup_.faces)
-      for(const std::uint32_t v : face) {
-        vertices += is_used[v] == 0;
-        is_used[v] = 1;
-      }
-    if(vertices == corners)
-      boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
-                      ", in " + counted(soup_.faces.size(), "loop", "loops") +
-                          remark_on_unwelded_faces());
+    Point_merger merger;
+    std::vector<std::uint32_t> places; // of the source of each halfedge
+    places.reserve(corners);
+    for(std::uint32_t h = 0; h < corners; ++h)
+      places.push_back(merger.number(soup_.points[soup_.source(h)]));
+    if(!do_edges_lie_on_others(places))
+      return;
+    boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
+                    ", in " + counted(soup_.faces.size(), "loop", "loops") +
+                        " of three edges: no two faces share a vertex (merging equal points would "
+                        "leave " +
+                        std::to_string(merger.take_points().size()) + " of " +
+                        std::to_string(corners) + " vertices)");
   }
 
-  std::string remark_on_unwelded_faces() const {
-    Point_merger places;
+  bool do_faces_share_vertices() const {
+    std::vector<char> is_used(soup_.points.size(), 0);
     for(const Soup_face& face : soup_.faces)
-      for(const std::uint32_t vertex : face)
-        places.number(soup_.points[vertex]);
-    return " of three edges: no two faces share a vertex (merging equal points would leave " +
-           std::to_string(places.take_points().size()) + " of " +
-           std::to_string(3 * soup_.faces.size()) + " vertices)";
+      for(const std::uint32_t v : face) {
+        if(is_used[v] != 0)
+          return true;
+        is_used[v] = 1;
+      }
+    return false;
+  }
+
+  // Where none does, faces touch in points at most, and merging these would join none. Nor would it
+  // join a face to others of which it leaves no three vertices.
+  static bool do_edges_lie_on_others(const std::vector<std::uint32_t>& places) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(places.size());
+    for(std::size_t h = 0; h < places.size(); h += 3) {
+      const std::uint32_t a = places[h], b = places[h + 1], c = places[h + 2];
+      if(a != b && b != c && c != a)
+        edges.insert(edges.end(), {std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
+    }
+    std::sort(edges.begin(), edges.end());
+    return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
   }
 
   void report_orientation(const Finding& disoriented) {

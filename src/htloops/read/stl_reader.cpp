@@ -14,6 +14,7 @@
 #include "read/point_merger.h"
 #include "read/soup_words.h"
 #include "read/text_source.h"
+#include "words.h"
 
 #include <algorithm>
 
@@ -128,6 +129,9 @@ Soup read_binary(const std::string& file, std::string_view content) {
   if(found < announced)
     fail_to_read(file, "it ends after " + std::to_string(found) + " of " +
                            std::to_string(announced) + " faces");
+  if(found > announced) // less than a face may follow
+    fail_to_read(file, "it announces " + counted(announced, "face", "faces") +
+                           ", but has room for " + std::to_string(found));
   Triangle_collector triangles;
   for(std::uint32_t facet = 0; facet < announced; ++facet) {
     triangles.add_triangle();

@@ -24,8 +24,11 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' |
 
 bool ends_word(char c) { return is_blank(c) || c == '\n' || c == '#'; }
 
-// Knows every form of a number, and what is too large or too small for one.
+// Knows every form of a number, and what is too large or too small for one. A hexadecimal number,
+// of which none of the formats knows, is nearly always something else.
 bool parse_slowly(std::string_view word, double& value) {
+  if(word.find_first_of("xX") != word.npos)
+    return false;
   const std::string copy(word);
   char* end = nullptr;
   value = std::strtod(copy.c_str(), &end);
@@ -50,6 +53,9 @@ Text_cursor::Text_cursor(std::string_view text)
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if(text.substr(0, byte_order_mark.size()) == byte_order_mark)
     at_ += byte_order_mark.size();
+  constexpr char ctrl_z = '\x1A';
+  if(!text.empty() && text.back() == ctrl_z)
+    --end_;
 }
 
 void Text_cursor::skip_blanks() {

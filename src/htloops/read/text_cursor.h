@@ -16,7 +16,7 @@
 namespace htloops {
 
 /// A place in a text of lines of numbers and words, where # begins a comment. A byte order mark
-/// before the text is passed over.
+/// before the text is passed over, and the Ctrl-Z that ends texts of DOS.
 class Text_cursor
 {
 public:

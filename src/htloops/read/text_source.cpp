@@ -33,6 +33,11 @@ void Text_source::skip_numbers() {
   skip_line();
 }
 
+void Text_source::expect_end(const std::string& last) {
+  if(skip_to_content())
+    fail(in_quotes(word()) + " follows " + last);
+}
+
 void Text_source::fail(const std::string& problem) const {
   fail_to_read(*file_ + ":" + std::to_string(line()), problem);
 }

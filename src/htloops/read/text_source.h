@@ -29,6 +29,10 @@ public:
   /// passes over the rest of this line, where nothing but numbers may be left: colours, normals.
   void skip_numbers();
 
+  /// goes to the end of the text, before which there may be nothing but comments; fails otherwise,
+  /// saying what it follows on.
+  void expect_end(const std::string& last);
+
   /// throws the `Failure` of a text that is wrong here.
   [[noreturn]] void fail(const std::string& problem) const;
 

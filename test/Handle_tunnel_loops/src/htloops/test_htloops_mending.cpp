@@ -281,6 +281,47 @@ TEST(Repair, welds_quadrangles_before_they_are_cut) {
   expect_sound(mend(soup, both).soup);
 }
 
+namespace {
+
+// Each face gets vertices of its own.
+Soup unwelded(const std::vector<Point>& points, const Faces& faces) {
+  Soup soup;
+  for(Corners face : faces) {
+    for(std::uint32_t& v : face) {
+      soup.points.push_back(points[v]);
+      v = static_cast<std::uint32_t>(soup.points.size() - 1);
+    }
+    add_face(soup, face);
+  }
+  return soup;
+}
+
+} // namespace
+
+// Its edges have two faces each, but only one that will stay.
+TEST(Repair, welds_faces_that_are_there_twice) {
+  const std::pair<std::vector<Point>, Faces> solids[] = {{corners_of_tetrahedron, tetrahedron},
+                                                         {corners_of_cube, cube}};
+  for(const auto& [points, faces] : solids)
+    for(const std::size_t number_of_faces : {std::size_t(1), faces.size()})
+      for(const bool is_flipped : {false, true}) {
+        Soup soup = unwelded(points, faces);
+        const Faces own = faces_of(soup);
+        for(std::size_t f = 0; f < number_of_faces; ++f) {
+          Corners duplicate(own[f]);
+          std::rotate(duplicate.begin(), duplicate.begin() + 1, duplicate.end());
+          if(is_flipped)
+            std::reverse(duplicate.begin(), duplicate.end());
+          add_face(soup, duplicate);
+        }
+        const Mended_soup mended = mend(soup, both);
+        expect_sound(mended.soup);
+        EXPECT_EQ(euler_characteristic(mended.soup), 2) << words(mended);
+        EXPECT_EQ(3 * mended.soup.faces.size(), 6 * (points.size() - 2));
+        EXPECT_TRUE(mend(mended.soup, both).changes.empty());
+      }
+}
+
 TEST(Repair, does_not_weld_what_merely_touches) {
   // Two tents without floor, whose tops are at one place.
   const std::vector<Point> points = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0},
@@ -614,15 +655,17 @@ TEST(Remedy, is_the_one_that_helps) {
     return words_on_remedy(soup, diagnose(mend(soup, given).soup).defects, given);
   };
   EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate makes them triangles");
-  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair),
-            "--triangulate and --repair together mend this");
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair), "--triangulate makes them triangles");
   Faces faces = cube;
   faces.push_back({0, 0, 1});
   EXPECT_EQ(words_on(soup_of(corners_of_cube, faces)),
             "--triangulate and --repair together mend this");
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, faces), repair),
+            "--triangulate and --repair together mend this");
   faces = tetrahedron;
   faces.push_back({0, 0, 1});
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair drops it");
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces), triangulation), "--repair drops it");
   faces.back() = {0, 1, 2};
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair mends this");
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {})), "no option mends this");

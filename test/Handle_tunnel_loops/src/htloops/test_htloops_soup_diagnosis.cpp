@@ -127,6 +127,20 @@ TEST(Soup_diagnosis, recognizes_faces_that_share_no_vertex) {
             "equal points would leave 4 of 12 vertices), the first is edge 0-1 of face 0");
 }
 
+// Such faces are surfaces of their own, if no edge lies on one of another face.
+TEST(Soup_diagnosis, accepts_faces_that_are_apart_or_touch_in_a_point) {
+  Soup soup = soup_of({{0, 1, 2}, {3, 4, 5}}, 6);
+  EXPECT_TRUE(diagnose(soup).defects.empty());
+  soup.points[3] = soup.points[0];
+  EXPECT_TRUE(diagnose(soup).defects.empty());
+  soup.points[4] = soup.points[0]; // all edges of the second face lie at the same two places
+  EXPECT_TRUE(diagnose(soup).defects.empty());
+  soup.points[4] = soup.points[1];
+  const Diagnosis diagnosis = diagnose(soup);
+  ASSERT_EQ(diagnosis.defects.size(), 1u);
+  EXPECT_EQ(diagnosis.defects[0].kind, Mesh_defect::BOUNDARY_EDGE);
+}
+
 TEST(Soup_diagnosis, names_edges_with_too_many_faces) {
   expect_defects(with(tetrahedron, {0, 1, 4}), 5,
                  {{Mesh_defect::NON_MANIFOLD_EDGE, 1, "edge 0-1 with 3 faces"}});

@@ -4,6 +4,7 @@
 #include "Temporary_folder.h"
 
 #include "htloops/failure.h"
+#include "htloops/read/soup_diagnosis.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -151,7 +152,8 @@ TEST_F(Soup_reader, reads_all_forms_of_off) {
   expect_tetrahedron("colours.off",
                      replaced(replaced(off_file(), "OFF", "COFF"), "1 0 0", "1 0 0 255 0 0 1"));
   expect_tetrahedron("normals.off", replaced(off_file(), "OFF", "NOFF"));
-  expect_tetrahedron("more.off", off_file() + "and more\n");
+  expect_tetrahedron("end.off", off_file() + "\n# the end\n \t\n");
+  expect_tetrahedron("end_of_dos.off", off_file() + '\x1A');
   expect_tetrahedron("byte_order_mark.off", byte_order_mark + off_file());
 }
 
@@ -183,7 +185,9 @@ TEST_F(Soup_reader, reads_all_forms_of_ply) {
   expect_tetrahedron("byte_order_mark.ply", byte_order_mark + ply_header("ascii") + points + faces);
   for(const char* list : {"int uint", "uchar short", "uchar uchar", "ushort int8"})
     expect_tetrahedron("lists.ply", ply_header("ascii", "float", list) + points + faces);
+  expect_tetrahedron("end.ply", ply_header("ascii") + points + faces + "\n \n");
   expect_tetrahedron("little.ply", binary_ply_file(false));
+  expect_tetrahedron("filled_up.ply", binary_ply_file(false) + std::string(7, '\0'));
   expect_tetrahedron("big.ply", binary_ply_file(true));
 }
 
@@ -209,9 +213,8 @@ TEST_F(Soup_reader, passes_over_what_else_is_in_a_ply_file) {
                     "element camera 1\nproperty list int int a\nelement vertex");
   header = replaced(header, "element face", "property uchar red\nelement face");
   header = replaced(header, "end_header", "property list uchar float weights\nend_header");
-  expect_tetrahedron("more.ply", header +
-                                     "2 7 7\n0 0 0 1\n1 0 0 2\n0 1.5 0 3\n0 0 -2e-1 4\n"
-                                     "3 0 2 1 0\n3 0 1 3 1 0.5\n3 1 2 3 0\n3 2 0 3 2 1 1\nrest\n");
+  expect_tetrahedron("more.ply", header + "2 7 7\n0 0 0 1\n1 0 0 2\n0 1.5 0 3\n0 0 -2e-1 4\n"
+                                          "3 0 2 1 0\n3 0 1 3 1 0.5\n3 1 2 3 0\n3 2 0 3 2 1 1\n");
   const std::string integers = replaced(ply_header("ascii"), "double x", "uchar x");
   expect_tetrahedron("integers.ply", integers + points + faces);
 }
@@ -221,6 +224,7 @@ TEST_F(Soup_reader, reads_both_forms_of_stl_and_merges_points) {
   expect_tetrahedron("text.stl", text);
   expect_tetrahedron("binary.stl", binary_stl_file(-0.2f));
   expect_tetrahedron("more.stl", binary_stl_file(-0.2f) + "more");
+  expect_tetrahedron("more.stl", binary_stl_file(-0.2f) + std::string(49, ' '));
   expect_tetrahedron("zeros.stl", replaced(text, "vertex 0 0 0", "vertex -0 0.0 -0e9"));
 }
 
@@ -322,6 +326,14 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
   expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 2 4"),
                  ":9: face 2 names vertex 4 of 4");
   expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 -2 3"), "face 2 names vertex -2");
+  expect_failure("a.off", off_file() + "\n# more\n3 0 1 2\n",
+                 ":13: '3' follows the last of 4 faces");
+  std::string in_free_form = replaced(off_file(), "6\n", "6 ");
+  in_free_form.back() = ' ';
+  expect_failure("a.off", in_free_form + "more", ":9: 'more' follows the last of 4 faces");
+  for(const char* number : {"0x10", "-0X1p3"})
+    expect_failure("a.off", replaced(off_file(), "1 0 0", std::string("1 0 ") + number),
+                   ":4: vertex 1 has no three coordinates");
   expect_failure("a.off", "OFF\n2000000000 2000000000 0\n0 0 0\n", "only 1 of 2000000000 vertices");
 }
 
@@ -339,6 +351,8 @@ TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
   expect_failure("a.ply", "", "ply");
   expect_failure("a.ply", good.substr(0, 60), "has no end");
   expect_failure("a.ply", replaced(good, "ascii", "asci"), ":2: the unknown format 'asci'");
+  expect_failure("a.ply", replaced(good, "1.0", "2.0"), ":2: the unknown version '2.0' of PLY");
+  expect_failure("a.ply", good + "\nmore\n", ":20: 'more' follows the last of the elements");
   expect_failure("a.ply", replaced(good, "double y", "double why"), "no coordinate y");
   expect_failure("a.ply", replaced(good, "double y", "real y"),
                  ":6: a property of the unknown type 'real'");
@@ -384,12 +398,25 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
   expect_failure("a.stl", text + "facet", "'facet' is out of place");
   expect_failure("a.stl", binary.substr(0, 83), "too short");
   expect_failure("a.stl", binary.substr(0, 200), "ends after 2 of 4 faces");
+  expect_failure("a.stl", binary + std::string(49 + 50, 'x'),
+                 "announces 4 faces, but has room for 5");
+  for(const char count : {'\0', '\1'})
+    expect_failure("a.stl", std::string(binary).replace(80, 1, 1, count), ", but has room for 4");
 }
 
-// What is not a number is refused later, with the vertex that has it.
-TEST_F(Soup_reader, merges_points_that_are_nowhere) {
+// They are refused later, for nothing but that: they are not where others are.
+TEST_F(Soup_reader, does_not_merge_points_that_are_nowhere) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(read_soup(folder_.write("a.stl", binary_stl_file(nan))).points.size(), 4u);
+  EXPECT_EQ(read_soup(folder_.write("a.stl", binary_stl_file(nan))).points.size(), 6u);
+  std::string text = text_stl_file();
+  for(const char* point : {"0 0 0", "0 1.5 0", "1 0 0"}) // of the first face
+    text = replaced(text, std::string("vertex ") + point, "vertex nan nan nan");
+  for(const std::string& content : {text, binary_stl_file(nan)}) {
+    const auto defects = diagnose(read_soup(folder_.write("a.stl", content))).defects;
+    ASSERT_EQ(defects.size(), 1u);
+    EXPECT_EQ(defects[0].kind, Mesh_defect::NON_FINITE_COORDINATE);
+    EXPECT_EQ(defects[0].count, 3u);
+  }
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_other_files) {
