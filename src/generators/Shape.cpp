@@ -124,8 +124,11 @@ public:
       if(std::string word; words_ >> word)
         read_line(word);
     }
-    if(shape_.parts_.empty())
-      fail("there are no parts");
+    if(!has_box_)
+      throw std::invalid_argument(shape_.parts_.empty()
+                                      ? "the shape has no parts"
+                                      : "the shape is empty: all its parts are cut out");
+    check_size();
   }
 
 private:
@@ -135,10 +138,21 @@ private:
     throw std::invalid_argument("line " + std::to_string(number_) + " of the shape: " + problem);
   }
 
+  // What is very small, or far away, is lost when numbers are rounded.
+  void check_size() const {
+    const double size = length(shape_.box_.high - shape_.box_.low);
+    const double away = length(shape_.box_.high + shape_.box_.low) / 2.;
+    if(size < 1. / largest || size < 1e-9 * away)
+      throw std::invalid_argument(
+          "the shape is too small for numbers of 16 digits, or too far from the origin");
+  }
+
   double number() {
     double value;
     if(!(words_ >> value) || !std::isfinite(value))
       fail("a number is missing");
+    if(std::abs(value) > largest)
+      fail("a number is too large");
     return value;
   }
 
@@ -308,6 +322,8 @@ private:
       has_box_ = true;
     }
   }
+
+  static constexpr double largest = 1e100; // squares and their sums are numbers, too
 
   Shape& shape_;
   std::istringstream lines_, words_;

@@ -68,11 +68,35 @@ TEST(Shape, ATextThatIsNoneIsRefusedWithItsLine) {
       {"ring 0 0 0 0 0 0 1 1\n", "direction"},
       {"times 3 ball 0 0 0 1\n", "times"},
       {"times nan by 0 0 1 ball 0 0 0 1\n", "line 1"},
+      {"", "the shape has no parts"},
+      {"ball 0 0 0 1e300\n", "too large"},
+      {"ball 0 0 0 1e-200\n", "too small"},
+      {"ball 1e15 0 0 1\n", "too far"},
+      {"times 200 by 1 0 0 cut ball 0 0 0 1\n", "empty"},
       {"pipe 0.1 0 0 0\n", "two points"},
       {"cut\n", "what"}};
   for(const auto& [text, words] : wrong)
     try {
       const Shape shape(text);
+      ADD_FAILURE() << text;
+    } catch(const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}
+
+// Where there is no surface, or none that a lattice of such a size meets, the search for the right
+// size ends.
+TEST(Shape, WithoutASurfaceIsRefused) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"ball 0 0 0 1\ncut ball 0 0 0 2\n", "the shape is empty"},
+      {"ball 0 0 0 1\ncut ball 0 0 0 1.0001\n", "2000 faces"},
+      {"ball 0 0 0 0.001\nball 100 0 0 0.001\n", "2000 faces"},
+      {"ball 0 0 0 0.001\nball 100 100 100 0.001\n", "2000 faces"}};
+  Request request;
+  request.faces = 2000;
+  for(const auto& [text, words] : wrong)
+    try {
+      mesh_of_shape(Shape(text), request, "shape");
       ADD_FAILURE() << text;
     } catch(const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
