@@ -20,6 +20,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -152,9 +153,18 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
                               std::to_string(request.genus));
 }
 
-Soup mesh_of_field(const Field& field, std::size_t faces) {
+Lattice_mesh lattice_mesh(const Field& field, std::size_t faces) {
   Spacing_search search(field, most_lattice_points(faces));
-  return fitted_without_crossing(search.mesh_with_faces(faces), field, search.spacing());
+  Soup soup = search.mesh_with_faces(faces);
+  return {std::move(soup), search.spacing()};
+}
+
+Soup fitted(const Lattice_mesh& mesh, const Field& field) {
+  return fitted_without_crossing(mesh.soup, field, mesh.spacing);
+}
+
+Soup mesh_of_field(const Field& field, std::size_t faces) {
+  return fitted(lattice_mesh(field, faces), field);
 }
 
 } // namespace generators

@@ -102,3 +102,35 @@ TEST(Shape, WithoutASurfaceIsRefused) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
 }
+
+TEST(Shape, TooFewFacesAreRefusedWithANumberThatIsEnough) {
+  const Shape mug(
+      "genus 1\npipe 0.13  0.9 0 1.8  1.45 0 1.78  1.75 0 1.25  1.5 0 0.62  0.9 0 0.42\n"
+      "cylinder 0 0 0  0 0 2.2  1\ncut cylinder 0 0 0.2  0 0 3  0.84\n");
+  for(const std::size_t faces : {1, 100, 2000}) {
+    Request request;
+    request.faces = faces;
+    std::string message;
+    try {
+      mesh_of_shape(mug, request, "mug");
+    } catch(const std::invalid_argument& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(message.find(std::to_string(faces) + " face"), 0u) << message;
+    const std::size_t at = message.rfind("; ");
+    ASSERT_NE(at, std::string::npos) << message;
+    request.faces = std::stoul(message.substr(at + 2));
+    EXPECT_EQ(genus(mesh_of_shape(mug, request, "mug")), 1u) << message;
+  }
+}
+
+TEST(Shape, AGenusThatNoNumberOfFacesShowsIsRefused) {
+  Request request;
+  request.faces = 50000;
+  try {
+    mesh_of_shape(Shape("genus 2\nball 0 0 0 1\n"), request, "shape");
+    ADD_FAILURE();
+  } catch(const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("up to 400000"), std::string::npos) << error.what();
+  }
+}
