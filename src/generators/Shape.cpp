@@ -27,6 +27,7 @@ namespace generators {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr std::size_t fewest_shape_faces = 100;
 
 double dot(const Vector& a, const Vector& b) { return a * b; }
 
@@ -124,8 +125,11 @@ public:
       if(std::string word; words_ >> word)
         read_line(word);
     }
-    if(shape_.parts_.empty())
-      fail("there are no parts");
+    if(!has_box_)
+      throw std::invalid_argument(shape_.parts_.empty()
+                                      ? "the shape has no parts"
+                                      : "the shape is empty: all its parts are cut out");
+    check_size();
   }
 
 private:
@@ -135,10 +139,21 @@ private:
     throw std::invalid_argument("line " + std::to_string(number_) + " of the shape: " + problem);
   }
 
+  // What is very small, or far away, is lost when numbers are rounded.
+  void check_size() const {
+    const double size = length(shape_.box_.high - shape_.box_.low);
+    const double away = length(shape_.box_.high + shape_.box_.low) / 2.;
+    if(size < 1. / largest || size < 1e-9 * away)
+      throw std::invalid_argument(
+          "the shape is too small for numbers of 16 digits, or too far from the origin");
+  }
+
   double number() {
     double value;
     if(!(words_ >> value) || !std::isfinite(value))
       fail("a number is missing");
+    if(std::abs(value) > largest)
+      fail("a number is too large");
     return value;
   }
 
@@ -309,6 +324,8 @@ private:
     }
   }
 
+  static constexpr double largest = 1e100; // squares and their sums are numbers, too
+
   Shape& shape_;
   std::istringstream lines_, words_;
   int number_ = 0;
@@ -329,17 +346,55 @@ double Shape::operator()(const Vector& p) const {
   return distance;
 }
 
+namespace {
+
+// Two digits are easier to remember: not fewer than \p faces.
+std::size_t two_digits(double faces) {
+  const double unit = std::pow(10., std::floor(std::log10(faces)) - 1.);
+  return static_cast<std::size_t>(std::llround(std::ceil(faces / unit) * unit));
+}
+
+// How many faces show the genus of a shape: so do some more of them, it is not by luck. Nothing if
+// there are none up to a number.
+std::optional<std::size_t> enough_faces(const Shape& shape, std::size_t too_few, std::size_t most) {
+  std::optional<std::size_t> enough;
+  for(std::size_t faces = too_few; (faces = two_digits(1.3 * static_cast<double>(faces))) <= most;)
+    if(genus(lattice_mesh(shape, faces).soup) != *shape.genus())
+      enough.reset();
+    else if(enough)
+      return enough;
+    else
+      enough = faces;
+  return enough;
+}
+
+std::string too_few(std::size_t faces) {
+  return std::to_string(faces) + (faces == 1 ? " face is" : " faces are") + " too few";
+}
+
+// With how many faces a shape can be made.
+std::string advice(const Shape& shape, std::size_t faces) {
+  constexpr std::size_t most = 400000; // more would take long
+  if(const auto enough = enough_faces(shape, (std::max)(faces, fewest_shape_faces), most))
+    return "; " + std::to_string(*enough) + " are enough";
+  return ", or the text is wrong: none of the numbers that were tried, up to " +
+         std::to_string((std::max)(faces, most)) + ", shows it";
+}
+
+} // namespace
+
 Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name) {
-  constexpr double least_faces = 100.;
-  require_faces(request, name, least_faces);
+  require_faces(request, name, 0.);
   const std::size_t faces = request.faces;
-  Soup soup = mesh_of_field(shape, faces);
-  if(shape.genus() && genus(soup) != *shape.genus())
-    throw std::invalid_argument(std::to_string(faces) + " faces show a surface of genus " +
-                                std::to_string(genus(soup)) + ", not of " +
-                                std::to_string(*shape.genus()) +
-                                ": they are too few, or the text " + "is wrong");
-  return soup;
+  if(faces < fewest_shape_faces)
+    throw std::invalid_argument(too_few(faces) + " for a shape" +
+                                (shape.genus() ? advice(shape, faces) : std::string()));
+  const Lattice_mesh mesh = lattice_mesh(shape, faces);
+  if(shape.genus() && genus(mesh.soup) != *shape.genus())
+    throw std::invalid_argument(too_few(faces) + " for the genus " +
+                                std::to_string(*shape.genus()) + " of the shape, they show " +
+                                std::to_string(genus(mesh.soup)) + advice(shape, faces));
+  return fitted(mesh, shape);
 }
 
 } // namespace generators

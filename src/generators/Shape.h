@@ -74,7 +74,8 @@ private:
 };
 
 /// the mesh of a shape with about as many faces as asked for. Throws `std::invalid_argument`, with
-/// the name, if they are too few for the genus that the text tells, or too many.
+/// the name, if they are too many, and with a number that is enough if they are too few for the
+/// genus that the text tells.
 Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name);
 
 /// those that are kept in shapes/, each a kind of its own.

@@ -10,6 +10,7 @@
 #include "mesh_of_field.h"
 
 #include "crosses_itself.h"
+#include "emptiness.h"
 #include "isosurface.h"
 #include "request_checks.h"
 #include "smoothing.h"
@@ -19,6 +20,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -29,15 +31,30 @@ namespace {
 /// smoothed.
 constexpr std::size_t fine = 1200;
 
+/// About how many points the tables of a lattice in a box have, one slice after the other.
+double lattice_points(const Box& box, double spacing) {
+  const Vector size = (box.high - box.low) / spacing;
+  return (size.x() + size.y()) * (size.x() + size.z()) * 2. * size.z();
+}
+
+/// With more points than these a lattice takes long, and the surface is a very small part of it.
+double most_lattice_points(std::size_t faces) {
+  return (std::max)(5e8, 16. * std::pow(static_cast<double>(faces), 1.5));
+}
+
 /// Looks for the spacing of the lattice that gives a number of faces, which grows about as
 /// spacing^-2.
 class Spacing_search
 {
 public:
-  explicit Spacing_search(const Field& field)
+  explicit Spacing_search(const Field& field,
+                          double most_points = std::numeric_limits<double>::infinity())
       : field_(field)
+      , most_points_(most_points)
       , spacing_(length(field.box().high - field.box().low) / 40.) {}
 
+  /// throws `std::invalid_argument` if the solid is empty, or so thin that the lattice would have
+  /// too many points.
   Soup mesh_with_faces(std::size_t wanted) {
     too_fine_ = 0.;
     too_coarse_ = std::numeric_limits<double>::infinity();
@@ -48,10 +65,15 @@ public:
       // Meshes of a few triangles jump from one number to another: be content with too many then.
       if(std::abs(faces - wanted) <= 0.05 * wanted || spacing_ == too_fine_)
         return soup;
+      if(expected == 0 && faces == 0. && is_empty(field_))
+        throw std::invalid_argument("the shape is empty");
       // From coarse to fine by small factors: coarse meshes are cheap, and each tells more.
       const double factor = std::clamp(wanted / (std::max)(faces, 1.), 1. / 16., 16.);
       expected = static_cast<std::size_t>(1.1 * factor * faces);
       change_spacing(faces < wanted, factor);
+      if(!has_lattice())
+        throw std::invalid_argument("the parts of the shape are too thin for " +
+                                    std::to_string(wanted) + " faces");
     }
   }
 
@@ -67,7 +89,17 @@ private:
       spacing_ = std::sqrt(too_fine_ * too_coarse_);
   }
 
+  // The finest lattice that there may be is tried before it is given up.
+  bool has_lattice() {
+    if(lattice_points(field_.box(), spacing_) <= most_points_)
+      return true;
+    while(lattice_points(field_.box(), spacing_) > most_points_)
+      spacing_ *= 1.05;
+    return spacing_ < 0.95 * too_coarse_;
+  }
+
   const Field& field_;
+  double most_points_;
   double spacing_, too_fine_, too_coarse_;
 };
 
@@ -121,9 +153,18 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
                               std::to_string(request.genus));
 }
 
+Lattice_mesh lattice_mesh(const Field& field, std::size_t faces) {
+  Spacing_search search(field, most_lattice_points(faces));
+  Soup soup = search.mesh_with_faces(faces);
+  return {std::move(soup), search.spacing()};
+}
+
+Soup fitted(const Lattice_mesh& mesh, const Field& field) {
+  return fitted_without_crossing(mesh.soup, field, mesh.spacing);
+}
+
 Soup mesh_of_field(const Field& field, std::size_t faces) {
-  Spacing_search search(field);
-  return fitted_without_crossing(search.mesh_with_faces(faces), field, search.spacing());
+  return fitted(lattice_mesh(field, faces), field);
 }
 
 } // namespace generators

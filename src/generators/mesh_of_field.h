@@ -26,6 +26,20 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
 /// as far as it does not cross itself by that.
 Soup mesh_of_field(const Field& field, std::size_t faces);
 
+/// What the lattice gives: of the same shape as the solid's surface, but rough.
+struct Lattice_mesh
+{
+  Soup soup;
+  double spacing; ///< of the lattice
+};
+
+/// the first step of `mesh_of_field()`. Throws `std::invalid_argument` if the solid is empty, or
+/// too thin for so many faces.
+Lattice_mesh lattice_mesh(const Field& field, std::size_t faces);
+
+/// the second step: the mesh moved onto the surface of the solid.
+Soup fitted(const Lattice_mesh& mesh, const Field& field);
+
 } // namespace generators
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -5,6 +5,7 @@ set(HTL_GENERATOR_SOURCES
   chain.cpp
   closed_tube.cpp
   crosses_itself.cpp
+  emptiness.cpp
   foam.cpp
   generators.cpp
   interlaced.cpp

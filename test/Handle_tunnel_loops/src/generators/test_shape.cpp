@@ -68,6 +68,11 @@ TEST(Shape, ATextThatIsNoneIsRefusedWithItsLine) {
       {"ring 0 0 0 0 0 0 1 1\n", "direction"},
       {"times 3 ball 0 0 0 1\n", "times"},
       {"times nan by 0 0 1 ball 0 0 0 1\n", "line 1"},
+      {"", "the shape has no parts"},
+      {"ball 0 0 0 1e300\n", "too large"},
+      {"ball 0 0 0 1e-200\n", "too small"},
+      {"ball 1e15 0 0 1\n", "too far"},
+      {"times 200 by 1 0 0 cut ball 0 0 0 1\n", "empty"},
       {"pipe 0.1 0 0 0\n", "two points"},
       {"cut\n", "what"}};
   for(const auto& [text, words] : wrong)
@@ -77,4 +82,55 @@ TEST(Shape, ATextThatIsNoneIsRefusedWithItsLine) {
     } catch(const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
+}
+
+// Where there is no surface, or none that a lattice of such a size meets, the search for the right
+// size ends.
+TEST(Shape, WithoutASurfaceIsRefused) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"ball 0 0 0 1\ncut ball 0 0 0 2\n", "the shape is empty"},
+      {"ball 0 0 0 1\ncut ball 0 0 0 1.0001\n", "2000 faces"},
+      {"ball 0 0 0 0.001\nball 100 0 0 0.001\n", "2000 faces"},
+      {"ball 0 0 0 0.001\nball 100 100 100 0.001\n", "2000 faces"}};
+  Request request;
+  request.faces = 2000;
+  for(const auto& [text, words] : wrong)
+    try {
+      mesh_of_shape(Shape(text), request, "shape");
+      ADD_FAILURE() << text;
+    } catch(const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}
+
+TEST(Shape, TooFewFacesAreRefusedWithANumberThatIsEnough) {
+  const Shape mug(
+      "genus 1\npipe 0.13  0.9 0 1.8  1.45 0 1.78  1.75 0 1.25  1.5 0 0.62  0.9 0 0.42\n"
+      "cylinder 0 0 0  0 0 2.2  1\ncut cylinder 0 0 0.2  0 0 3  0.84\n");
+  for(const std::size_t faces : {1, 100, 2000}) {
+    Request request;
+    request.faces = faces;
+    std::string message;
+    try {
+      mesh_of_shape(mug, request, "mug");
+    } catch(const std::invalid_argument& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(message.find(std::to_string(faces) + " face"), 0u) << message;
+    const std::size_t at = message.rfind("; ");
+    ASSERT_NE(at, std::string::npos) << message;
+    request.faces = std::stoul(message.substr(at + 2));
+    EXPECT_EQ(genus(mesh_of_shape(mug, request, "mug")), 1u) << message;
+  }
+}
+
+TEST(Shape, AGenusThatNoNumberOfFacesShowsIsRefused) {
+  Request request;
+  request.faces = 50000;
+  try {
+    mesh_of_shape(Shape("genus 2\nball 0 0 0 1\n"), request, "shape");
+    ADD_FAILURE();
+  } catch(const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("up to 400000"), std::string::npos) << error.what();
+  }
 }
