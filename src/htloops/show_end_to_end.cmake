@@ -54,6 +54,14 @@ foreach(next IN LISTS x)
   set(before ${next})
 endforeach()
 
+# What is chosen on a page is what will be removed, whatever the numbers depend on.
+run(0 loops mesh.off --seed 500 --html seed.html)
+file(READ "${FOLDER}/seed.html" page)
+expect_match("${page}" "--loops LOOPS.json --pairs")
+run(0 loops mesh.off --no-tighten -o kept.json --html kept.html)
+file(READ "${FOLDER}/kept.html" page)
+expect_match("${page}" "--loops kept.json --pairs")
+
 # What is left out is left out everywhere but in the file of the loops.
 run(0 loops mesh.off -o whole.json --csv small.csv --shorter-than 20% --lines small.obj
   --html small.html --gltf small.glb)

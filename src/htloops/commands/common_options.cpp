@@ -28,22 +28,8 @@
 namespace htloops {
 namespace {
 
-// A name that says that it is something else is a mistake.
-void check_json_name(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if(!extension.empty() && !boost::algorithm::iequals(extension, ".json"))
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "cannot write " + file + ": what is written there is JSON, and the name must " +
-                      "end in .json, or have no such end");
-}
-
 void check_picture(const Picture_options& picture) {
-  const std::string& file = picture.file;
-  if(!file.empty() && !boost::algorithm::iends_with(file, ".png") &&
-     !std::filesystem::path(file).extension().empty())
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "cannot write " + file +
-                      ": pictures are PNG files, and the name must end in .png");
+  check_name(picture.file, "a picture in PNG", ".png");
   if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
     throw Failure(Exit_code::WRONG_USAGE,
                   "--labels and --legend want a build with stb and the DejaVu fonts");
@@ -179,13 +165,22 @@ void check_common_options(const Common_options& options) {
                                                 " says how to look at something: it needs " +
                                                 (has_pictures ? "--picture or --html" : "--html"));
   }
-  check_json_name(options.json_file);
+  check_name(options.json_file, "JSON", ".json");
+  check_name(options.page_file, "a page in HTML", ".html");
   check_picture(options.picture);
   check_picture_size(options.picture);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
   if(!options.gltf_file.empty())
     check_gltf_format(options.gltf_file);
+}
+
+void check_name(const std::string& file, const char* what, const char* end) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if(!extension.empty() && !boost::algorithm::iequals(extension, end))
+    throw Failure(Exit_code::WRONG_USAGE, "cannot write " + file + ": what is written there is " +
+                                              what + ", and the name must end in " + end +
+                                              ", or have no such end");
 }
 
 std::string why_no_count(const std::string& text) {

@@ -65,6 +65,10 @@ void add_threads_option(CLI::App& command, Common_options& options, const std::s
 /// direction.
 void check_common_options(const Common_options& options);
 
+/// throws `Failure` if the name of an output says that it is something else than it is: that is a
+/// mistake.
+void check_name(const std::string& file, const char* what, const char* end);
+
 /// for `CLI::Option::check()`: empty for a number without a sign, else what is wrong. Without it -5
 /// would be a very large one.
 std::string why_no_count(const std::string& text);

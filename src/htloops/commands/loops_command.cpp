@@ -51,6 +51,28 @@ Told told_of(const Loops_options& options,
           summary(answer, read_seconds, {options.show_all, false, options.is_verbose})};
 }
 
+// Whether 'htloops remove', which finds the pairs anew, finds these, with the same numbers.
+bool has_usual_numbers(const Loops_options& options) {
+  return !options.seed && options.basis == "pure" && options.classifier == "linking" &&
+         !options.do_not_refine && !options.do_not_tighten &&
+         (options.backend == "auto" || options.backend == "host");
+}
+
+// What tells 'htloops remove' which pairs are meant, before their numbers.
+std::string choice_of_pairs(const Loops_options& options) {
+  const bool has_file = !options.json_file.empty() && options.json_file != "-";
+  if(has_usual_numbers(options) && !has_file)
+    return "--pairs";
+  return "--loops " + (has_file ? options.json_file : "LOOPS.json") + " --pairs";
+}
+
+std::string remark_on_numbers(const Loops_options& options) {
+  return has_usual_numbers(options) || !options.json_file.empty()
+             ? ""
+             : "The numbers of the pairs are those of this call with its options: -o LOOPS.json "
+               "keeps them for 'htloops remove'.\n";
+}
+
 void write_files(const Loops_options& options,
                  const Mesh& mesh,
                  const Answer& answer,
@@ -72,7 +94,7 @@ void write_files(const Loops_options& options,
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
   if(!options.page_file.empty())
     write_loops_page(options.page_file, options.view, options.mesh_file, mesh, answer, told.listing,
-                     told.summary);
+                     told.summary + remark_on_numbers(options), choice_of_pairs(options));
 }
 
 bool is_output_taken(const Loops_options& options) {

@@ -146,6 +146,8 @@ void add_loops_options(CLI::App& command, Loops_options& options) {
 void check_loops_options(const Loops_options& options) {
   choose_backend(options.backend);
   check_common_options(options);
+  check_name(options.csv_file, "a table as CSV", ".csv");
+  check_name(options.jsonl_file, "lines of JSON", ".jsonl");
   check_listing_choice(options.listing);
   if(options.has_many_meshes())
     refuse_files_of_one_mesh(options);
@@ -175,7 +177,10 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   solve_options.do_log_fronts = !options.events_file.empty();
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(show_progress);
-  Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
+  const Backend& backend = choose_backend(options.backend);
+  Answer answer = backend.solve(mesh, solve_options, bar);
+  if(options.backend == "auto" && !has_backend("cuda"))
+    answer.statistics.fallback = "this htloops was built without CUDA";
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, options.do_find_waists);
   return answer;

@@ -61,6 +61,7 @@ void check_options(const Reeb_command_options& options) {
   if(!options.parts_file.empty())
     check_coloured_mesh_format(options.parts_file);
   check_common_options(options);
+  check_name(options.csv_file, "a table as CSV", ".csv");
 }
 
 std::vector<Mesh::Vertex_index> sources_of(const Reeb_command_options& options, const Mesh& mesh) {

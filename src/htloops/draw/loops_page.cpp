@@ -17,10 +17,13 @@ namespace {
 
 using CGAL::Loop_type;
 
-void add_pairs(htl_window::Scene& scene, const Pairs& pairs, const Pair_listing& listing) {
+void add_pairs(htl_window::Scene& scene,
+               const Pairs& pairs,
+               const Pair_listing& listing,
+               const std::string& choice) {
   for(const Table_column& column : pair_columns)
     scene.table.columns.push_back({column.name, column.is_number});
-  scene.table.choice = "--pairs";
+  scene.table.choice = choice;
   add_groups_of_loops(scene);
   for(std::size_t row = 0; row < listing.size(); ++row) {
     const Listed_pair& listed = listing[row];
@@ -50,11 +53,12 @@ void write_loops_page(const std::string& file,
                       const Mesh& mesh,
                       const Answer& answer,
                       const Pair_listing& listing,
-                      const std::string& summary) {
+                      const std::string& summary,
+                      const std::string& choice) {
   htl_window::Scene scene =
       scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
   add_paragraphs(scene, summary);
-  add_pairs(scene, answer.pairs, listing);
+  add_pairs(scene, answer.pairs, listing, choice);
   add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
   add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
   write_page(file, scene);
