@@ -35,6 +35,8 @@ Json json_of(const Line& line) {
   Json json = {{"points", line.points.size()}, {"closed", line.closed}, {"group", line.group}};
   if(line.row != no_row)
     json["row"] = line.row;
+  if(line.surface != every_surface)
+    json["surface"] = line.surface;
   return json;
 }
 

@@ -43,6 +43,8 @@ struct Line_group
   Colour colour;
 };
 
+constexpr std::size_t every_surface = static_cast<std::size_t>(-1);
+
 /// A polyline.
 struct Line
 {
@@ -50,6 +52,7 @@ struct Line
   bool closed;
   std::size_t group; ///< its number
   std::size_t row;   ///< the row of the table that tells of it; `no_row` if none does
+  std::size_t surface = every_surface; ///< its number, if it is seen with this one only
 };
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);

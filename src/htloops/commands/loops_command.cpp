@@ -40,14 +40,21 @@ namespace {
 struct Told
 {
   Pair_listing listing;
-  std::string summary; // without colours
+  std::string left_out; // how many pairs are not in the listing
+  std::string summary;  // without colours
 };
+
+std::string words_of_left_out(std::size_t number) {
+  return number == 0 ? "" : counted(number, "pair is", "pairs are") + " left out as asked for\n";
+}
 
 Told told_of(const Loops_options& options,
              const Mesh& mesh,
              const Answer& answer,
              double read_seconds) {
-  return {list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh)),
+  Pair_listing listing = list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh));
+  const std::size_t left_out = answer.pairs.size() - listing.size();
+  return {std::move(listing), words_of_left_out(left_out),
           summary(answer, read_seconds, {options.show_all, false, options.is_verbose})};
 }
 
@@ -94,7 +101,8 @@ void write_files(const Loops_options& options,
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
   if(!options.page_file.empty())
     write_loops_page(options.page_file, options.view, options.mesh_file, mesh, answer, told.listing,
-                     told.summary + remark_on_numbers(options), choice_of_pairs(options));
+                     told.left_out + told.summary + remark_on_numbers(options),
+                     choice_of_pairs(options));
 }
 
 bool is_output_taken(const Loops_options& options) {
@@ -110,11 +118,9 @@ void show(const Loops_options& options, const Answer& answer, const Told& told) 
     return;
   std::FILE* stream = is_output_taken(options) ? stderr : stdout;
   const Table_options table{options.show_all, use_colour(options.colour, stream)};
-  std::string text = table_of_pairs(told.listing, table);
-  if(const std::size_t left_out = answer.pairs.size() - told.listing.size(); left_out > 0)
-    text += counted(left_out, "pair is", "pairs are") + " left out as asked for\n";
-  text += table_of_boundaries(answer.boundaries, options.show_all);
-  show_text(text + told.summary, is_output_taken(options));
+  show_text(table_of_pairs(told.listing, table) + told.left_out +
+                table_of_boundaries(answer.boundaries, options.show_all) + told.summary,
+            is_output_taken(options));
 }
 
 Mesh_line solve_and_tell(const Loops_options& options) {

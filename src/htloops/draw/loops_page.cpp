@@ -12,10 +12,21 @@
 #include "write/loop_colours.h"
 #include "write/pair_table.h"
 
+#include <string>
+#include <vector>
+
 namespace htloops {
 namespace {
 
 using CGAL::Loop_type;
+
+// The extents of a box are told in fewer letters than where there is room.
+std::vector<std::string> narrow_cells_of(const Listed_pair& pair) {
+  std::vector<std::string> cells = cells_of(pair);
+  for(std::size_t at; (at = cells.back().find(" x ")) != std::string::npos;)
+    cells.back().replace(at, 3, "\u00d7");
+  return cells;
+}
 
 void add_pairs(htl_window::Scene& scene,
                const Pairs& pairs,
@@ -27,7 +38,7 @@ void add_pairs(htl_window::Scene& scene,
   add_groups_of_loops(scene);
   for(std::size_t row = 0; row < listing.size(); ++row) {
     const Listed_pair& listed = listing[row];
-    scene.table.rows.push_back(cells_of(listed));
+    scene.table.rows.push_back(narrow_cells_of(listed));
     scene.table.lengths.push_back((std::min)(listed.handle_length, listed.tunnel_length));
     scene.table.numbers.push_back(listed.pair);
     add_loops(scene, pairs[listed.pair], row);

@@ -75,6 +75,8 @@ void write_removal_page(const std::string& file, const View& view, const Removal
                          {"area", true}, {"volume", true}, {"why not", false}};
   scene.table.choice = "--pairs";
   add_handles(scene, shown.pairs, shown.report.removed);
+  for(htl_window::Line& line : scene.lines)
+    line.surface = 0; // these loops are on the surface no more
   add_handles(scene, shown.pairs, shown.report.refused);
   add_necks(scene, shown.report.removed_necks);
   add_necks(scene, shown.report.refused_necks);

@@ -14,6 +14,8 @@
 #include "write/loop_colours.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -90,17 +92,31 @@ std::string reasons(const Answer& answer, bool show_all) {
   return text;
 }
 
+// What is nothing but rounding beside the extent of a box is 0.
+std::array<double, 3> without_rounding(const std::array<double, 3>& numbers, double extent) {
+  std::array<double, 3> result = numbers;
+  for(double& x : result)
+    if(std::abs(x) < 1e-9 * extent)
+      x = 0.;
+  return result;
+}
+
 } // namespace
 
 std::vector<std::string> cells_of(const Listed_pair& pair) {
   const CGAL::Bbox_3& box = pair.box;
+  const std::array<double, 3> extents = {box.max(0) - box.min(0), box.max(1) - box.min(1),
+                                         box.max(2) - box.min(2)};
+  const double extent = *std::max_element(extents.begin(), extents.end());
+  const auto [x, y, z] =
+      without_rounding({pair.centre.x(), pair.centre.y(), pair.centre.z()}, extent);
+  const auto [width, depth, height] = without_rounding(extents, extent);
   return {std::to_string(pair.pair),
           formatted("%.6g", pair.handle_length),
           formatted("%.6g", pair.tunnel_length),
           formatted("%.3g%%", 100. * pair.size),
-          formatted("(%.4g, %.4g, %.4g)", pair.centre.x(), pair.centre.y(), pair.centre.z()),
-          formatted("%.3g x %.3g x %.3g", box.max(0) - box.min(0), box.max(1) - box.min(1),
-                    box.max(2) - box.min(2))};
+          formatted("(%.4g, %.4g, %.4g)", x, y, z),
+          formatted("%.3g x %.3g x %.3g", width, depth, height)};
 }
 
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options) {

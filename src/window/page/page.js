@@ -9,6 +9,12 @@ function made(tag, properties = {}, ...children) {
   return node;
 }
 
+// A place is sorted by its first coordinate, a box by its largest extent, words as such.
+function sizeIn(text) {
+  const numbers = (/^\(?-?\d/.test(text) && text.match(/-?\d[\d.]*(e[+-]?\d+)?/g) || [0]).map(Number);
+  return text.includes('\u00d7') ? Math.max(...numbers) : numbers[0];
+}
+
 class Page {
   constructor(viewer) {
     this.viewer = viewer;
@@ -38,7 +44,8 @@ class Page {
     let count = 0;
     const colours = scene.lines.map((line, i) => {
       const row = this.rows[line.row];
-      const shown = this.groupsShown[line.group] && (!row || this.isShown(row));
+      const shown = this.groupsShown[line.group] && (!row || this.isShown(row)) &&
+                    (line.surface ?? this.viewer.shown) === this.viewer.shown;
       count += shown ? 1 : 0;
       const state = !shown ? 0 : row && row.index === this.lit ? 255 : 128;
       return [...(line.colour || scene.groups[line.group].colour), state];
@@ -52,20 +59,22 @@ class Page {
       this.viewer.fill(surface.palette, parts.map((colour, part) => [
         ...(lit !== undefined && part !== lit ? colour.map(c => 150 + c / 3) : colour), 255]));
     });
-    let number = 0;
     for (const row of this.rows) {
       row.node.hidden = !this.isShown(row);
       row.node.classList.toggle('lit', row.index === this.lit);
       row.node.setAttribute('aria-selected', row.index === this.lit);
-      number += row.node.hidden ? 0 : 1;
     }
-    element('count').textContent = `${number} of ${this.rows.length} shown`;
     this.refreshChoice();
   }
 
   refreshChoice() {
-    const chosen = this.rows.filter(row => row.chosen).map(row => scene.numbers[row.index]);
-    element('choice').value = chosen.length ? `${scene.choice} ${chosen.join(',')}` : '';
+    const { rows } = this, chosen = rows.filter(row => row.chosen);
+    const hidden = chosen.filter(row => row.node.hidden).length;
+    element('count').textContent = !rows.length ? ''
+      : `${rows.filter(row => !row.node.hidden).length} of ${rows.length} shown` +
+        (hidden ? `; ${hidden} of ${chosen.length} chosen are hidden` : '');
+    element('choice').value =
+      chosen.length ? `${scene.choice} ${chosen.map(row => scene.numbers[row.index]).join(',')}` : '';
     element('choice').hidden = element('copy').hidden = element('clear').hidden = scene.numbers.length === 0;
     element('copy').disabled = element('clear').disabled = chosen.length === 0;
   }
@@ -139,8 +148,8 @@ class Page {
     this.descending = this.sorted === column && !this.descending;
     this.sorted = column;
     const sign = this.descending ? -1 : 1, { number } = scene.columns[column];
-    const value = row => number ? parseFloat(row.cells[column]) || 0 : row.cells[column];
-    const order = (a, b) => number ? value(a) - value(b) : value(a).localeCompare(value(b));
+    const value = row => number ? parseFloat(row.cells[column]) || 0 : sizeIn(row.cells[column]);
+    const order = (a, b) => value(a) - value(b) || a.cells[column].localeCompare(b.cells[column]);
     const rows = [...this.rows].sort((a, b) => sign * order(a, b) || a.index - b.index);
     element('rows').append(...rows.map(row => row.node));
     [...element('head').children].forEach((node, i) => node.setAttribute(
@@ -152,6 +161,8 @@ class Page {
   makeControls() {
     const { viewer } = this;
     scene.groups.forEach((group, i) => {
+      if (!scene.lines.some(line => line.group === i))
+        return;
       const box = made('input', { type: 'checkbox', checked: true, id: `group${i}` });
       box.onchange = () => {
         this.groupsShown[i] = box.checked;
@@ -166,7 +177,7 @@ class Page {
         const radio = made('input', { type: 'radio', name: 'surface', checked: i === 0, id: `show${i}` });
         radio.onchange = () => {
           viewer.shown = i;
-          viewer.draw();
+          this.refresh();
         };
         element('legend').append(made('label', {}, radio, surface.name));
       });
@@ -306,9 +317,10 @@ class Page {
       ',': () => camera.roll(0.1), '.': () => camera.roll(-0.1),
     };
     document.addEventListener('keydown', event => {
-      if (event.ctrlKey || event.metaKey || event.altKey || /INPUT|SELECT/.test(event.target.tagName))
+      const arrow = arrows[event.key], kind = event.target.type || '';
+      if (event.ctrlKey || event.metaKey || event.altKey || /text|select/.test(kind) ||
+          arrow && /range|radio/.test(kind))
         return;
-      const arrow = arrows[event.key];
       if (arrow && event.shiftKey)
         camera.pan(arrow[0] * 0.05, -arrow[1] * 0.05);
       else if (arrow)

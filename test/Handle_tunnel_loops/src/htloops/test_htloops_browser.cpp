@@ -359,6 +359,43 @@ TEST_F(Page, chosen_rows_become_an_argument_of_remove) {
   expect_quiet();
 }
 
+TEST_F(Page, it_is_told_that_chosen_rows_are_hidden) {
+  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  const auto count = [] {
+    return browser().evaluate("document.getElementById('count').textContent");
+  };
+  EXPECT_EQ(count(), "3 of 3 shown");
+  click(row(2) + ".querySelector('input')");
+  set_slider("longest", "0");
+  EXPECT_EQ(count(), "1 of 3 shown; 1 of 1 chosen are hidden");
+  expect_quiet();
+}
+
+TEST_F(Page, keys_work_after_a_switch_or_a_slider_was_used) {
+  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  click("document.getElementById('group0')");
+  browser().key("n");
+  EXPECT_EQ(lit_row(), 0);
+  click("document.getElementById('opacity')");
+  browser().key("n");
+  EXPECT_EQ(lit_row(), 1);
+  click("document.getElementById('choice')");
+  browser().key("n");
+  EXPECT_EQ(lit_row(), 1);
+  expect_quiet();
+}
+
+TEST_F(Page, places_are_sorted_by_their_first_number) {
+  open(mesh_of(Recipe{"lattice", {6000, 5, 1}}));
+  click("document.querySelectorAll('#head button')[4]");
+  std::vector<double> numbers;
+  for(const Json& text : browser().evaluate(
+          "[...document.querySelectorAll('#rows tr')].map(r => r.children[5].textContent)"))
+    numbers.push_back(std::stod(std::string(text).substr(1)));
+  EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
+  expect_quiet();
+}
+
 TEST_F(Page, the_table_is_sorted_by_a_column) {
   open(mesh_of(Recipe{"lattice", {6000, 5, 1}}));
   const auto column = [](int i) {
