@@ -9,6 +9,7 @@
 
 #include "Shape.h"
 
+#include "isosurface.h"
 #include "mesh_of_field.h"
 #include "request_checks.h"
 
@@ -39,13 +40,18 @@ double segment_distance(const Vector& p, const Vector& a, const Vector& b) {
   return length(from - t * along);
 }
 
-double cylinder_distance(const Vector& p, const Vector& a, const Vector& b, double radius) {
+// The radius that an edge may have where the least extent of a part, from its middle, is known.
+double edge_radius(double wanted, double extent) { return (std::min)(wanted, extent / 2.); }
+
+double cylinder_distance(
+    const Vector& p, const Vector& a, const Vector& b, double radius, double rounding) {
   const Vector axis = unit(b - a), from = p - a;
-  const double along = dot(from, axis);
-  const double outside = length(from - along * axis) - radius;
-  const double beyond = std::abs(along - length(b - a) / 2.) - length(b - a) / 2.;
+  const double along = dot(from, axis), half = length(b - a) / 2.;
+  const double edge = edge_radius(rounding, (std::min)(radius, half));
+  const double outside = length(from - along * axis) - radius + edge;
+  const double beyond = std::abs(along - half) - half + edge;
   return (std::min)((std::max)(outside, beyond), 0.) +
-         std::hypot((std::max)(outside, 0.), (std::max)(beyond, 0.));
+         std::hypot((std::max)(outside, 0.), (std::max)(beyond, 0.)) - edge;
 }
 
 double block_distance(const Vector& p, const Vector& low, const Vector& high, double rounding) {
@@ -63,6 +69,11 @@ double ring_distance(const Vector& p, const Vector& middle, const Vector& axis, 
   const Vector from = p - middle;
   const double along = dot(from, axis);
   return std::hypot(length(from - along * axis) - radius, along);
+}
+
+double least_half_extent(const Box& box) {
+  const Vector size = box.high - box.low;
+  return (std::min)({size.x(), size.y(), size.z()}) / 2.;
 }
 
 // A smooth curve through points (Catmull and Rom), as many short segments.
@@ -204,9 +215,10 @@ private:
       fail("what is cut?");
     const auto [distance, box] = primitive(name);
     for(const Motion& motion : motions) {
-      shape_.parts_.push_back(
-          {[distance = distance, motion](const Vector& p) { return distance(motion(p)); }, blend_,
-           is_cut});
+      shape_.parts_.push_back({[distance = distance, motion](const Vector& p, double rounding) {
+                                 return distance(motion(p), rounding);
+                               },
+                               blend_, is_cut});
       if(!is_cut)
         add_box(box, motion);
     }
@@ -237,7 +249,7 @@ private:
     if(name == "ball") {
       const Vector middle = point();
       const double r = positive();
-      return {[=](const Vector& p) { return length(p - middle) - r; },
+      return {[=](const Vector& p, double) { return length(p - middle) - r; },
               Box{middle, middle}.grown(r)};
     }
     if(name == "rod" || name == "cylinder") {
@@ -247,20 +259,27 @@ private:
         fail("it has no length");
       const Box box = Box{a, a}.with(b).grown(r);
       if(name == "rod")
-        return {[=](const Vector& p) { return segment_distance(p, a, b) - r; }, box};
-      return {[=](const Vector& p) { return cylinder_distance(p, a, b, r); }, box};
+        return {[=](const Vector& p, double) { return segment_distance(p, a, b) - r; }, box};
+      return {[=](const Vector& p, double edge) { return cylinder_distance(p, a, b, r, edge); },
+              box};
     }
     if(name == "ring") {
       const Vector middle = point(), direction = axis();
       const double radius = positive(), r = positive();
-      return {[=](const Vector& p) { return ring_distance(p, middle, direction, radius) - r; },
-              Box{middle, middle}.grown(radius + r)};
+      return {
+          [=](const Vector& p, double) { return ring_distance(p, middle, direction, radius) - r; },
+          Box{middle, middle}.grown(radius + r)};
     }
     if(name == "block") {
       const Vector a = point(), b = point();
       const double rounding = number();
       const Box box = Box{a, a}.with(b);
-      return {[=](const Vector& p) { return block_distance(p, box.low, box.high, rounding); }, box};
+      const double room = least_half_extent(box);
+      return {[=](const Vector& p, double edge) {
+                return block_distance(p, box.low, box.high,
+                                      (std::max)(rounding, edge_radius(edge, room)));
+              },
+              box};
     }
     if(name == "pipe")
       return pipe();
@@ -303,7 +322,7 @@ private:
     Box box{curve.front(), curve.front()};
     for(const Vector& p : curve)
       box = box.with(p);
-    return {[=](const Vector& p) { return curve_distance(p, curve) - r; }, box.grown(r)};
+    return {[=](const Vector& p, double) { return curve_distance(p, curve) - r; }, box.grown(r)};
   }
 
   // A motion is from the place of a repetition back to the part: its box is moved the other way,
@@ -338,11 +357,19 @@ Shape::Shape(std::string_view text) {
   box_ = box_.grown(0.02 * length(box_.high - box_.low));
 }
 
+Shape Shape::rounded(double radius) const {
+  Shape shape = *this;
+  shape.rounding_ = radius;
+  return shape;
+}
+
 double Shape::operator()(const Vector& p) const {
   double distance = std::numeric_limits<double>::infinity();
-  for(const Part& part : parts_)
-    distance = part.is_cut ? (std::max)(distance, -part.distance(p))
-                           : blended(distance, part.distance(p), part.blend);
+  for(const Part& part : parts_) {
+    const double other = part.distance(p, rounding_);
+    distance = part.is_cut ? -blended(-distance, other, 1.5 * rounding_)
+                           : blended(distance, other, part.blend);
+  }
   return distance;
 }
 
@@ -381,6 +408,23 @@ std::string advice(const Shape& shape, std::size_t faces) {
          std::to_string((std::max)(faces, most)) + ", shows it";
 }
 
+bool are_alike(const Soup& a, const Soup& b) {
+  return genus(a) == genus(b) && number_of_components(a) == number_of_components(b);
+}
+
+// Edges that are sharper than the lattice is fine become saws. Walls as thin as that may not bear
+// to be rounded: then the edges stay as they are.
+Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
+  for(const double cells : {1., 0.5}) {
+    const Shape rounded = shape.rounded(cells * mesh.spacing);
+    const Lattice_mesh round_mesh = {isosurface(rounded, mesh.spacing, mesh.soup.triangles.size()),
+                                     mesh.spacing};
+    if(are_alike(mesh.soup, round_mesh.soup))
+      return fitted(round_mesh, rounded);
+  }
+  return fitted(mesh, shape);
+}
+
 } // namespace
 
 Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name) {
@@ -394,7 +438,7 @@ Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name)
     throw std::invalid_argument(too_few(faces) + " for the genus " +
                                 std::to_string(*shape.genus()) + " of the shape, they show " +
                                 std::to_string(genus(mesh.soup)) + advice(shape, faces));
-  return fitted(mesh, shape);
+  return fitted_with_rounded_edges(mesh, shape);
 }
 
 } // namespace generators

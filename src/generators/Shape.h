@@ -46,6 +46,10 @@ public:
   /// throws `std::invalid_argument`, with the line, if the text is no description.
   explicit Shape(std::string_view text);
 
+  /// the shape with a radius of about this size at the edges of cylinders, of blocks and of what is
+  /// cut out, as far as there is room for it: a lattice does not show sharper ones.
+  Shape rounded(double radius) const;
+
   double operator()(const Vector& p) const override;
   Box box() const override { return box_; }
 
@@ -54,7 +58,8 @@ public:
   std::size_t faces() const { return faces_; }
 
 private:
-  using Distance = std::function<double(const Vector&)>;
+  // How far a point is from a part, whose edges have a radius.
+  using Distance = std::function<double(const Vector&, double)>;
 
   /// A part: how far a point is from it, and how it is joined to those before.
   struct Part
@@ -69,6 +74,7 @@ private:
   std::string description_;
   std::optional<std::size_t> genus_;
   std::size_t faces_ = 40000;
+  double rounding_ = 0.;
   std::vector<Part> parts_;
   Box box_;
 };

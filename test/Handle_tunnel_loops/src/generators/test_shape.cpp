@@ -2,13 +2,42 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 using namespace CGAL::Handle_tunnel_loops::generators;
+
+namespace {
+
+Vector normal(const Soup& soup, const std::array<std::uint32_t, 3>& triangle) {
+  std::array<Vector, 3> p;
+  for(int i = 0; i < 3; ++i) {
+    const auto& [x, y, z] = soup.points[triangle[i]];
+    p[i] = Vector(x, y, z);
+  }
+  return unit(CGAL::cross_product(p[1] - p[0], p[2] - p[0]));
+}
+
+// The largest angle that the surface turns by at an edge of a mesh.
+double largest_turn(const Soup& soup) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Vector> left;
+  for(const auto& triangle : soup.triangles)
+    for(int i = 0; i < 3; ++i)
+      left[{triangle[i], triangle[(i + 1) % 3]}] = normal(soup, triangle);
+  double least = 1.;
+  for(const auto& [edge, n] : left)
+    least = (std::min)(least, n * left.at({edge.second, edge.first}));
+  return std::acos(least);
+}
+
+} // namespace
 
 TEST(Shape, IsWhatItsTextSays) {
   for(const Kind& kind : kinds_of_shapes()) {
@@ -48,12 +77,14 @@ TEST(Shape, IsNowhereMoreThanTheDistance) {
   const Shape shape("blend 0.2\nball 0 0 0 1\nrod 0 0 0 2 1 0 0.3\ncylinder 0 0 -2 0 0 2 0.4\n"
                     "ring 0 0 0 1 1 0 2 0.2\nblock 1 1 1 2 2 2 0.1\nknot 2 3 2 0.5 0.2\n"
                     "pipe 0.1 closed 2 0 0 0 2 0 -2 0 0 0 -2 0\ncut ball 1 0 0 0.5\n");
+  const Shape rounded = shape.rounded(0.15);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-3., 3.);
   for(int i = 0; i < 20000; ++i) {
     const Vector p(coordinate(random), coordinate(random), coordinate(random));
     const Vector step(0.1 * coordinate(random), 0.1 * coordinate(random), 0.1 * coordinate(random));
     EXPECT_LE(std::abs(shape(p + step) - shape(p)), length(step) * (1. + 1e-9));
+    EXPECT_LE(std::abs(rounded(p + step) - rounded(p)), length(step) * (1. + 1e-9));
   }
 }
 
@@ -133,4 +164,24 @@ TEST(Shape, AGenusThatNoNumberOfFacesShowsIsRefused) {
   } catch(const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("up to 400000"), std::string::npos) << error.what();
   }
+}
+
+TEST(Shape, RoundedEdgesLoseLittle) {
+  const Shape shape("cylinder 0 0 0  0 0 2  1\ncut cylinder 0 0 -1  0 0 3  0.5\n");
+  const Shape rounded = shape.rounded(0.1);
+  EXPECT_LT(shape(Vector(0.99, 0., 0.01)), 0.) << "at an edge";
+  EXPECT_GT(rounded(Vector(0.99, 0., 0.01)), 0.) << "at an edge";
+  EXPECT_GT(rounded(Vector(0.51, 0., 0.01)), 0.) << "at an edge of what is cut out";
+  for(const Vector& p : {Vector(1., 0., 1.), Vector(0.5, 0., 1.), Vector(0.75, 0., 0.)})
+    EXPECT_NEAR(rounded(p), 0., 1e-12) << "away from the edges";
+}
+
+// The mesh of a cup with flat ends: nowhere does it turn by a right angle at once.
+TEST(Shape, EdgesAreNoSaws) {
+  Request request;
+  request.faces = 20000;
+  const Soup soup = mesh_of_shape(
+      Shape("cylinder 0 0 0  0 0 2  1\ncut cylinder 0 0 0.3  0 0 3  0.7\n"), request, "shape");
+  EXPECT_EQ(genus(soup), 0u);
+  EXPECT_LT(largest_turn(soup), 1.);
 }
