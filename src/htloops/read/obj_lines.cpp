@@ -17,11 +17,10 @@ namespace {
 
 // takes the first line, without its end, off the text.
 std::string_view take_line(std::string_view& text) {
-  const std::size_t end = (std::min)(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix((std::min)(end + 1, text.size()));
-  if(!line.empty() && line.back() == '\r')
-    line.remove_suffix(1);
+  const std::size_t end = (std::min)(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  const std::size_t length_of_end = text.substr(end, 2) == "\r\n" ? 2 : 1;
+  text.remove_prefix((std::min)(end + length_of_end, text.size()));
   return line;
 }
 
@@ -33,7 +32,7 @@ bool is_continued(std::string_view line) {
 } // namespace
 
 std::string join_continued_lines(std::string text) {
-  if(text.find("\\\n") == text.npos && text.find("\\\r\n") == text.npos)
+  if(text.find("\\\n") == text.npos && text.find("\\\r") == text.npos)
     return text;
   std::string joined;
   joined.reserve(text.size() + 1);

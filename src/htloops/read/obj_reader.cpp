@@ -71,7 +71,7 @@ private:
   void read_element(std::string_view keyword) {
     if(keyword == "v")
       read_point();
-    else if(keyword == "f")
+    else if(keyword == "f" || keyword == "fo") // as faces were called of old
       read_face();
     else if(is_passed_over(keyword))
       text_.skip_line();

@@ -14,9 +14,27 @@
 #include "read/ply_reader.h"
 #include "read/stl_reader.h"
 
+#include <string_view>
+
 namespace htloops {
+namespace {
+
+bool is_of_text(char c) { return c == '\t' || c == '\n' || c == '\r' || (' ' <= c && c <= '~'); }
+
+// By the mark and the first character: the header of a binary file may begin as it likes.
+bool is_utf16(std::string_view content) {
+  if(content.size() < 4)
+    return false;
+  const std::string_view mark = content.substr(0, 2);
+  return (mark == "\xFF\xFE" && is_of_text(content[2]) && content[3] == '\0') ||
+         (mark == "\xFE\xFF" && content[2] == '\0' && is_of_text(content[3]));
+}
+
+} // namespace
 
 Soup read_soup(const Input_file& file) {
+  if(is_utf16(file.content()))
+    fail_to_read(file.name(), "the file is UTF-16; save it as UTF-8 or ASCII");
   if(file.is_of_format(".off"))
     return read_off(file.name(), file.content());
   if(file.is_of_format(".obj"))

@@ -58,15 +58,14 @@ public:
     text_.skip_to_content();
     if(!is_keyword(text_.word(), "solid"))
       text_.fail("an STL file in text form begins with the word solid");
-    text_.skip_line();
+    skip_name();
     bool is_in_solid = true;
     while(text_.skip_to_content()) {
       const std::string_view word = text_.word();
       if(is_in_solid && is_keyword(word, "facet")) {
         read_facet();
       } else if(is_keyword(word, is_in_solid ? "endsolid" : "solid")) {
-        is_in_solid = !is_in_solid;
-        text_.skip_line(); // its name
+        is_in_solid = skip_name() || !is_in_solid;
       } else {
         text_.fail(in_quotes(word) + " is out of place");
       }
@@ -78,6 +77,25 @@ public:
   }
 
 private:
+  // A name may be any words to the end of the line, but not the beginning of a face: there are
+  // files of one line. So what follows the name of an endsolid may be another solid, or be out of
+  // place.
+  bool skip_name() {
+    bool is_solid_begun = false;
+    while(!text_.is_at_line_end()) {
+      Text_source ahead = text_;
+      const std::string_view word = ahead.word();
+      const bool is_facet = is_keyword(word, "facet") && ahead.skip_to_content() &&
+                            is_keyword(ahead.word(), "normal");
+      if(is_facet || is_keyword(word, "endsolid"))
+        return is_solid_begun;
+      is_solid_begun = is_solid_begun || is_keyword(word, "solid");
+      text_.word();
+    }
+    text_.skip_line();
+    return false;
+  }
+
   void read_facet() {
     triangles_.add_triangle();
     skip_normal();

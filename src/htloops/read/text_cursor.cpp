@@ -20,9 +20,11 @@
 namespace htloops {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
-bool ends_word(char c) { return is_blank(c) || c == '\n' || c == '#'; }
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+bool ends_word(char c) { return is_blank(c) || is_line_end(c) || c == '#'; }
 
 // Knows every form of a number, and what is too large or too small for one. A hexadecimal number,
 // of which none of the formats knows, is nearly always something else.
@@ -64,7 +66,9 @@ void Text_cursor::skip_blanks() {
 }
 
 void Text_cursor::skip_line() {
-  at_ = std::find(at_, end_, '\n');
+  at_ = std::find_if(at_, end_, is_line_end);
+  if(end_ - at_ > 1 && at_[0] == '\r' && at_[1] == '\n')
+    ++at_;
   if(at_ != end_)
     ++at_;
 }
@@ -75,7 +79,7 @@ bool Text_cursor::skip_to_content() {
     skip_blanks();
     if(at_ == end_)
       return false;
-    if(*at_ != '\n' && *at_ != '#')
+    if(!is_line_end(*at_) && *at_ != '#')
       return true;
     skip_line();
   }
@@ -113,11 +117,15 @@ std::string_view Text_cursor::word() {
 
 bool Text_cursor::is_at_line_end() {
   skip_blanks();
-  return at_ == end_ || *at_ == '\n' || *at_ == '#';
+  return at_ == end_ || is_line_end(*at_) || *at_ == '#';
 }
 
 std::size_t Text_cursor::line() const {
-  return 1 + static_cast<std::size_t>(std::count(begin_, at_, '\n'));
+  std::size_t line = 1;
+  for(const char* c = begin_; c != at_; ++c)
+    if(*c == '\n' || (*c == '\r' && !(c + 1 != end_ && c[1] == '\n')))
+      ++line;
+  return line;
 }
 
 } // namespace htloops

@@ -15,7 +15,8 @@
 
 namespace htloops {
 
-/// A place in a text of lines of numbers and words, where # begins a comment. A byte order mark
+/// A place in a text of lines of numbers and words, where # begins a comment. Lines
+/// end as on any system: with a line feed, a carriage return, or both. A byte order mark
 /// before the text is passed over, and the Ctrl-Z that ends texts of DOS.
 class Text_cursor
 {

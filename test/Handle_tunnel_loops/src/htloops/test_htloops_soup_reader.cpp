@@ -138,7 +138,43 @@ std::string with_crlf(const std::string& text) {
   return result;
 }
 
+std::string with_cr(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  return text;
+}
+
+std::string in_utf16(const std::string& text, bool is_big_endian) {
+  std::string result = is_big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for(const char c : text)
+    result += is_big_endian ? std::string({'\0', c}) : std::string({c, '\0'});
+  return result;
+}
+
 } // namespace
+
+TEST_F(Soup_reader, reads_lines_that_end_with_carriage_returns) {
+  const std::string continued = replaced(obj_file(), "f 1 2 4", "# comment\nf 1 \\\n2 4");
+  expect_tetrahedron("cr.off", with_cr("# comment\n" + replaced(off_file(), "OFF", "NOFF")));
+  expect_tetrahedron("cr.obj", with_cr("# comment\n" + obj_file()));
+  expect_tetrahedron("cr.obj", with_cr(continued));
+  expect_tetrahedron("cr.ply", with_cr(ply_header("ascii") + points + faces));
+  expect_tetrahedron("cr.stl", with_cr(text_stl_file()));
+  expect_failure("a.off", with_cr(replaced(off_file(), "3 1 2 3", "3 1 2 3 x")),
+                 ":9: 'x' is no number");
+  expect_failure("a.obj", with_cr(continued + "f 1 2 x\n"), ":11: 'x' is no corner");
+  expect_failure("a.obj", with_crlf(obj_file() + "f 1 2 x\n"), ":9: 'x' is no corner");
+}
+
+TEST_F(Soup_reader, says_that_a_file_is_utf_16) {
+  for(const bool is_big_endian : {false, true}) {
+    const std::string words = "the file is UTF-16; save it as UTF-8 or ASCII";
+    expect_failure("a.off", in_utf16(off_file(), is_big_endian), words);
+    expect_failure("a.obj", in_utf16(obj_file(), is_big_endian), words);
+    expect_failure("a.ply", in_utf16(ply_header("ascii"), is_big_endian), words);
+    expect_failure("a.stl", in_utf16(text_stl_file(), is_big_endian), words);
+  }
+  expect_tetrahedron("binary.stl", replaced(binary_stl_file(-0.2f), "soli", "\xFF\xFE##"));
+}
 
 TEST_F(Soup_reader, reads_all_forms_of_off) {
   expect_tetrahedron("plain.off", off_file());
@@ -233,9 +269,19 @@ TEST_F(Soup_reader, reads_all_forms_of_text_stl) {
   std::string capitals = text, on_one_line = text;
   for(char& c : capitals)
     c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  std::replace(on_one_line.begin() + 12, on_one_line.end(), '\n', ' ');
+  std::replace(on_one_line.begin(), on_one_line.end(), '\n', ' ');
   expect_tetrahedron("capitals.stl", capitals);
   expect_tetrahedron("one_line.stl", on_one_line);
+  for(const char* name : {"", " a facet of a solid", " facet", "\tsolid 1"}) {
+    const std::string named = std::string("solid") + name;
+    expect_tetrahedron("name.stl", replaced(text, "solid name", named));
+    expect_tetrahedron("name.stl", replaced(text, "endsolid name", "end" + named));
+    expect_tetrahedron("name.stl", replaced(on_one_line, "solid name", named));
+    expect_tetrahedron("name.stl", replaced(on_one_line, "endsolid name", "end" + named));
+  }
+  expect_tetrahedron("solids_on_one_line.stl",
+                     "solid endsolid solid a endsolid a " +
+                         replaced(on_one_line, "endfacet", "endfacet endsolid solid 1 solid 2"));
   expect_tetrahedron("blanks.stl", "\n  \t" + text);
   expect_tetrahedron("byte_order_mark.stl", byte_order_mark + text);
   expect_tetrahedron("crlf.stl", with_crlf(text));
@@ -256,6 +302,7 @@ TEST_F(Soup_reader, reads_all_forms_of_obj) {
   expect_tetrahedron("plain.obj", plain);
   expect_tetrahedron("byte_order_mark.obj", byte_order_mark + plain);
   expect_tetrahedron("crlf.obj", with_crlf(plain));
+  expect_tetrahedron("faces_of_old.obj", replaced(plain, "f 1 2 4", "fo 1 2 4"));
   expect_tetrahedron("lines_and_points.obj", plain + "l 1 2 3\np 1\n");
   expect_tetrahedron("faces_first.obj", obj_faces + std::string(obj_vertices));
   expect_tetrahedron("colours.obj", replaced(plain, "v 1 0 0", "v 1 0 0 0.5 0.5 1"));
@@ -396,6 +443,8 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
                  ":9: 'xfacet' is out of place");
   expect_failure("a.stl", replaced(text, "endsolid name\n", ""), "expected endsolid after 4 faces");
   expect_failure("a.stl", text + "facet", "'facet' is out of place");
+  expect_failure("a.stl", replaced(text, "endsolid name\n", "endsolid name facet normal 0 0 0\n"),
+                 ":30: 'facet' is out of place");
   expect_failure("a.stl", binary.substr(0, 83), "too short");
   expect_failure("a.stl", binary.substr(0, 200), "ends after 2 of 4 faces");
   expect_failure("a.stl", binary + std::string(49 + 50, 'x'),
