@@ -17,8 +17,8 @@ draw() {
   local name="$1"
   shift
   "$htloops" generate "$@" -q -o "$mesh"
-  "$htloops" loops "$mesh" -q --size 400,300 --picture "$folder/$name.png"
-  "$htloops" reeb "$mesh" -q --size 400,300 --picture "$folder/${name}_reeb.png"
+  "$htloops" loops "$mesh" -q --size 384,288 --picture "$folder/$name.png"
+  "$htloops" reeb "$mesh" -q --size 384,288 --picture "$folder/${name}_reeb.png"
 }
 
 for shape in mug chair bicycle trefoil borromean bores exchanger coral cage; do
