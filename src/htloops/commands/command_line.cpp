@@ -57,11 +57,12 @@ std::string Told_command::summary() const {
 }
 
 Told_command told_command(const CLI::App& app) {
-  Told_command told{app.get_name(), app.get_description(), app.get_footer(), {}, {}, {}};
+  Told_command told{app.get_name(), app.get_description(), app.get_footer(), {}, {}, {}, {}};
   for(const CLI::Option* option : app.get_options())
-    if(option->get_positional())
+    if(option->get_positional()) {
       told.arguments.push_back(option->get_name(true));
-    else
+      told.argument_values = listed_values(option->get_type_name());
+    } else
       told.options.push_back(told_option(*option));
   for(const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     told.commands.push_back(told_command(*command));

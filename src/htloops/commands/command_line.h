@@ -39,7 +39,8 @@ struct Told_command
   std::string name;
   std::string description;
   std::string footer;
-  std::vector<std::string> arguments; ///< what is given without a name
+  std::vector<std::string> arguments;       ///< what is given without a name
+  std::vector<std::string> argument_values; ///< those of the only one; empty if they are no list
   std::vector<Told_option> options;
   std::vector<Told_command> commands;
 

@@ -27,9 +27,17 @@ std::string plain(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   for(const char c : {'\'', '"', '`', '$', '\\'})
     text.erase(std::remove(text.begin(), text.end(), c), text.end());
-  for(const auto& [c, other] : {std::pair('[', '('), std::pair(']', ')'), std::pair(':', ',')})
+  for(const auto& [c, other] : {std::pair('[', '('), std::pair(']', ')')})
     std::replace(text.begin(), text.end(), c, other);
   return text;
+}
+
+// The same where a colon ends a text, as in zsh.
+std::string with_escaped_colons(const std::string& text) {
+  std::string escaped;
+  for(const char c : plain(text))
+    escaped += c == ':' ? "\\:" : std::string(1, c);
+  return escaped;
 }
 
 std::vector<std::string> names_of(const std::vector<Told_command>& commands) {
@@ -56,6 +64,9 @@ std::string bash_case(const Told_command& command, const std::string& path) {
   std::string text = "    '" + path + "')\n      words='" + joined(words) + "'\n";
   if(!values.empty())
     text += "      case \"$before\" in\n" + values + "      esac\n";
+  if(!command.argument_values.empty())
+    text += "      [[ $now == -* ]] || COMPREPLY=($(compgen -W '" +
+            joined(command.argument_values) + "' -- \"$now\"))\n";
   text += "      ;;\n";
   for(const Told_command& sub : command.commands)
     text += bash_case(sub, path.empty() ? sub.name : path + " " + sub.name);
@@ -94,12 +105,12 @@ std::string bash_completion(const Told_command& tool) {
 std::string zsh_option(const Told_option& option) {
   std::string value;
   if(!option.values.empty())
-    value = ":" + plain(option.value) + ":(" + joined(option.values) + ")";
+    value = ":" + with_escaped_colons(option.value) + ":(" + joined(option.values) + ")";
   else if(option.is_file)
-    value = ":" + plain(option.value) + ":_files";
+    value = ":" + with_escaped_colons(option.value) + ":_files";
   else if(!option.value.empty())
-    value = ":" + plain(option.value) + ": ";
-  const std::string text = "[" + plain(option.description) + "]" + value + "'";
+    value = ":" + with_escaped_colons(option.value) + ": ";
+  const std::string text = "[" + with_escaped_colons(option.description) + "]" + value + "'";
   std::string lines;
   if(!option.long_name.empty())
     lines += " \\\n        '*--" + option.long_name + text;
@@ -112,11 +123,14 @@ std::string zsh_function(const Told_command& command, const std::string& name) {
   std::string text = name + "() {\n    local line state\n    _arguments -C";
   for(const Told_option& option : command.options)
     text += zsh_option(option);
+  if(!command.argument_values.empty())
+    return text + " \\\n        '1:" + with_escaped_colons(joined(command.arguments)) + ":(" +
+           joined(command.argument_values) + ")'\n}\n";
   if(command.commands.empty())
     return text + " \\\n        '*:file:_files'\n}\n";
   text += " \\\n        '1:command:((";
   for(const Told_command& sub : command.commands)
-    text += sub.name + "\\:\"" + plain(sub.summary()) + "\" ";
+    text += sub.name + "\\:\"" + with_escaped_colons(sub.summary()) + "\" ";
   text += "))' \\\n        '*::argument:->arguments'\n    case \"$line[1]\" in\n";
   for(const Told_command& sub : command.commands)
     text += "        " + sub.name + ") " + name + "_" + sub.name + " ;;\n";
@@ -150,6 +164,8 @@ std::string fish_lines(const Told_command& command, const std::string& condition
       text += " -r";
     text += " -d '" + plain(option.description) + "'\n";
   }
+  if(!command.argument_values.empty())
+    text += begin + " -f -a '" + joined(command.argument_values) + "'\n";
   const std::string names = joined(names_of(command.commands));
   for(const Told_command& sub : command.commands)
     text += begin + (names.empty() ? "" : " -f") + " -a " + sub.name + " -d '" +
