@@ -254,10 +254,11 @@ if(BASH)
 try() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _htloops; echo \"\${COMPREPLY[*]}\"; }
 try htloops loops --basis ''
 try htloops generate torus --gen
+try htloops completion ''
 try htloops loops me
 ")
   execute_process(COMMAND "${BASH}" try WORKING_DIRECTORY "${FOLDER}" OUTPUT_VARIABLE output)
-  expect_equal("${output}" "pure shortest\n--genus\n\n")
+  expect_equal("${output}" "pure shortest\n--genus\nbash fish zsh\n\n")
 endif()
 
 # Shapes that a text describes.
@@ -269,6 +270,9 @@ run(0 loops shape.off --quiet)
 file(APPEND "${FOLDER}/shape.txt" "boll 0 0 0 1\n")
 run(2 generate shape --text shape.txt -o shape.off)
 expect_match("${errors}" "line 5 of the shape: 'boll' is no part")
+file(WRITE "${FOLDER}/nothing.txt" "ball 0 0 0 1\ncut ball 0 0 0 2\n")
+run(2 generate shape --text nothing.txt -o shape.off)
+expect_match("${errors}" "the shape is empty")
 run(2 generate shape -o shape.off)
 expect_match("${errors}" "--text")
 run(0 generate mug -q -o mug.off)
