@@ -61,6 +61,9 @@ expect_match("${page}" "--loops LOOPS.json --pairs")
 run(0 loops mesh.off --no-tighten -o kept.json --html kept.html)
 file(READ "${FOLDER}/kept.html" page)
 expect_match("${page}" "--loops kept.json --pairs")
+run(0 loops mesh.off -o "not lost.json" --html kept.html)
+file(READ "${FOLDER}/kept.html" page)
+expect_match("${page}" "--loops 'not lost.json' --pairs")
 
 # What is left out is left out everywhere but in the file of the loops.
 run(0 loops mesh.off -o whole.json --csv small.csv --shorter-than 20% --lines small.obj

@@ -28,7 +28,10 @@
 #include "write/pair_csv.h"
 #include "write/pair_table.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <utility>
@@ -65,12 +68,25 @@ bool has_usual_numbers(const Loops_options& options) {
          (options.backend == "auto" || options.backend == "host");
 }
 
+// A name as a shell takes it.
+std::string quoted(const std::string& file) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("._/-+=,@%:", c) != nullptr;
+  };
+  if(std::all_of(file.begin(), file.end(), is_plain))
+    return file;
+  std::string text = "'";
+  for(const char c : file)
+    text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + '\'';
+}
+
 // What tells 'htloops remove' which pairs are meant, before their numbers.
 std::string choice_of_pairs(const Loops_options& options) {
   const bool has_file = !options.json_file.empty() && options.json_file != "-";
   if(has_usual_numbers(options) && !has_file)
     return "--pairs";
-  return "--loops " + (has_file ? options.json_file : "LOOPS.json") + " --pairs";
+  return "--loops " + (has_file ? quoted(options.json_file) : "LOOPS.json") + " --pairs";
 }
 
 std::string remark_on_numbers(const Loops_options& options) {
