@@ -15,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -23,6 +24,11 @@ namespace htloops {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
+
+/// whether a point is somewhere.
+inline bool is_finite(const Point& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
 
 using Pair = CGAL::Handle_tunnel_pair<Mesh>;
 using Loop = Pair::Loop;

@@ -15,7 +15,7 @@
 namespace htloops {
 namespace {
 
-using CGAL::Handle_tunnel_loops::generators::Soup;
+namespace generators = CGAL::Handle_tunnel_loops::generators;
 
 void write_selection(Text_writer& out, const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
   out << "\n\n";
@@ -37,7 +37,7 @@ void number_copies(const Mesh& mesh,
                    Mesh::Vertex_index v,
                    const std::vector<char>& is_cut,
                    std::vector<std::uint32_t>& copy,
-                   Soup& soup) {
+                   generators::Soup& soup) {
   const Mesh::Halfedge_index some = mesh.halfedge(v);
   Mesh::Halfedge_index first = some;
   do // where a corner begins, if the vertex has several
@@ -68,11 +68,11 @@ void check_opened_mesh_format(const std::string& file) {
                       ": STL knows points only, the cut would be closed again");
 }
 
-Soup opened_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
+generators::Soup opened_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
   std::vector<char> is_cut(mesh.number_of_edges(), 0);
   for(const Mesh::Edge_index e : cut)
     is_cut[e.idx()] = 1;
-  Soup soup;
+  generators::Soup soup;
   for(const Point& p : mesh.points())
     soup.points.push_back({p.x(), p.y(), p.z()});
   std::vector<std::uint32_t> copy(mesh.number_of_halfedges());

@@ -24,10 +24,6 @@
 namespace htloops {
 namespace {
 
-bool is_finite(const Point& p) {
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
 // Nothing exact can be said of points that are nowhere, and halfedges have numbers of 32 bits.
 bool can_be_mended(const Soup& soup) {
   constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;

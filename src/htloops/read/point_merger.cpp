@@ -19,10 +19,6 @@ constexpr std::uint32_t nothing = static_cast<std::uint32_t>(-1);
 
 static_assert(sizeof(Point) == 3 * sizeof(double), "points are compared by their bytes");
 
-bool is_finite(const Point& p) {
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
 bool are_same(const Point& p, const Point& q) { return std::memcmp(&p, &q, sizeof p) == 0; }
 
 // Its lower bits, which are used, depend on the upper bits of the coordinates, which differ most.
