@@ -6,12 +6,19 @@
 
 // Under sanitizers a case takes up to twenty times as long, so that fewer are tried: what they
 // look for, in code that is the same for all cases, is found in the first ones.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_THREAD__)
+#define HTL_TEST_WITH_THREAD_SANITIZER
+#elif defined(__SANITIZE_ADDRESS__)
 #define HTL_TEST_FEWER_CASES
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#if __has_feature(thread_sanitizer)
+#define HTL_TEST_WITH_THREAD_SANITIZER
+#elif __has_feature(address_sanitizer)
 #define HTL_TEST_FEWER_CASES
 #endif
+#endif
+#ifdef HTL_TEST_WITH_THREAD_SANITIZER
+#define HTL_TEST_FEWER_CASES
 #endif
 
 #ifdef HTL_TEST_FEWER_CASES

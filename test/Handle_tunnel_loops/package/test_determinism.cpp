@@ -1,6 +1,7 @@
 // The same mesh has the same loops, bit for bit: called again, in parallel, with any number of
 // threads. And the numbering of the vertices changes little.
 
+#include "Number_of_cases.h"
 #include "Same_events.h"
 #include "Same_loops.h"
 
@@ -135,6 +136,13 @@ private:
 class Execution : public testing::Test
 {
 protected:
+  void SetUp() override {
+#ifdef HTL_TEST_WITH_THREAD_SANITIZER
+    GTEST_SKIP()
+        << "under the thread sanitizer threads are not those of TBB, which it cannot follow";
+#endif
+  }
+
   // More threads than one, even on one processor.
   template <typename Function> static Threads threads_of(const Function& f) {
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 4);
