@@ -10,6 +10,7 @@ set(HTLOOPS_SOLVE_SOURCES
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
   solve/removal_solver.cpp
+  solve/same_class.cpp
   solve/self_contact.cpp
   solve/spread_properties.cpp
   solve/thread_limit.cpp

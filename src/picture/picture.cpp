@@ -254,19 +254,23 @@ private:
 };
 
 std::vector<Colour> paint(const Scene& scene, const Options& options) {
-  constexpr int largest = 16384;
-  if(options.width < 1 || options.height < 1 || options.width > largest || options.height > largest)
-    throw std::runtime_error("no picture: its width and height must be from 1 to " +
-                             std::to_string(largest) + " pixels");
-  if(std::size_t(options.width) * std::size_t(options.height) > most_pixels)
-    throw std::runtime_error("no picture: it would have more than " +
-                             std::to_string(most_pixels / 1000000) + " million pixels");
+  check_size(options.width, options.height);
   if(!scene.triangle_colours.empty() && scene.triangle_colours.size() != scene.triangles.size())
     throw std::runtime_error("no picture: there must be a colour for each triangle");
   return Painter(scene, options).paint();
 }
 
 } // namespace
+
+void check_size(std::size_t width, std::size_t height) {
+  constexpr std::size_t largest = 16384, millions = 50;
+  if(width < 1 || height < 1 || width > largest || height > largest)
+    throw std::runtime_error("no picture: its width and height must be from 1 to " +
+                             std::to_string(largest) + " pixels");
+  if(width * height > millions * 1000000)
+    throw std::runtime_error("no picture: it would have more than " + std::to_string(millions) +
+                             " million pixels");
+}
 
 std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Triangle>& triangles,

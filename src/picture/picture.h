@@ -61,8 +61,9 @@ struct Options
 /// whether labels and legends are written: the build found a font.
 bool has_font();
 
-/// the most pixels that a picture has: it takes some 70 bytes for each.
-constexpr std::size_t most_pixels = 50000000;
+/// throws `std::runtime_error` unless pictures have such a size: of 50 million pixels at most, each
+/// of which takes some 65 bytes.
+void check_size(std::size_t width, std::size_t height);
 
 /// the content of a PNG file. Throws `std::runtime_error` if the size is not one of a picture, or a
 /// coordinate is not finite.

@@ -29,24 +29,29 @@ namespace generators = CGAL::Handle_tunnel_loops::generators;
 
 struct Generate_options
 {
-  std::string text_file; // that describes the shape, instead of a kind
+  std::string text_file;        // that describes the shape, instead of a kind
+  bool is_size_of_text = false; // as many faces as the text asks for
   generators::Request request;
   generators::Hole_request holes;
   std::string mesh_file;
   bool is_quiet = false;
 };
 
-generators::Kind kind_of_text(const std::string& file) {
-  const auto shape = std::make_shared<generators::Shape>(Input_file(file).content());
-  return {"shape", "", [shape](const generators::Request& request) {
-            return generators::mesh_of_shape(*shape, request, "shape");
-          }};
+generators::Soup make_from_text(const Generate_options& options) {
+  const auto shape = std::make_shared<generators::Shape>(Input_file(options.text_file).content());
+  generators::Request request = options.request;
+  if(options.is_size_of_text)
+    request.faces = shape->faces();
+  const auto mesh_of = [shape](const generators::Request& r) {
+    return generators::mesh_of_shape(*shape, r, "shape");
+  };
+  return generators::make({"shape", "", mesh_of}, request);
 }
 
 generators::Soup generate(const generators::Kind& kind, const Generate_options& options) {
   try {
-    return generators::make(options.text_file.empty() ? kind : kind_of_text(options.text_file),
-                            options.request);
+    return options.text_file.empty() ? generators::make(kind, options.request)
+                                     : make_from_text(options);
   } catch(const std::invalid_argument& reason) {
     throw Failure(Exit_code::WRONG_USAGE, reason.what());
   }
@@ -73,14 +78,20 @@ void run(const generators::Kind& kind, const Generate_options& options) {
               options.mesh_file == "-");
 }
 
-std::string default_of(std::size_t value) { return "; default: " + std::to_string(value); }
+template <typename Count>
+void add_count(CLI::App& sub, const char* name, Count& value, const std::string& what) {
+  sub.add_option(name, value, what + "; default: " + std::to_string(value))
+      ->option_text("N")
+      ->check(why_no_count);
+}
 
 /// the options that only some kinds have.
 void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& request) {
   const auto add = [&](unsigned option, const char* name, std::size_t& value, const char* what) {
     if((options & option) != 0)
-      sub.add_option(name, value, what + default_of(value))->option_text("N")->check(why_no_count);
+      add_count(sub, name, value, what);
   };
+  add(generators::GENUS, "--genus", request.genus, "how many handles");
   add(generators::PARTS, "--parts", request.parts, "how many components");
   add(generators::TORUS_KNOT, "--long-way", request.p,
       "p: how often the long way around the torus");
@@ -100,6 +111,26 @@ const generators::Kind& text_kind() {
   return kind;
 }
 
+constexpr char faces_text[] = "about how many triangles";
+
+void add_text_options(CLI::App& sub, Generate_options& options) {
+  sub.add_option("--text", options.text_file,
+                 "what the shape is: a part on each line, as in the manual (required)")
+      ->option_text("FILE")
+      ->type_name(input_file)
+      ->required();
+  options.is_size_of_text = true;
+  sub.add_option_function<std::size_t>(
+         "--faces",
+         [&options](std::size_t faces) {
+           options.request.faces = faces;
+           options.is_size_of_text = false;
+         },
+         std::string(faces_text) + "; default: what the text says")
+      ->option_text("N")
+      ->check(why_no_count);
+}
+
 void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command) {
   const auto options = std::make_shared<Generate_options>();
   options->request.faces = kind.default_faces;
@@ -110,34 +141,16 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
       ->option_text("MESH")
       ->type_name(output_file)
       ->required();
-  sub->add_option("--faces", options->request.faces,
-                  "about how many triangles" + default_of(options->request.faces))
-      ->option_text("N")
-      ->check(why_no_count);
   if(&kind == &text_kind())
-    sub->add_option("--text", options->text_file,
-                    "what the shape is: a part on each line, as in the manual (required)")
-        ->option_text("FILE")
-        ->type_name(input_file)
-        ->required();
-  if((kind.options & generators::GENUS) != 0)
-    sub->add_option("--genus", options->request.genus,
-                    "how many handles" + default_of(options->request.genus))
-        ->option_text("G")
-        ->check(why_no_count);
-  sub->add_option("--seed", options->request.seed,
-                  "of the random numbers, if the kind uses any" + default_of(options->request.seed))
-      ->option_text("N")
-      ->check(why_no_count);
+    add_text_options(*sub, *options);
+  else
+    add_count(*sub, "--faces", options->request.faces, faces_text);
   add_options_of_kind(*sub, kind.options, options->request);
-  sub->add_option("--holes", options->holes.number,
-                  "how many holes, so that the mesh has a boundary" + default_of(0))
-      ->option_text("N")
-      ->check(why_no_count);
-  sub->add_option("--hole-faces", options->holes.faces,
-                  "about how many triangles each of them takes" + default_of(options->holes.faces))
-      ->option_text("N")
-      ->check(why_no_count);
+  add_count(*sub, "--seed", options->request.seed, "of the random numbers, if the kind uses any");
+  add_count(*sub, "--holes", options->holes.number,
+            "how many holes, so that the mesh has a boundary");
+  add_count(*sub, "--hole-faces", options->holes.faces,
+            "about how many triangles each of them takes");
   sub->add_flag("--ragged-holes", options->holes.is_ragged,
                 "holes with as long a boundary as can be");
   sub->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");

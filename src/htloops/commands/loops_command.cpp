@@ -81,16 +81,20 @@ std::string quoted(const std::string& file) {
   return text + '\'';
 }
 
+// Whether there is a file that 'htloops remove' can be given.
+bool keeps_numbers(const Loops_options& options) {
+  return !options.json_file.empty() && options.json_file != "-";
+}
+
 // What tells 'htloops remove' which pairs are meant, before their numbers.
 std::string choice_of_pairs(const Loops_options& options) {
-  const bool has_file = !options.json_file.empty() && options.json_file != "-";
-  if(has_usual_numbers(options) && !has_file)
-    return "--pairs";
-  return "--loops " + (has_file ? quoted(options.json_file) : "LOOPS.json") + " --pairs";
+  if(keeps_numbers(options))
+    return "--loops " + quoted(options.json_file) + " --pairs";
+  return has_usual_numbers(options) ? "--pairs" : "--loops LOOPS.json --pairs";
 }
 
 std::string remark_on_numbers(const Loops_options& options) {
-  return has_usual_numbers(options) || !options.json_file.empty()
+  return has_usual_numbers(options) || keeps_numbers(options)
              ? ""
              : "The numbers of the pairs are those of this call with its options: -o LOOPS.json "
                "keeps them for 'htloops remove'.\n";

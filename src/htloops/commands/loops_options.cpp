@@ -177,8 +177,7 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   solve_options.do_log_fronts = !options.events_file.empty();
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(show_progress);
-  const Backend& backend = choose_backend(options.backend);
-  Answer answer = backend.solve(mesh, solve_options, bar);
+  Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
   if(options.backend == "auto" && !has_backend("cuda"))
     answer.statistics.fallback = "this htloops was built without CUDA";
   if(answer.statistics.number_of_boundaries > 0)

@@ -63,11 +63,14 @@ double opacity_before(std::size_t lines) {
 bool can_write_on_pictures() { return htl_picture::has_font(); }
 
 void check_picture_size(const Picture_options& options) {
-  if(!options.size.empty() && options.size[0] * options.size[1] > htl_picture::most_pixels)
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "--size: a picture has at most " +
-                      std::to_string(htl_picture::most_pixels / 1000000) +
-                      " million pixels, for which 4 GB of memory are needed");
+  if(options.size.empty())
+    return;
+  try {
+    htl_picture::check_size(static_cast<std::size_t>(options.size[0]),
+                            static_cast<std::size_t>(options.size[1]));
+  } catch(const std::runtime_error& error) {
+    throw Failure(Exit_code::WRONG_USAGE, std::string("--size: ") + error.what());
+  }
 }
 
 void export_picture(const Picture_options& options,

@@ -19,10 +19,18 @@ bool take_prefix(std::string_view& word, std::string_view prefix) {
   return true;
 }
 
+// Geomview reads files whose keyword is missing, too.
+bool begins_with_counts(Text_source text) {
+  long long count;
+  return text.read(count);
+}
+
 Off_header read_keyword(Text_source& text) {
-  text.skip_to_content();
-  std::string_view keyword = text.word();
   Off_header header;
+  text.skip_to_content();
+  if(begins_with_counts(text))
+    return header;
+  std::string_view keyword = text.word();
   header.has_texture_coordinates = take_prefix(keyword, "ST");
   header.has_colours = take_prefix(keyword, "C");
   header.has_normals = take_prefix(keyword, "N");
@@ -30,7 +38,7 @@ Off_header read_keyword(Text_source& text) {
   if(keyword == "nOFF" || keyword == "SKEL")
     text.fail("an OFF file of the kind " + std::string(keyword) + " is not read");
   if(keyword != "OFF")
-    text.fail("an OFF file begins with the word OFF");
+    text.fail("an OFF file begins with the word OFF or with the numbers of vertices and faces");
   text.skip_to_content();
   if(Text_cursor ahead = text; ahead.word() == "BINARY")
     text.fail("a binary OFF file is not read; one in text form is");

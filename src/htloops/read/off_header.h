@@ -16,7 +16,8 @@
 
 namespace htloops {
 
-/// What an OFF file says before its points: the keyword [ST][C][N][4]OFF and the counts.
+/// What an OFF file says before its points: the keyword [ST][C][N][4]OFF, which may be missing, and
+/// the counts.
 struct Off_header
 {
   bool has_texture_coordinates = false;

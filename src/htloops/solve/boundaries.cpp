@@ -9,6 +9,9 @@
 
 #include "solve/boundaries.h"
 
+#include "solve/same_class.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boundary_loops.h>
@@ -19,6 +22,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace htloops {
 
@@ -54,32 +58,30 @@ Corners corners_of(const Mesh& mesh, const Loop& curve) {
   return corners;
 }
 
-// The faces at a step, two at most inside an edge.
-std::vector<Mesh::Face_index> faces_at(const Mesh& mesh, const Loop::Step& step) {
-  std::vector<Mesh::Face_index> faces;
-  const auto add = [&](Mesh::Halfedge_index h) {
-    if(!mesh.is_border(h))
-      faces.push_back(mesh.face(h));
-  };
-  if(!step.is_vertex()) {
-    add(step.halfedge);
-    add(mesh.opposite(step.halfedge));
-    return faces;
-  }
-  const auto h = step.ratio == 1. ? step.halfedge : mesh.opposite(step.halfedge);
-  for(const Mesh::Halfedge_index g : CGAL::halfedges_around_target(h, mesh))
-    add(g);
-  return faces;
+bool is_closed_on(const Mesh& mesh, const Loop& loop) {
+  namespace internal = CGAL::Handle_tunnel_loops::internal;
+  internal::Loop_certifier certifier(mesh, get(boost::vertex_index, mesh),
+                                     get(boost::face_index, mesh));
+  certifier.set_loops(internal::Execution(), std::vector<const Loop*>{&loop});
+  return certifier.are_closed_on_surface();
 }
 
-bool is_on_surface(const Mesh& mesh, const Loop& loop) {
-  for(std::size_t i = 0; i < loop.size(); ++i) {
-    const auto here = faces_at(mesh, loop.steps()[i]),
-               there = faces_at(mesh, loop.steps()[(i + 1) % loop.size()]);
-    if(std::find_first_of(here.begin(), here.end(), there.begin(), there.end()) == here.end())
-      return false;
-  }
-  return loop.size() > 0;
+std::vector<std::string> problems_of_waists(const Mesh& mesh,
+                                            const std::vector<Loop>& curves,
+                                            const std::vector<Loop>& waists) {
+  std::vector<std::string> problems;
+  std::vector<std::pair<const Loop*, const Loop*>> pairs;
+  const auto name = [](const Loop& waist) {
+    return "boundary " + std::to_string(waist.pair_index()) + ": its waist ";
+  };
+  for(const Loop& waist : waists)
+    if(is_closed_on(mesh, waist))
+      pairs.emplace_back(&curves[waist.pair_index()], &waist);
+    else
+      problems.push_back(name(waist) + "is no closed curve on the surface");
+  for(const std::size_t i : pairs_of_different_class(mesh, pairs))
+    problems.push_back(name(*pairs[i].second) + "is not homologous to the curve");
+  return problems;
 }
 
 } // namespace
@@ -102,11 +104,7 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
   if(curves.size() < expected.curves.size())
     problems.push_back("it has " + std::to_string(curves.size()) + " of the " +
                        std::to_string(expected.curves.size()) + " boundary curves");
-  for(const Loop& waist : waists)
-    if(!is_on_surface(mesh, waist))
-      problems.push_back("boundary " + std::to_string(waist.pair_index()) +
-                         ": its waist is no closed curve on the surface");
-  return problems;
+  return problems.empty() ? problems_of_waists(mesh, curves, waists) : problems;
 }
 
 std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t number_of_them) {

@@ -29,7 +29,8 @@ struct Boundaries
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists);
 
 /// what is wrong with boundary curves and waists that were found elsewhere, in words: the curves
-/// have to be those of the mesh, all of them, and waists closed curves on it.
+/// have to be those of the mesh, all of them, and waists closed curves on it that are homologous to
+/// them.
 std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
                                                 const std::vector<Loop>& curves,
                                                 const std::vector<Loop>& waists);

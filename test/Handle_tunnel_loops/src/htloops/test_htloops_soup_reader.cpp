@@ -182,6 +182,7 @@ TEST_F(Soup_reader, reads_all_forms_of_off) {
   expect_tetrahedron("crlf.off", with_crlf(off_file()));
   expect_tetrahedron("no_last_line_end.off", off_file().substr(0, off_file().size() - 1));
   expect_tetrahedron("counts.off", replaced(off_file(), "OFF\n", "OFF "));
+  expect_tetrahedron("no_keyword.off", replaced(off_file(), "OFF\n", "# of Geomview\n"));
   expect_tetrahedron("comments.off", "# one\n\n" + replaced(off_file(), "1 0 0\n",
                                                             "# two\n\n +1 0 0 # three\n\t\n"));
   expect_tetrahedron("face_colours.off", replaced(off_file(), "3 0 2 1", "3 0 2 1 255 0 0"));
@@ -358,7 +359,7 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_obj_file) {
 
 TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
   expect_failure("a.off", "", "begins with the word OFF");
-  expect_failure("a.off", "4 4 6\n" + std::string(points), ":1: an OFF file begins");
+  expect_failure("a.off", "FFO 4 4 6\n" + std::string(points), ":1: an OFF file begins");
   expect_failure("a.off", "OFF BINARY\n", "binary");
   expect_failure("a.off", "OFF\n4 -4 6\n", ":2: expected the numbers");
   expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0\n", ":4: vertex 1 has no three coordinates");
