@@ -26,8 +26,9 @@ struct Run_record
   double read_seconds = 0.;
 };
 
-/// writes an answer in the format "htloops/1", of which doc/Handle_tunnel_loops/loops.schema.json
-/// is the schema; every number reads back as exactly itself.
+/// writes an answer in the format "htloops/1", of which
+/// doc/Handle_tunnel_loops/schemas/loops.schema.json is the schema; every number reads back as
+/// exactly itself.
 void write_loops_json(const std::string& target,
                       const Mesh& mesh,
                       const Answer& answer,

@@ -1,10 +1,16 @@
+#include "htloops/write/dual_cuts_json_writer.h"
 #include "htloops/write/loops_json_writer.h"
+#include "htloops/write/reeb_json_writer.h"
+#include "htloops/write/removal_json_writer.h"
 
 #include "Meshes_of_soups.h"
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
 #include "generators/holes.h"
+#include "htloops/solve/dual_cut_solver.h"
+#include "htloops/solve/reeb_solver.h"
+#include "htloops/solve/removal_solver.h"
 #include "htloops/solve/solvers.h"
 
 #include <gtest/gtest.h>
@@ -17,29 +23,24 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <vector>
 
 using namespace htloops;
 using nlohmann::json;
 
 namespace {
 
-class Loops_schema : public testing::Test
+class Schema
 {
-protected:
-  Loops_schema() {
-    const json document = json::parse(std::ifstream(HTL_SCHEMA));
+public:
+  explicit Schema(const std::string& name) {
+    const json document = json::parse(std::ifstream(HTL_SCHEMAS "/" + name + ".schema.json"));
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(document),
                                             schema_);
   }
 
-  json written(const Mesh& mesh, const Answer& answer) {
-    write_loops_json(folder_.path("a.json"), mesh, answer,
-                     {"a.off", {{"basis", "pure"}, {"seed", nullptr}}, 0.125});
-    return json::parse(folder_.read("a.json"));
-  }
-
   // What is wrong with a document, in words; empty if nothing is.
-  std::string problems(const json& document) {
+  std::string problems(const json& document) const {
     valijson::ValidationResults results;
     const valijson::adapters::NlohmannJsonAdapter target(document);
     if(valijson::Validator().validate(schema_, target, &results))
@@ -50,9 +51,38 @@ protected:
     return words.empty() ? "?" : words;
   }
 
-  const Temporary_folder folder_;
+  void expect_fits(const json& document) const { EXPECT_EQ(problems(document), ""); }
+
+  void expect_refuses(const json& document,
+                      const std::vector<std::function<void(json&)>>& changes) const {
+    for(const auto& change : changes) {
+      json changed = document;
+      change(changed);
+      EXPECT_NE(problems(changed), "") << json::diff(document, changed);
+    }
+  }
+
+private:
   valijson::Schema schema_;
 };
+
+class Loops_schema : public testing::Test
+{
+protected:
+  json written(const Mesh& mesh, const Answer& answer) {
+    write_loops_json(folder_.path("a.json"), mesh, answer,
+                     {"a.off", {{"basis", "pure"}, {"seed", nullptr}}, 0.125});
+    return json::parse(folder_.read("a.json"));
+  }
+
+  const Temporary_folder folder_;
+  const Schema schema_{"loops"};
+};
+
+Mesh mesh_with_holes() {
+  return mesh_of(CGAL::Handle_tunnel_loops::generators::with_holes(
+      soup_of(Recipe{"multi-torus", {3000, 2, 0}}), {3, 20, false}));
+}
 
 Answer solved(const Mesh& mesh, Solve_options options = {}) {
   Progress_bar bar(false);
@@ -66,51 +96,109 @@ Answer solved(const Mesh& mesh, Solve_options options = {}) {
 
 TEST_F(Loops_schema, fits_what_is_written) {
   const Mesh closed = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
-  EXPECT_EQ(problems(written(closed, solved(closed))), "");
+  schema_.expect_fits(written(closed, solved(closed)));
   Solve_options shortest;
   shortest.basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST;
   shortest.do_compute_linking = false;
-  EXPECT_EQ(problems(written(closed, solved(closed, shortest))), "");
-  const Mesh open = mesh_of(CGAL::Handle_tunnel_loops::generators::with_holes(
-      soup_of(Recipe{"multi-torus", {3000, 2, 0}}), {3, 20, false}));
+  schema_.expect_fits(written(closed, solved(closed, shortest)));
+  const Mesh open = mesh_with_holes();
   const json document = written(open, solved(open));
   EXPECT_EQ(document["boundaries"].size(), 3u);
-  EXPECT_EQ(problems(document), "");
+  schema_.expect_fits(document);
   const Mesh sphere = mesh_of(Recipe{"sphere", {320, 0, 0}});
-  EXPECT_EQ(problems(written(sphere, solved(sphere))), "");
+  schema_.expect_fits(written(sphere, solved(sphere)));
 }
 
 TEST_F(Loops_schema, fits_what_is_not_known) {
   const Mesh mesh = small_mesh();
   Answer answer = small_answer(mesh);
-  EXPECT_EQ(problems(written(mesh, answer)), "");
+  schema_.expect_fits(written(mesh, answer));
   answer.certificate.linking.resize(4);
   answer.certificate.linking[3].problem = "unknown";
   answer.statistics.fallback = "no device";
   const json document = written(mesh, answer);
   EXPECT_EQ(document["pairs"][1]["tunnel"]["undecided_because"], "unknown");
-  EXPECT_EQ(problems(document), "");
+  schema_.expect_fits(document);
 }
 
 TEST_F(Loops_schema, refuses_what_is_something_else) {
   const Mesh mesh = small_mesh();
-  const json document = written(mesh, small_answer(mesh));
-  const std::function<void(json&)> changes[] = {
-      [](json& d) { d["format"] = "htloops/2"; },
-      [](json& d) { d.erase("certificate"); },
-      [](json& d) { d["mesh"]["genus"] = -1; },
-      [](json& d) { d["mesh"].erase("file"); },
-      [](json& d) { d["pairs"][0]["handle"].erase("points"); },
-      [](json& d) { d["pairs"][0]["handle"].erase("component"); },
-      [](json& d) {
-        d["pairs"][1]["tunnel"]["locations"][0] = {0, 1};
-      },
-      [](json& d) { d["pairs"][0]["handle"]["bounds"] = "both"; },
-      [](json& d) { d["pairs"][0]["box"].erase(0); },
-      [](json& d) { d["timings"]["total"] = "long"; }};
-  for(const auto& change : changes) {
-    json changed = document;
-    change(changed);
-    EXPECT_NE(problems(changed), "") << json::diff(document, changed);
+  schema_.expect_refuses(written(mesh, small_answer(mesh)),
+                         {[](json& d) { d["format"] = "htloops/2"; }, //
+                          [](json& d) { d.erase("certificate"); },
+                          [](json& d) { d["mesh"]["genus"] = -1; },
+                          [](json& d) { d["mesh"].erase("file"); },
+                          [](json& d) { d["pairs"][0]["handle"].erase("points"); },
+                          [](json& d) { d["pairs"][0]["handle"].erase("component"); },
+                          [](json& d) {
+                            d["pairs"][1]["tunnel"]["locations"][0] = {0, 1};
+                          },
+                          [](json& d) { d["pairs"][0]["handle"]["bounds"] = "both"; },
+                          [](json& d) { d["pairs"][0]["box"].erase(0); },
+                          [](json& d) { d["timings"]["total"] = "long"; }});
+}
+
+TEST(Reeb_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("reeb");
+  Progress_bar bar(false);
+  json document;
+  for(Mesh mesh : {mesh_of(Recipe{"multi-torus", {3000, 3, 0}}), mesh_with_holes()}) {
+    Reeb_options options;
+    for(const bool has_values : {false, true}) {
+      if(has_values)
+        for(const Mesh::Vertex_index v : mesh.vertices())
+          options.values.push_back(mesh.point(v).z());
+      mesh.add_vertex(Point(0, 0, 0)); // without faces
+      options.values.resize(has_values ? mesh.number_of_vertices() : 0);
+      write_reeb_json(folder.path("a.json"), mesh, find_reeb_graph(mesh, options, bar), 0.5);
+      document = json::parse(folder.read("a.json"));
+      schema.expect_fits(document);
+      EXPECT_TRUE(document["vertex_arc"].back().is_null());
+    }
   }
+  schema.expect_refuses(document, {[](json& d) { d["format"] = "htloops-reeb/2"; },
+                                   [](json& d) { d["nodes"][0]["type"] = "peak"; },
+                                   [](json& d) { d["arcs"][0].erase("girth"); },
+                                   [](json& d) { d["arcs"][0]["polyline"].clear(); },
+                                   [](json& d) { d["vertex_arc"][0] = -1; },
+                                   [](json& d) { d["mesh"].erase("genus"); }});
+}
+
+TEST(Removal_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("removal");
+  Progress_bar bar(false);
+  Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
+  Removal_options options;
+  options.maximal_neck_length = 0.;
+  CGAL::Handle_tunnel_loops::Removal_report report =
+      remove_handles(mesh, find_loops(mesh), options, bar).report;
+  EXPECT_EQ(report.removed.size(), 3u);
+  report.refused.push_back({2, 1.5, "too narrow"});
+  report.refused_necks.push_back({0, 1.5, "too narrow"});
+  write_removal_json(folder.path("a.json"), report);
+  const json document = json::parse(folder.read("a.json"));
+  schema.expect_fits(document);
+  schema.expect_refuses(document, {[](json& d) { d["removed"][0].erase("pair"); },
+                                   [](json& d) { d["removed"][0]["by"] = "magic"; },
+                                   [](json& d) { d["refused"][0]["reason"] = ""; },
+                                   [](json& d) { d["necks"].erase("refused"); },
+                                   [](json& d) { d["genus_after"] = 0.5; }});
+}
+
+TEST(Dual_cuts_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("dual_cuts");
+  Progress_bar bar(false);
+  const Mesh mesh = mesh_with_holes();
+  write_dual_cuts_json(folder.path("a.json"), mesh, find_dual_cuts(mesh, 1, bar));
+  const json document = json::parse(folder.read("a.json"));
+  EXPECT_EQ(document["cuts"].size(), 6u);
+  schema.expect_fits(document);
+  schema.expect_refuses(document, {[](json& d) { d["cuts"][0].erase("pair"); },
+                                   [](json& d) { d["cuts"][0]["boundary"] = 1; },
+                                   [](json& d) { d["cuts"][5]["loop"] = "cut"; },
+                                   [](json& d) { d["cuts"][0]["edges"][0].push_back(1); },
+                                   [](json& d) { d["cuts"][0]["edges"].clear(); }});
 }
