@@ -250,10 +250,10 @@ constexpr char reeb_description[] =
 
 constexpr char reeb_examples[] =
     "Examples:\n"
-    "  htloops reeb horse.off --picture horse.png      a look at it\n"
-    "  htloops reeb horse.off -o horse.json --parts parts.ply --lines bones.obj\n"
+    "  htloops reeb chair.off --picture chair.png      a look at it\n"
+    "  htloops reeb chair.off -o chair.json --parts parts.ply --lines bones.obj\n"
     "                                                  for a program and for a viewer\n"
-    "  htloops reeb horse.off --height 0,0,1 --simplify 0 --graph horse.graphml\n"
+    "  htloops reeb chair.off --height 0,0,1 --simplify 0 --graph chair.graphml\n"
     "                                                  the full Reeb graph of the height\n";
 
 } // namespace
