@@ -26,6 +26,9 @@ using namespace htloops;
 
 namespace {
 
+// A shell ignores Ctrl-C for what it runs in the background, and so would these programs.
+[[maybe_unused]] const auto ignored_before = std::signal(SIGINT, SIG_DFL);
+
 // How a program ends that does something, which may be interrupted or fail.
 template <typename Do_something> [[noreturn]] void end_after(Do_something do_something) {
   try {
