@@ -38,12 +38,12 @@ struct Generate_options
 };
 
 generators::Soup make_from_text(const Generate_options& options) {
-  const auto shape = std::make_shared<generators::Shape>(Input_file(options.text_file).content());
+  const generators::Shape shape(Input_file(options.text_file).content());
   generators::Request request = options.request;
   if(options.is_size_of_text)
-    request.faces = shape->faces();
-  const auto mesh_of = [shape](const generators::Request& r) {
-    return generators::mesh_of_shape(*shape, r, "shape");
+    request.faces = shape.faces();
+  const auto mesh_of = [&shape](const generators::Request& r) {
+    return generators::mesh_of_shape(shape, r, "shape");
   };
   return generators::make({"shape", "", mesh_of}, request);
 }

@@ -17,7 +17,6 @@
 #include "mend/vertex_splitting.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

@@ -9,7 +9,6 @@
 
 #include "read/point_merger.h"
 
-#include <cmath>
 #include <cstring>
 
 namespace htloops {

@@ -18,7 +18,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -96,11 +95,9 @@ private:
 
   void check_points() {
     Finding bad_points;
-    for(std::size_t v = 0; v < soup_.points.size(); ++v) {
-      const Point& p = soup_.points[v];
-      if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+    for(std::size_t v = 0; v < soup_.points.size(); ++v)
+      if(!is_finite(soup_.points[v]))
         bad_points.add([v] { return name_of_vertex(v); });
-    }
     bad_points.report(defects(), Mesh_defect::NON_FINITE_COORDINATE,
                       "vertex with a coordinate that is infinite or not a number",
                       "vertices with coordinates that are infinite or not numbers");
