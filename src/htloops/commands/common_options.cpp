@@ -136,7 +136,8 @@ void add_view_options(CLI::App& command, Common_options& options, const std::str
         ->group(group);
   };
   add_direction("--view", options.view.from,
-                "direction that is looked from; default: where most is visible");
+                "direction that is looked from; default: where most is visible, of pairs that\n"
+                "were asked for above all");
   add_direction("--up", options.view.up, "direction that is upright; default: 0,0,1");
 }
 

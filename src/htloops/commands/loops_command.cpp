@@ -100,6 +100,15 @@ std::string remark_on_numbers(const Loops_options& options) {
                "keeps them for 'htloops remove'.\n";
 }
 
+// Pairs that were asked for are to be seen.
+View view_of(const Loops_options& options, const Answer& answer, const Pair_listing& listing) {
+  View view = options.view;
+  if(listing.size() < answer.pairs.size())
+    for(const Listed_pair& listed : listing)
+      choose(view, answer.pairs[listed.pair]);
+  return view;
+}
+
 void write_files(const Loops_options& options,
                  const Mesh& mesh,
                  const Answer& answer,
@@ -114,13 +123,13 @@ void write_files(const Loops_options& options,
     write_pair_csv(options.csv_file, options.mesh_file, answer, told.listing);
   for(const std::string& file : options.lines_files)
     export_lines(file, lines_of(answer, told.listing));
+  const View view = view_of(options, answer, told.listing);
   if(!options.picture.file.empty())
-    export_picture(options.picture, options.view, drawn_surface(mesh),
-                   lines_of(answer, told.listing));
+    export_picture(options.picture, view, drawn_surface(mesh), lines_of(answer, told.listing));
   if(!options.gltf_file.empty())
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
   if(!options.page_file.empty())
-    write_loops_page(options.page_file, options.view, options.mesh_file, mesh, answer, told.listing,
+    write_loops_page(options.page_file, view, options.mesh_file, mesh, answer, told.listing,
                      told.left_out + told.summary + remark_on_numbers(options),
                      choice_of_pairs(options));
 }

@@ -134,14 +134,24 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   return removal;
 }
 
+// Handles that were asked for are to be seen.
+View view_of(const Remove_options& options, const Pairs& chosen, const Pairs& all) {
+  View view = options.view;
+  if(chosen.size() < all.size())
+    for(const Pair& pair : chosen)
+      choose(view, pair);
+  return view;
+}
+
 void write_files(const Remove_options& options, const Removal_shown& shown) {
   if(!options.json_file.empty())
     write_removal_json(options.json_file, shown.report);
+  const Pairs chosen = pairs_to_remove(shown.pairs, shown.report);
+  const View view = view_of(options, chosen, shown.pairs);
   if(!options.picture.file.empty())
-    export_picture(options.picture, options.view, drawn_surface(shown.before),
-                   lines_of(pairs_to_remove(shown.pairs, shown.report)));
+    export_picture(options.picture, view, drawn_surface(shown.before), lines_of(chosen));
   if(!options.page_file.empty())
-    write_removal_page(options.page_file, options.view, shown);
+    write_removal_page(options.page_file, view, shown);
 }
 
 void show(const Remove_options& options,

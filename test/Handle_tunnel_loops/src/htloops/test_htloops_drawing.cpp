@@ -10,6 +10,7 @@
 #include "htloops/draw/arc_surface.h"
 #include "htloops/draw/tube.h"
 #include "htloops/draw/vectors.h"
+#include "htloops/draw/view.h"
 #include "htloops/solve/reeb_solver.h"
 #include "htloops/terminal/progress_bar.h"
 
@@ -197,4 +198,65 @@ TEST(Tube, of_points_at_one_place_is_that_of_one_of_them) {
   EXPECT_EQ(once.points, again.points);
   EXPECT_EQ(once.triangles, again.triangles);
   EXPECT_TRUE(htloops::tube_around({{1., 2., 3.}, {1., 2., 3.}}, true, 0.05).triangles.empty());
+}
+
+namespace {
+
+const htloops::Drawn_surface& sphere() {
+  static const htloops::Drawn_surface surface =
+      htloops::drawn_surface(mesh_of(Recipe{"sphere", {5000, 0, 0}}));
+  return surface;
+}
+
+// A small triangle on the sphere.
+std::vector<Vector> mark_at(const Vector& direction) {
+  const Vector n = htloops::unit(direction);
+  const Vector u = htloops::unit(cross(n, Vector{0.36, -0.48, 0.8})), v = cross(n, u);
+  std::vector<Vector> mark;
+  for(const auto& [a, b] : {std::pair{0.02, 0.}, std::pair{-0.01, 0.02}, std::pair{-0.01, -0.02}})
+    mark.push_back(
+        {n[0] + a * u[0] + b * v[0], n[1] + a * u[1] + b * v[1], n[2] + a * u[2] + b * v[2]});
+  return mark;
+}
+
+std::vector<Vector> directions() {
+  std::vector<Vector> all;
+  for(const double x : {-1., 0., 1.})
+    for(const double y : {-1., 0., 1.})
+      for(const double z : {-1., 0., 1.})
+        if(x != 0. || y != 0. || z != 0.)
+          all.push_back({x, y, z});
+  return all;
+}
+
+} // namespace
+
+TEST(View, is_from_where_the_chosen_lines_are) {
+  for(const Vector& direction : directions()) {
+    htloops::View view;
+    view.chosen = {mark_at(direction)};
+    EXPECT_GT(dot(whole_view(view, sphere()).from, direction), 0.)
+        << direction[0] << " " << direction[1] << " " << direction[2];
+  }
+}
+
+TEST(View, is_from_where_most_chosen_lines_are_long_or_short) {
+  for(const Vector& direction : directions()) {
+    htloops::View view;
+    view.chosen = {mark_at(direction), mark_at(direction)};
+    std::vector<Vector> long_line;
+    for(int i = 0; i < 50; ++i)
+      for(const Vector& p : mark_at({-direction[0], -direction[1], -direction[2]}))
+        long_line.push_back(p);
+    view.chosen.push_back(long_line);
+    // From the rim both sides may be seen.
+    EXPECT_GT(dot(htloops::unit(whole_view(view, sphere()).from), htloops::unit(direction)), -0.1)
+        << direction[0] << " " << direction[1] << " " << direction[2];
+  }
+}
+
+TEST(View, is_the_one_that_was_given_whatever_is_chosen) {
+  htloops::View view{{1., 2., 3.}, {0., 1., 0.}, {mark_at({-1., -2., -3.})}};
+  EXPECT_EQ(whole_view(view, sphere()).from, (Vector{1., 2., 3.}));
+  EXPECT_EQ(whole_view(view, sphere()).up, (Vector{0., 1., 0.}));
 }

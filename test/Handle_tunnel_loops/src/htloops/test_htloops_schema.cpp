@@ -1,5 +1,7 @@
 #include "htloops/write/dual_cuts_json_writer.h"
+#include "htloops/write/events_writer.h"
 #include "htloops/write/loops_json_writer.h"
+#include "htloops/write/mesh_lines.h"
 #include "htloops/write/reeb_json_writer.h"
 #include "htloops/write/removal_json_writer.h"
 
@@ -22,7 +24,9 @@
 
 #include <fstream>
 #include <functional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace htloops;
@@ -201,4 +205,59 @@ TEST(Dual_cuts_schema, fits_what_is_written) {
                                    [](json& d) { d["cuts"][5]["loop"] = "cut"; },
                                    [](json& d) { d["cuts"][0]["edges"][0].push_back(1); },
                                    [](json& d) { d["cuts"][0]["edges"].clear(); }});
+}
+
+TEST(Events_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("events");
+  Progress_bar bar(false);
+  const Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
+  json document;
+  for(const auto solve : {solve_on_host, solve_by_reference}) {
+    Solve_options options;
+    options.do_log_fronts = true;
+    write_events(folder.path("a.json"), solve(mesh, options, bar));
+    document = json::parse(folder.read("a.json"));
+    EXPECT_GE(document["events"].size(), 6u);
+    schema.expect_fits(document);
+  }
+  EXPECT_TRUE(document.contains("resolution"));
+  schema.expect_refuses(document, {[](json& d) { d["format"] = "htloops-events/2"; },
+                                   [](json& d) { d["resolution"].erase("rests"); },
+                                   [](json& d) { d["events"][0]["type"] = "birth"; },
+                                   [](json& d) { d["events"][0].erase("after"); },
+                                   [](json& d) { d["events"][0]["before"][0]["layer"] = 0; },
+                                   [](json& d) { d["events"][0]["vertex"] = -1; }});
+}
+
+TEST(Mesh_line_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("mesh_line");
+  const Mesh closed = mesh_of(Recipe{"multi-torus", {3000, 3, 0}}), open = mesh_with_holes();
+  {
+    Mesh_lines_writer writer(folder.path("a.jsonl"));
+    for(const Mesh* const mesh : {&closed, &open}) {
+      Answer answer = solved(*mesh);
+      Pair_listing listing = list_pairs(*mesh, answer.pairs);
+      writer.add(answered_line("a.off", *mesh, 0.5, std::move(answer), std::move(listing)));
+    }
+    writer.add(failed_line("no.off", 2, "no such file"));
+    writer.finish();
+  }
+  std::istringstream lines(folder.read("a.jsonl"));
+  std::vector<json> documents;
+  for(std::string line; std::getline(lines, line);) {
+    documents.push_back(json::parse(line));
+    schema.expect_fits(documents.back());
+  }
+  ASSERT_EQ(documents.size(), 3u);
+  EXPECT_EQ(documents[1]["boundary_lengths"].size(), 3u);
+  schema.expect_refuses(documents[0],
+                        {[](json& d) { d.erase("mesh"); }, [](json& d) { d.erase("pairs"); },
+                         [](json& d) { d["exit"] = 3; }, [](json& d) { d["error"] = "none"; },
+                         [](json& d) { d["genus"] = 0.5; },
+                         [](json& d) { d["pairs"][0].erase("size"); },
+                         [](json& d) { d["seconds"].erase("read"); }});
+  schema.expect_refuses(documents[2],
+                        {[](json& d) { d.erase("error"); }, [](json& d) { d["error"] = ""; }});
 }
