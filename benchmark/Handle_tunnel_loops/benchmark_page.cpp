@@ -59,8 +59,8 @@ void measure(const std::string& input, int number_of_runs, Browser* browser) {
     if(!CGAL::IO::read_polygon_mesh(off.name(), mesh))
       throw std::runtime_error("cannot read " + off.name());
     const double t1 = seconds_now();
-    htloops::Progress_bar bar(false);
-    answer = htloops::solve_on_host(mesh, {}, bar);
+    htloops::Progress told;
+    answer = htloops::solve_on_host(mesh, {}, told);
     listing = htloops::list_pairs(mesh, answer.pairs);
     const double t2 = seconds_now();
     htloops::write_loops_page(page, {}, input, mesh, answer, listing, "");

@@ -1,4 +1,5 @@
 set(HTLOOPS_SOLVE_SOURCES
+  solve/arc_shapes.cpp
   solve/backends.cpp
   solve/border_levels.cpp
   solve/boundaries.cpp
@@ -6,6 +7,7 @@ set(HTLOOPS_SOLVE_SOURCES
   solve/cut_solver.cpp
   solve/dual_cut_solver.cpp
   solve/face_arcs.cpp
+  solve/girths.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
@@ -13,10 +15,7 @@ set(HTLOOPS_SOLVE_SOURCES
   solve/same_class.cpp
   solve/self_contact.cpp
   solve/spread_properties.cpp
-  solve/thread_limit.cpp
-  terminal/interrupt.cpp
-  terminal/progress_bar.cpp
-  terminal/terminal.cpp)
+  solve/thread_limit.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_SOLVE_SOURCES solve/reference_backend.cpp)
 endif()
@@ -76,6 +75,9 @@ set(HTLOOPS_SOURCES
   read/unread_data.cpp
   read/values_reader.cpp
   read/vertex_properties_reader.cpp
+  terminal/interrupt.cpp
+  terminal/progress_bar.cpp
+  terminal/terminal.cpp
   write/arc_table.cpp
   write/atomic_file.cpp
   write/boundary_table.cpp

@@ -16,6 +16,7 @@
 #include "solve/boundaries.h"
 #include "solve/certification.h"
 #include "solve/self_contact.h"
+#include "terminal/interrupt.h"
 #include "write/linking_words.h"
 
 #include <memory>
@@ -63,7 +64,8 @@ void run(const Check_options& options) {
   if(loops.has_boundaries)
     require_none(options.loops_file, problems_of_boundaries(mesh, loops.curves, loops.waists));
   const Certificate certificate = certify(mesh, loops.pairs, loops.basis_kind, true);
-  const bool is_boundary_of_solid = loops.pairs.empty() || !touches_itself(mesh);
+  const bool is_boundary_of_solid =
+      loops.pairs.empty() || !touches_itself(mesh, throw_if_interrupted);
   // Names mean nothing where there is no inside.
   if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
     require_none(options.loops_file, lines_of(certificate.failure));

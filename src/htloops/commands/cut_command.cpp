@@ -17,6 +17,7 @@
 #include "solve/cut_solver.h"
 #include "solve/dual_cut_solver.h"
 #include "solve/stopwatch.h"
+#include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 #include "words.h"
 #include "write/dual_cuts_json_writer.h"

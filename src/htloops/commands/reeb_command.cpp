@@ -20,6 +20,7 @@
 #include "read/values_reader.h"
 #include "solve/reeb_solver.h"
 #include "solve/stopwatch.h"
+#include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 #include "words.h"
 #include "write/arc_table.h"

@@ -23,6 +23,7 @@
 #include "solve/solvers.h"
 #include "solve/spread_properties.h"
 #include "solve/stopwatch.h"
+#include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 #include "words.h"
 #include "write/mesh_writer.h"

@@ -12,7 +12,7 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
-#include "terminal/progress_bar.h"
+#include "solve/progress.h"
 
 #include <optional>
 #include <string>
@@ -37,7 +37,7 @@ struct Backend
   const char* name;
   bool is_chosen_by_auto;
   /// null in a build without it.
-  Answer (*solve)(const Mesh&, const Solve_options&, Progress_bar&);
+  Answer (*solve)(const Mesh&, const Solve_options&, Progress&);
 };
 
 /// the backend of that name; for "auto" the first that there is of those that may be chosen so.

@@ -19,9 +19,9 @@ namespace htloops {
 namespace {
 
 template <typename ConcurrencyTag>
-Answer solve(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
+Answer solve(const Mesh& mesh, const Solve_options& options, Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
-  Answer answer = solve_with_library<ConcurrencyTag>(mesh, options, bar);
+  Answer answer = solve_with_library<ConcurrencyTag>(mesh, options, progress);
   // Where there is no handle, there is no field to compute.
   answer.backend = answer.statistics.backend.empty() ? "host" : answer.statistics.backend;
   answer.number_of_threads = limit.number_of_threads();
@@ -30,10 +30,10 @@ Answer solve(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) 
 
 } // namespace
 
-Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
+Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress& progress) {
   using namespace CGAL::Handle_tunnel_loops;
   try {
-    return solve<CGAL::Cuda_tag>(mesh, options, bar);
+    return solve<CGAL::Cuda_tag>(mesh, options, progress);
   } catch(const No_device_exception& exception) {
     throw Failure(Exit_code::NO_BACKEND, exception.what());
   } catch(const Out_of_device_memory_exception& exception) {
@@ -42,8 +42,8 @@ Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress_
 }
 
 Answer
-solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
-  return solve<CGAL::Cuda_if_available_tag>(mesh, options, bar);
+solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress& progress) {
+  return solve<CGAL::Cuda_if_available_tag>(mesh, options, progress);
 }
 
 } // namespace htloops

@@ -11,7 +11,6 @@
 
 #include "solve/stopwatch.h"
 #include "solve/thread_limit.h"
-#include "terminal/interrupt.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -48,24 +47,20 @@ double length_of(const Mesh& mesh, Mesh::Edge_index e) {
 
 } // namespace
 
-Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress_bar& bar) {
+Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& progress) {
   namespace parameters = CGAL::parameters;
   const Thread_limit limit(options.number_of_threads);
-  bar.start("cut");
-  const std::function<bool(double)> callback = [&bar](double fraction) {
-    bar.update(fraction);
-    return interrupting_signal() == 0;
-  };
+  progress.start("cut");
   Cut_answer answer;
   answer.number_of_threads = limit.number_of_threads();
   const Stopwatch stopwatch;
   CGAL::cut_to_disk<CGAL::Parallel_if_available_tag>(
       mesh, std::back_inserter(answer.edges),
       parameters::cone_vertices(
-          options.cones,
-          parameters::do_cut_spheres(options.do_cut_spheres, parameters::callback(callback))));
+          options.cones, parameters::do_cut_spheres(options.do_cut_spheres,
+                                                    parameters::callback(progress.callback()))));
   answer.total_seconds = stopwatch.seconds();
-  bar.erase();
+  progress.end();
   answer.genus = genus_of(mesh);
   for(const Mesh::Edge_index e : answer.edges)
     answer.length += length_of(mesh, e);

@@ -11,7 +11,7 @@
 #define HTLOOPS_CUT_SOLVER_H
 
 #include "mesh_types.h"
-#include "terminal/progress_bar.h"
+#include "solve/progress.h"
 
 #include <vector>
 
@@ -34,7 +34,7 @@ struct Cut_answer
   int number_of_threads = 0;
 };
 
-Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress_bar& bar);
+Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& progress);
 
 } // namespace htloops
 

@@ -11,7 +11,6 @@
 
 #include "solve/boundaries.h"
 #include "solve/thread_limit.h"
-#include "terminal/interrupt.h"
 
 #include <CGAL/Handle_tunnel_loops_solver.h>
 #include <CGAL/dual_cuts.h>
@@ -46,24 +45,21 @@ std::vector<Loop> basis_of(const Mesh& mesh, const Pairs& pairs, std::size_t num
 
 } // namespace
 
-Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress_bar& bar) {
+Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& progress) {
   const Thread_limit limit(number_of_threads);
-  bar.start("dual cuts");
-  const std::function<bool(double)> callback = [&bar](double fraction) {
-    bar.update(fraction);
-    return interrupting_signal() == 0;
-  };
+  progress.start("dual cuts");
   Dual_cuts result;
   Pairs pairs;
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(Tag(), mesh, CGAL::parameters::default_values());
-  solver.find_loops<Tag>(std::back_inserter(pairs), CGAL::parameters::callback(callback));
+  solver.find_loops<Tag>(std::back_inserter(pairs),
+                         CGAL::parameters::callback(progress.callback()));
   result.statistics = solver.statistics();
   std::vector<std::vector<std::pair<Mesh::Halfedge_index, std::int64_t>>> cuts;
   CGAL::dual_cuts<Tag>(mesh, pairs, std::back_inserter(cuts));
   const std::vector<Loop> basis = basis_of(mesh, pairs, solver.number_of_components());
   for(std::size_t i = 0; i < cuts.size(); ++i)
     result.cuts.push_back({basis[i], std::move(cuts[i])});
-  bar.erase();
+  progress.end();
   return result;
 }
 

@@ -11,7 +11,7 @@
 #define HTLOOPS_DUAL_CUT_SOLVER_H
 
 #include "mesh_types.h"
-#include "terminal/progress_bar.h"
+#include "solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -35,7 +35,7 @@ struct Dual_cuts
 };
 
 /// the cuts dual to the loops that `loops` finds, and to the boundary curves.
-Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress_bar& bar);
+Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& progress);
 
 } // namespace htloops
 

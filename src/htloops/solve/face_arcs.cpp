@@ -139,37 +139,4 @@ std::optional<double> Face_arcs::level_between(std::size_t lower, std::size_t up
   return answer_.graph[high_node_[lower]].value;
 }
 
-std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer) {
-  std::vector<double> levels(num_edges(answer.graph)), girths(levels.size());
-  for(const auto e : CGAL::make_range(edges(answer.graph))) {
-    const auto& arc = answer.graph[e];
-    if(!arc.vertices.empty())
-      levels[arc.index] = answer.values[arc.vertices[arc.vertices.size() / 2].idx()];
-  }
-  Face_arcs arcs(mesh, answer);
-  const auto at = [&](Mesh::Vertex_index v, Mesh::Vertex_index w, double level) {
-    const double low = answer.values[v.idx()], high = answer.values[w.idx()];
-    const double ratio = low < high ? (level - low) / (high - low) : 0.;
-    return mesh.point(v) + ratio * (mesh.point(w) - mesh.point(v));
-  };
-  const auto add = [&](const std::array<Mesh::Vertex_index, 3>& v, const Face_part& part) {
-    const double level = levels[part.arc];
-    if(!(part.low < level && level <= part.high))
-      return;
-    const bool is_above = answer.values[v[1].idx()] < level;
-    const Point p = at(v[0], v[2], level);
-    const Point q = is_above ? at(v[1], v[2], level) : at(v[0], v[1], level);
-    girths[part.arc] += std::sqrt(CGAL::squared_distance(p, q));
-  };
-  for(const Mesh::Face_index f : mesh.faces()) {
-    const auto v = arcs.vertices_of(f);
-    if(arcs.is_of_one_arc(v))
-      add(v, {answer.vertex_arc[v[0].idx()], answer.values[v[0].idx()], answer.values[v[2].idx()]});
-    else
-      for(const Face_part& part : arcs.parts_of(v))
-        add(v, part);
-  }
-  return girths;
-}
-
 } // namespace htloops

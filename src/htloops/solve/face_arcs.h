@@ -80,9 +80,6 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, Path> paths_;
 };
 
-/// for each arc how long its contour is half way, by the number of its vertices.
-std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer);
-
 } // namespace htloops
 
 #endif // HTLOOPS_FACE_ARCS_H

@@ -15,9 +15,9 @@
 
 namespace htloops {
 
-Answer solve_on_host(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
+Answer solve_on_host(const Mesh& mesh, const Solve_options& options, Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
-  Answer answer = solve_with_library<CGAL::Parallel_if_available_tag>(mesh, options, bar);
+  Answer answer = solve_with_library<CGAL::Parallel_if_available_tag>(mesh, options, progress);
   answer.backend = "host";
   answer.number_of_threads = limit.number_of_threads();
   return answer;

@@ -12,7 +12,6 @@
 
 #include "solve/backends.h"
 #include "solve/stopwatch.h"
-#include "terminal/interrupt.h"
 
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
@@ -22,32 +21,28 @@
 
 namespace htloops {
 
-/// Names the stages on the progress bar.
+/// Names the stages to those who watch.
 class Show_stages : public CGAL::Handle_tunnel_loops::Default_visitor
 {
 public:
-  explicit Show_stages(Progress_bar& bar)
-      : bar_(bar) {}
+  explicit Show_stages(Progress& progress)
+      : progress_(progress) {}
 
   void start_stage(CGAL::Handle_tunnel_loops::Stage stage) {
-    bar_.start(CGAL::Handle_tunnel_loops::stage_name(stage));
+    progress_.start(CGAL::Handle_tunnel_loops::stage_name(stage));
   }
 
 private:
-  Progress_bar& bar_;
+  Progress& progress_;
 };
 
 /// The library's solver, as the tag says; what is left to fill in are the backend's name and its
 /// number of threads.
 template <typename ConcurrencyTag>
-Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
+Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progress& progress) {
   namespace parameters = CGAL::parameters;
-  Show_stages visitor(bar);
-  const std::function<bool(double)> callback = [&bar](double fraction) {
-    bar.update(fraction);
-    return interrupting_signal() == 0;
-  };
-  const auto watched = parameters::callback(callback).visitor(std::ref(visitor));
+  Show_stages visitor(progress);
+  const auto watched = parameters::callback(progress.callback()).visitor(std::ref(visitor));
   const auto logged = parameters::do_log_fronts(options.do_log_fronts, watched);
   const auto kind = parameters::basis_kind(options.basis_kind, logged);
   const auto linked = parameters::do_compute_linking(options.do_compute_linking, kind);
@@ -64,7 +59,7 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
   answer.statistics = solver.statistics();
   answer.certificate = solver.certificate();
   answer.total_seconds = stopwatch.seconds();
-  bar.erase();
+  progress.end();
   return answer;
 }
 

@@ -11,7 +11,6 @@
 
 #include "solve/stopwatch.h"
 #include "solve/thread_limit.h"
-#include "terminal/interrupt.h"
 
 #include <CGAL/reeb_graph.h>
 
@@ -44,14 +43,10 @@ void solve(const Mesh& mesh, const NamedParameters& np, Reeb_answer& answer) {
 
 } // namespace
 
-Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress_bar& bar) {
+Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
   const bool has_values = !options.values.empty();
-  bar.start("reeb");
-  const std::function<bool(double)> callback = [&bar](double fraction) {
-    bar.update(fraction);
-    return interrupting_signal() == 0;
-  };
+  progress.start("reeb");
 
   Reeb_answer answer;
   answer.function = has_values ? "given" : "diffusion";
@@ -66,9 +61,9 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
           options.measure.value_or(default_measure),
           parameters::vertex_arc_map(
               Vertex_map<std::size_t>{&answer.vertex_arc},
-              parameters::vertex_value_map(
-                  Vertex_map<double>{&answer.values},
-                  parameters::allow_parallel_arcs(true, parameters::callback(callback))))));
+              parameters::vertex_value_map(Vertex_map<double>{&answer.values},
+                                           parameters::allow_parallel_arcs(
+                                               true, parameters::callback(progress.callback()))))));
   const Stopwatch stopwatch;
   if(has_values) {
     const auto value = [&options](Mesh::Vertex_index v) { return options.values[v.idx()]; };
@@ -79,7 +74,7 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
   } else
     solve(mesh, parameters::source_vertices(options.sources, np), answer);
   answer.total_seconds = stopwatch.seconds();
-  bar.erase();
+  progress.end();
   return answer;
 }
 

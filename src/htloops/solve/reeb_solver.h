@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_REEB_SOLVER_H
 #define HTLOOPS_REEB_SOLVER_H
 
+#include "solve/progress.h"
 #include "solve/reeb_answer.h"
-#include "terminal/progress_bar.h"
 
 #include <optional>
 #include <vector>
@@ -28,7 +28,7 @@ struct Reeb_options
 };
 
 /// computes a Reeb graph.
-Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress_bar& bar);
+Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress& progress);
 
 } // namespace htloops
 

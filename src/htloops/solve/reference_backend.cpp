@@ -14,8 +14,8 @@
 
 namespace htloops {
 
-Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress_bar& bar) {
-  Answer answer = solve_with_library<CGAL::Reference_tag>(mesh, options, bar);
+Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress& progress) {
+  Answer answer = solve_with_library<CGAL::Reference_tag>(mesh, options, progress);
   answer.backend = "reference";
   return answer;
 }

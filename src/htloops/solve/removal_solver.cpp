@@ -12,7 +12,6 @@
 #include "failure.h"
 #include "solve/stopwatch.h"
 #include "solve/thread_limit.h"
-#include "terminal/interrupt.h"
 #include "words.h"
 
 #include <CGAL/remove_handles.h>
@@ -61,14 +60,10 @@ Removal_report remove_as_wanted(Mesh& mesh, const NamedParameters& np) {
 } // namespace
 
 Removal_answer
-remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress_bar& bar) {
+remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
-  bar.start("remove");
-  const std::function<bool(double)> callback = [&bar](double fraction) {
-    bar.update(fraction);
-    return interrupting_signal() == 0;
-  };
-  const auto known = parameters::known_pairs(pairs, parameters::callback(callback));
+  progress.start("remove");
+  const auto known = parameters::known_pairs(pairs, parameters::callback(progress.callback()));
   const auto filtered = parameters::handle_filter(filter_of(options, pairs.size()), known);
   const auto selected = parameters::target_genus(
       options.target_genus, parameters::maximal_length(options.maximal_length, filtered));
@@ -82,7 +77,7 @@ remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, P
   answer.report = options.box ? remove_as_wanted(mesh, parameters::removal_box(*options.box, np))
                               : remove_as_wanted(mesh, np);
   answer.total_seconds = stopwatch.seconds();
-  bar.erase();
+  progress.end();
   return answer;
 }
 

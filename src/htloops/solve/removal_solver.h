@@ -11,7 +11,7 @@
 #define HTLOOPS_REMOVAL_SOLVER_H
 
 #include "mesh_types.h"
-#include "terminal/progress_bar.h"
+#include "solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
@@ -47,7 +47,7 @@ struct Removal_answer
 /// removes handles, given the pairs of loops of a mesh. Untouched vertices keep their order. Throws
 /// `Failure` if there is nothing that the options could mean.
 Removal_answer
-remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress_bar& bar);
+remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress& progress);
 
 } // namespace htloops
 

@@ -9,8 +9,6 @@
 
 #include "solve/self_contact.h"
 
-#include "terminal/interrupt.h"
-
 #include <CGAL/Handle_tunnel_loops/internal/patches/triangle_contacts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -21,6 +19,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -33,10 +32,16 @@ using internal::Index;
 using internal::Placed_triangle;
 using Box = internal::Box<3>;
 
-class Watch_for_signals final : public internal::Watch
+class Watch_by_function final : public internal::Watch
 {
 public:
-  void look() override { throw_if_interrupted(); }
+  explicit Watch_by_function(const std::function<void()>& look)
+      : look_(look) {}
+
+  void look() override { look_(); }
+
+private:
+  const std::function<void()>& look_;
 };
 
 /// Finds whether faces meet that should not. Only those whose boxes meet are asked. The faces are
@@ -126,8 +131,8 @@ private:
 
 } // namespace
 
-bool touches_itself(const Mesh& mesh) {
-  Watch_for_signals watch;
+bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {
+  Watch_by_function watch(look);
   const auto execution = internal::execution_of<CGAL::Parallel_if_available_tag>();
   return Self_contact(execution.watched_by(watch), mesh).is_there();
 }

@@ -12,13 +12,16 @@
 
 #include "mesh_types.h"
 
+#include <functional>
+
 namespace htloops {
 
 /// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
 /// the surface is not the boundary of a solid. Decided exactly. Takes about as long as reading the
 /// mesh, unless faces are so long and thin that the boxes of most of them meet; throws
 /// `Interrupted` soon after a signal.
-bool touches_itself(const Mesh& mesh);
+bool touches_itself(
+    const Mesh& mesh, const std::function<void()>& look = [] {});
 
 } // namespace htloops
 

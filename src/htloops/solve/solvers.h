@@ -16,18 +16,18 @@
 namespace htloops {
 
 /// finds the loops with the processor's own threads.
-Answer solve_on_host(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+Answer solve_on_host(const Mesh& mesh, const Solve_options& options, Progress& progress);
 
 /// finds the loops with a CUDA device. Throws `Failure` if there is none that takes the mesh.
-Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress& progress);
 
 /// finds the loops with a CUDA device if there is one that takes the mesh, else without.
 Answer
-solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress& progress);
 
 /// finds the loops by the method of the paper to the letter, in one thread; logs the events of the
 /// fronts.
-Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress_bar& bar);
+Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress& progress);
 
 } // namespace htloops
 

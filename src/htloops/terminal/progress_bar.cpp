@@ -9,6 +9,8 @@
 
 #include "terminal/progress_bar.h"
 
+#include "terminal/interrupt.h"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -28,9 +30,13 @@ void Progress_bar::start(const std::string& what) {
   draw();
 }
 
-void Progress_bar::update(double fraction) {
-  if(!is_visible_)
-    return;
+bool Progress_bar::update(double fraction) {
+  if(is_visible_)
+    show(fraction);
+  return interrupting_signal() == 0;
+}
+
+void Progress_bar::show(double fraction) {
   // Who comes while another thread draws need not wait: the next call shows the news.
   const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
   if(!lock.owns_lock())
@@ -51,7 +57,7 @@ void Progress_bar::draw() {
   is_drawn_ = true;
 }
 
-void Progress_bar::erase() {
+void Progress_bar::end() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if(is_drawn_)
     std::fputs("\r\033[K", stderr);

@@ -10,35 +10,35 @@
 #ifndef HTLOOPS_PROGRESS_BAR_H
 #define HTLOOPS_PROGRESS_BAR_H
 
+#include "solve/progress.h"
+
 #include <chrono>
 #include <mutex>
 #include <string>
 
 namespace htloops {
 
-/// A line on the standard error that is drawn again and again, and erased at the end.
-class Progress_bar
+/// A line on the standard error that is drawn again and again, and erased at the end. A signal that
+/// interrupts ends what it shows.
+class Progress_bar final : public Progress
 {
 public:
   /// A bar that is not visible does nothing.
   explicit Progress_bar(bool is_visible)
       : is_visible_(is_visible) {}
 
-  ~Progress_bar() { erase(); }
+  ~Progress_bar() override { end(); }
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
 
-  /// names what is being done.
-  void start(const std::string& what);
-
-  /// shows how much is done, from 0 to 1; may be called from any thread and often.
-  void update(double fraction);
-
-  void erase();
+  void start(const std::string& what) override;
+  bool update(double fraction) override;
+  void end() override;
 
 private:
   using Clock = std::chrono::steady_clock;
 
+  void show(double fraction);
   void draw();
 
   const bool is_visible_;

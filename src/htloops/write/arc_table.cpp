@@ -9,7 +9,7 @@
 
 #include "write/arc_table.h"
 
-#include "solve/face_arcs.h"
+#include "solve/girths.h"
 #include "write/text_writer.h"
 
 #include <algorithm>

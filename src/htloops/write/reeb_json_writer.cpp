@@ -9,7 +9,7 @@
 
 #include "write/reeb_json_writer.h"
 
-#include "solve/face_arcs.h"
+#include "solve/girths.h"
 #include "write/json_writer.h"
 
 namespace htloops {

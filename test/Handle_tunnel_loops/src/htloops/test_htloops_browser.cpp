@@ -53,8 +53,8 @@ protected:
   static Browser& browser() { return *browser_; }
 
   void open(const Mesh& mesh) {
-    htloops::Progress_bar bar(false);
-    answer_ = htloops::solve_on_host(mesh, {}, bar);
+    htloops::Progress told;
+    answer_ = htloops::solve_on_host(mesh, {}, told);
     listing_ = htloops::list_pairs(mesh, answer_.pairs);
     const std::string file = folder_.path("page.html");
     htloops::write_loops_page(file, {}, "a <mesh>.off", mesh, answer_, listing_, "one\ntwo & <b>");

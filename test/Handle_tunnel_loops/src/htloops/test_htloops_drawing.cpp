@@ -12,7 +12,6 @@
 #include "htloops/draw/vectors.h"
 #include "htloops/draw/view.h"
 #include "htloops/solve/reeb_solver.h"
-#include "htloops/terminal/progress_bar.h"
 
 #include "Meshes_of_soups.h"
 
@@ -81,8 +80,8 @@ Reeb_answer reeb_graph_of_height(const Mesh& mesh, double threshold) {
     options.values.push_back(dot(upwards, {p.x(), p.y(), p.z()}));
   }
   options.threshold = threshold;
-  htloops::Progress_bar bar(false);
-  return htloops::find_reeb_graph(mesh, options, bar);
+  htloops::Progress told;
+  return htloops::find_reeb_graph(mesh, options, told);
 }
 
 // Lengths of the borders between arcs: of all, and of what is not level.

@@ -89,8 +89,8 @@ Mesh mesh_with_holes() {
 }
 
 Answer solved(const Mesh& mesh, Solve_options options = {}) {
-  Progress_bar bar(false);
-  Answer answer = solve_on_host(mesh, options, bar);
+  Progress told;
+  Answer answer = solve_on_host(mesh, options, told);
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, true);
   return answer;
@@ -145,7 +145,7 @@ TEST_F(Loops_schema, refuses_what_is_something_else) {
 TEST(Reeb_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("reeb");
-  Progress_bar bar(false);
+  Progress told;
   json document;
   for(Mesh mesh : {mesh_of(Recipe{"multi-torus", {3000, 3, 0}}), mesh_with_holes()}) {
     Reeb_options options;
@@ -155,7 +155,7 @@ TEST(Reeb_schema, fits_what_is_written) {
           options.values.push_back(mesh.point(v).z());
       mesh.add_vertex(Point(0, 0, 0)); // without faces
       options.values.resize(has_values ? mesh.number_of_vertices() : 0);
-      write_reeb_json(folder.path("a.json"), mesh, find_reeb_graph(mesh, options, bar), 0.5);
+      write_reeb_json(folder.path("a.json"), mesh, find_reeb_graph(mesh, options, told), 0.5);
       document = json::parse(folder.read("a.json"));
       schema.expect_fits(document);
       EXPECT_TRUE(document["vertex_arc"].back().is_null());
@@ -172,12 +172,12 @@ TEST(Reeb_schema, fits_what_is_written) {
 TEST(Removal_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("removal");
-  Progress_bar bar(false);
+  Progress told;
   Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
   Removal_options options;
   options.maximal_neck_length = 0.;
   CGAL::Handle_tunnel_loops::Removal_report report =
-      remove_handles(mesh, find_loops(mesh), options, bar).report;
+      remove_handles(mesh, find_loops(mesh), options, told).report;
   EXPECT_EQ(report.removed.size(), 3u);
   report.refused.push_back({2, 1.5, "too narrow"});
   report.refused_necks.push_back({0, 1.5, "too narrow"});
@@ -194,9 +194,9 @@ TEST(Removal_schema, fits_what_is_written) {
 TEST(Dual_cuts_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("dual_cuts");
-  Progress_bar bar(false);
+  Progress told;
   const Mesh mesh = mesh_with_holes();
-  write_dual_cuts_json(folder.path("a.json"), mesh, find_dual_cuts(mesh, 1, bar));
+  write_dual_cuts_json(folder.path("a.json"), mesh, find_dual_cuts(mesh, 1, told));
   const json document = json::parse(folder.read("a.json"));
   EXPECT_EQ(document["cuts"].size(), 6u);
   schema.expect_fits(document);

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_PROGRESS_H
+#define HTLOOPS_PROGRESS_H
+
+#include <functional>
+#include <string>
+
+namespace htloops {
+
+/// Is told what is being done, and asked whether to go on. This one does nothing and always goes
+/// on.
+class Progress
+{
+public:
+  virtual ~Progress() = default;
+
+  /// names what is being done.
+  virtual void start(const std::string& /* what */) {}
+
+  /// is told how much is done, from 0 to 1, from any thread and often; whether to go on.
+  virtual bool update(double /* fraction */) { return true; }
+
+  /// is told that all is done.
+  virtual void end() {}
+
+  /// what the functions of the library call.
+  std::function<bool(double)> callback() {
+    return [this](double fraction) { return update(fraction); };
+  }
+};
+
+} // namespace htloops
+
+#endif // HTLOOPS_PROGRESS_H
