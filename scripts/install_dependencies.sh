@@ -10,7 +10,9 @@ set -euo pipefail
 
 tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
   libpng-dev libstb-dev fonts-dejavu-core libeigen3-dev)
-tests=("${tool[@]}" libgtest-dev libbenchmark-dev libvalijson-dev assimp-utils)
+python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-scipy python3-networkx
+  python3-meshio python3-matplotlib python3-tqdm python3-distributed)
+tests=("${tool[@]}" "${python[@]}" libgtest-dev libbenchmark-dev libvalijson-dev assimp-utils)
 checks=("${tests[@]}" clang-format)
 benchmarks=("${tests[@]}" libvtk9-dev)
 
@@ -27,7 +29,8 @@ esac
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   echo "There is no apt-get here. Needed: a C++17 compiler, CMake 3.21, Ninja, CGAL 5.5, CLI11," >&2
-  echo "nlohmann-json, zlib; used if present: oneTBB, Eigen, libpng, stb, GoogleTest, Google Benchmark." >&2
+  echo "nlohmann-json, zlib; used if present: oneTBB, Eigen, libpng, stb, GoogleTest, Google Benchmark," >&2
+  echo "Python with NumPy and pybind11." >&2
   exit 0
 fi
 

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+// Loops as arrays, and back.
+
+#ifndef HTL_PYTHON_LOOP_RECORDS_H
+#define HTL_PYTHON_LOOP_RECORDS_H
+
+#include "arrays.h"
+
+#include "htloops/solve/answer.h"
+
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
+
+#include <string>
+
+namespace htl_python {
+
+/// of the name of a kind of basis; throws `std::invalid_argument` if there is none of that name.
+CGAL::Handle_tunnel_loops::Basis_kind basis_kind(const std::string& name);
+
+/// the places of loops, one loop after the other, and their lengths.
+py::dict record_of(const htloops::Mesh& mesh, const std::vector<const htloops::Loop*>& loops);
+
+/// what is known of an answer: the loops, handle and tunnel of each pair in turn, the curves of the
+/// boundary, the certificate and the rest.
+py::dict record_of(const htloops::Mesh& mesh, const htloops::Answer& answer);
+
+/// what a certificate says, and the sides of the loops.
+void add_certificate(const CGAL::Handle_tunnel_loops::Certificate& certificate, py::dict& record);
+
+/// the pairs of a record on a mesh. Throws `std::invalid_argument` if they are not on it.
+htloops::Pairs pairs_of(const py::dict& record, const htloops::Mesh& mesh);
+
+} // namespace htl_python
+
+#endif // HTL_PYTHON_LOOP_RECORDS_H

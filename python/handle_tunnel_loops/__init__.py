@@ -1,0 +1,71 @@
+"""Handle and tunnel loops of surfaces, and what they are good for.
+
+A closed surface of genus g, like a mug (g = 1) or a sponge (g in the thousands), has g handle loops,
+each of which bounds a disc-like surface in the solid inside, and g tunnel loops, each of which bounds
+one in the space outside. This package finds short ones, and proves that they are a basis of the first
+homology group H1(S; Z) of the surface before it returns them. A surface with boundary curves has loops
+as well; with all curves but one of each component they are a basis.
+
+Meshes are arrays: ``V``, the coordinates of the vertices, of shape (n, 3) and any real type, in any unit
+of length; and ``F``, three numbers of vertices for each face, of shape (m, 3) and any integer type,
+counting from 0, with all faces oriented alike. Nothing of the caller's is changed. Instead of ``V`` and
+``F``, one mesh object of meshio, trimesh or PyVista is accepted.
+
+    >>> import handle_tunnel_loops as htl
+    >>> V, F = htl.generate("torus", faces=2000)
+    >>> L = htl.loops(V, F)
+    >>> L.genus
+    1
+    >>> L.handles[0].bounds, L.tunnels[0].bounds
+    ('inside', 'outside')
+
+Functions
+
+    loops           the handle and tunnel loops of a mesh
+    certify         what has been proved of loops
+    reeb            the Reeb graph of a function on a mesh, or a skeleton
+    remove_handles  a mesh without some of its handles
+    cut_to_disk     a mesh cut open along a short graph, for parametrization
+    dual_cuts       for each loop, a cut that crosses it once, for circuits
+    html            a page in which the mesh with its loops can be turned
+    survey          a table of many meshes
+    generate        a mesh to try things on
+    read            the arrays of a mesh file
+    repair          a surface from arrays that are none
+
+Errors: `MeshError` (a ValueError) names the faces or vertices that keep arrays from being a surface, and
+what helps; ValueError and TypeError are about other arguments. All functions that compute let other threads of
+Python run, and can be interrupted by Ctrl-C; ``progress=True`` shows a bar, and a callable is told the
+fraction that is done and stops the computation by returning False (then `Interrupted` is raised).
+"""
+
+from ._core import Interrupted, MeshError, version as _version
+from ._loops import Certificate, Loop, Loops, certify, html, loops
+from ._reeb import ReebGraph, reeb
+from ._sources import generate, kinds, read, repair
+from ._surgery import DualCut, cut_to_disk, dual_cuts, remove_handles
+from ._survey import survey
+
+__version__ = _version.split()[1].rstrip(",")
+
+__all__ = [
+    "Certificate",
+    "DualCut",
+    "Interrupted",
+    "Loop",
+    "Loops",
+    "MeshError",
+    "ReebGraph",
+    "certify",
+    "cut_to_disk",
+    "dual_cuts",
+    "generate",
+    "html",
+    "kinds",
+    "loops",
+    "read",
+    "reeb",
+    "remove_handles",
+    "repair",
+    "survey",
+]

@@ -1,0 +1,205 @@
+"""Handle and tunnel loops."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Union
+
+import numpy as np
+
+from . import _core
+from ._meshes import arrays
+from ._progress import told
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What has been proved of loops. It is true if all holds that is required."""
+
+    certified: bool
+    closed_on_surface: bool  #: each loop is a closed curve on the surface
+    basis: bool  #: they are a basis of H1(S; Z), with the boundary curves but one of each component
+    pairing: bool  #: the loops of each pair cross once, counted with sign
+    types: bool  #: no handle loop and tunnel loop have each other's name
+    handles_bound_inside: Optional[int]  #: how many, if that was computed
+    tunnels_bound_outside: Optional[int]
+    failure: str  #: what fails, a line each; empty if nothing does
+
+    def __bool__(self) -> bool:
+        return self.certified
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A closed polyline on a mesh. Its k places are on edges or at vertices; two that follow each other,
+    and the last and the first, lie on a common face."""
+
+    kind: str  #: "handle", "tunnel", or "boundary"
+    number: int  #: of its pair, or of the boundary curve
+    points: np.ndarray  #: (k, 3), float64: the places, in the unit of the coordinates
+    edges: np.ndarray  #: (k, 2), int64: the vertices that the edge of each place joins
+    ratios: np.ndarray  #: (k,), float64 in [0, 1]: how far along its edge each place is
+    length: float  #: of the closed polyline
+    component: int  #: of the surface
+    bounds: str = "undecided"  #: "inside", "outside", "both", "neither" or "undecided"
+    bounds_alone: str = "undecided"  #: the same if the other components were not there
+
+    def __len__(self) -> int:
+        return len(self.ratios)
+
+    def closed(self) -> np.ndarray:
+        """(k + 1, 3): the points, with the first one again at the end, to be plotted."""
+        return np.concatenate([self.points, self.points[:1]])
+
+
+def _loops_of(record: Dict[str, Any], kinds: List[str], numbers: List[int]) -> List[Loop]:
+    loops = []
+    starts = record["starts"]
+    bounds = record.get("bounds") or ["undecided"] * len(kinds)
+    alone = record.get("bounds_alone") or bounds
+    for i, (kind, number) in enumerate(zip(kinds, numbers)):
+        places = slice(starts[i], starts[i + 1])
+        loops.append(
+            Loop(
+                kind,
+                number,
+                record["points"][places],
+                record["edges"][places],
+                record["ratios"][places],
+                float(record["lengths"][i]),
+                int(record["components"][i]),
+                bounds[i],
+                alone[i],
+            )
+        )
+    return loops
+
+
+class Loops:
+    """The loops of a mesh: ``handles[i]`` and ``tunnels[i]`` are a pair.
+
+    It is made of arrays and can be pickled.
+    """
+
+    def __init__(self, record: Dict[str, Any]):
+        self._record = record
+        count = len(record["lengths"]) // 2
+        loops = _loops_of(
+            record, ["handle", "tunnel"] * count, [i // 2 for i in range(2 * count)]
+        )
+        self.genus: int = count  #: of the surface, summed over its components
+        self.basis: str = record["basis"]  #: "pure" or "shortest"
+        self.handles: List[Loop] = loops[0::2]
+        self.tunnels: List[Loop] = loops[1::2]
+        curves = record["boundaries"]
+        number = len(curves["lengths"])
+        #: the boundary curves of the surface
+        self.boundaries: List[Loop] = _loops_of(curves, ["boundary"] * number, list(range(number)))
+        waists = dict(record["waists"], components=curves["components"])
+        #: for each boundary curve the shortest loop that goes around the same, if asked for
+        self.waists: List[Loop] = _loops_of(
+            waists, ["boundary"] * len(waists["lengths"]), list(range(len(waists["lengths"])))
+        )
+        self.certificate = Certificate(**record["certificate"])
+        self.number_of_components: int = record["number_of_components"]
+        self.seconds: Dict[str, float] = record["seconds"]  #: by stage of the computation
+
+    def __len__(self) -> int:
+        return self.genus
+
+    def __repr__(self) -> str:
+        return f"<Loops: genus {self.genus}, basis {self.basis!r}, {len(self.boundaries)} boundary curves>"
+
+    @property
+    def linking(self) -> Any:
+        """The linking numbers, (2g, 2g): entry (i, j) is how often loop i winds around loop j when that
+        is pushed off the surface, outwards; loop 2k is handle k, and 2k + 1 is tunnel k. A
+        `scipy.sparse.coo_matrix` where SciPy is there, or else rows, columns and values."""
+        rows, columns, values = self._record["linking"]
+        try:
+            from scipy.sparse import coo_matrix
+        except ImportError:
+            return rows, columns, values
+        return coo_matrix((values, (rows, columns)), shape=(2 * self.genus, 2 * self.genus))
+
+    def table(self) -> np.ndarray:
+        """A structured array, a row for each pair, the smallest first.
+
+        pair, handle_length, tunnel_length (in the unit of the coordinates), size (the shorter one over
+        the diagonal of the mesh's box), centre (3,) and box (2, 3) of the shorter one, component,
+        handle_bounds, tunnel_bounds.
+        """
+        table = np.zeros(self.genus, dtype=_row)
+        for i, (handle, tunnel) in enumerate(zip(self.handles, self.tunnels)):
+            shorter = handle if handle.length <= tunnel.length else tunnel
+            box = np.array([shorter.points.min(axis=0), shorter.points.max(axis=0)])
+            table[i] = (
+                i,
+                handle.length,
+                tunnel.length,
+                shorter.length / self._record["diagonal"],
+                box[0] / 2 + box[1] / 2,
+                box,
+                handle.component,
+                handle.bounds,
+                tunnel.bounds,
+            )
+        return table[np.argsort(table["size"], kind="stable")]
+
+
+_row = np.dtype(
+    [
+        ("pair", np.int64),
+        ("handle_length", np.float64),
+        ("tunnel_length", np.float64),
+        ("size", np.float64),
+        ("centre", np.float64, (3,)),
+        ("box", np.float64, (2, 3)),
+        ("component", np.int64),
+        ("handle_bounds", "U9"),
+        ("tunnel_bounds", "U9"),
+    ]
+)
+
+
+def loops(
+    V: Any,
+    F: Any = None,
+    basis: str = "pure",
+    threads: int = 0,
+    seed: Optional[int] = None,
+    progress: Any = None,
+    *,
+    waists: bool = False,
+) -> Loops:
+    """The handle and tunnel loops of a mesh.
+
+    Parameters
+    ----------
+    V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
+    basis : "pure": handle loops that bound in the solid and tunnel loops that bound outside of it;
+        "shortest": short loops, whatever side they bound on
+    threads : how many at most; 0 for as many as there are processors
+    seed : the vertex that the computation begins at; chosen if not given
+    waists : whether to look for the shortest loops that go around what boundary curves go around
+    progress : True for a bar, or a callable that is told a number from 0 to 1
+
+    The answer is certified, and the same for any number of threads. The time is about linear in m;
+    memory is about 150 bytes a face besides the arrays.
+    """
+    points, triangles = arrays(V, F)
+    with told(progress, "loops") as callback:
+        return Loops(_core.loops(points, triangles, basis, threads, seed, waists, callback))
+
+
+def certify(V: Any, F: Any, L: Loops) -> Certificate:
+    """What has been proved of loops on a mesh, from the two alone: whatever they say of themselves."""
+    points, triangles = arrays(V, F)
+    return Certificate(**_core.certify(points, triangles, L._record)["certificate"])
+
+
+def html(V: Any, F: Any, L: Loops, path: Union[str, "os.PathLike[str]"], title: str = "mesh") -> None:
+    """Writes a page, one file, in which the mesh with its loops can be turned in any browser."""
+    points, triangles = arrays(V, F)
+    _core.write_page(points, triangles, L._record, os.fspath(path), title)

@@ -1,0 +1,166 @@
+"""Reeb graphs."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _core
+from ._meshes import arrays
+from ._progress import told
+
+
+class ReebGraph:
+    """The Reeb graph of a function on a mesh: its contours, each shrunk to a point.
+
+    Nodes are critical points, arcs are what lies between them; there are as many independent cycles as
+    the surface has handles.
+    """
+
+    def __init__(self, record: Dict[str, Any]):
+        nodes, arcs = record["nodes"], record["arcs"]
+        self.positions: np.ndarray = nodes["positions"]  #: (n, 3): where nodes are drawn
+        self.node_values: np.ndarray = nodes["values"]  #: (n,): of the function
+        self.node_vertices: np.ndarray = nodes["vertices"]  #: (n,): of the mesh
+        self.node_types: List[str] = nodes["types"]  #: "minimum", "saddle", "maximum" or "regular"
+        self.arcs: np.ndarray = arcs["ends"]  #: (m, 2): the nodes at the lower and the upper end
+        self.lengths: np.ndarray = arcs["lengths"]  #: (m,): of the polylines
+        self.girths: np.ndarray = arcs["girths"]  #: (m,): the length of the contour half way
+        self.numbers_of_vertices: np.ndarray = arcs["numbers_of_vertices"]  #: (m,): of the mesh
+        self.is_on_cycle: np.ndarray = arcs["is_on_cycle"].astype(bool)  #: (m,)
+        self.arc_of_vertex: np.ndarray = record["arc_of_vertex"]  #: by vertex; -1 without a face
+        self.values: np.ndarray = record["values"]  #: by vertex, of the function
+        self.number_of_cycles: int = record["number_of_cycles"]  #: independent ones
+        cuts = arcs["starts"][1:-1]
+        #: by arc, (k, 3): the means of its contours, from the lower end to the upper one
+        self.polylines: List[np.ndarray] = np.split(arcs["points"], cuts)
+        #: by arc, (k,): how thick the surface is around the points of the polyline
+        self.radii: List[np.ndarray] = np.split(arcs["radii"], cuts)
+        if len(self.arcs) == 0:
+            self.polylines, self.radii = [], []
+
+    def __repr__(self) -> str:
+        return (
+            f"<ReebGraph: {len(self.positions)} nodes, {len(self.arcs)} arcs, "
+            f"{self.number_of_cycles} cycles>"
+        )
+
+    def to_networkx(self) -> Any:
+        """A `networkx.MultiGraph`: nodes with pos, value, vertex and type, edges with the number of the
+        arc as key, and length, girth, polyline, radii and is_on_cycle."""
+        import networkx
+
+        graph = networkx.MultiGraph()
+        for i, position in enumerate(self.positions):
+            graph.add_node(
+                i,
+                pos=position,
+                value=float(self.node_values[i]),
+                vertex=int(self.node_vertices[i]),
+                type=self.node_types[i],
+            )
+        for i, (low, high) in enumerate(self.arcs.tolist()):
+            graph.add_edge(
+                low,
+                high,
+                key=i,
+                length=float(self.lengths[i]),
+                girth=float(self.girths[i]),
+                polyline=self.polylines[i],
+                radii=self.radii[i],
+                is_on_cycle=bool(self.is_on_cycle[i]),
+            )
+        return graph
+
+    def to_swc(self, path: Union[str, "os.PathLike[str]"]) -> int:
+        """Writes the skeleton as SWC, as neurons are kept; returns the number of points.
+
+        SWC knows trees only. Each cycle is opened where it comes back to a node: the last point of such
+        an arc is a copy of that node, and a comment at the top names the two, `# cycle: COPY NODE`, so
+        that who reads it can join them.
+        """
+        rows: List[str] = []
+        cycles: List[str] = []
+        at: Dict[int, int] = {}  # of nodes, in the file
+        around: Dict[int, List[int]] = {}
+        for i, ends in enumerate(self.arcs.tolist()):
+            for end in ends:
+                around.setdefault(end, []).append(i)
+        is_written = np.zeros(len(self.arcs), dtype=bool)
+
+        def add(point: np.ndarray, radius: float, parent: int) -> int:
+            x, y, z = (repr(float(c)) for c in point)
+            rows.append(f"{len(rows) + 1} 0 {x} {y} {z} {float(radius)!r} {parent}")
+            return len(rows)
+
+        def add_arc(arc: int, start: int, parent: int) -> int:
+            """All points but the first; returns the node at the other end, or -1 if it was there."""
+            is_up = int(self.arcs[arc, 0]) == start
+            line, radii = self.polylines[arc], self.radii[arc]
+            if not is_up:
+                line, radii = line[::-1], radii[::-1]
+            for point, radius in zip(line[1:], radii[1:]):
+                parent = add(point, radius, parent)
+            end = int(self.arcs[arc, 1 if is_up else 0])
+            if end in at:
+                cycles.append(f"# cycle: {parent} {at[end]}")
+                return -1
+            at[end] = parent
+            return end
+
+        for root in range(len(self.positions)):
+            if root in at or root not in around:
+                continue
+            first = around[root][0]
+            radius = self.radii[first][0 if int(self.arcs[first, 0]) == root else -1]
+            at[root] = add(self.positions[root], radius, -1)
+            reached = [root]
+            while reached:
+                node = reached.pop()
+                for arc in around[node]:
+                    if not is_written[arc]:
+                        is_written[arc] = True
+                        end = add_arc(arc, node, at[node])
+                        if end >= 0:
+                            reached.append(end)
+        with open(path, "w", encoding="ascii") as file:
+            file.write("\n".join(["# handle_tunnel_loops: id type x y z radius parent", *cycles, *rows]))
+            file.write("\n")
+        return len(rows)
+
+
+def reeb(
+    V: Any,
+    F: Any = None,
+    f: Any = None,
+    simplify: Optional[float] = None,
+    measure: Optional[str] = None,
+    *,
+    sources: Sequence[int] = (),
+    threads: int = 0,
+    progress: Any = None,
+) -> ReebGraph:
+    """The Reeb graph of a function on a mesh.
+
+    Parameters
+    ----------
+    V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
+    f : the function, (n,), a number for each vertex; without it the arrival times of a front that starts
+        at a vertex, which gives a skeleton
+    simplify : the part of the whole up to which leaves are taken off, by ``measure``; default 0.03
+    measure : "limbs" (the default without f), "persistence" (the default with f), "length", "area" or
+        "vertices"
+    sources : the vertices that the front starts at; chosen if there are none
+    threads, progress : as for `loops`
+    """
+    points, triangles = arrays(V, F)
+    if f is not None and len(sources) > 0:
+        raise ValueError("sources are of a front, which plays no part where f is given")
+    with told(progress, "reeb") as callback:
+        return ReebGraph(
+            _core.reeb(
+                points, triangles, f, simplify, measure or "", list(sources), threads, callback
+            )
+        )

@@ -1,0 +1,55 @@
+"""Where meshes come from: files, generators, and arrays that are no surface yet."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._meshes import arrays
+
+
+def generate(kind: str, **options: int) -> Tuple[np.ndarray, np.ndarray]:
+    """The arrays V, float64, and F, int64, of a mesh of a kind.
+
+    `kinds` tells which there are. Options: faces, genus and seed; some kinds take parts, long_way and
+    short_way, frequency, bridges and tunnels, or necks; holes and hole_faces make a boundary. The genus
+    is met exactly, the number of faces within 20 percent.
+    """
+    return _core.generate(kind, options)
+
+
+def kinds() -> Dict[str, str]:
+    """By name, what the kinds of meshes look like."""
+    return _core.kinds()
+
+
+def read(
+    path: "Union[str, os.PathLike[str]]", *, triangulate: bool = False, repair: bool = False
+) -> Tuple[np.ndarray, np.ndarray]:
+    """The arrays V, float64, and F, int64, of a mesh file: .off, .obj, .ply or .stl.
+
+    triangulate cuts faces into triangles, convex or not; repair welds points, drops what is double or
+    without area, splits what is no manifold, and orients faces alike. Vertices of the file keep their
+    numbers. Raises OSError if the file cannot be read, and ValueError if there is no surface in it.
+    """
+    return _core.read(os.fspath(path), triangulate, repair)
+
+
+def repair(
+    V: Any, F: Any = None
+) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]:
+    """A surface from arrays that are none: faces of any size, corners that share no vertex, and so on.
+
+    V, F : arrays of shape (n, 3) and (m, k), k from 3 on, or one mesh object
+
+    Cuts faces into triangles, welds points in the same place, drops faces that are double or without
+    area, splits edges and vertices that are no manifold, and orients faces alike. Returns V and F, in which
+    the given vertices keep their numbers and copies come after them; for each face and for each vertex the
+    given one that it is, or is a part or a copy of; and what was done, as pairs of a number and words.
+    Raises MeshError if no surface can be made of it.
+    """
+    points, faces = arrays(V, F, triangles=False)
+    return _core.repair(points, faces)

@@ -1,0 +1,123 @@
+"""Meshes that are changed, or cut."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _core
+from ._loops import Loop, Loops, _loops_of
+from ._meshes import arrays
+from ._progress import told
+
+
+def remove_handles(
+    V: Any,
+    F: Any = None,
+    *,
+    genus: Optional[int] = None,
+    shorter_than: Optional[float] = None,
+    pairs: Optional[Sequence[int]] = None,
+    box: Any = None,
+    necks: Optional[float] = None,
+    by: str = "cheapest",
+    loops: Optional[Loops] = None,
+    threads: int = 0,
+    progress: Any = None,
+) -> Tuple[np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
+    """A mesh without some of its handles: of all, or of those that one of the following selects.
+
+    Parameters
+    ----------
+    V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
+    genus : the smallest handles go until so many are left
+    shorter_than : handles with a loop that is shorter, in the unit of the coordinates
+    pairs : those of the pairs of these numbers, as in `Loops.table`
+    box : ((x, y, z), (x, y, z)): those of which a loop lies in this box
+    necks : as shorter_than; shorter loops at which shells come apart go, too
+    by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "cheapest"
+    loops : of this mesh, if they are known; computed if not
+    threads, progress : as for `loops`
+
+    Returns
+    -------
+    V, F : the new mesh; what stays keeps its order
+    face_origin : (m',): for each face the face of the given mesh that it is, or -1 if it is new
+    report : genus_before, genus_after, components_before and _after, and lists of dictionaries: removed
+        (pair, by, length, area, volume), refused (pair, length, reason), removed_necks, refused_necks
+    """
+    chosen = dict(genus=genus, shorter_than=shorter_than, pairs=pairs, box=box, necks=necks)
+    given = [name for name, value in chosen.items() if value is not None]
+    if len(given) > 1:
+        raise ValueError(f"{' and '.join(given)} cannot be given together")
+    if pairs is not None:
+        chosen["pairs"] = [int(pair) for pair in pairs]
+    if box is not None:
+        chosen["box"] = np.asarray(box, dtype=float).reshape(2, 3).tolist()
+    points, triangles = arrays(V, F)
+    options = dict(chosen, by=by, loops=None if loops is None else loops._record)
+    with told(progress, "remove") as callback:
+        return _core.remove_handles(points, triangles, options, threads, callback)
+
+
+def cut_to_disk(
+    V: Any,
+    F: Any = None,
+    *,
+    cones: Sequence[int] = (),
+    cut_spheres: bool = False,
+    threads: int = 0,
+    progress: Any = None,
+) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A mesh cut open along edges, so that each component is a disk.
+
+    Parameters
+    ----------
+    V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
+    cones : vertices that the cut has to pass
+    cut_spheres : whether spheres are cut, too
+    threads, progress : as for `loops`
+
+    Returns
+    -------
+    V, F : the opened mesh; faces keep their order, and vertices theirs; copies come after them
+    vertex_origin : (n',): the vertex of the given mesh that each vertex is, or is a copy of
+    """
+    points, triangles = arrays(V, F)
+    with told(progress, "cut") as callback:
+        new_points, new_triangles, _ = _core.cut_to_disk(
+            points, triangles, list(cones), cut_spheres, threads, callback
+        )
+    origin = np.arange(len(new_points))
+    origin[new_triangles] = triangles
+    return new_points, new_triangles, origin
+
+
+@dataclass(frozen=True)
+class DualCut:
+    """A cut that crosses one loop once, counted with sign, and no other."""
+
+    loop: Loop  #: a handle or tunnel loop, or a boundary curve
+    edges: np.ndarray  #: (k, 2), int64: vertices that edges of the mesh join
+    times: np.ndarray  #: (k,), int64: how often the cut runs along each, in that direction
+
+
+def dual_cuts(
+    V: Any, F: Any = None, *, threads: int = 0, progress: Any = None
+) -> List[DualCut]:
+    """The cuts that are dual to the loops of a mesh, and to its boundary curves but one of each component.
+
+    Of a plate with holes: from hole to hole, or to the rim. What jumps across one is the unknown of a
+    loop in a circuit.
+    """
+    points, triangles = arrays(V, F)
+    with told(progress, "dual cuts") as callback:
+        records = _core.dual_cuts(points, triangles, threads, callback)
+    cuts = []
+    for record in records:
+        loop = dict(record["loop"], components=np.array([-1]))
+        (of_mesh,) = _loops_of(loop, [record["kind"]], [record["pair"]])
+        cuts.append(DualCut(of_mesh, record["edges"], record["times"]))
+    return cuts

@@ -1,0 +1,44 @@
+"""What is written down is what happens."""
+
+import doctest
+import inspect
+import pathlib
+import re
+
+import pytest
+
+import handle_tunnel_loops as htl
+
+ROOT = pathlib.Path(__file__).parent.parent.parent
+
+
+def blocks():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    manual = (ROOT / "doc/Handle_tunnel_loops/Handle_tunnel_loops.txt").read_text(encoding="utf-8")
+    yield from re.findall(r"```python\n(.*?)```", readme, re.DOTALL)
+    yield from re.findall(r"\\code\{\.py\}\n(.*?)\\endcode", manual, re.DOTALL)
+
+
+@pytest.mark.parametrize("block", list(blocks()))
+def test_code_runs(block, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "meshes").mkdir()
+    exec(compile(block, "documentation", "exec"), {"__name__": "__main__"})
+
+
+def test_the_package_tells_the_truth():
+    failures, tried = doctest.testmod(htl)
+    assert tried > 0 and failures == 0
+
+
+@pytest.mark.parametrize("name", htl.__all__)
+def test_everything_is_said(name):
+    thing = getattr(htl, name)
+    assert inspect.getdoc(thing), f"{name} has no documentation"
+    if inspect.isfunction(thing):
+        for parameter in inspect.signature(thing).parameters.values():
+            assert parameter.annotation is not inspect.Parameter.empty, f"{name}: {parameter}"
+
+
+def test_there_are_blocks():
+    assert len(list(blocks())) >= 3

@@ -1,0 +1,164 @@
+"""Loops, by their definitions, and as `htloops` finds them."""
+
+import json
+import pickle
+import subprocess
+
+import numpy as np
+import pytest
+from conftest import write_off
+
+import handle_tunnel_loops as htl
+
+
+def check_loop(V, F, loop):
+    """It is where it says, as long as it says, and leaves no face between two places."""
+    k = len(loop)
+    assert loop.points.shape == (k, 3) and loop.edges.shape == (k, 2) and loop.ratios.shape == (k,)
+    assert np.all((loop.ratios >= 0) & (loop.ratios <= 1))
+    t = loop.ratios[:, np.newaxis]
+    places = (1 - t) * V[loop.edges[:, 0]] + t * V[loop.edges[:, 1]]
+    size = np.abs(V).max()
+    assert np.allclose(loop.points, places, rtol=0, atol=1e-12 * size)
+    steps = np.diff(loop.closed(), axis=0)
+    assert np.isclose(loop.length, np.linalg.norm(steps, axis=1).sum(), rtol=1e-12)
+    faces = {tuple(sorted(face)) for face in F.tolist()}
+    edges = {tuple(sorted((f[i], f[i - 1]))) for f in faces for i in range(3)}
+    assert all(tuple(sorted(edge)) in edges for edge in loop.edges.tolist())
+    for i in range(k):
+        on = [
+            {end for end, rest in zip(loop.edges[j], (1 - loop.ratios[j], loop.ratios[j])) if rest > 0}
+            for j in (i - 1, i)
+        ]
+        corners = on[0] | on[1]
+        assert len(corners) <= 3
+        assert any(corners <= set(face) for face in faces) if len(corners) == 3 else (
+            len(corners) == 1 or tuple(sorted(corners)) in edges
+        )
+
+
+@pytest.mark.parametrize("basis", ["pure", "shortest"])
+def test_definitions(genus_3, basis):
+    V, F = genus_3
+    L = htl.loops(V, F, basis)
+    assert L.genus == len(L) == len(L.handles) == len(L.tunnels) == 3
+    assert L.basis == basis and L.boundaries == [] and L.number_of_components == 1
+    for i, (handle, tunnel) in enumerate(zip(L.handles, L.tunnels)):
+        assert (handle.kind, handle.number, tunnel.kind, tunnel.number) == ("handle", i, "tunnel", i)
+        for loop in (handle, tunnel):
+            check_loop(V, F, loop)
+            assert loop.component == 0
+    assert L.certificate and L.certificate.basis and L.certificate.failure == ""
+    if basis == "pure":
+        assert {loop.bounds for loop in L.handles} == {"inside"}
+        assert {loop.bounds for loop in L.tunnels} == {"outside"}
+    assert htl.certify(V, F, L)
+
+
+def test_linking(genus_3):
+    sparse = pytest.importorskip("scipy.sparse")
+    matrix = htl.loops(*genus_3).linking
+    assert sparse.isspmatrix_coo(matrix) and matrix.shape == (6, 6)
+    crossings = (matrix - matrix.T).toarray()  # of loops that are a basis
+    assert round(abs(np.linalg.det(crossings))) == 1
+
+
+def test_certify_believes_nothing(genus_3, torus):
+    V, F = genus_3
+    L = pickle.loads(pickle.dumps(htl.loops(V, F)))
+    assert htl.certify(V, F, L)
+    record = L._record
+    twice = slice(record["starts"][0], record["starts"][1])
+    again = slice(record["starts"][4], record["starts"][5])
+    for name in ("points", "edges", "ratios"):  # handle 2 is handle 0 again
+        parts = [record[name][: again.start], record[name][twice], record[name][again.stop :]]
+        record[name] = np.concatenate(parts)
+    record["lengths"][4] = record["lengths"][0]
+    shift = (twice.stop - twice.start) - (again.stop - again.start)
+    record["starts"] = np.where(np.arange(7) >= 5, record["starts"] + shift, record["starts"])
+    certificate = htl.certify(V, F, L)
+    assert not certificate and not certificate.basis and certificate.failure
+    with pytest.raises(ValueError, match="not on this mesh"):
+        htl.certify(*torus, htl.loops(V, F))
+
+
+def test_table(genus_3):
+    V, F = genus_3
+    L = htl.loops(V, F)
+    table = L.table()
+    assert len(table) == 3 and sorted(table["pair"]) == [0, 1, 2]
+    assert np.all(np.diff(table["size"]) >= 0)
+    diagonal = np.linalg.norm(V.max(axis=0) - V.min(axis=0))
+    for row in table:
+        handle, tunnel = L.handles[row["pair"]], L.tunnels[row["pair"]]
+        shorter = min(handle, tunnel, key=lambda loop: loop.length)
+        assert np.isclose(row["size"], shorter.length / diagonal)
+        assert np.array_equal(row["box"][0], shorter.points.min(axis=0))
+        assert (row["handle_bounds"], row["tunnel_bounds"]) == (handle.bounds, tunnel.bounds)
+
+
+def test_boundary(plate):
+    V, F = plate
+    L = htl.loops(V, F, waists=True)
+    assert L.genus == 0 and len(L.boundaries) == len(L.waists) == 4
+    for curve, waist in zip(L.boundaries, L.waists):
+        assert curve.kind == waist.kind == "boundary" and curve.number == waist.number
+        assert waist.length <= curve.length
+        check_loop(V, F, curve)
+        check_loop(V, F, waist)
+    assert htl.loops(V, F).waists == []
+
+
+def test_components(torus, genus_3):
+    V = np.concatenate([torus[0], genus_3[0] + 10])
+    F = np.concatenate([torus[1], genus_3[1] + len(torus[0])])
+    L = htl.loops(V, F)
+    assert L.number_of_components == 2
+    assert sorted(loop.component for loop in L.handles) == [0, 1, 1, 1]
+
+
+def test_nothing_to_find():
+    L = htl.loops(*htl.generate("sphere", faces=320))
+    assert L.genus == 0 and L.handles == [] and len(L.table()) == 0 and L.certificate
+
+
+def test_page(genus_3, tmp_path):
+    V, F = genus_3
+    htl.html(V, F, htl.loops(V, F), tmp_path / "page.html", title="three rings")
+    page = (tmp_path / "page.html").read_text()
+    assert "<title>" in page and "three rings" in page
+    with pytest.raises(OSError):
+        htl.html(V, F, htl.loops(V, F), tmp_path / "no" / "page.html")
+
+
+def test_threads_change_nothing(genus_3):
+    one, two = (htl.loops(*genus_3, threads=threads) for threads in (1, 2))
+    for a, b in zip(one.handles + one.tunnels, two.handles + two.tunnels):
+        assert np.array_equal(a.points, b.points) and np.array_equal(a.edges, b.edges)
+
+
+def meshes():
+    for genus in range(1, 6):
+        for seed in range(10):
+            yield "multi-torus", dict(faces=400 * genus, genus=genus, seed=seed)
+            yield "random", dict(faces=300 + 40 * genus, genus=genus, seed=seed)
+
+
+def test_the_program_gives_the_same(htloops, tmp_path):
+    for kind, options in meshes():
+        V, F = htl.generate(kind, **options)
+        write_off(tmp_path / "a.off", V, F)
+        subprocess.run(
+            [htloops, "loops", tmp_path / "a.off", "-o", tmp_path / "a.json", "--quiet"], check=True
+        )
+        answer = json.loads((tmp_path / "a.json").read_text())
+        L = htl.loops(V, F)
+        assert len(answer["pairs"]) == L.genus
+        for pair, handle, tunnel in zip(answer["pairs"], L.handles, L.tunnels):
+            for record, loop in ((pair["handle"], handle), (pair["tunnel"], tunnel)):
+                assert record["length"] == loop.length, (kind, options)
+                assert np.array_equal(record["points"], loop.points)
+                assert record["bounds"] == loop.bounds
+        linking = {(i, j): value for i, j, value in answer["linking"]}
+        rows, columns, values = L._record["linking"]
+        assert dict(zip(zip(rows.tolist(), columns.tolist()), values.tolist())) == linking

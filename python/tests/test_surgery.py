@@ -1,0 +1,85 @@
+"""Meshes that are changed, or cut."""
+
+import numpy as np
+import pytest
+
+import handle_tunnel_loops as htl
+
+
+def edges_of(F):
+    return np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+
+
+def euler_characteristic(F):
+    return len(np.unique(F)) - len(np.unique(edges_of(F), axis=0)) + len(F)
+
+
+def check_origin(V, F, new_V, new_F, face_origin):
+    kept = face_origin >= 0
+    assert np.array_equal(new_V[new_F[kept]], V[F[face_origin[kept]]])
+    assert len(np.unique(face_origin[kept])) == kept.sum()
+
+
+def test_all_handles(genus_3):
+    V, F = genus_3
+    new_V, new_F, face_origin, report = htl.remove_handles(V, F)
+    assert euler_characteristic(new_F) == 2 and htl.loops(new_V, new_F).genus == 0
+    check_origin(V, F, new_V, new_F, face_origin)
+    assert report["genus_before"] == 3 and report["genus_after"] == 0
+    assert [handle["pair"] for handle in report["removed"]] and report["refused"] == []
+
+
+def test_some_handles(genus_3):
+    V, F = genus_3
+    L = htl.loops(V, F)
+    new_V, new_F, face_origin, report = htl.remove_handles(V, F, genus=2, loops=L)
+    assert report["genus_after"] == 2 and len(report["removed"]) == 1
+    check_origin(V, F, new_V, new_F, face_origin)
+    _, _, _, report = htl.remove_handles(V, F, pairs=[1], loops=L, by="fill")
+    assert [(handle["pair"], handle["by"]) for handle in report["removed"]] == [(1, "fill")]
+    _, _, _, report = htl.remove_handles(V, F, shorter_than=1e-9)
+    assert report["genus_after"] == 3 and report["removed"] == []
+    loop = min((L.handles[2], L.tunnels[2]), key=lambda loop: loop.length)
+    box = (loop.points.min(axis=0) - 1e-9, loop.points.max(axis=0) + 1e-9)
+    _, _, _, report = htl.remove_handles(V, F, box=box)
+    assert 2 in [handle["pair"] for handle in report["removed"]]
+
+
+def test_what_cannot_be_asked(genus_3):
+    with pytest.raises(ValueError, match="genus and pairs cannot be given together"):
+        htl.remove_handles(*genus_3, genus=1, pairs=[0])
+    with pytest.raises(ValueError, match="by is"):
+        htl.remove_handles(*genus_3, by="magic")
+    with pytest.raises(ValueError, match="7"):
+        htl.remove_handles(*genus_3, pairs=[7])
+    with pytest.raises(ValueError, match="genus cannot be -1"):
+        htl.remove_handles(*genus_3, genus=-1)
+
+
+def test_cut_to_disk(genus_3):
+    V, F = genus_3
+    new_V, new_F, origin = htl.cut_to_disk(V, F)
+    assert euler_characteristic(new_F) == 1  # a disk
+    assert np.array_equal(origin[: len(V)], np.arange(len(V)))
+    assert np.array_equal(new_V, V[origin]) and np.array_equal(origin[new_F], F)
+    cone = 17
+    _, with_cone, origin = htl.cut_to_disk(V, F, cones=[cone])
+    edges, counts = np.unique(edges_of(with_cone), axis=0, return_counts=True)
+    assert cone in origin[edges[counts == 1]]
+    V, F = htl.generate("sphere", faces=320)
+    assert np.array_equal(htl.cut_to_disk(V, F)[1], F)
+    assert euler_characteristic(htl.cut_to_disk(V, F, cut_spheres=True)[1]) == 1
+
+
+def test_dual_cuts():
+    V, F = htl.generate("multi-torus", faces=3000, genus=2, holes=3, hole_faces=30)
+    cuts = htl.dual_cuts(V, F)
+    assert [cut.loop.kind for cut in cuts] == ["handle", "tunnel"] * 2 + ["boundary"] * 2
+    edges, counts = np.unique(edges_of(F), axis=0, return_counts=True)
+    on_boundary = np.unique(edges[counts == 1])
+    for cut in cuts:
+        ends = np.zeros(len(V), dtype=int)  # of the chain
+        np.add.at(ends, cut.edges[:, 1], cut.times)
+        np.add.at(ends, cut.edges[:, 0], -cut.times)
+        assert set(np.flatnonzero(ends)) <= set(on_boundary)
+        assert cut.edges.shape == (len(cut.times), 2) and len(cut.times) > 0

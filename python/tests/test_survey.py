@@ -1,0 +1,160 @@
+"""Tables of many meshes."""
+
+import concurrent.futures
+import multiprocessing
+import os
+import signal
+
+import pytest
+from conftest import write_off
+
+import handle_tunnel_loops as htl
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Twelve meshes of genus 0 to 3, one of which is none, and what is not there."""
+    folder = tmp_path_factory.mktemp("meshes")
+    for i in range(12):
+        kind = "multi-torus" if i % 4 else "sphere"
+        write_off(folder / f"{i:02}.off", *htl.generate(kind, faces=1500, genus=i % 4, seed=i))
+    (folder / "05.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def paths(folder):
+    return [str(folder / f"{i:02}.off") for i in range(13)]
+
+
+def check(rows, paths):
+    assert [row["mesh"] for row in rows] == paths
+    for i, row in enumerate(rows):
+        if i in (5, 12):
+            assert row["error"] and row["genus"] is None
+        else:
+            assert row["error"] is None and row["genus"] == i % 4 and row["components"] == 1
+            assert len(row["sizes"]) == row["genus"] and row["sizes"] == sorted(row["sizes"])
+            assert row["faces"] > 1000 and row["seconds"] > row["read_seconds"] > 0
+            assert (row["handle_length"] > 0) == (row["genus"] > 0)
+
+
+def without_times(rows):
+    return [{key: row[key] for key in row if "seconds" not in key} for row in rows]
+
+
+@pytest.mark.parametrize("extension", [".csv", ".jsonl"])
+def test_files(paths, tmp_path, extension):
+    out = tmp_path / ("table" + extension)
+    rows = htl.survey(paths, out)
+    check(rows, paths)
+    written = out.read_text()
+    assert htl.survey(paths, out) == rows and out.read_text() == written  # nothing is left to do
+    # It was stopped while it wrote a line.
+    lines = written.splitlines(keepends=True)
+    out.write_text("".join(lines[:6]) + lines[6][:20])
+    again = htl.survey(paths, out)
+    assert without_times(again) == without_times(rows)
+    assert len(out.read_text().splitlines()) == len(lines)
+    out.write_text("rubbish" if extension == ".csv" else "")
+    check(htl.survey(paths, out, resume=False), paths)
+
+
+def test_parquet(paths, tmp_path):
+    if not _has_pyarrow():
+        with pytest.raises(ImportError):
+            htl.survey(paths, tmp_path / "a.parquet")
+        pytest.skip("there is no pyarrow")
+    import pyarrow.parquet
+
+    rows = htl.survey(paths, tmp_path / "a.parquet")
+    assert pyarrow.parquet.read_table(tmp_path / "a.parquet").to_pylist() == rows
+
+
+def _has_pyarrow():
+    try:
+        import pyarrow  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+def test_other_names_are_refused(paths):
+    with pytest.raises(ValueError, match=".csv, .jsonl or .parquet"):
+        htl.survey(paths, "table.txt")
+
+
+def test_it_can_be_stopped(paths, tmp_path):
+    told = []
+
+    def stop(fraction):
+        told.append(fraction)
+        return len(told) < 3
+
+    rows = htl.survey(paths, tmp_path / "a.csv", progress=stop)
+    assert len(rows) == 3 and told[0] == pytest.approx(1 / 13)
+    check(htl.survey(paths, tmp_path / "a.csv"), paths)
+
+
+def test_time_is_limited(tmp_path):
+    V, F = htl.generate("gyroid", faces=200000, genus=80)
+    write_off(tmp_path / "large.off", V, F)
+    (row,) = htl.survey([tmp_path / "large.off"], timeout=0.2)
+    assert row["error"] == "it takes longer than 0.2 s" and row["seconds"] < 5
+
+
+def address_space():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def test_memory_is_limited(tmp_path):
+    if not os.path.exists("/proc/self/statm"):
+        pytest.skip("there is no /proc")
+    write_off(tmp_path / "small.off", *htl.generate("torus", faces=400))
+    write_off(tmp_path / "large.off", *htl.generate("gyroid", faces=400000, genus=80))
+    paths = [tmp_path / "small.off", tmp_path / "large.off", tmp_path / "small.off"]
+    new = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=new) as executor:
+        htl.survey(paths[:1], executor=executor)
+        taken = executor.submit(address_space).result()
+        small, large, _ = htl.survey(paths, executor=executor, memory=taken + 10**6)
+        assert small["error"] is None and small["genus"] == 1
+        assert large["error"].startswith("it takes more memory")
+        (row,) = htl.survey(paths[1:2], executor=executor, memory=taken + 4 * 10**9)
+        assert row["error"] is None and row["genus"] == 80
+
+
+def test_executors(paths):
+    for kind in (concurrent.futures.ThreadPoolExecutor, concurrent.futures.ProcessPoolExecutor):
+        with kind(2) as executor:
+            check(htl.survey(paths, executor=executor), paths)
+
+
+def test_dask_loses_nothing_with_a_worker(paths, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    many = [str(path) for path in _many(tmp_path)]
+    out = tmp_path / "table.csv"
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        workers = list(client.run(os.getpid).values())
+
+        def end_the_first(fraction):
+            if fraction > 0.2 and workers:
+                os.kill(workers[0], signal.SIGKILL)
+                workers.clear()
+
+        rows = htl.survey(many, out, client, progress=end_the_first)
+    assert not workers
+    assert [row["mesh"] for row in rows] == many
+    assert all(row["error"] is None and row["genus"] == 1 for row in rows)
+    written = [line.split(",")[0] for line in out.read_text().splitlines()[1:]]
+    assert sorted(written) == sorted(many)
+
+
+def _many(folder):
+    for i in range(60):
+        path = folder / f"{i}.off"
+        write_off(path, *htl.generate("torus", faces=3000, seed=i))
+        yield path

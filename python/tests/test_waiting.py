@@ -1,0 +1,131 @@
+"""Progress, interruption, threads."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import handle_tunnel_loops as htl
+
+
+@pytest.fixture(scope="module")
+def large():
+    return htl.generate("gyroid", faces=150000, genus=60)
+
+
+def test_progress(large):
+    fractions = []
+    htl.loops(*large, progress=fractions.append)
+    assert fractions and fractions[-1] == 1 and np.all(np.diff(fractions) >= 0)
+    assert all(0 <= fraction <= 1 for fraction in fractions)
+
+
+def test_a_bar(torus, capsys):
+    htl.loops(*torus, progress=True)  # that of tqdm, if it is there
+
+
+def test_false_stops(large):
+    start = time.monotonic()
+    with pytest.raises(htl.Interrupted):
+        htl.loops(*large, progress=lambda fraction: False)
+    assert time.monotonic() - start < 2
+
+
+def test_errors_of_the_callable_come_through(large):
+    with pytest.raises(ZeroDivisionError):
+        htl.loops(*large, progress=lambda fraction: 1 / 0)
+
+
+@pytest.mark.parametrize(
+    "call", ["loops(V, F)", "reeb(V, F)", "cut_to_disk(V, F)", "remove_handles(V, F)"]
+)
+def test_ctrl_c(call):
+    if os.name != "posix":
+        pytest.skip("signals are those of POSIX")
+    program = f"""
+import signal, handle_tunnel_loops as htl
+signal.signal(signal.SIGINT, signal.default_int_handler)
+V, F = htl.generate("gyroid", faces=400000, genus=200)
+print("ready", flush=True)
+try:
+    while True:
+        htl.{call}
+except KeyboardInterrupt:
+    print("stopped", flush=True)
+"""
+    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout.readline() == "ready\n"
+        time.sleep(0.3)
+        start = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline() == "stopped\n"
+        assert time.monotonic() - start < 5
+    assert child.returncode == 0
+
+
+def test_other_threads_run(large):
+    turns = 0
+    is_done = threading.Event()
+
+    def count():
+        nonlocal turns
+        while not is_done.is_set():
+            turns += 1
+            time.sleep(0.005)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    start = time.monotonic()
+    htl.loops(*large, threads=1)
+    seconds = time.monotonic() - start
+    is_done.set()
+    counter.join()
+    assert turns > seconds / 0.005 / 20
+
+
+def test_several_threads_at_once():
+    meshes = [htl.generate("multi-torus", faces=3000, genus=1 + i % 3, seed=i) for i in range(8)]
+    expected = [htl.loops(*mesh).handles[0].points for mesh in meshes]
+    found = [None] * len(meshes)
+
+    def find(i):
+        found[i] = htl.loops(*meshes[i]).handles[0].points
+
+    threads = [threading.Thread(target=find, args=(i,)) for i in range(len(meshes))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(a, b) for a, b in zip(expected, found))
+
+
+def memory():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def test_nothing_leaks():
+    if not os.path.exists("/proc/self/statm"):
+        pytest.skip("there is no /proc")
+    V, F = htl.generate("torus", faces=400)
+    calls = [
+        lambda: htl.loops(V, F, threads=1),
+        lambda: htl.reeb(V, F),
+        lambda: htl.remove_handles(V, F),
+        lambda: htl.cut_to_disk(V, F),
+        lambda: htl.repair(V, F),
+        lambda: pytest.raises(ValueError, htl.loops, V, F[:, :2]),
+        lambda: pytest.raises(htl.MeshError, htl.loops, V, F[:, ::-1][:1].repeat(2, axis=0)),
+    ]
+    for call in calls:
+        for _ in range(50):
+            call()
+        before = memory()
+        for _ in range(1000 if call is calls[0] else 200):
+            call()
+        assert memory() - before < 5e5
