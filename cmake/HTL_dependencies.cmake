@@ -66,7 +66,8 @@ if(HTL_BUILD_TOOL)
     message(STATUS "stb or the DejaVu fonts not found: pictures have no labels and no legend")
   endif()
 endif()
-if(HTL_PYTHON AND HTL_BUILD_TOOL)
+# An interpreter would have to be built with sanitizers, too.
+if(HTL_PYTHON AND HTL_BUILD_TOOL AND NOT HTL_SANITIZE)
   set(_htl_parts_of_python Interpreter Development.Module NumPy)
   find_package(Python 3.9 QUIET COMPONENTS ${_htl_parts_of_python})
   # What comes first in the path may be a Python without NumPy, beside that of the system.
