@@ -6,6 +6,7 @@ import pathlib
 import re
 
 import pytest
+from conftest import write_off
 
 import handle_tunnel_loops as htl
 
@@ -23,6 +24,8 @@ def blocks():
 def test_code_runs(block, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "meshes").mkdir()
+    for i in range(3):
+        write_off(tmp_path / "meshes" / f"{i}.off", *htl.generate("torus", faces=400, seed=i))
     exec(compile(block, "documentation", "exec"), {"__name__": "__main__"})
 
 
