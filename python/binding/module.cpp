@@ -15,6 +15,7 @@
 #include "loops.h"
 #include "reeb.h"
 #include "surgery.h"
+#include "waiting.h"
 
 #include "htloops/failure.h"
 #include "htloops/version.h"
@@ -47,6 +48,7 @@ void register_exceptions(py::module_& module) {
 PYBIND11_MODULE(_core, module) {
   module.attr("version") = htloops::version();
   register_exceptions(module);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&htl_python::stop_waiting));
   module.def("read", &htl_python::read);
   module.def("repair", &htl_python::repair);
   module.def("loops", &htl_python::find_loops);

@@ -15,7 +15,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
+#include <set>
 
 namespace htl_python {
 namespace {
@@ -37,11 +40,50 @@ private:
   std::atomic<bool> is_to_stop_{false};
 };
 
+// What is being computed, in any thread.
+struct Running
+{
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::set<Watched*> computations;
+  bool is_ending = false;
+};
+
+Running& running() {
+  static auto* const running = new Running; // other threads may use it until the process ends
+  return *running;
+}
+
+class Registration
+{
+public:
+  explicit Registration(Watched& watched)
+      : watched_(watched) {
+    const std::lock_guard<std::mutex> lock(running().mutex);
+    if(running().is_ending)
+      throw CGAL::Handle_tunnel_loops::Interrupted_exception();
+    running().computations.insert(&watched_);
+  }
+  ~Registration() {
+    const std::lock_guard<std::mutex> lock(running().mutex);
+    running().computations.erase(&watched_);
+    running().changed.notify_all();
+  }
+  Registration(const Registration&) = delete;
+  Registration& operator=(const Registration&) = delete;
+
+private:
+  Watched& watched_;
+};
+
+// A callable that returns nothing has nothing against it.
+bool is_no_refusal(const py::object& answer) { return answer.is_none() || py::bool_(answer); }
+
 // Whether to go on.
 bool tell(const py::object& progress, double fraction) {
   if(PyErr_CheckSignals() != 0)
     throw py::error_already_set();
-  return progress.is_none() || !progress(fraction).is(py::bool_(false));
+  return progress.is_none() || is_no_refusal(progress(fraction));
 }
 
 bool has_finished(Worker& worker) {
@@ -53,6 +95,7 @@ bool has_finished(Worker& worker) {
 
 void wait_for(const py::object& progress, const std::function<void(htloops::Progress&)>& compute) {
   Watched watched;
+  const Registration registration(watched);
   std::exception_ptr failure, reason_to_stop;
   Worker& worker = Worker::take();
   worker.start([&] {
@@ -82,6 +125,15 @@ void wait_for(const py::object& progress, const std::function<void(htloops::Prog
     std::rethrow_exception(failure);
   if(!progress.is_none())
     progress(1.);
+}
+
+void stop_waiting() {
+  const py::gil_scoped_release others_may_run;
+  std::unique_lock<std::mutex> lock(running().mutex);
+  running().is_ending = true;
+  for(Watched* watched : running().computations)
+    watched->stop();
+  running().changed.wait(lock, [] { return running().computations.empty(); });
 }
 
 } // namespace htl_python

@@ -25,6 +25,10 @@ namespace py = pybind11;
 /// is thrown here, after the computation has ended; if the callable returns False it ends, too.
 void wait_for(const py::object& progress, const std::function<void(htloops::Progress&)>& compute);
 
+/// ends what is being computed, and all that is asked for from now on: the interpreter is about to
+/// end, after which no thread may come back to it.
+void stop_waiting();
+
 } // namespace htl_python
 
 #endif // HTL_PYTHON_WAITING_H

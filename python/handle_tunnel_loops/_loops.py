@@ -30,7 +30,7 @@ class Certificate:
         return self.certified
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Loop:
     """A closed polyline on a mesh. Its k places are on edges or at vertices; two that follow each other,
     and the last and the first, lie on a common face."""
@@ -47,6 +47,9 @@ class Loop:
 
     def __len__(self) -> int:
         return len(self.ratios)
+
+    def __repr__(self) -> str:
+        return f"<Loop: {self.kind} {self.number}, length {self.length:g}, {len(self)} places>"
 
     def closed(self) -> np.ndarray:
         """(k + 1, 3): the points, with the first one again at the end, to be plotted."""
@@ -108,6 +111,9 @@ class Loops:
     def __len__(self) -> int:
         return self.genus
 
+    def __bool__(self) -> bool:
+        return True  # of genus 0, too
+
     def __repr__(self) -> str:
         return f"<Loops: genus {self.genus}, basis {self.basis!r}, {len(self.boundaries)} boundary curves>"
 
@@ -131,6 +137,7 @@ class Loops:
         handle_bounds, tunnel_bounds.
         """
         table = np.zeros(self.genus, dtype=_row)
+        diagonal = self._record["diagonal"]
         for i, (handle, tunnel) in enumerate(zip(self.handles, self.tunnels)):
             shorter = handle if handle.length <= tunnel.length else tunnel
             box = np.array([shorter.points.min(axis=0), shorter.points.max(axis=0)])
@@ -138,7 +145,7 @@ class Loops:
                 i,
                 handle.length,
                 tunnel.length,
-                shorter.length / self._record["diagonal"],
+                shorter.length / diagonal if diagonal > 0 else 0.0,
                 box[0] / 2 + box[1] / 2,
                 box,
                 handle.component,

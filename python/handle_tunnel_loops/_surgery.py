@@ -34,7 +34,7 @@ def remove_handles(
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
     genus : the smallest handles go until so many are left
     shorter_than : handles with a loop that is shorter, in the unit of the coordinates
-    pairs : those of the pairs of these numbers, as in `Loops.table`
+    pairs : those of the pairs of these numbers, as in the table of ``loops``, which has to be given
     box : ((x, y, z), (x, y, z)): those of which a loop lies in this box
     necks : as shorter_than; shorter loops at which shells come apart go, too
     by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "cheapest"
@@ -53,9 +53,14 @@ def remove_handles(
     if len(given) > 1:
         raise ValueError(f"{' and '.join(given)} cannot be given together")
     if pairs is not None:
+        if loops is None:
+            raise ValueError("pairs are numbers of loops: give these, too")
         chosen["pairs"] = [int(pair) for pair in pairs]
     if box is not None:
-        chosen["box"] = np.asarray(box, dtype=float).reshape(2, 3).tolist()
+        corners = np.asarray(box, dtype=float)
+        if corners.shape != (2, 3) or not np.all(corners[0] <= corners[1]):
+            raise ValueError("box is two corners, the lower one first: ((x, y, z), (x, y, z))")
+        chosen["box"] = corners.tolist()
     points, triangles = arrays(V, F)
     options = dict(chosen, by=by, loops=None if loops is None else loops._record)
     with told(progress, "remove") as callback:

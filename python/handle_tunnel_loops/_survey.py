@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import concurrent.futures as futures_of_python
 import contextlib
 import csv
+import io
 import itertools
 import json
 import os
 import sys
 import time
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Set, Union
+from typing import Any, Callable, Dict, Generator, Iterable, Iterator, List, Optional, Set, Union
 
 from . import _core
 from ._loops import loops
@@ -74,7 +76,9 @@ def survey(
     Returns the rows, in the order of the paths, those that were there before, too. A mesh that is none, or
     that takes too long or too much memory, costs its own row, which says why.
     """
-    wanted = [os.fspath(path) for path in paths]
+    if isinstance(paths, (str, bytes)):
+        raise TypeError("paths are several: a list of them")
+    wanted = [os.fsdecode(path) for path in paths]
     table = _table(out, resume)
     rows = {row["mesh"]: row for row in table.rows}
     missing = [path for path in dict.fromkeys(wanted) if path not in rows]
@@ -86,8 +90,9 @@ def survey(
         triangulate=triangulate,
         repair=repair,
     )
-    with table, told(progress, "survey") as callback:
-        for number, row in enumerate(_results(missing, options, executor), 1):
+    results = _results(missing, options, executor)
+    with table, contextlib.closing(results), told(progress, "survey") as callback:
+        for number, row in enumerate(results, 1):
             rows[row["mesh"]] = row
             table.add(row)
             if callback is not None and callback(number / len(missing)) is False:
@@ -113,19 +118,18 @@ def row_of(path: str, options: Dict[str, Any]) -> Row:
                 options["threads"],
                 progress=None if end is None else lambda _: time.monotonic() < end,
             )
-    except _core.Interrupted:
-        row["error"] = f"it takes longer than {options['timeout']:g} s"
-    except MemoryError:
-        row["error"] = f"it takes more memory than there is, or than {options['memory']} bytes"
-    except (ValueError, OSError, RuntimeError) as error:
-        row["error"] = str(error)
-    else:
         row["components"] = answer.number_of_components
         row["boundaries"] = len(answer.boundaries)
         row["genus"] = answer.genus
         row["sizes"] = answer.table()["size"].tolist()
         row["handle_length"] = sum(loop.length for loop in answer.handles)
         row["tunnel_length"] = sum(loop.length for loop in answer.tunnels)
+    except _core.Interrupted:
+        row["error"] = f"it takes longer than {options['timeout']:g} s"
+    except MemoryError:
+        row["error"] = f"it takes more memory than there is, or than {options['memory']} bytes"
+    except Exception as error:  # whatever it is, the other meshes go on
+        row["error"] = str(error) or type(error).__name__
     row["seconds"] = time.monotonic() - start
     return row
 
@@ -147,41 +151,61 @@ def _memory_limit(size: Optional[int]) -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
 
 
-def _results(paths: List[str], options: Dict[str, Any], executor: Any) -> Iterator[Row]:
+def _results(
+    paths: List[str], options: Dict[str, Any], executor: Any
+) -> Generator[Row, None, None]:
     if executor is None:
         for path in paths:
             yield row_of(path, options)
         return
     submit, first_done = _way_to_submit(executor)
     waiting = iter(paths)
-    in_flight: Set[Any] = {submit(p, options) for p in itertools.islice(waiting, _most_in_flight)}
-    while in_flight:
-        done = first_done(in_flight)
-        in_flight -= done
-        for path in itertools.islice(waiting, len(done)):
-            in_flight.add(submit(path, options))
-        for future in done:
-            yield future.result()
+    in_flight = {submit(p, options): p for p in itertools.islice(waiting, _most_in_flight)}
+    try:
+        while in_flight:
+            done = first_done(set(in_flight))
+            # What is there is kept, even if something else has gone wrong.
+            for future in sorted(done, key=lambda future: future.exception() is not None):
+                path = in_flight[future]
+                row = _row_of_future(future, path)
+                del in_flight[future]
+                yield row
+            for path in itertools.islice(waiting, len(done)):
+                in_flight[submit(path, options)] = path
+    finally:
+        for future in in_flight:
+            future.cancel()
+
+
+def _row_of_future(future: Any, path: str) -> Row:
+    error = future.exception()
+    if error is None:
+        return future.result()
+    if isinstance(error, futures_of_python.BrokenExecutor):
+        raise error  # nothing more can be asked of it
+    row: Row = dict.fromkeys(COLUMNS)
+    row["mesh"] = path
+    row["error"] = f"its worker ended: {error}"
+    return row
 
 
 def _way_to_submit(executor: Any) -> "tuple[Callable[..., Any], Callable[[Set[Any]], Set[Any]]]":
-    if type(executor).__module__.split(".")[0] == "distributed":
-        import distributed
-
-        # Dask gives a task whose worker has ended to another one.
+    if isinstance(executor, futures_of_python.Executor):
         return (
-            lambda path, options: executor.submit(row_of, path, options, pure=False),
-            lambda futures: set(distributed.wait(futures, return_when="FIRST_COMPLETED").done),
+            lambda path, options: executor.submit(row_of, path, options),
+            lambda futures: set(
+                futures_of_python.wait(
+                    futures, return_when=futures_of_python.FIRST_COMPLETED
+                ).done
+            ),
         )
-    import concurrent.futures as futures_of_python
-
+    distributed = sys.modules.get("distributed")
+    if distributed is None or not isinstance(executor, distributed.Client):
+        raise TypeError("executor is a concurrent.futures.Executor or a dask.distributed.Client")
+    # Dask gives a task whose worker has ended to another one.
     return (
-        lambda path, options: executor.submit(row_of, path, options),
-        lambda futures: set(
-            futures_of_python.wait(
-                futures, return_when=futures_of_python.FIRST_COMPLETED
-            ).done
-        ),
+        lambda path, options: executor.submit(row_of, path, options, pure=False),
+        lambda futures: set(distributed.wait(futures, return_when="FIRST_COMPLETED").done),
     )
 
 
@@ -196,10 +220,18 @@ class _Table:
             with open(path, "rb") as file:
                 content = file.read()
             whole = content[: content.rfind(b"\n") + 1]
-            if len(whole) < len(content):
+            rest = content[len(whole) :].decode("utf-8", "surrogateescape")
+            text = whole.decode("utf-8", "surrogateescape")
+            expected = self.header() or '{"mesh": '
+            if not text and not (expected.startswith(rest) or rest.startswith(expected)):
+                raise ValueError(f"{path} is no table of survey()")
+            try:
+                self.rows = self.parsed(text)
+            except (KeyError, TypeError, ValueError) as error:
+                raise ValueError(f"{path} is no table of survey()") from error
+            if rest:
                 with open(path, "rb+") as file:
                     file.truncate(len(whole))
-            self.rows = self.parsed(whole.decode("utf-8"))
         elif path is not None and os.path.exists(path):
             os.remove(path)
 
@@ -214,7 +246,9 @@ class _Table:
 
     def __enter__(self) -> "_Table":
         if self._path is not None:
-            self._file = open(self._path, "a", encoding="utf-8", newline="")
+            self._file = open(
+                self._path, "a", encoding="utf-8", errors="surrogateescape", newline=""
+            )
             if self._file.tell() == 0:
                 self._file.write(self.header())
         return self
@@ -231,7 +265,10 @@ class _Table:
 
 class _Jsonl(_Table):
     def parsed(self, text: str) -> List[Row]:
-        return [json.loads(line) for line in text.splitlines()]
+        rows = [json.loads(line) for line in text.split("\n") if line]
+        for row in rows:
+            row["mesh"]  # or else it is none
+        return rows
 
     def line(self, row: Row) -> str:
         return json.dumps(row) + "\n"
@@ -255,8 +292,11 @@ class _Csv(_Table):
         return ",".join(COLUMNS) + "\n"
 
     def parsed(self, text: str) -> List[Row]:
+        if text and not text.startswith(self.header()):
+            raise ValueError("another header")
+        csv.field_size_limit(max(csv.field_size_limit(), len(text)))  # of genus 10,000 one is long
         rows: List[Row] = []
-        for cells in csv.DictReader(text.splitlines()):
+        for cells in csv.DictReader(io.StringIO(text, newline="")):
             row: Row = {name: cells[name] or None for name in COLUMNS}
             for name, number in _numbers.items():
                 row[name] = None if row[name] is None else number(row[name])
@@ -266,8 +306,6 @@ class _Csv(_Table):
         return rows
 
     def line(self, row: Row) -> str:
-        import io
-
         cells = dict(row, sizes=" ".join(map(repr, row["sizes"] or [])))
         if row["error"] is not None:
             cells["error"] = " ".join(row["error"].split())  # a row is a line

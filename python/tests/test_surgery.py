@@ -47,11 +47,15 @@ def test_some_handles(genus_3):
 
 def test_what_cannot_be_asked(genus_3):
     with pytest.raises(ValueError, match="genus and pairs cannot be given together"):
-        htl.remove_handles(*genus_3, genus=1, pairs=[0])
+        htl.remove_handles(*genus_3, genus=1, pairs=[0], loops=htl.loops(*genus_3))
     with pytest.raises(ValueError, match="by is"):
         htl.remove_handles(*genus_3, by="magic")
     with pytest.raises(ValueError, match="7"):
-        htl.remove_handles(*genus_3, pairs=[7])
+        htl.remove_handles(*genus_3, pairs=[7], loops=htl.loops(*genus_3))
+    with pytest.raises(ValueError, match="pairs are numbers of loops"):
+        htl.remove_handles(*genus_3, pairs=[0])
+    with pytest.raises(ValueError, match="box is two corners"):
+        htl.remove_handles(*genus_3, box=np.zeros((3, 2)))
     with pytest.raises(ValueError, match="genus cannot be -1"):
         htl.remove_handles(*genus_3, genus=-1)
 

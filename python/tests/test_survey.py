@@ -56,7 +56,6 @@ def test_files(paths, tmp_path, extension):
     again = htl.survey(paths, out)
     assert without_times(again) == without_times(rows)
     assert len(out.read_text().splitlines()) == len(lines)
-    out.write_text("rubbish" if extension == ".csv" else "")
     check(htl.survey(paths, out, resume=False), paths)
 
 
@@ -77,6 +76,45 @@ def _has_pyarrow():
     except ImportError:
         return False
     return True
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.jsonl"])
+@pytest.mark.parametrize("text", ["name,value\na,1\nb,2", "precious", '{"a": 1}\n', "[1]\n"])
+def test_files_of_others_are_left_alone(paths, tmp_path, name, text):
+    (tmp_path / name).write_text(text)
+    with pytest.raises(ValueError, match="no table of survey"):
+        htl.survey(paths, tmp_path / name)
+    assert (tmp_path / name).read_text() == text
+
+
+def test_odd_meshes_and_names(tmp_path):
+    V, F = htl.generate("torus", faces=400)
+    names = ["a,b.off", 'a"b.off', "a\nb.off", "a\u2028b.off"]
+    for name in names:
+        write_off(tmp_path / name, V, F)
+    write_off(tmp_path / "point.off", 0 * V, F)
+    paths = [str(tmp_path / name) for name in [*names, "point.off"]]
+    for out in ("a.csv", "a.jsonl"):
+        rows = htl.survey(paths, tmp_path / out)
+        assert [row["genus"] for row in rows] == [1] * 5 and rows[-1]["sizes"] == [0]
+        assert htl.survey(paths, tmp_path / out) == rows
+    with pytest.raises(TypeError, match="several"):
+        htl.survey("abc")
+    with pytest.raises(TypeError, match="executor"):
+        htl.survey(paths, executor=object())
+
+
+class Recording(concurrent.futures.ThreadPoolExecutor):
+    def submit(self, *args, **kwargs):
+        self.futures = getattr(self, "futures", [])
+        self.futures.append(super().submit(*args, **kwargs))
+        return self.futures[-1]
+
+
+def test_what_is_stopped_is_not_computed(paths):
+    with Recording(1) as executor:
+        assert len(htl.survey(paths, executor=executor, progress=lambda fraction: False)) == 1
+        assert sum(future.cancelled() for future in executor.futures) >= len(paths) - 4
 
 
 def test_other_names_are_refused(paths):

@@ -68,6 +68,23 @@ except KeyboardInterrupt:
     assert child.returncode == 0
 
 
+def test_the_interpreter_may_end_meanwhile():
+    program = """
+import threading, time, handle_tunnel_loops as htl
+V, F = htl.generate("gyroid", faces=200000, genus=100)
+def forever():
+    while True:
+        htl.loops(V, F)
+for _ in range(2):
+    threading.Thread(target=forever, daemon=True).start()
+time.sleep(0.5)
+"""
+    start = time.monotonic()
+    child = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert child.returncode == 0 and "terminate" not in child.stderr, child.stderr
+    assert time.monotonic() - start < 20
+
+
 def test_other_threads_run(large):
     turns = 0
     is_done = threading.Event()
