@@ -10,7 +10,6 @@
 #ifndef HTL_PYTHON_ARRAYS_H
 #define HTL_PYTHON_ARRAYS_H
 
-#include "generators/generators.h"
 #include "htloops/mesh_types.h"
 #include "htloops/read/soup.h"
 #include "htloops/read/soup_diagnosis.h"
@@ -20,9 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace htl_python {
@@ -36,41 +33,44 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// points, (n, 3) of any real type, and faces, (m, k) of any integer type, in any order in memory;
-/// nothing is known of them but that the vertices are there.
-htloops::Soup soup_of(const py::array& points, const py::array& faces);
+/// points, (n, 3) of any real type, and faces, (m, k) of any integer type for each k that there is,
+/// in any order in memory; nothing is known of them but that the vertices are there.
+htloops::Soup soup_of(const py::array& points, const std::vector<py::array>& faces);
 
 /// throws `Mesh_error` with all that is wrong, if anything is, and with advice.
 void throw_if_no_surface(const htloops::Diagnosis& diagnosis, const char* advice = "");
 
 /// the mesh of such arrays, of triangles. Vertices and faces keep their numbers. Throws
-/// `Mesh_error` with all that is wrong, or `std::invalid_argument` if the arrays are none of these.
+/// `Mesh_error` with all that is wrong.
 htloops::Mesh mesh_of(const py::array& points, const py::array& triangles);
 
 /// a vertex by its number; throws `std::invalid_argument` if there is none.
 htloops::Mesh::Vertex_index vertex_of(const htloops::Mesh& mesh, py::ssize_t number);
+std::vector<htloops::Mesh::Vertex_index> vertices_of(const htloops::Mesh& mesh,
+                                                     const std::vector<py::ssize_t>& numbers);
 
-/// values by vertex, of any real type.
-std::vector<double> values_of(const py::array& values, std::size_t number_of_vertices);
-
-/// an array that takes over what is in a vector.
-template <typename Number> py::array_t<Number> array_of(std::vector<Number> numbers) {
-  auto owner = std::make_unique<std::vector<Number>>(std::move(numbers));
-  const py::capsule base(owner.get(), [](void* p) { delete static_cast<std::vector<Number>*>(p); });
-  const std::vector<Number>& kept = *owner.release();
-  return py::array_t<Number>(static_cast<py::ssize_t>(kept.size()), kept.data(), base);
+template <typename Number> py::array_t<Number> array_of(const std::vector<Number>& numbers) {
+  return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
 /// the same, in rows.
 template <typename Number>
-py::array_t<Number> array_of(std::vector<Number> numbers, py::ssize_t columns) {
-  const auto rows = static_cast<py::ssize_t>(numbers.size()) / columns;
-  return array_of(std::move(numbers)).reshape({rows, columns});
+py::array_t<Number> array_of(const std::vector<Number>& numbers, py::ssize_t columns) {
+  return array_of(numbers).reshape({static_cast<py::ssize_t>(numbers.size()) / columns, columns});
+}
+
+/// points or triangles, a row for each.
+template <typename Number, typename Triples> py::array_t<Number> rows_of(const Triples& triples) {
+  py::array_t<Number> array({static_cast<py::ssize_t>(triples.size()), py::ssize_t(3)});
+  Number* next = array.mutable_data();
+  for(const auto& triple : triples)
+    for(int i = 0; i < 3; ++i)
+      *next++ = static_cast<Number>(triple[i]);
+  return array;
 }
 
 /// the points and the faces of a mesh without holes in its numbering.
-std::pair<py::array, py::array> arrays_of(const htloops::Mesh& mesh);
-std::pair<py::array, py::array> arrays_of(const CGAL::Handle_tunnel_loops::generators::Soup& soup);
+py::tuple arrays_of(const htloops::Mesh& mesh);
 
 } // namespace htl_python
 

@@ -7,63 +7,53 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "files.h"
+#include "arrays.h"
+#include "functions.h"
+#include "watch.h"
 
 #include "htloops/mend/mending.h"
 #include "htloops/mend/mesh_reader.h"
-#include "htloops/read/soup_diagnosis.h"
 
 #include <pybind11/stl.h>
+
+#include <string>
+#include <utility>
 
 namespace htl_python {
 namespace {
 
-py::array_t<std::int64_t> triangles_of(const htloops::Soup& soup) {
-  std::vector<std::int64_t> corners;
-  corners.reserve(3 * soup.faces.size());
-  for(const htloops::Soup_face& face : soup.faces)
-    corners.insert(corners.end(), face.begin(), face.end());
-  return array_of(std::move(corners), 3);
+py::tuple
+read(const std::string& name, std::string content, bool triangulate, bool repair, const Watch&) {
+  return arrays_of(compute(0, [&] {
+    const auto file = htloops::Input_file::in_memory(name, std::move(content));
+    return htloops::read_mesh(file, {triangulate, repair}).mesh;
+  }));
 }
 
-py::array_t<double> points_of(const htloops::Soup& soup) {
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * soup.points.size());
-  for(const htloops::Point& p : soup.points)
-    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-  return array_of(std::move(coordinates), 3);
+py::tuple repair(const py::array& points, const std::vector<py::array>& faces, const Watch&) {
+  htloops::Soup soup = soup_of(points, faces);
+  htloops::Mended_soup mended;
+  compute(0, [&] {
+    mended = htloops::mend(std::move(soup), {true, true});
+    throw_if_no_surface(htloops::diagnose(mended.soup));
+  });
+  std::vector<std::int64_t> vertex_origin;
+  for(std::uint32_t v = 0; v < mended.soup.points.size(); ++v)
+    vertex_origin.push_back(mended.in_file(v));
+  std::vector<std::pair<std::size_t, std::string>> changes;
+  for(const htloops::Change& change : mended.changes)
+    changes.emplace_back(change.count, change.words);
+  return py::make_tuple(
+      rows_of<double>(mended.soup.points), rows_of<std::int64_t>(mended.soup.faces),
+      array_of(std::vector<std::int64_t>(mended.face_in_file.begin(), mended.face_in_file.end())),
+      array_of(vertex_origin), changes);
 }
 
 } // namespace
 
-py::tuple read(const std::string& file, bool triangulate, bool repair) {
-  htloops::Mesh mesh;
-  {
-    const py::gil_scoped_release others_may_run;
-    mesh = htloops::read_mesh(htloops::Input_file(file), {triangulate, repair}).mesh;
-  }
-  const auto [points, triangles] = arrays_of(mesh);
-  return py::make_tuple(points, triangles);
-}
-
-py::tuple repair(const py::array& points, const py::array& faces) {
-  htloops::Soup soup = soup_of(points, faces);
-  htloops::Mended_soup mended;
-  {
-    const py::gil_scoped_release others_may_run;
-    mended = htloops::mend(std::move(soup), {true, true});
-    throw_if_no_surface(htloops::diagnose(mended.soup));
-  }
-  std::vector<std::int64_t> vertex_origin;
-  for(std::uint32_t v = 0; v < mended.soup.points.size(); ++v)
-    vertex_origin.push_back(mended.in_file(v));
-  py::list changes;
-  for(const htloops::Change& change : mended.changes)
-    changes.append(py::make_tuple(change.count, change.words));
-  return py::make_tuple(
-      points_of(mended.soup), triangles_of(mended.soup),
-      array_of(std::vector<std::int64_t>(mended.face_in_file.begin(), mended.face_in_file.end())),
-      array_of(std::move(vertex_origin)), changes);
+void add_files(py::module_& module) {
+  module.def("read", &read);
+  module.def("repair", &repair);
 }
 
 } // namespace htl_python

@@ -7,12 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "generate.h"
+#include "arrays.h"
+#include "functions.h"
+#include "watch.h"
 
+#include "generators/generators.h"
 #include "generators/holes.h"
 
 #include <map>
-#include <stdexcept>
+#include <string>
 
 namespace htl_python {
 namespace {
@@ -29,9 +32,7 @@ const generators::Kind& kind_of(const std::string& name) {
   throw std::invalid_argument("there is no kind '" + name + "' of meshes; there are " + names);
 }
 
-} // namespace
-
-py::tuple generate(const std::string& name, const py::dict& given) {
+py::tuple generate(const std::string& name, const py::dict& given, const Watch&) {
   const generators::Kind& kind = kind_of(name);
   generators::Request request;
   generators::Hole_request holes;
@@ -54,15 +55,11 @@ py::tuple generate(const std::string& name, const py::dict& given) {
     else
       throw py::type_error("generate() has no option '" + option + "'");
   }
-  generators::Soup soup;
-  {
-    const py::gil_scoped_release others_may_run;
-    soup = generators::make(kind, request);
-    if(holes.number > 0)
-      soup = generators::with_holes(soup, holes);
-  }
-  const auto [points, triangles] = arrays_of(soup);
-  return py::make_tuple(points, triangles);
+  const generators::Soup soup = compute(0, [&] {
+    generators::Soup whole = generators::make(kind, request);
+    return holes.number > 0 ? generators::with_holes(whole, holes) : whole;
+  });
+  return py::make_tuple(rows_of<double>(soup.points), rows_of<std::int64_t>(soup.triangles));
 }
 
 py::dict kinds() {
@@ -70,6 +67,13 @@ py::dict kinds() {
   for(const generators::Kind& kind : generators::kinds())
     kinds[kind.name] = kind.description;
   return kinds;
+}
+
+} // namespace
+
+void add_generators(py::module_& module) {
+  module.def("generate", &generate);
+  module.def("kinds", &kinds);
 }
 
 } // namespace htl_python

@@ -43,7 +43,7 @@ py::array_t<std::int64_t> components_of(const Mesh& mesh,
   for(const Loop* loop : loops)
     components.push_back(
         static_cast<std::int64_t>(of_vertices[mesh.source(loop->steps().front().halfedge).idx()]));
-  return array_of(std::move(components));
+  return array_of(components);
 }
 
 // Rows, columns and values of the matrix of linking numbers.
@@ -55,8 +55,7 @@ py::tuple matrix_of(const std::vector<Loop_linking>& linking) {
       columns.push_back(static_cast<std::int64_t>(j));
       values.push_back(value);
     }
-  return py::make_tuple(array_of(std::move(rows)), array_of(std::move(columns)),
-                        array_of(std::move(values)));
+  return py::make_tuple(array_of(rows), array_of(columns), array_of(values));
 }
 
 py::dict seconds_of(const htloops::Answer& answer) {
@@ -69,37 +68,37 @@ py::dict seconds_of(const htloops::Answer& answer) {
   return seconds;
 }
 
-template <typename Number>
-py::array_t<Number, py::array::c_style | py::array::forcecast> member(const py::dict& record,
-                                                                      const char* name) {
-  return py::cast<py::array_t<Number, py::array::c_style | py::array::forcecast>>(record[name]);
-}
-
-// The loops of a record, as they stand in a file.
+// Nothing is believed of it: at() throws where there is no such number.
 std::vector<htloops::Loop_record> loop_records(const py::dict& record) {
-  const auto points = member<double>(record, "points"), ratios = member<double>(record, "ratios"),
-             lengths = member<double>(record, "lengths");
-  const auto edges = member<std::int64_t>(record, "edges"),
-             starts = member<std::int64_t>(record, "starts");
-  const bool is_sound = points.ndim() == 2 && points.shape(1) == 3 && edges.ndim() == 2 &&
-                        edges.shape(1) == 2 && ratios.ndim() == 1 && starts.ndim() == 1 &&
-                        edges.shape(0) == points.shape(0) && ratios.shape(0) == points.shape(0) &&
-                        starts.shape(0) == lengths.shape(0) + 1;
-  if(!is_sound)
-    throw std::invalid_argument("the arrays of the loops do not fit together");
-  std::vector<htloops::Loop_record> loops;
-  for(py::ssize_t l = 0; l < lengths.shape(0); ++l) {
-    if(starts.at(l) < 0 || starts.at(l) > starts.at(l + 1) || starts.at(l + 1) > points.shape(0))
-      throw std::invalid_argument("the arrays of the loops do not fit together");
-    htloops::Loop_record loop;
-    loop.length = lengths.at(l);
-    for(py::ssize_t i = starts.at(l); i < starts.at(l + 1); ++i) {
-      loop.locations.push_back({edges.at(i, 0), edges.at(i, 1), ratios.at(i)});
-      loop.points.push_back({points.at(i, 0), points.at(i, 1), points.at(i, 2)});
+  const auto points = py::cast<py::array_t<double>>(record["points"]),
+             ratios = py::cast<py::array_t<double>>(record["ratios"]),
+             lengths = py::cast<py::array_t<double>>(record["lengths"]);
+  const auto edges = py::cast<py::array_t<std::int64_t>>(record["edges"]),
+             starts = py::cast<py::array_t<std::int64_t>>(record["starts"]);
+  if(lengths.size() % 2 != 0)
+    throw py::index_error();
+  std::vector<htloops::Loop_record> loops(static_cast<std::size_t>(lengths.size()));
+  for(std::size_t l = 0; l < loops.size(); ++l) {
+    loops[l].length = lengths.at(l);
+    if(starts.at(l) < 0)
+      throw py::index_error();
+    for(std::int64_t i = starts.at(l); i < starts.at(l + 1); ++i) {
+      loops[l].locations.push_back({edges.at(i, 0), edges.at(i, 1), ratios.at(i)});
+      loops[l].points.push_back({points.at(i, 0), points.at(i, 1), points.at(i, 2)});
     }
-    loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+// The first of them, as the program has it.
+std::string in_words(const std::vector<std::string>& problems) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for(std::size_t i = 0; i < problems.size() && i < most; ++i)
+    text += "\n  " + problems[i];
+  if(problems.size() > most)
+    text += "\n  and " + std::to_string(problems.size() - most) + " more such lines";
+  return text;
 }
 
 } // namespace
@@ -126,23 +125,15 @@ py::dict record_of(const Mesh& mesh, const std::vector<const Loop*>& loops) {
     lengths.push_back(loop->length());
   }
   py::dict record;
-  record["points"] = array_of(std::move(points), 3);
-  record["edges"] = array_of(std::move(edges), 2);
-  record["ratios"] = array_of(std::move(ratios));
-  record["starts"] = array_of(std::move(starts));
-  record["lengths"] = array_of(std::move(lengths));
+  record["points"] = array_of(points, 3);
+  record["edges"] = array_of(edges, 2);
+  record["ratios"] = array_of(ratios);
+  record["starts"] = array_of(starts);
+  record["lengths"] = array_of(lengths);
   return record;
 }
 
-void add_certificate(const Certificate& certificate, py::dict& record) {
-  std::vector<std::string> sides, sides_alone;
-  for(const Loop_linking& linking : certificate.linking) {
-    sides.push_back(htloops::word_for_side(linking));
-    sides_alone.push_back(htloops::word_for_side_alone(linking));
-  }
-  record["bounds"] = sides;
-  record["bounds_alone"] = sides_alone;
-  record["linking"] = matrix_of(certificate.linking);
+py::dict certificate_of(const Certificate& certificate) {
   py::dict facts;
   facts["certified"] = bool(certificate);
   facts["closed_on_surface"] = certificate.closed_on_surface;
@@ -152,7 +143,7 @@ void add_certificate(const Certificate& certificate, py::dict& record) {
   facts["handles_bound_inside"] = certificate.handles_bound_inside;
   facts["tunnels_bound_outside"] = certificate.tunnels_bound_outside;
   facts["failure"] = certificate.failure;
-  record["certificate"] = facts;
+  return facts;
 }
 
 py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
@@ -163,14 +154,21 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
   const auto& statistics = answer.statistics;
   py::dict record = record_of(mesh, loops);
   record["components"] = components_of(mesh, loops, statistics.number_of_components);
-  add_certificate(answer.certificate, record);
+  std::vector<std::string> sides, sides_alone;
+  for(const Loop_linking& linking : answer.certificate.linking) {
+    sides.push_back(htloops::word_for_side(linking));
+    sides_alone.push_back(htloops::word_for_side_alone(linking));
+  }
+  record["bounds"] = sides;
+  record["bounds_alone"] = sides_alone;
+  record["linking"] = matrix_of(answer.certificate.linking);
+  record["certificate"] = certificate_of(answer.certificate);
   record["basis"] = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind);
   record["number_of_vertices"] = statistics.number_of_vertices;
   record["number_of_faces"] = statistics.number_of_faces;
   record["number_of_components"] = statistics.number_of_components;
   record["diagonal"] = htloops::diagonal_of(mesh);
   record["seconds"] = seconds_of(answer);
-  record["threads"] = answer.number_of_threads;
   const auto curves = pointers_to(answer.boundaries.curves);
   py::dict boundaries = record_of(mesh, curves);
   boundaries["components"] = components_of(mesh, curves, statistics.number_of_components);
@@ -180,20 +178,19 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
 }
 
 htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {
-  std::vector<htloops::Loop_record> loops = loop_records(record);
-  if(loops.size() % 2 != 0)
-    throw std::invalid_argument("loops come in pairs");
   htloops::Loops_record all;
   all.number_of_vertices = py::cast<std::size_t>(record["number_of_vertices"]);
   all.number_of_faces = py::cast<std::size_t>(record["number_of_faces"]);
-  for(std::size_t i = 0; i < loops.size(); i += 2)
-    all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1])});
+  try {
+    std::vector<htloops::Loop_record> loops = loop_records(record);
+    for(std::size_t i = 0; i < loops.size(); i += 2)
+      all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1])});
+  } catch(const py::index_error&) {
+    throw std::invalid_argument("the arrays of the loops do not fit together");
+  }
   htloops::Bound_loops bound = htloops::bind_loops(all, mesh);
-  std::string message;
-  for(const std::string& problem : bound.problems)
-    message += (message.empty() ? "" : "\n") + problem;
-  if(!message.empty())
-    throw std::invalid_argument("the loops are not on this mesh: " + message);
+  if(!bound.problems.empty())
+    throw std::invalid_argument("the loops are not on this mesh:" + in_words(bound.problems));
   return std::move(bound.pairs);
 }
 

@@ -33,7 +33,7 @@ py::dict record_of(const htloops::Mesh& mesh, const std::vector<const htloops::L
 py::dict record_of(const htloops::Mesh& mesh, const htloops::Answer& answer);
 
 /// what a certificate says, and the sides of the loops.
-void add_certificate(const CGAL::Handle_tunnel_loops::Certificate& certificate, py::dict& record);
+py::dict certificate_of(const CGAL::Handle_tunnel_loops::Certificate& certificate);
 
 /// the pairs of a record on a mesh. Throws `std::invalid_argument` if they are not on it.
 htloops::Pairs pairs_of(const py::dict& record, const htloops::Mesh& mesh);

@@ -7,21 +7,24 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "loops.h"
-
+#include "arrays.h"
+#include "functions.h"
 #include "loop_records.h"
-#include "waiting.h"
+#include "watch.h"
 
 #include "htloops/draw/loops_page.h"
-#include "htloops/failure.h"
 #include "htloops/solve/backends.h"
 #include "htloops/solve/boundaries.h"
 #include "htloops/solve/certification.h"
 #include "htloops/write/pair_table.h"
 
-#include <stdexcept>
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
 
 namespace htl_python {
+namespace {
 
 using htloops::Mesh;
 
@@ -29,54 +32,55 @@ py::dict find_loops(const py::array& points,
                     const py::array& triangles,
                     const std::string& basis,
                     int threads,
-                    const py::object& seed,
+                    std::optional<py::ssize_t> seed,
                     bool waists,
-                    const py::object& progress) {
+                    Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Solve_options options;
   options.basis_kind = basis_kind(basis);
-  options.number_of_threads = threads;
-  if(!seed.is_none())
-    options.seed = vertex_of(mesh, py::cast<py::ssize_t>(seed));
-  htloops::Answer answer;
-  wait_for(progress, [&](htloops::Progress& told) {
-    answer = htloops::choose_backend("auto").solve(mesh, options, told);
-    if(answer.statistics.number_of_boundaries > 0)
-      answer.boundaries = htloops::find_boundaries(mesh, waists);
-  });
-  return record_of(mesh, answer);
+  if(seed)
+    options.seed = vertex_of(mesh, *seed);
+  return record_of(mesh, compute(threads, [&] {
+                     htloops::Answer answer =
+                         htloops::choose_backend("auto").solve(mesh, options, watch);
+                     if(answer.statistics.number_of_boundaries > 0)
+                       answer.boundaries = htloops::find_boundaries(mesh, waists);
+                     return answer;
+                   }));
 }
 
-py::dict certify(const py::array& points, const py::array& triangles, const py::dict& loops) {
+py::dict
+certify(const py::array& points, const py::array& triangles, const py::dict& loops, const Watch&) {
   const Mesh mesh = mesh_of(points, triangles);
   const htloops::Pairs pairs = pairs_of(loops, mesh);
   const auto kind = basis_kind(py::cast<std::string>(loops["basis"]));
-  CGAL::Handle_tunnel_loops::Certificate certificate;
-  wait_for(py::none(),
-           [&](htloops::Progress&) { certificate = htloops::certify(mesh, pairs, kind, true); });
-  py::dict record;
-  add_certificate(certificate, record);
-  return record;
+  return certificate_of(compute(0, [&] { return htloops::certify(mesh, pairs, kind, true); }));
 }
 
-void write_page(const py::array& points,
-                const py::array& triangles,
-                const py::dict& loops,
-                const std::string& file,
-                const std::string& title) {
+py::bytes page(const py::array& points,
+               const py::array& triangles,
+               const py::dict& loops,
+               const std::string& title,
+               const Watch&) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Answer answer;
   answer.pairs = pairs_of(loops, mesh);
-  try {
-    wait_for(py::none(), [&](htloops::Progress&) {
-      answer.boundaries = htloops::find_boundaries(mesh, false);
-      write_loops_page(file, {}, title, mesh, answer, htloops::list_pairs(mesh, answer.pairs),
-                       std::to_string(answer.pairs.size()) + " pairs of loops\n");
-    });
-  } catch(const htloops::Failure& failure) {
-    PyErr_SetString(PyExc_OSError, failure.what());
-    throw py::error_already_set();
-  }
+  return compute(0, [&] {
+    answer.boundaries = htloops::find_boundaries(mesh, false);
+    htl_window::Scene scene = htloops::scene_of_loops(
+        {}, title, mesh, answer, htloops::list_pairs(mesh, answer.pairs),
+        std::to_string(answer.pairs.size()) + " pairs of loops\n", "pairs =");
+    scene.title = "Handle and tunnel loops of " + title; // which is no name of a file
+    return htl_window::page_of(scene);
+  });
+}
+
+} // namespace
+
+void add_loops(py::module_& module) {
+  module.def("loops", &find_loops);
+  module.def("certify", &certify);
+  module.def("page", &page);
 }
 
 } // namespace htl_python

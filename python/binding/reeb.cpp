@@ -7,9 +7,9 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "reeb.h"
-
-#include "waiting.h"
+#include "arrays.h"
+#include "functions.h"
+#include "watch.h"
 
 #include "htloops/solve/arc_shapes.h"
 #include "htloops/solve/reeb_solver.h"
@@ -17,7 +17,9 @@
 #include <pybind11/stl.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace htl_python {
 namespace {
@@ -56,9 +58,9 @@ py::dict nodes_of(const Reeb_answer& answer) {
     types.push_back(htloops::name_of(node.type));
   }
   py::dict nodes;
-  nodes["positions"] = array_of(std::move(positions), 3);
-  nodes["values"] = array_of(std::move(values));
-  nodes["vertices"] = array_of(std::move(at));
+  nodes["positions"] = array_of(positions, 3);
+  nodes["values"] = array_of(values);
+  nodes["vertices"] = array_of(at);
   nodes["types"] = types;
   return nodes;
 }
@@ -79,12 +81,12 @@ py::dict arcs_of(const Reeb_answer& answer, const htloops::Arc_shapes& shapes) {
     counts.push_back(static_cast<std::int64_t>(arc.vertices.size()));
   }
   py::dict arcs;
-  arcs["ends"] = array_of(std::move(ends), 2);
-  arcs["points"] = array_of(std::move(points), 3);
-  arcs["radii"] = array_of(std::move(radii));
-  arcs["starts"] = array_of(std::move(starts));
-  arcs["lengths"] = array_of(std::move(lengths));
-  arcs["numbers_of_vertices"] = array_of(std::move(counts));
+  arcs["ends"] = array_of(ends, 2);
+  arcs["points"] = array_of(points, 3);
+  arcs["radii"] = array_of(radii);
+  arcs["starts"] = array_of(starts);
+  arcs["lengths"] = array_of(lengths);
+  arcs["numbers_of_vertices"] = array_of(counts);
   arcs["girths"] = array_of(shapes.girths);
   arcs["is_on_cycle"] =
       array_of(std::vector<std::uint8_t>(shapes.is_on_cycle.begin(), shapes.is_on_cycle.end()));
@@ -96,43 +98,43 @@ py::array_t<std::int64_t> arcs_of_vertices(const Reeb_answer& answer) {
   std::vector<std::int64_t> arcs;
   for(const std::size_t arc : answer.vertex_arc)
     arcs.push_back(arc == Reeb_answer::no_arc ? -1 : static_cast<std::int64_t>(arc));
-  return array_of(std::move(arcs));
+  return array_of(arcs);
 }
 
-} // namespace
-
-py::dict find_reeb_graph(const py::array& points,
-                         const py::array& triangles,
-                         const py::object& values,
-                         const py::object& simplify,
-                         const std::string& measure,
-                         const std::vector<py::ssize_t>& sources,
-                         int threads,
-                         const py::object& progress) {
+py::dict reeb(const py::array& points,
+              const py::array& triangles,
+              const std::optional<py::array_t<double, py::array::c_style>>& values,
+              const std::optional<double>& simplify,
+              const std::optional<std::string>& measure,
+              const std::vector<py::ssize_t>& sources,
+              int threads,
+              Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Reeb_options options;
-  options.number_of_threads = threads;
-  if(!values.is_none())
-    options.values = values_of(py::array(values), mesh.number_of_vertices());
-  if(!simplify.is_none())
-    options.threshold = py::cast<double>(simplify);
-  if(!measure.empty())
-    options.measure = measure_of(measure);
-  for(const py::ssize_t source : sources)
-    options.sources.push_back(vertex_of(mesh, source));
+  if(values)
+    options.values.assign(values->data(), values->data() + values->size());
+  if(simplify)
+    options.threshold = *simplify;
+  if(measure)
+    options.measure = measure_of(*measure);
+  options.sources = vertices_of(mesh, sources);
   Reeb_answer answer;
   htloops::Arc_shapes shapes;
-  wait_for(progress, [&](htloops::Progress& told) {
-    answer = htloops::find_reeb_graph(mesh, options, told);
+  compute(threads, [&] {
+    answer = htloops::find_reeb_graph(mesh, options, watch);
     shapes = htloops::shapes_of_arcs(mesh, answer);
   });
   py::dict record;
   record["nodes"] = nodes_of(answer);
   record["arcs"] = arcs_of(answer, shapes);
   record["arc_of_vertex"] = arcs_of_vertices(answer);
-  record["values"] = array_of(std::move(answer.values));
+  record["values"] = array_of(answer.values);
   record["number_of_cycles"] = htloops::number_of_cycles(answer);
   return record;
 }
+
+} // namespace
+
+void add_reeb(py::module_& module) { module.def("reeb", &reeb); }
 
 } // namespace htl_python

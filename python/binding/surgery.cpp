@@ -7,22 +7,23 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "surgery.h"
-
+#include "arrays.h"
+#include "functions.h"
 #include "loop_records.h"
-#include "waiting.h"
+#include "watch.h"
 
 #include "htloops/draw/cut_exports.h"
-#include "htloops/solve/backends.h"
 #include "htloops/solve/cut_solver.h"
 #include "htloops/solve/dual_cut_solver.h"
 #include "htloops/solve/removal_solver.h"
-#include "htloops/solve/solvers.h"
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace htl_python {
 namespace {
@@ -41,29 +42,21 @@ htl::Removal_method method_of(const std::string& name) {
   return it->second;
 }
 
-template <typename Value>
-std::optional<Value> optional_of(const py::dict& options, const char* name) {
-  try {
-    return py::cast<std::optional<Value>>(options[name]);
-  } catch(const py::cast_error&) {
-    throw std::invalid_argument(std::string(name) + " cannot be " +
-                                std::string(py::repr(options[name])));
-  }
+template <typename Value> std::optional<Value> chosen(const py::dict& options, const char* name) {
+  return py::cast<std::optional<Value>>(options[name]);
 }
 
-htloops::Removal_options options_of(const py::dict& options, int threads) {
+htloops::Removal_options options_of(const py::dict& options) {
   htloops::Removal_options result;
-  result.target_genus = optional_of<std::size_t>(options, "genus").value_or(0);
-  result.pairs = optional_of<std::vector<std::size_t>>(options, "pairs");
-  if(const auto length = optional_of<double>(options, "shorter_than"))
+  result.target_genus = chosen<std::size_t>(options, "genus").value_or(0);
+  result.pairs = chosen<std::vector<std::size_t>>(options, "pairs");
+  if(const auto length = chosen<double>(options, "shorter_than"))
     result.maximal_length = *length;
-  if(const auto length = optional_of<double>(options, "necks"))
+  if(const auto length = chosen<double>(options, "necks"))
     result.maximal_neck_length = result.maximal_length = *length;
-  if(const auto box = optional_of<std::array<std::array<double, 3>, 2>>(options, "box"))
-    result.box = CGAL::Bbox_3((*box)[0][0], (*box)[0][1], (*box)[0][2], (*box)[1][0], (*box)[1][1],
-                              (*box)[1][2]);
+  if(const auto box = chosen<std::array<double, 6>>(options, "box"))
+    result.box = CGAL::Bbox_3((*box)[0], (*box)[1], (*box)[2], (*box)[3], (*box)[4], (*box)[5]);
   result.method = method_of(py::cast<std::string>(options["by"]));
-  result.number_of_threads = threads;
   return result;
 }
 
@@ -94,7 +87,7 @@ py::list records_of(const std::vector<htl::Refused_handle>& refused) {
   return list;
 }
 
-py::dict record_of(const htl::Removal_report& report) {
+py::dict words_of(const htl::Removal_report& report) {
   py::dict record;
   record["genus_before"] = report.genus_before;
   record["genus_after"] = report.genus_after;
@@ -117,36 +110,26 @@ Origins number_faces(Mesh& mesh) {
   return origins;
 }
 
-} // namespace
-
 py::tuple remove_handles(const py::array& points,
                          const py::array& triangles,
-                         const py::dict& given,
+                         const py::dict& loops,
+                         const py::dict& chosen,
                          int threads,
-                         const py::object& progress) {
+                         Watch& watch) {
   Mesh mesh = mesh_of(points, triangles);
   const Origins origins = number_faces(mesh);
-  const htloops::Removal_options options = options_of(given, threads);
-  htloops::Pairs pairs;
-  const bool has_loops = !given["loops"].is_none();
-  if(has_loops)
-    pairs = pairs_of(py::cast<py::dict>(given["loops"]), mesh);
-  htloops::Removal_answer answer;
-  wait_for(progress, [&](htloops::Progress& told) {
-    if(!has_loops) {
-      htloops::Solve_options solve_options;
-      solve_options.number_of_threads = threads;
-      pairs = htloops::solve_on_host(mesh, solve_options, told).pairs;
-    }
-    answer = htloops::remove_handles(mesh, pairs, options, told);
+  const htloops::Removal_options options = options_of(chosen);
+  const htloops::Pairs pairs = pairs_of(loops, mesh);
+  htl::Removal_report report;
+  compute(threads, [&] {
+    report = htloops::remove_handles(mesh, pairs, options, watch).report;
     mesh.collect_garbage();
   });
   std::vector<std::int64_t> origin;
   for(const Mesh::Face_index f : mesh.faces())
     origin.push_back(origins[f]);
-  const auto [new_points, new_triangles] = arrays_of(mesh);
-  return py::make_tuple(new_points, new_triangles, array_of(std::move(origin)),
-                        record_of(answer.report));
+  const py::tuple arrays = arrays_of(mesh);
+  return py::make_tuple(arrays[0], arrays[1], array_of(origin), words_of(report));
 }
 
 py::tuple cut_to_disk(const py::array& points,
@@ -154,39 +137,21 @@ py::tuple cut_to_disk(const py::array& points,
                       const std::vector<py::ssize_t>& cones,
                       bool cut_spheres,
                       int threads,
-                      const py::object& progress) {
+                      Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Cut_options options;
-  for(const py::ssize_t cone : cones)
-    options.cones.push_back(vertex_of(mesh, cone));
+  options.cones = vertices_of(mesh, cones);
   options.do_cut_spheres = cut_spheres;
-  options.number_of_threads = threads;
-  htloops::Cut_answer answer;
-  CGAL::Handle_tunnel_loops::generators::Soup opened;
-  wait_for(progress, [&](htloops::Progress& told) {
-    answer = htloops::find_cut(mesh, options, told);
-    opened = htloops::opened_mesh(mesh, answer.edges);
+  const auto opened = compute(threads, [&] {
+    return htloops::opened_mesh(mesh, htloops::find_cut(mesh, options, watch).edges);
   });
-  std::vector<std::int64_t> edges;
-  for(const Mesh::Edge_index e : answer.edges)
-    for(const int end : {0, 1})
-      edges.push_back(mesh.vertex(e, static_cast<unsigned>(end)).idx());
-  const auto [new_points, new_triangles] = arrays_of(opened);
-  py::dict report;
-  report["edges"] = array_of(std::move(edges), 2);
-  report["length"] = answer.length;
-  report["genus"] = answer.genus;
-  return py::make_tuple(new_points, new_triangles, report);
+  return py::make_tuple(rows_of<double>(opened.points), rows_of<std::int64_t>(opened.triangles));
 }
 
-py::list dual_cuts(const py::array& points,
-                   const py::array& triangles,
-                   int threads,
-                   const py::object& progress) {
+py::list dual_cuts(const py::array& points, const py::array& triangles, int threads, Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
-  htloops::Dual_cuts answer;
-  wait_for(progress,
-           [&](htloops::Progress& told) { answer = htloops::find_dual_cuts(mesh, threads, told); });
+  const htloops::Dual_cuts answer =
+      compute(threads, [&] { return htloops::find_dual_cuts(mesh, 0, watch); });
   py::list cuts;
   for(const htloops::Dual_cut& cut : answer.cuts) {
     std::vector<std::int64_t> edges, times;
@@ -199,11 +164,19 @@ py::list dual_cuts(const py::array& points,
     record["loop"] = record_of(mesh, {&cut.loop});
     record["kind"] = htloops::name_of(cut.loop.type());
     record["pair"] = cut.loop.pair_index();
-    record["edges"] = array_of(std::move(edges), 2);
-    record["times"] = array_of(std::move(times));
+    record["edges"] = array_of(edges, 2);
+    record["times"] = array_of(times);
     cuts.append(record);
   }
   return cuts;
+}
+
+} // namespace
+
+void add_surgery(py::module_& module) {
+  module.def("remove_handles", &remove_handles);
+  module.def("cut_to_disk", &cut_to_disk);
+  module.def("dual_cuts", &dual_cuts);
 }
 
 } // namespace htl_python

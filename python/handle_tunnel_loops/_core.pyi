@@ -1,20 +1,27 @@
 """The compiled part. Its functions take and return arrays; what they do is said where they are called."""
 
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-_Progress = Optional[Callable[[float], Any]]
 _Record = Dict[str, Any]
+_Mesh = Tuple[np.ndarray, np.ndarray]
 
 version: str
 
 class Interrupted(RuntimeError): ...
 class MeshError(ValueError): ...
 
-def read(file: str, triangulate: bool, repair: bool) -> Tuple[np.ndarray, np.ndarray]: ...
+class Watch:
+    """What a computation is asked: how far it is, and to stop."""
+
+    def stop(self) -> None: ...
+    @property
+    def fraction(self) -> float: ...
+
+def read(name: str, content: bytes, triangulate: bool, repair: bool, watch: Watch) -> _Mesh: ...
 def repair(
-    points: np.ndarray, faces: np.ndarray
+    points: np.ndarray, faces: Sequence[np.ndarray], watch: Watch
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]: ...
 def loops(
     points: np.ndarray,
@@ -23,24 +30,31 @@ def loops(
     threads: int,
     seed: Optional[int],
     waists: bool,
-    progress: _Progress,
+    watch: Watch,
 ) -> _Record: ...
-def certify(points: np.ndarray, triangles: np.ndarray, loops: _Record) -> _Record: ...
-def write_page(
-    points: np.ndarray, triangles: np.ndarray, loops: _Record, file: str, title: str
-) -> None: ...
+def certify(
+    points: np.ndarray, triangles: np.ndarray, loops: _Record, watch: Watch
+) -> _Record: ...
+def page(
+    points: np.ndarray, triangles: np.ndarray, loops: _Record, title: str, watch: Watch
+) -> bytes: ...
 def reeb(
     points: np.ndarray,
     triangles: np.ndarray,
-    values: Any,
+    values: Optional[np.ndarray],
     simplify: Optional[float],
-    measure: str,
+    measure: Optional[str],
     sources: Sequence[int],
     threads: int,
-    progress: _Progress,
+    watch: Watch,
 ) -> _Record: ...
 def remove_handles(
-    points: np.ndarray, triangles: np.ndarray, options: _Record, threads: int, progress: _Progress
+    points: np.ndarray,
+    triangles: np.ndarray,
+    loops: _Record,
+    chosen: _Record,
+    threads: int,
+    watch: Watch,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, _Record]: ...
 def cut_to_disk(
     points: np.ndarray,
@@ -48,10 +62,10 @@ def cut_to_disk(
     cones: Sequence[int],
     cut_spheres: bool,
     threads: int,
-    progress: _Progress,
-) -> Tuple[np.ndarray, np.ndarray, _Record]: ...
+    watch: Watch,
+) -> _Mesh: ...
 def dual_cuts(
-    points: np.ndarray, triangles: np.ndarray, threads: int, progress: _Progress
+    points: np.ndarray, triangles: np.ndarray, threads: int, watch: Watch
 ) -> List[_Record]: ...
-def generate(kind: str, options: Dict[str, int]) -> Tuple[np.ndarray, np.ndarray]: ...
+def generate(kind: str, options: Dict[str, int], watch: Watch) -> _Mesh: ...
 def kinds() -> Dict[str, str]: ...

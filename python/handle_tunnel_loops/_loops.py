@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Union
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 
 from . import _core
+from ._arguments import threads_of, vertex_or_none, word
 from ._meshes import arrays
-from ._progress import told
+from ._waiting import computed
 
 
 @dataclass(frozen=True)
@@ -174,7 +175,7 @@ def loops(
     V: Any,
     F: Any = None,
     basis: str = "pure",
-    threads: int = 0,
+    threads: Optional[int] = 0,
     seed: Optional[int] = None,
     progress: Any = None,
     *,
@@ -187,7 +188,7 @@ def loops(
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
     basis : "pure": handle loops that bound in the solid and tunnel loops that bound outside of it;
         "shortest": short loops, whatever side they bound on
-    threads : how many at most; 0 for as many as there are processors
+    threads : how many this call takes at most; 0 or None for as many as there are processors
     seed : the vertex that the computation begins at; chosen if not given
     waists : whether to look for the shortest loops that go around what boundary curves go around
     progress : True for a bar, or a callable that is told a number from 0 to 1
@@ -196,17 +197,47 @@ def loops(
     memory is about 150 bytes a face besides the arrays.
     """
     points, triangles = arrays(V, F)
-    with told(progress, "loops") as callback:
-        return Loops(_core.loops(points, triangles, basis, threads, seed, waists, callback))
+    return Loops(
+        computed(
+            "loops",
+            progress,
+            _core.loops,
+            points,
+            triangles,
+            word("basis", basis, ("pure", "shortest")),
+            threads_of(threads),
+            vertex_or_none("seed", seed),
+            bool(waists),
+        )
+    )
 
 
-def certify(V: Any, F: Any, L: Loops) -> Certificate:
-    """What has been proved of loops on a mesh, from the two alone: whatever they say of themselves."""
-    points, triangles = arrays(V, F)
-    return Certificate(**_core.certify(points, triangles, L._record)["certificate"])
+def record_of(L: Any, name: str = "L") -> Dict[str, Any]:
+    """What the compiled part takes for loops."""
+    if not isinstance(L, Loops):
+        raise TypeError(f"{name} has to be what loops() returns, not of type {type(L).__name__}")
+    return L._record
 
 
-def html(V: Any, F: Any, L: Loops, path: Union[str, "os.PathLike[str]"], title: str = "mesh") -> None:
-    """Writes a page, one file, in which the mesh with its loops can be turned in any browser."""
-    points, triangles = arrays(V, F)
-    _core.write_page(points, triangles, L._record, os.fspath(path), title)
+def certify(V: Any, F: Any = None, L: Optional[Loops] = None) -> Certificate:
+    """What has been proved of loops on a mesh, from the two alone: whatever they say of themselves.
+
+    ``certify(mesh, L)`` takes one mesh object.
+    """
+    if isinstance(F, Loops):
+        F, L = None, F
+    return Certificate(**computed("certify", None, _core.certify, *arrays(V, F), record_of(L)))
+
+
+def html(V: Any, F: Any = None, L: Any = None, path: Any = None, *, title: str = "mesh") -> None:
+    """Writes a page, one file, in which the mesh with its loops can be turned in any browser.
+
+    ``html(mesh, L, path)`` takes one mesh object.
+    """
+    if isinstance(F, Loops):
+        F, L, path = None, F, L if path is None else path
+    path = os.fsdecode(path)
+    title = word("title", title).encode("utf-8", "backslashreplace").decode("utf-8")
+    page = computed("html", None, _core.page, *arrays(V, F), record_of(L), title)
+    with open(path, "wb") as file:
+        file.write(page)

@@ -2,26 +2,65 @@
 
 from __future__ import annotations
 
-from typing import Any, Tuple
+from typing import Any, List, Tuple
 
 import numpy as np
 
+from ._arguments import numbers
 from ._core import MeshError
 
+_most = 2**31  # vertices, and corners of faces
 
-def arrays(mesh: Any, faces: Any = None, triangles: bool = True) -> Tuple[np.ndarray, np.ndarray]:
-    """The arrays of a mesh: those that are given, or those of an object.
+# What meshio calls cells, by the numbers that VTK and PyVista have for them.
+_of_vtk = {1: "vertex", 2: "poly_vertex", 3: "line", 4: "poly_line", 5: "triangle", 9: "quad"}
+_no_faces = ("vertex", "poly_vertex", "line", "poly_line")
+_faces = ("triangle", "quad")
+
+
+def arrays(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, np.ndarray]:
+    """The points and the triangles of a mesh: what is given, or what an object has.
 
     An object has ``vertices`` and ``faces`` (trimesh), ``points`` and ``faces`` (PyVista: rows of a
-    number of corners and the corners), or ``points`` and ``cells_dict`` (meshio); or it is a pair. The
-    faces have to be triangles, or to have as many corners as each other.
+    number of corners and the corners), or ``points`` and ``cells_dict`` (meshio, and grids of PyVista);
+    or it is a pair.
     """
+    points, parts = soup(mesh, faces)
+    for part in parts:
+        if part.shape[1] != 3:
+            raise MeshError(
+                f"faces of the mesh have {part.shape[1]} corners; repair() makes triangles of them"
+            )
+    return points, parts[0]
+
+
+def soup(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, List[np.ndarray]]:
+    """The same of faces that have more corners, too: an array for each number of corners."""
+    points, parts = _given(mesh, faces)
+    points = numbers("V", points)
+    if points.ndim != 2 or points.shape[1] != 3:
+        _refuse_shape("V", "(n, 3), the coordinates of the vertices", points)
+    if len(points) > _most:
+        raise MeshError("the mesh has more than 2^31 vertices")
+    parts = [numbers("F", part, "integers") for part in parts]
+    for part in parts:
+        if part.ndim != 2 or part.shape[1] < 3:
+            _refuse_shape("F", "(m, 3), three vertices for each face", part)
+    if sum(part.shape[0] * part.shape[1] for part in parts) > _most:
+        raise MeshError("the mesh has more than 2^31 halfedges")
+    return points, parts
+
+
+def _refuse_shape(name: str, expected: str, array: np.ndarray) -> None:
+    raise ValueError(f"{name} has to be an array of shape {expected}; its shape is {array.shape}")
+
+
+def _given(mesh: Any, faces: Any) -> Tuple[Any, List[Any]]:
     if faces is not None:
-        return np.asarray(mesh), np.asarray(faces)
+        return mesh, [faces]
     if isinstance(mesh, tuple) and len(mesh) == 2:
-        return np.asarray(mesh[0]), np.asarray(mesh[1])
+        return mesh[0], [mesh[1]]
     if hasattr(mesh, "cells_dict"):
-        return np.asarray(mesh.points), _faces_of_cells(mesh.cells_dict, triangles)
+        return mesh.points, _faces_of_cells(mesh.cells_dict)
     points = getattr(mesh, "vertices", None)
     if points is None:
         points = getattr(mesh, "points", None)
@@ -31,26 +70,26 @@ def arrays(mesh: Any, faces: Any = None, triangles: bool = True) -> Tuple[np.nda
             f"this is of type {type(mesh).__name__}"
         )
     corners = np.asarray(mesh.faces)
-    return np.asarray(points), corners if corners.ndim == 2 else _faces_of_rows(corners, triangles)
+    return points, [corners if corners.ndim == 2 else _faces_of_rows(corners)]
 
 
-def _faces_of_cells(cells: Any, triangles: bool) -> np.ndarray:
-    kinds = sorted(kind for kind in cells if kind not in ("line", "vertex"))
-    if kinds == ["triangle"] or (kinds == ["quad"] and not triangles):
-        return np.asarray(cells[kinds[0]])
-    if not kinds:
+def _faces_of_cells(cells: Any) -> List[Any]:
+    named = {
+        kind if isinstance(kind, str) else _of_vtk.get(int(kind), f"VTK type {kind}"): corners
+        for kind, corners in cells.items()
+        if len(corners) > 0
+    }
+    others = sorted(set(named).difference(_faces, _no_faces))
+    if others:
+        raise MeshError(f"the mesh has cells that are no triangles: {', '.join(others)}")
+    faces = [named[kind] for kind in _faces if kind in named]
+    if not faces:
         raise MeshError("the mesh has no faces")
-    raise MeshError(f"the mesh has cells that are no triangles: {', '.join(kinds)}{_remedy(kinds)}")
+    return faces
 
 
-def _remedy(kinds: Any) -> str:
-    return "; repair() makes triangles of them" if kinds == ["quad"] else ""
-
-
-def _faces_of_rows(rows: np.ndarray, triangles: bool) -> np.ndarray:
+def _faces_of_rows(rows: np.ndarray) -> np.ndarray:
     corners = int(rows[0]) if rows.size > 0 else 3
     if corners < 3 or rows.size % (corners + 1) != 0 or np.any(rows[:: corners + 1] != corners):
         raise MeshError("the faces of the mesh have different numbers of corners; triangulate it first")
-    if triangles and corners != 3:
-        raise MeshError(f"the faces of the mesh have {corners} corners; repair() makes triangles of them")
     return rows.reshape(-1, corners + 1)[:, 1:]

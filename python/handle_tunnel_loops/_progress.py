@@ -27,3 +27,10 @@ def told(progress: Any, what: str) -> Iterator[Optional[Callable[[float], Any]]]
 
 def _advance(bar: Any, fraction: float) -> None:
     bar.update(max(0.0, 100 * fraction - bar.n))
+
+
+def part(callback: Any, begin: float, end: float) -> Any:
+    """What is told of a part of something that is told to ``callback``."""
+    if callback is None:
+        return None
+    return lambda fraction: callback(begin + (end - begin) * fraction)

@@ -8,8 +8,11 @@ from typing import Any, Dict, List, Optional, Sequence, Union
 import numpy as np
 
 from . import _core
+from ._arguments import numbers, real_or_none, threads_of, vertices, word
 from ._meshes import arrays
-from ._progress import told
+from ._waiting import computed
+
+_measures = ("limbs", "persistence", "length", "area", "vertices")
 
 
 class ReebGraph:
@@ -139,7 +142,7 @@ def reeb(
     measure: Optional[str] = None,
     *,
     sources: Sequence[int] = (),
-    threads: int = 0,
+    threads: Optional[int] = 0,
     progress: Any = None,
 ) -> ReebGraph:
     """The Reeb graph of a function on a mesh.
@@ -156,11 +159,24 @@ def reeb(
     threads, progress : as for `loops`
     """
     points, triangles = arrays(V, F)
-    if f is not None and len(sources) > 0:
-        raise ValueError("sources are of a front, which plays no part where f is given")
-    with told(progress, "reeb") as callback:
-        return ReebGraph(
-            _core.reeb(
-                points, triangles, f, simplify, measure or "", list(sources), threads, callback
-            )
+    starts = vertices("sources", sources)
+    if f is not None:
+        if starts:
+            raise ValueError("sources are of a front, which plays no part where f is given")
+        f = np.ascontiguousarray(numbers("f", f), dtype=float)
+        if f.shape != (len(points),):
+            raise ValueError(f"f has to be an array of {len(points)} numbers, one for each vertex")
+    return ReebGraph(
+        computed(
+            "reeb",
+            progress,
+            _core.reeb,
+            points,
+            triangles,
+            f,
+            real_or_none("simplify", simplify),
+            None if measure is None else word("measure", measure, _measures),
+            starts,
+            threads_of(threads),
         )
+    )

@@ -8,7 +8,16 @@ from typing import Any, Dict, List, Tuple, Union
 import numpy as np
 
 from . import _core
-from ._meshes import arrays
+from ._arguments import whole, word
+from ._meshes import soup
+from ._waiting import computed
+
+# What the compiled part says of options of the program, and what they are here.
+_options = {
+    "--triangulate": "triangulate=True",
+    "--repair": "repair=True",
+    " (--format says which one it is whatever its name)": "",
+}
 
 
 def generate(kind: str, **options: int) -> Tuple[np.ndarray, np.ndarray]:
@@ -18,7 +27,9 @@ def generate(kind: str, **options: int) -> Tuple[np.ndarray, np.ndarray]:
     short_way, frequency, bridges and tunnels, or necks; holes and hole_faces make a boundary. The genus
     is met exactly, the number of faces within 20 percent.
     """
-    return _core.generate(kind, options)
+    largest = {"seed": 2**32 - 1}
+    given = {key: whole(key, value, 0, largest.get(key, 2**31 - 1)) for key, value in options.items()}
+    return computed("generate", None, _core.generate, word("kind", kind), given)
 
 
 def kinds() -> Dict[str, str]:
@@ -27,15 +38,39 @@ def kinds() -> Dict[str, str]:
 
 
 def read(
-    path: "Union[str, os.PathLike[str]]", *, triangulate: bool = False, repair: bool = False
+    path: "Union[str, bytes, os.PathLike[str]]",
+    *,
+    triangulate: bool = False,
+    repair: bool = False,
+    progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray]:
     """The arrays V, float64, and F, int64, of a mesh file: .off, .obj, .ply or .stl.
 
     triangulate cuts faces into triangles, convex or not; repair welds points, drops what is double or
     without area, splits what is no manifold, and orients faces alike. Vertices of the file keep their
     numbers. Raises OSError if the file cannot be read, and ValueError if there is no surface in it.
+    ``progress`` is told nothing of interest, but stops the reading by returning False.
     """
-    return _core.read(os.fspath(path), triangulate, repair)
+    return computed("read", progress, _read, os.fsdecode(path), bool(triangulate), bool(repair))
+
+
+def _read(
+    path: str, triangulate: bool, repair: bool, watch: _core.Watch
+) -> Tuple[np.ndarray, np.ndarray]:
+    with open(path, "rb") as file:
+        content = file.read()
+    name = path.encode("utf-8", "backslashreplace").decode("utf-8")  # to be shown
+    try:
+        return _core.read(name, content, triangulate, repair, watch)
+    except (OSError, ValueError) as error:
+        raise type(error)(_in_words_of_python(str(error), name)) from None
+
+
+def _in_words_of_python(message: str, name: str) -> str:
+    before, name, after = message.rpartition(name)
+    for option, words in _options.items():
+        after = after.replace(option, words)
+    return before + name + after
 
 
 def repair(
@@ -48,8 +83,8 @@ def repair(
     Cuts faces into triangles, welds points in the same place, drops faces that are double or without
     area, splits edges and vertices that are no manifold, and orients faces alike. Returns V and F, in which
     the given vertices keep their numbers and copies come after them; for each face and for each vertex the
-    given one that it is, or is a part or a copy of; and what was done, as pairs of a number and words.
+    given one that it is, or is a part or a copy of; and what was done, as pairs of a number and words. Of
+    an object with cells, the triangles count before the quads.
     Raises MeshError if no surface can be made of it.
     """
-    points, faces = arrays(V, F, triangles=False)
-    return _core.repair(points, faces)
+    return computed("repair", None, _core.repair, *soup(V, F))

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._loops import Loop, Loops, _loops_of
+from ._arguments import numbers, real_or_none, threads_of, vertices, whole, wholes, word
+from ._loops import Loop, Loops, _loops_of, record_of
+from ._loops import loops as loops_of_mesh
 from ._meshes import arrays
-from ._progress import told
+from ._progress import part, told
+from ._waiting import computed
 
 
 def remove_handles(
@@ -19,12 +22,12 @@ def remove_handles(
     *,
     genus: Optional[int] = None,
     shorter_than: Optional[float] = None,
-    pairs: Optional[Sequence[int]] = None,
+    pairs: Union[None, int, Sequence[int]] = None,
     box: Any = None,
     necks: Optional[float] = None,
     by: str = "cheapest",
     loops: Optional[Loops] = None,
-    threads: int = 0,
+    threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
     """A mesh without some of its handles: of all, or of those that one of the following selects.
@@ -48,23 +51,35 @@ def remove_handles(
     report : genus_before, genus_after, components_before and _after, and lists of dictionaries: removed
         (pair, by, length, area, volume), refused (pair, length, reason), removed_necks, refused_necks
     """
-    chosen = dict(genus=genus, shorter_than=shorter_than, pairs=pairs, box=box, necks=necks)
+    chosen = dict(
+        genus=None if genus is None else whole("genus", genus),
+        shorter_than=real_or_none("shorter_than", shorter_than),
+        pairs=None if pairs is None else wholes("pairs", pairs),
+        box=None if box is None else _corners(box),
+        necks=real_or_none("necks", necks),
+    )
     given = [name for name, value in chosen.items() if value is not None]
     if len(given) > 1:
         raise ValueError(f"{' and '.join(given)} cannot be given together")
-    if pairs is not None:
-        if loops is None:
-            raise ValueError("pairs are numbers of loops: give these, too")
-        chosen["pairs"] = [int(pair) for pair in pairs]
-    if box is not None:
-        corners = np.asarray(box, dtype=float)
-        if corners.shape != (2, 3) or not np.all(corners[0] <= corners[1]):
-            raise ValueError("box is two corners, the lower one first: ((x, y, z), (x, y, z))")
-        chosen["box"] = corners.tolist()
-    points, triangles = arrays(V, F)
-    options = dict(chosen, by=by, loops=None if loops is None else loops._record)
+    if pairs is not None and loops is None:
+        raise ValueError("pairs are numbers of loops: give these, too")
+    chosen["by"] = word("by", by, ("cut", "fill", "cheapest"))
+    mesh, number = arrays(V, F), threads_of(threads)
     with told(progress, "remove") as callback:
-        return _core.remove_handles(points, triangles, options, threads, callback)
+        begin = 0.0
+        if loops is None:
+            begin = 0.8  # the most of the time
+            loops = loops_of_mesh(*mesh, threads=number, progress=part(callback, 0, begin))
+        record = record_of(loops, "loops")
+        rest = part(callback, begin, 1)
+        return computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
+
+
+def _corners(box: Any) -> List[float]:
+    corners = numbers("box", box).astype(float)
+    if corners.shape != (2, 3) or not np.all(corners[0] <= corners[1]):
+        raise ValueError("box is two corners, the lower one first: ((x, y, z), (x, y, z))")
+    return corners.ravel().tolist()
 
 
 def cut_to_disk(
@@ -73,7 +88,7 @@ def cut_to_disk(
     *,
     cones: Sequence[int] = (),
     cut_spheres: bool = False,
-    threads: int = 0,
+    threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
     """A mesh cut open along edges, so that each component is a disk.
@@ -91,10 +106,16 @@ def cut_to_disk(
     vertex_origin : (n',): the vertex of the given mesh that each vertex is, or is a copy of
     """
     points, triangles = arrays(V, F)
-    with told(progress, "cut") as callback:
-        new_points, new_triangles, _ = _core.cut_to_disk(
-            points, triangles, list(cones), cut_spheres, threads, callback
-        )
+    new_points, new_triangles = computed(
+        "cut",
+        progress,
+        _core.cut_to_disk,
+        points,
+        triangles,
+        vertices("cones", cones),
+        bool(cut_spheres),
+        threads_of(threads),
+    )
     origin = np.arange(len(new_points))
     origin[new_triangles] = triangles
     return new_points, new_triangles, origin
@@ -117,11 +138,10 @@ def dual_cuts(
     Of a plate with holes: from hole to hole, or to the rim. What jumps across one is the unknown of a
     loop in a circuit.
     """
-    points, triangles = arrays(V, F)
-    with told(progress, "dual cuts") as callback:
-        records = _core.dual_cuts(points, triangles, threads, callback)
     cuts = []
-    for record in records:
+    for record in computed(
+        "dual cuts", progress, _core.dual_cuts, *arrays(V, F), threads_of(threads)
+    ):
         loop = dict(record["loop"], components=np.array([-1]))
         (of_mesh,) = _loops_of(loop, [record["kind"]], [record["pair"]])
         cuts.append(DualCut(of_mesh, record["edges"], record["times"]))

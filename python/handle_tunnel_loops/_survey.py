@@ -16,6 +16,7 @@ from typing import Any, Callable, Dict, Generator, Iterable, Iterator, List, Opt
 from . import _core
 from ._loops import loops
 from ._progress import told
+from ._sources import read
 
 Path = Union[str, "os.PathLike[str]"]
 Row = Dict[str, Any]
@@ -105,10 +106,16 @@ def row_of(path: str, options: Dict[str, Any]) -> Row:
     row: Row = dict.fromkeys(COLUMNS)
     row["mesh"] = path
     start = time.monotonic()
-    end = None if options["timeout"] is None else start + options["timeout"]
+    limit = options["timeout"]
+    in_time = None if limit is None else lambda _: time.monotonic() < start + limit
     try:
         with _memory_limit(options["memory"]):
-            points, triangles = _core.read(path, options["triangulate"], options["repair"])
+            points, triangles = read(
+                path,
+                triangulate=options["triangulate"],
+                repair=options["repair"],
+                progress=in_time,
+            )
             row["vertices"], row["faces"] = len(points), len(triangles)
             row["read_seconds"] = time.monotonic() - start
             answer = loops(
@@ -116,7 +123,7 @@ def row_of(path: str, options: Dict[str, Any]) -> Row:
                 triangles,
                 options["basis"],
                 options["threads"],
-                progress=None if end is None else lambda _: time.monotonic() < end,
+                progress=in_time,
             )
         row["components"] = answer.number_of_components
         row["boundaries"] = len(answer.boundaries)

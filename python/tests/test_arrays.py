@@ -1,5 +1,8 @@
 """What is accepted as a mesh, and what is said of what is not."""
 
+import os
+import pathlib
+import sys
 import types
 
 import numpy as np
@@ -94,6 +97,46 @@ def test_meshio(torus, expected):
         htl.loops(meshio.Mesh(V, [("line", [[0, 1]])]))
 
 
+def cube():
+    """Of quads, two of which are cut."""
+    corners = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
+    quads = np.array([[0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+    triangles = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5]])
+    return corners, triangles, quads
+
+
+@pytest.mark.parametrize("names", [("line", "triangle", "quad"), (3, 5, 9)])  # of meshio, of VTK
+def test_cells(torus, expected, names):
+    line, triangle, quad = names
+    V, F = torus
+    no_lines = np.zeros((1, 2), dtype=int)
+    mesh = types.SimpleNamespace(points=V, cells_dict={triangle: F, line: no_lines})
+    assert lengths(htl.loops(mesh)) == expected
+    V, triangles, quads = cube()
+    mesh = types.SimpleNamespace(points=V, cells_dict={quad: quads, triangle: triangles})
+    with pytest.raises(htl.MeshError, match="4 corners; repair\\(\\) makes triangles of them"):
+        htl.loops(mesh)
+    new_V, new_F, face_origin, _, _ = htl.repair(mesh)
+    assert htl.loops(new_V, new_F).genus == 0 and len(new_F) == 12
+    # The triangles come first, then the quads.
+    assert np.array_equal(np.bincount(face_origin), [1] * 4 + [2] * 4)
+    with pytest.raises(htl.MeshError, match="no triangles: VTK type 10|no triangles: tetra"):
+        tetra = 10 if triangle == 5 else "tetra"
+        htl.loops(types.SimpleNamespace(points=V, cells_dict={tetra: [[0, 1, 2, 3]]}))
+
+
+def test_objects_are_taken_everywhere(torus, tmp_path):
+    mesh = types.SimpleNamespace(vertices=torus[0], faces=torus[1])
+    L = htl.loops(mesh)
+    for given in [(mesh, L), (torus, L), (*torus, L)]:
+        assert htl.certify(*given)
+        htl.html(*given, tmp_path / "a.html", title="a ring")
+        assert "a ring" in (tmp_path / "a.html").read_text()
+    assert htl.certify(mesh, L=L)
+    htl.html(mesh, L, path=tmp_path / "b.html")
+    assert (tmp_path / "b.html").exists()
+
+
 @pytest.mark.parametrize(
     "change, message",
     [
@@ -164,6 +207,47 @@ def test_files(torus, tmp_path):
     with pytest.raises(ValueError, match="triangulate"):
         htl.read(tmp_path / "quad.off")
     assert len(htl.read(tmp_path / "quad.off", triangulate=True)[1]) == 2
+
+
+def test_messages_are_in_words_of_python(torus, tmp_path):
+    from conftest import write_off
+
+    V, F = torus
+    (tmp_path / "--repair.off").write_text("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
+    write_off(tmp_path / "turned.off", V, np.vstack([F[:1, ::-1], F[1:]]))
+    (tmp_path / "mesh.txt").write_text("")
+    for name, words in [
+        ("--repair.off", r"--repair.off: .*; triangulate=True makes it triangles$"),
+        ("turned.off", r"; repair=True mends this$"),
+        ("mesh.txt", r"\.off \.obj \.ply \.stl$"),
+    ]:
+        with pytest.raises((ValueError, OSError), match=words):
+            htl.read(tmp_path / name)
+
+
+def test_names_of_files(torus, tmp_path, monkeypatch):
+    from conftest import write_off
+
+    monkeypatch.chdir(tmp_path)
+    L = htl.loops(*torus)
+    names = ["ä.off", os.fsencode("ä.off"), pathlib.Path("ä.off")]
+    if sys.platform.startswith("linux"):
+        names.append(b"\xff.off")
+    for name in names:
+        write_off(name, *torus)
+        assert np.array_equal(htl.read(name)[1], torus[1])
+        assert htl.survey([name])[0]["genus"] == 1
+        htl.html(*torus, L, name)
+        with pytest.raises(OSError):
+            htl.read(name)  # it is a page now
+    htl.html(*torus, L, "-")  # these are no streams
+    assert os.path.getsize("-") > 0
+    with pytest.raises(OSError, match="not supported"):
+        htl.read("-")
+    with pytest.raises(FileNotFoundError):
+        htl.read("nothing.off")
+    with pytest.raises(TypeError):
+        htl.read(3)
 
 
 def test_repair(torus):

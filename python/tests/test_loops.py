@@ -82,6 +82,18 @@ def test_certify_believes_nothing(genus_3, torus):
         htl.certify(*torus, htl.loops(V, F))
 
 
+def test_certify_is_brief(genus_3):
+    V, F = genus_3
+    L = htl.loops(V, F)
+    with pytest.raises(ValueError, match=r"not on this mesh:\n(  .*\n){10}  and \d+ more such lines$"):
+        htl.certify(V + 1, F, L)
+    for name, value in [("starts", -1), ("starts", 10**9), ("edges", -5), ("edges", 10**9)]:
+        changed = pickle.loads(pickle.dumps(L))
+        changed._record[name].flat[1] = value
+        with pytest.raises(ValueError, match="do not fit together|is not one of"):
+            htl.certify(V, F, changed)
+
+
 def test_table(genus_3):
     V, F = genus_3
     L = htl.loops(V, F)
@@ -127,8 +139,11 @@ def test_page(genus_3, tmp_path):
     htl.html(V, F, htl.loops(V, F), tmp_path / "page.html", title="three rings")
     page = (tmp_path / "page.html").read_text()
     assert "<title>" in page and "three rings" in page
+    assert "pairs =" in page and "--pairs" not in page
     with pytest.raises(OSError):
         htl.html(V, F, htl.loops(V, F), tmp_path / "no" / "page.html")
+    htl.html(V, F, htl.loops(V, F), tmp_path / "page.html", title="before/after")
+    assert "loops of before/after</title>" in (tmp_path / "page.html").read_text()
 
 
 def test_threads_change_nothing(genus_3):

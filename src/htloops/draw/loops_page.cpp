@@ -58,6 +58,22 @@ void add_group(htl_window::Scene& scene,
 
 } // namespace
 
+htl_window::Scene scene_of_loops(const View& view,
+                                 const std::string& mesh_file,
+                                 const Mesh& mesh,
+                                 const Answer& answer,
+                                 const Pair_listing& listing,
+                                 const std::string& summary,
+                                 const std::string& choice) {
+  htl_window::Scene scene =
+      scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
+  add_paragraphs(scene, summary);
+  add_pairs(scene, answer.pairs, listing, choice);
+  add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
+  add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
+  return scene;
+}
+
 void write_loops_page(const std::string& file,
                       const View& view,
                       const std::string& mesh_file,
@@ -66,13 +82,7 @@ void write_loops_page(const std::string& file,
                       const Pair_listing& listing,
                       const std::string& summary,
                       const std::string& choice) {
-  htl_window::Scene scene =
-      scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
-  add_paragraphs(scene, summary);
-  add_pairs(scene, answer.pairs, listing, choice);
-  add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
-  add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
-  write_page(file, scene);
+  write_page(file, scene_of_loops(view, mesh_file, mesh, answer, listing, summary, choice));
 }
 
 } // namespace htloops

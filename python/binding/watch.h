@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_PYTHON_WATCH_H
+#define HTL_PYTHON_WATCH_H
+
+#include "htloops/solve/progress.h"
+
+#include <pybind11/pybind11.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+
+namespace htl_python {
+
+namespace py = pybind11;
+
+/// What a computation and the thread of Python that waits for it tell each other.
+class Watch : public htloops::Progress
+{
+public:
+  /// never goes back, though several threads come here.
+  bool update(double fraction) override {
+    double known = fraction_;
+    while(fraction > known && !fraction_.compare_exchange_weak(known, fraction))
+      continue;
+    return !is_to_stop_;
+  }
+
+  void stop() { is_to_stop_ = true; }
+  double fraction() const { return fraction_; }
+
+private:
+  std::atomic<double> fraction_{0.};
+  std::atomic<bool> is_to_stop_{false};
+};
+
+/// computes with so many threads at most, or with all for 0, while others of Python run.
+template <typename Compute> auto compute(int threads, const Compute& compute) {
+  const py::gil_scoped_release others_may_run;
+#ifdef CGAL_LINKED_WITH_TBB
+  const int all = tbb::info::default_concurrency();
+  return tbb::task_arena(threads > 0 ? (std::min)(threads, all) : all).execute(compute);
+#else
+  return compute();
+#endif
+}
+
+} // namespace htl_python
+
+#endif // HTL_PYTHON_WATCH_H

@@ -1,0 +1,84 @@
+"""What is said of arguments that are of a wrong type, or out of range."""
+
+from __future__ import annotations
+
+import math
+import operator
+from typing import Any, Dict, Iterable, List, Optional
+
+import numpy as np
+
+_largest = 2**31 - 1
+
+
+def whole(name: str, value: Any, least: int = 0, largest: int = _largest) -> int:
+    try:
+        if isinstance(value, bool):
+            raise TypeError
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} has to be a whole number, not {value!r}") from None
+    if not least <= number <= largest:
+        raise ValueError(f"{name} cannot be {number}: it is from {least} to {largest}")
+    return number
+
+
+def wholes(name: str, values: Any, least: int = 0) -> List[int]:
+    """Several of them, or a single one."""
+    several: Iterable[Any] = values if np.iterable(values) else [values]
+    return [whole(name, value, least) for value in several]
+
+
+def vertices(name: str, values: Any) -> List[int]:
+    """Numbers of vertices; whether there are so many is for who has the mesh."""
+    return wholes(name, values, -_largest)
+
+
+def vertex_or_none(name: str, value: Any) -> Optional[int]:
+    return None if value is None else whole(name, value, -_largest)
+
+
+def threads_of(threads: Any) -> int:
+    """0 is as many as there are, and so is None."""
+    return 0 if threads is None else whole("threads", threads)
+
+
+def real_or_none(name: str, value: Any) -> Optional[float]:
+    """A number that measures something."""
+    if value is None:
+        return None
+    try:
+        if isinstance(value, (str, bytes, bool)):
+            raise TypeError
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} has to be a number, not {value!r}") from None
+    if math.isnan(number) or number < 0:
+        raise ValueError(f"{name} cannot be {number}")
+    return number
+
+
+def word(name: str, value: Any, words: Iterable[str] = ()) -> str:
+    """One of some words, or any text if there are none."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} has to be a string, not {value!r}")
+    if words and value not in words:
+        raise ValueError(f"{name} is {' or '.join(map(repr, words))}, not {value!r}")
+    return value
+
+
+_kinds: Dict[str, str] = {"real numbers": "fiu", "integers": "iu"}
+
+
+def numbers(name: str, values: Any, what: str = "real numbers") -> np.ndarray:
+    """An array of them; nothing is copied that is one."""
+    if np.ma.is_masked(values):
+        raise TypeError(f"{name} has masked values; fill them, or leave these rows out")
+    try:
+        array = np.asarray(values)
+    except ValueError as reason:  # of lists of different lengths
+        raise ValueError(f"{name} is no array: {reason}") from None
+    if array.size > 0 and array.dtype.kind not in _kinds[what]:
+        error = ValueError if array.dtype.kind == "f" else TypeError
+        raise error(f"{name} has to be an array of {what}, not of {array.dtype}")
+    return array

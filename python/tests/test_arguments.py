@@ -1,0 +1,103 @@
+"""What is said of arguments that are of a wrong type, or out of range."""
+
+import numpy as np
+import pytest
+
+import handle_tunnel_loops as htl
+
+
+@pytest.mark.parametrize("call", ["loops", "reeb", "remove_handles", "cut_to_disk", "dual_cuts"])
+def test_threads(torus, call):
+    function = getattr(htl, call)
+    function(*torus, threads=None)
+    function(*torus, threads=10**6)
+    for threads, error in [("two", TypeError), (1.5, TypeError), (-1, ValueError), (2**70, ValueError)]:
+        with pytest.raises(error, match="threads"):
+            function(*torus, threads=threads)
+
+
+@pytest.mark.parametrize(
+    "function, arguments, error, message",
+    [
+        ("loops", dict(seed="a"), TypeError, "seed has to be a whole number, not 'a'"),
+        ("loops", dict(seed=1.5), TypeError, "seed has to be a whole number"),
+        ("loops", dict(seed=True), TypeError, "seed has to be a whole number"),
+        ("loops", dict(seed=[1]), TypeError, "seed has to be a whole number"),
+        ("loops", dict(seed=2**70), ValueError, "seed cannot be"),
+        ("loops", dict(basis=3), TypeError, "basis has to be a string, not 3"),
+        ("reeb", dict(simplify="much"), TypeError, "simplify has to be a number, not 'much'"),
+        ("reeb", dict(simplify=-1), ValueError, "simplify cannot be -1"),
+        ("reeb", dict(simplify=float("nan")), ValueError, "simplify cannot be nan"),
+        ("reeb", dict(measure=3), TypeError, "measure has to be a string"),
+        ("reeb", dict(sources=["a"]), TypeError, "sources has to be a whole number"),
+        ("reeb", dict(sources=[-1]), ValueError, "vertex -1 is not one of"),
+        ("reeb", dict(f="height"), TypeError, "f has to be an array of real numbers"),
+        ("remove_handles", dict(genus=1.5), TypeError, "genus has to be a whole number"),
+        ("remove_handles", dict(shorter_than="3%"), TypeError, "shorter_than has to be a number"),
+        ("remove_handles", dict(shorter_than=float("nan")), ValueError, "shorter_than cannot be nan"),
+        ("remove_handles", dict(necks=-2), ValueError, "necks cannot be -2"),
+        ("remove_handles", dict(by=1), TypeError, "by has to be a string"),
+        ("remove_handles", dict(box="all"), TypeError, "box has to be an array of real numbers"),
+        ("remove_handles", dict(loops=[1]), TypeError, "loops has to be what loops.. returns"),
+        ("cut_to_disk", dict(cones="ab"), TypeError, "cones has to be a whole number"),
+        ("cut_to_disk", dict(cones=[-3]), ValueError, "vertex -3 is not one of"),
+        ("certify", dict(L=None), TypeError, "L has to be what loops.. returns"),
+        ("html", dict(L=[1], path="a.html"), TypeError, "L has to be what loops.. returns"),
+        ("html", dict(L=None, path=None), TypeError, "PathLike"),
+    ],
+)
+def test_what_is_refused(torus, function, arguments, error, message):
+    with pytest.raises(error, match=message):
+        getattr(htl, function)(*torus, **arguments)
+
+
+@pytest.mark.parametrize(
+    "options, error, message",
+    [
+        (dict(faces=-1), ValueError, "faces cannot be -1"),
+        (dict(faces="many"), TypeError, "faces has to be a whole number"),
+        (dict(genus=1.0), TypeError, "genus has to be a whole number"),
+        (dict(seed=-1), ValueError, "seed cannot be -1"),
+        (dict(seed=2**32), ValueError, "seed cannot be 4294967296"),
+    ],
+)
+def test_generators(options, error, message):
+    with pytest.raises(error, match=message):
+        htl.generate("torus", **options)
+    with pytest.raises(TypeError, match="kind has to be a string"):
+        htl.generate(7)
+
+
+@pytest.mark.parametrize("kind", [object, complex, str, bool])
+def test_types_of_arrays(torus, kind):
+    V, F = torus
+    for mesh, name in [((V.astype(kind), F), "V"), ((V, F.astype(kind)), "F")]:
+        for function in (htl.loops, htl.repair):
+            with pytest.raises(TypeError, match=f"^{name} has to be an array of .* not of "):
+                function(*mesh)
+    with pytest.raises(TypeError, match="^f has to be"):
+        htl.reeb(V, F, V[:, 0].astype(kind))
+
+
+def test_masked_arrays(torus):
+    V, F = torus
+    assert htl.loops(np.ma.array(V), np.ma.array(F)).genus == 1
+    mask = np.zeros(V.shape, dtype=bool)
+    mask[7] = True
+    with pytest.raises(TypeError, match="V has masked values"):
+        htl.loops(np.ma.array(V, mask=mask), F)
+    with pytest.raises(TypeError, match="F has masked values"):
+        htl.loops(V, np.ma.array(F, mask=F == 7))
+    with pytest.raises(TypeError, match="f has masked values"):
+        htl.reeb(V, F, np.ma.array(V[:, 0], mask=mask[:, 0]))
+
+
+def test_numbers_that_are_none(torus):
+    V, F = torus
+    for value in (np.nan, np.inf):
+        f = V[:, 0].copy()
+        f[3] = value
+        with pytest.raises(ValueError, match="finite|nan|inf"):
+            htl.reeb(V, F, f)
+    with pytest.raises(ValueError, match="V is no array"):
+        htl.loops([[0, 0, 0], [1, 0]], F)
