@@ -20,6 +20,7 @@ _is_ending = False
 
 _seconds_between_looks = 0.05
 _seconds_to_obey = 1.0
+_seconds_to_end = 10.0
 
 
 def computed(what: str, progress: Any, function: Callable[..., Any], *arguments: Any) -> Any:
@@ -93,13 +94,13 @@ def _work(tasks: "SimpleQueue[Callable[[], None]]") -> None:
 
 @atexit.register
 def _end() -> None:
-    """No thread may come back to an interpreter that has ended."""
+    """No thread should come back to an interpreter that has ended. Some wait for a file, for ever."""
     global _is_ending
     _is_ending = True
     running = dict(_running)
     for watch in running.values():
         watch.stop()
-    wait(running)
+    wait(running, _seconds_to_end)
 
 
 def _forget() -> None:

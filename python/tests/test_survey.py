@@ -3,7 +3,11 @@
 import concurrent.futures
 import multiprocessing
 import os
+import shutil
 import signal
+import subprocess
+import sys
+import threading
 
 import pytest
 from conftest import write_off
@@ -100,8 +104,16 @@ def test_odd_meshes_and_names(tmp_path):
         assert htl.survey(paths, tmp_path / out) == rows
     with pytest.raises(TypeError, match="several"):
         htl.survey("abc")
-    with pytest.raises(TypeError, match="executor"):
-        htl.survey(paths, executor=object())
+    for arguments, error in [
+        (dict(executor=object()), TypeError),
+        (dict(timeout="long"), TypeError),
+        (dict(timeout=-1), ValueError),
+        (dict(memory=0), ValueError),
+        (dict(threads=-1), ValueError),
+        (dict(basis="best"), ValueError),
+    ]:
+        with pytest.raises(error, match=next(iter(arguments))):
+            htl.survey(paths, **arguments)
 
 
 class Recording(concurrent.futures.ThreadPoolExecutor):
@@ -161,6 +173,148 @@ def test_memory_is_limited(tmp_path):
         assert large["error"].startswith("it takes more memory")
         (row,) = htl.survey(paths[1:2], executor=executor, memory=taken + 4 * 10**9)
         assert row["error"] is None and row["genus"] == 80
+
+
+def test_memory_is_not_of_threads(paths):
+    with concurrent.futures.ThreadPoolExecutor(2) as executor:
+        with pytest.raises(ValueError, match="memory .* not of threads"):
+            htl.survey(paths, executor=executor, memory=10**10)
+
+
+@pytest.fixture
+def pipe(tmp_path):
+    """A file from which nothing comes."""
+    if not hasattr(os, "mkfifo"):
+        pytest.skip("there are no named pipes")
+    path = str(tmp_path / "pipe.off")
+    os.mkfifo(path)
+    return path
+
+
+def test_time_is_limited_for_reading(paths, pipe):
+    slow, quick = htl.survey([pipe, paths[1]], timeout=0.5)
+    assert slow["error"] == "it takes longer than 0.5 s" and slow["seconds"] < 5
+    assert quick["genus"] == 1
+    os.close(os.open(pipe, os.O_WRONLY))  # so that its reader ends
+
+
+def test_time_is_limited_for_repairing(tmp_path):
+    V, F = htl.generate("gyroid", faces=200000, genus=80)
+    write_off(tmp_path / "soup.off", V[F].reshape(-1, 3), range_of_faces(len(F)))
+    (row,) = htl.survey([tmp_path / "soup.off"], repair=True)
+    assert row["genus"] == 80
+    (row,) = htl.survey([tmp_path / "soup.off"], repair=True, timeout=row["read_seconds"] / 2)
+    assert row["error"].startswith("it takes longer than") and row["vertices"] is None
+
+
+def range_of_faces(count):
+    import numpy as np
+
+    return np.arange(3 * count).reshape(-1, 3)
+
+
+def kill_workers(pipe, times):
+    """As the system does that has no memory left, when a worker has begun to read."""
+    for _ in range(times):
+        handle = os.open(pipe, os.O_WRONLY)
+        for child in multiprocessing.active_children():
+            os.kill(child.pid, signal.SIGKILL)
+            child.join()
+        os.close(handle)
+
+
+def test_a_killed_worker_costs_one_row(paths, pipe, tmp_path):
+    killer = threading.Thread(target=kill_workers, args=(pipe, 2))  # it is tried again, alone
+    killer.start()
+    wanted = [*paths[:3], pipe, *paths[3:]]
+    rows = htl.survey(wanted, tmp_path / "a.csv", executor=2)
+    killer.join()
+    assert rows[3]["error"].startswith("its worker ended")
+    check(rows[:3] + rows[4:], paths)
+    assert htl.survey(wanted, tmp_path / "a.csv") == rows
+
+
+def test_a_broken_executor_keeps_rows(paths, pipe, tmp_path):
+    killer = threading.Thread(target=kill_workers, args=(pipe, 1))
+    killer.start()
+    wanted = [*paths[:5], pipe, *paths[5:]]
+    new = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=new) as executor:
+        with pytest.raises(concurrent.futures.BrokenExecutor, match=r"call survey\(\) again"):
+            htl.survey(wanted, tmp_path / "a.jsonl", executor)
+        with pytest.raises(concurrent.futures.BrokenExecutor, match="rows .* are kept"):
+            htl.survey(wanted, tmp_path / "a.jsonl", executor)
+    killer.join()
+    assert len((tmp_path / "a.jsonl").read_text().splitlines()) == 5
+    os.remove(pipe)
+    shutil.copy(paths[1], pipe)
+    rows = htl.survey(wanted, tmp_path / "a.jsonl", executor=1)
+    assert rows[5]["genus"] == 1
+    check(rows[:5] + rows[6:], paths)
+
+
+def test_processes(paths):
+    check(htl.survey(paths, executor=3), paths)
+    for executor, error in [(0, ValueError), (True, TypeError), (2.5, TypeError)]:
+        with pytest.raises(error, match="executor"):
+            htl.survey(paths, executor=executor)
+
+
+def test_scripts_are_told_what_they_lack(paths, tmp_path):
+    (tmp_path / "script.py").write_text(
+        f"import handle_tunnel_loops as htl\nhtl.survey([{paths[0]!r}], executor=1)\n"
+    )
+    child = subprocess.run([sys.executable, tmp_path / "script.py"], capture_output=True, text=True)
+    assert child.returncode == 1 and '__name__ == "__main__"' in child.stderr.splitlines()[-1]
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.jsonl"])
+def test_one_survey_writes_a_file(paths, tmp_path, name, monkeypatch):
+    pytest.importorskip("fcntl")
+    out = tmp_path / name
+    refusals = []
+
+    def another(fraction):
+        try:
+            htl.survey(paths, out, resume=fraction < 0.5)
+        except BlockingIOError as error:
+            refusals.append(str(error))
+
+    rows = htl.survey(paths, out, progress=another)
+    check(rows, paths)
+    assert refusals == [f"another survey is writing {out}"] * len(paths)
+    assert htl.survey(paths, out) == rows
+    monkeypatch.setattr("handle_tunnel_loops._table.fcntl", None)  # as on Windows
+    assert htl.survey(paths, out) == rows
+
+
+def test_workers_hold_no_file(paths, tmp_path):
+    """They stay when the survey has ended."""
+    try:
+        fork = multiprocessing.get_context("fork")
+    except ValueError:
+        pytest.skip("nothing is forked here")
+    with concurrent.futures.ProcessPoolExecutor(2, mp_context=fork) as executor:
+        htl.survey(paths[:4], tmp_path / "a.csv", executor)
+        check(htl.survey(paths, tmp_path / "a.csv", executor), paths)
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.jsonl"])
+def test_errors_are_tried_again(paths, tmp_path, name):
+    out = tmp_path / name
+    wanted = [str(tmp_path / "1.off"), str(tmp_path / "2.off"), paths[1]]
+    first = htl.survey(wanted, out)
+    assert [row["genus"] for row in first] == [None, None, 1]
+    for path in wanted[:2]:
+        shutil.copy(paths[2], path)
+    assert htl.survey(wanted, out) == first
+    rows = htl.survey(wanted[:1], out, retry_errors=True)
+    assert [row["genus"] for row in rows] == [2]
+    rows = htl.survey(wanted, out)
+    assert [row["genus"] for row in rows] == [2, None, 1]  # the other one was not asked for
+    assert [row["genus"] for row in htl.survey(wanted, out, retry_errors=True)] == [2, 2, 1]
+    assert len(out.read_text().splitlines()) == 3 + (name == "a.csv")
+    assert sorted(os.listdir(tmp_path)) == ["1.off", "2.off", name]
 
 
 def test_executors(paths):
