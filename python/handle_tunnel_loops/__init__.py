@@ -34,9 +34,10 @@ Functions
     repair          a surface from arrays that are none
 
 Errors: `MeshError` (a ValueError) names the faces or vertices that keep arrays from being a surface, and
-what helps; ValueError and TypeError are about other arguments. All functions that compute let other threads of
-Python run, and can be interrupted by Ctrl-C; ``progress=True`` shows a bar, and a callable is told the
-fraction that is done and stops the computation by returning False (then `Interrupted` is raised).
+what helps; ValueError and TypeError are about other arguments, OSError is about files. While something
+is computed other threads of Python run, and Ctrl-C is obeyed; ``progress=True`` shows a bar, and a callable
+is told the fraction that is done and stops the computation by returning False (then `Interrupted` is
+raised). ``threads`` is how many a call takes at most, whatever others take at the same time.
 """
 
 from ._core import Interrupted, MeshError, version as _version
