@@ -22,18 +22,21 @@
 namespace htl_python {
 namespace {
 
-py::tuple
-read(const std::string& name, std::string content, bool triangulate, bool repair, const Watch&) {
-  return arrays_of(compute(0, [&] {
+py::tuple read(const std::string& name,
+               std::string content,
+               bool triangulate,
+               bool repair,
+               const Watch& watch) {
+  return arrays_of(compute(0, watch, [&] {
     const auto file = htloops::Input_file::in_memory(name, std::move(content));
     return htloops::read_mesh(file, {triangulate, repair}).mesh;
   }));
 }
 
-py::tuple repair(const py::array& points, const std::vector<py::array>& faces, const Watch&) {
+py::tuple repair(const py::array& points, const std::vector<py::array>& faces, const Watch& watch) {
   htloops::Soup soup = soup_of(points, faces);
   htloops::Mended_soup mended;
-  compute(0, [&] {
+  compute(0, watch, [&] {
     mended = htloops::mend(std::move(soup), {true, true});
     throw_if_no_surface(htloops::diagnose(mended.soup));
   });

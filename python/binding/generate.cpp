@@ -32,7 +32,7 @@ const generators::Kind& kind_of(const std::string& name) {
   throw std::invalid_argument("there is no kind '" + name + "' of meshes; there are " + names);
 }
 
-py::tuple generate(const std::string& name, const py::dict& given, const Watch&) {
+py::tuple generate(const std::string& name, const py::dict& given, const Watch& watch) {
   const generators::Kind& kind = kind_of(name);
   generators::Request request;
   generators::Hole_request holes;
@@ -55,7 +55,7 @@ py::tuple generate(const std::string& name, const py::dict& given, const Watch&)
     else
       throw py::type_error("generate() has no option '" + option + "'");
   }
-  const generators::Soup soup = compute(0, [&] {
+  const generators::Soup soup = compute(0, watch, [&] {
     generators::Soup whole = generators::make(kind, request);
     return holes.number > 0 ? generators::with_holes(whole, holes) : whole;
   });

@@ -40,7 +40,7 @@ py::dict find_loops(const py::array& points,
   options.basis_kind = basis_kind(basis);
   if(seed)
     options.seed = vertex_of(mesh, *seed);
-  return record_of(mesh, compute(threads, [&] {
+  return record_of(mesh, compute(threads, watch, [&] {
                      htloops::Answer answer =
                          htloops::choose_backend("auto").solve(mesh, options, watch);
                      if(answer.statistics.number_of_boundaries > 0)
@@ -49,23 +49,26 @@ py::dict find_loops(const py::array& points,
                    }));
 }
 
-py::dict
-certify(const py::array& points, const py::array& triangles, const py::dict& loops, const Watch&) {
+py::dict certify(const py::array& points,
+                 const py::array& triangles,
+                 const py::dict& loops,
+                 const Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   const htloops::Pairs pairs = pairs_of(loops, mesh);
   const auto kind = basis_kind(py::cast<std::string>(loops["basis"]));
-  return certificate_of(compute(0, [&] { return htloops::certify(mesh, pairs, kind, true); }));
+  return certificate_of(
+      compute(0, watch, [&] { return htloops::certify(mesh, pairs, kind, true); }));
 }
 
 py::bytes page(const py::array& points,
                const py::array& triangles,
                const py::dict& loops,
                const std::string& title,
-               const Watch&) {
+               const Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Answer answer;
   answer.pairs = pairs_of(loops, mesh);
-  return compute(0, [&] {
+  return compute(0, watch, [&] {
     answer.boundaries = htloops::find_boundaries(mesh, false);
     htl_window::Scene scene = htloops::scene_of_loops(
         {}, title, mesh, answer, htloops::list_pairs(mesh, answer.pairs),

@@ -120,7 +120,7 @@ py::dict reeb(const py::array& points,
   options.sources = vertices_of(mesh, sources);
   Reeb_answer answer;
   htloops::Arc_shapes shapes;
-  compute(threads, [&] {
+  compute(threads, watch, [&] {
     answer = htloops::find_reeb_graph(mesh, options, watch);
     shapes = htloops::shapes_of_arcs(mesh, answer);
   });

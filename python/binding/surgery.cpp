@@ -121,7 +121,7 @@ py::tuple remove_handles(const py::array& points,
   const htloops::Removal_options options = options_of(chosen);
   const htloops::Pairs pairs = pairs_of(loops, mesh);
   htl::Removal_report report;
-  compute(threads, [&] {
+  compute(threads, watch, [&] {
     report = htloops::remove_handles(mesh, pairs, options, watch).report;
     mesh.collect_garbage();
   });
@@ -142,7 +142,7 @@ py::tuple cut_to_disk(const py::array& points,
   htloops::Cut_options options;
   options.cones = vertices_of(mesh, cones);
   options.do_cut_spheres = cut_spheres;
-  const auto opened = compute(threads, [&] {
+  const auto opened = compute(threads, watch, [&] {
     return htloops::opened_mesh(mesh, htloops::find_cut(mesh, options, watch).edges);
   });
   return py::make_tuple(rows_of<double>(opened.points), rows_of<std::int64_t>(opened.triangles));
@@ -151,7 +151,7 @@ py::tuple cut_to_disk(const py::array& points,
 py::list dual_cuts(const py::array& points, const py::array& triangles, int threads, Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   const htloops::Dual_cuts answer =
-      compute(threads, [&] { return htloops::find_dual_cuts(mesh, 0, watch); });
+      compute(threads, watch, [&] { return htloops::find_dual_cuts(mesh, 0, watch); });
   py::list cuts;
   for(const htloops::Dual_cut& cut : answer.cuts) {
     std::vector<std::int64_t> edges, times;

@@ -11,6 +11,9 @@
 #define HTL_PYTHON_WATCH_H
 
 #include "htloops/solve/progress.h"
+#include "htloops/terminal/interrupt.h"
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 
 #include <pybind11/pybind11.h>
 
@@ -21,6 +24,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 
 namespace htl_python {
 
@@ -39,6 +43,7 @@ public:
   }
 
   void stop() { is_to_stop_ = true; }
+  bool is_to_stop() const { return is_to_stop_; }
   double fraction() const { return fraction_; }
 
 private:
@@ -47,13 +52,23 @@ private:
 };
 
 /// computes with so many threads at most, or with all for 0, while others of Python run.
-template <typename Compute> auto compute(int threads, const Compute& compute) {
+template <typename Compute> auto compute(int threads, const Watch& watch, const Compute& answer) {
   const py::gil_scoped_release others_may_run;
+  const std::function<bool()> is_to_stop = [&] { return watch.is_to_stop(); };
+  const auto answer_if_wanted = [&] {
+    try {
+      const htloops::Interrupt_question question(is_to_stop);
+      htloops::throw_if_interrupted();
+      return answer();
+    } catch(const htloops::Interrupted&) {
+      throw CGAL::Handle_tunnel_loops::Interrupted_exception();
+    }
+  };
 #ifdef CGAL_LINKED_WITH_TBB
   const int all = tbb::info::default_concurrency();
-  return tbb::task_arena(threads > 0 ? (std::min)(threads, all) : all).execute(compute);
+  return tbb::task_arena(threads > 0 ? (std::min)(threads, all) : all).execute(answer_if_wanted);
 #else
-  return compute();
+  return answer_if_wanted();
 #endif
 }
 

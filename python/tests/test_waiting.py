@@ -12,6 +12,7 @@ import pytest
 from conftest import write_off
 
 import handle_tunnel_loops as htl
+from handle_tunnel_loops import _core
 
 
 @pytest.fixture(scope="module")
@@ -91,6 +92,31 @@ except KeyboardInterrupt:
         assert child.stdout.readline() == "stopped\n"
         assert time.monotonic() - start < 1.5
     assert child.returncode == 0
+
+
+@pytest.mark.parametrize("does_read", [True, False])
+def test_what_is_stopped_ends(does_read):
+    """It does not only go on unheard."""
+    V, F = htl.generate("gyroid", faces=300000, genus=60)
+    soup, faces = V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3)
+    if does_read:
+        points, corners = (
+            "\n".join(map(" ".join, rows.astype(str).tolist())) for rows in (soup, faces)
+        )
+        corners = "3 " + corners.replace("\n", "\n3 ")
+        content = f"OFF\n{len(soup)} {len(faces)} 0\n{points}\n{corners}\n".encode()
+        call = lambda watch: _core.read("a.off", content, True, True, watch)  # noqa: E731
+    else:
+        call = lambda watch: _core.repair(soup, [faces], watch)  # noqa: E731
+    start = time.monotonic()
+    call(_core.Watch())
+    seconds = time.monotonic() - start
+    watch = _core.Watch()
+    stop = threading.Timer(seconds / 4, watch.stop)
+    stop.start()
+    with pytest.raises(htl.Interrupted):
+        call(watch)
+    stop.join()
 
 
 def test_the_interpreter_may_end_meanwhile():

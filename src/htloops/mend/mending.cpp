@@ -15,6 +15,7 @@
 #include "mend/point_welding.h"
 #include "mend/soup_triangulation.h"
 #include "mend/vertex_splitting.h"
+#include "terminal/interrupt.h"
 
 #include <algorithm>
 #include <numeric>
@@ -34,7 +35,9 @@ bool can_be_mended(const Soup& soup) {
 void repair_triangles(Mended_soup& mended) {
   drop_degenerate_faces(mended);
   drop_duplicate_faces(mended);
+  throw_if_interrupted();
   std::optional<Neighbors> neighbors = glue_faces(mended);
+  throw_if_interrupted();
   mended.is_one_sided = !neighbors;
   if(!neighbors)
     return;
@@ -54,10 +57,12 @@ Mended_soup mend(Soup soup, const Remedies& remedies) {
   if(remedies.do_repair) {
     drop_degenerate_faces(mended); // whose sides are no edges
     weld_points(mended);
+    throw_if_interrupted();
     drop_degenerate_faces(mended);
   }
   if(remedies.do_triangulate)
     triangulate(mended);
+  throw_if_interrupted();
   if(remedies.do_repair && mended.soup.further_corners.empty())
     repair_triangles(mended);
   return mended;

@@ -20,6 +20,7 @@ namespace {
 
 // All that a signal handler may touch.
 volatile std::sig_atomic_t noted_signal = 0;
+thread_local const std::function<bool()>* question = nullptr;
 std::atomic<int> number_of_unfinished_files{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -90,8 +91,14 @@ Unfinished_file::~Unfinished_file() { --number_of_unfinished_files; }
 
 int interrupting_signal() { return noted_signal; }
 
+Interrupt_question::Interrupt_question(const std::function<bool()>& is_to_stop) {
+  question = &is_to_stop;
+}
+
+Interrupt_question::~Interrupt_question() { question = nullptr; }
+
 void throw_if_interrupted() {
-  if(noted_signal != 0)
+  if(noted_signal != 0 || (question != nullptr && (*question)()))
     throw Interrupted();
 }
 

@@ -11,6 +11,7 @@
 #define HTLOOPS_INTERRUPT_H
 
 #include <exception>
+#include <functional>
 
 namespace htloops {
 
@@ -54,7 +55,17 @@ private:
 /// the number of the signal that was noted, 0 if there was none.
 int interrupting_signal();
 
-/// throws `Interrupted` if a signal was noted.
+/// While it lives, what this thread does is interrupted if the function says so, too.
+class Interrupt_question
+{
+public:
+  explicit Interrupt_question(const std::function<bool()>& is_to_stop);
+  ~Interrupt_question();
+  Interrupt_question(const Interrupt_question&) = delete;
+  Interrupt_question& operator=(const Interrupt_question&) = delete;
+};
+
+/// throws `Interrupted` if a signal was noted, or who asked to be asked says so.
 void throw_if_interrupted();
 
 } // namespace htloops
