@@ -26,6 +26,7 @@ using CGAL::Handle_tunnel_loops::Certificate;
 using CGAL::Handle_tunnel_loops::Loop_linking;
 using htloops::Loop;
 using htloops::Mesh;
+using namespace py::literals;
 
 std::vector<const Loop*> pointers_to(const std::vector<Loop>& loops) {
   std::vector<const Loop*> pointers;
@@ -103,15 +104,15 @@ std::string in_words(const std::vector<std::string>& problems) {
 
 } // namespace
 
+// Python has checked the word.
 Basis_kind basis_kind(const std::string& name) {
-  for(const Basis_kind kind : {Basis_kind::PURE, Basis_kind::SHORTEST})
-    if(name == CGAL::Handle_tunnel_loops::name_of(kind))
-      return kind;
-  throw std::invalid_argument("basis is 'pure' or 'shortest', not '" + name + "'");
+  const auto kind = Basis_kind::SHORTEST;
+  return name == CGAL::Handle_tunnel_loops::name_of(kind) ? kind : Basis_kind::PURE;
 }
 
 py::dict record_of(const Mesh& mesh, const std::vector<const Loop*>& loops) {
-  std::vector<double> points, ratios, lengths;
+  std::vector<htloops::Point> points;
+  std::vector<double> ratios, lengths;
   std::vector<std::int64_t> edges, starts = {0};
   for(const Loop* loop : loops) {
     for(const Loop::Step& step : loop->steps()) {
@@ -119,31 +120,22 @@ py::dict record_of(const Mesh& mesh, const std::vector<const Loop*>& loops) {
       edges.push_back(mesh.target(step.halfedge).idx());
       ratios.push_back(step.ratio);
     }
-    for(const htloops::Point& p : loop->points())
-      points.insert(points.end(), {p.x(), p.y(), p.z()});
+    points.insert(points.end(), loop->points().begin(), loop->points().end());
     starts.push_back(static_cast<std::int64_t>(ratios.size()));
     lengths.push_back(loop->length());
   }
-  py::dict record;
-  record["points"] = array_of(points, 3);
-  record["edges"] = array_of(edges, 2);
-  record["ratios"] = array_of(ratios);
-  record["starts"] = array_of(starts);
-  record["lengths"] = array_of(lengths);
-  return record;
+  return py::dict("points"_a = rows_of<double>(points), "edges"_a = array_of(edges, 2),
+                  "ratios"_a = array_of(ratios), "starts"_a = array_of(starts),
+                  "lengths"_a = array_of(lengths));
 }
 
 py::dict certificate_of(const Certificate& certificate) {
-  py::dict facts;
-  facts["certified"] = bool(certificate);
-  facts["closed_on_surface"] = certificate.closed_on_surface;
-  facts["basis"] = certificate.basis;
-  facts["pairing"] = certificate.pairing;
-  facts["types"] = certificate.types;
-  facts["handles_bound_inside"] = certificate.handles_bound_inside;
-  facts["tunnels_bound_outside"] = certificate.tunnels_bound_outside;
-  facts["failure"] = certificate.failure;
-  return facts;
+  return py::dict(
+      "certified"_a = bool(certificate), "closed_on_surface"_a = certificate.closed_on_surface,
+      "basis"_a = certificate.basis, "pairing"_a = certificate.pairing,
+      "types"_a = certificate.types, "handles_bound_inside"_a = certificate.handles_bound_inside,
+      "tunnels_bound_outside"_a = certificate.tunnels_bound_outside,
+      "failure"_a = certificate.failure);
 }
 
 py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
@@ -151,30 +143,26 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
   htloops::for_each_loop(answer.pairs, [&](const Loop& loop, CGAL::Loop_type, std::size_t) {
     loops.push_back(&loop);
   });
-  const auto& statistics = answer.statistics;
-  py::dict record = record_of(mesh, loops);
-  record["components"] = components_of(mesh, loops, statistics.number_of_components);
   std::vector<std::string> sides, sides_alone;
   for(const Loop_linking& linking : answer.certificate.linking) {
     sides.push_back(htloops::word_for_side(linking));
     sides_alone.push_back(htloops::word_for_side_alone(linking));
   }
-  record["bounds"] = sides;
-  record["bounds_alone"] = sides_alone;
-  record["linking"] = matrix_of(answer.certificate.linking);
-  record["certificate"] = certificate_of(answer.certificate);
-  record["basis"] = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind);
-  record["number_of_vertices"] = statistics.number_of_vertices;
-  record["number_of_faces"] = statistics.number_of_faces;
-  record["number_of_components"] = statistics.number_of_components;
-  record["diagonal"] = htloops::diagonal_of(mesh);
-  record["seconds"] = seconds_of(answer);
+  const std::size_t components = answer.statistics.number_of_components;
   const auto curves = pointers_to(answer.boundaries.curves);
   py::dict boundaries = record_of(mesh, curves);
-  boundaries["components"] = components_of(mesh, curves, statistics.number_of_components);
-  record["boundaries"] = boundaries;
-  record["waists"] = record_of(mesh, pointers_to(answer.boundaries.waists));
-  return record;
+  boundaries["components"] = components_of(mesh, curves, components);
+  py::dict record = record_of(mesh, loops);
+  return py::dict("components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
+                  "bounds_alone"_a = sides_alone,
+                  "linking"_a = matrix_of(answer.certificate.linking),
+                  "certificate"_a = certificate_of(answer.certificate),
+                  "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
+                  "number_of_vertices"_a = answer.statistics.number_of_vertices,
+                  "number_of_faces"_a = answer.statistics.number_of_faces,
+                  "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),
+                  "seconds"_a = seconds_of(answer), "boundaries"_a = boundaries,
+                  "waists"_a = record_of(mesh, pointers_to(answer.boundaries.waists)), **record);
 }
 
 htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {

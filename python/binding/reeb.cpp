@@ -18,7 +18,6 @@
 
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace htl_python {
@@ -27,73 +26,53 @@ namespace {
 using htloops::Mesh;
 using htloops::Point;
 using htloops::Reeb_answer;
+using namespace py::literals;
 
-CGAL::Reeb_measure measure_of(const std::string& name) {
-  static const std::map<std::string, CGAL::Reeb_measure> measures = {
-      {"limbs", CGAL::Reeb_measure::LIMBS},
-      {"persistence", CGAL::Reeb_measure::PERSISTENCE},
-      {"length", CGAL::Reeb_measure::LENGTH},
-      {"area", CGAL::Reeb_measure::AREA},
-      {"vertices", CGAL::Reeb_measure::VERTICES}};
-  const auto it = measures.find(name);
-  if(it == measures.end())
-    throw std::invalid_argument(
-        "measure is 'limbs', 'persistence', 'length', 'area' or 'vertices', not '" + name + "'");
-  return it->second;
-}
-
-void append(const Point& p, std::vector<double>& numbers) {
-  numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
-}
+const std::map<std::string, CGAL::Reeb_measure> measures = {
+    {"limbs", CGAL::Reeb_measure::LIMBS},
+    {"persistence", CGAL::Reeb_measure::PERSISTENCE},
+    {"length", CGAL::Reeb_measure::LENGTH},
+    {"area", CGAL::Reeb_measure::AREA},
+    {"vertices", CGAL::Reeb_measure::VERTICES}};
 
 py::dict nodes_of(const Reeb_answer& answer) {
-  std::vector<double> positions, values;
+  std::vector<Point> positions;
+  std::vector<double> values;
   std::vector<std::int64_t> at;
   std::vector<std::string> types;
   for(const auto v : CGAL::make_range(vertices(answer.graph))) {
     const auto& node = answer.graph[v];
-    append(node.point, positions);
+    positions.push_back(node.point);
     values.push_back(node.value);
     at.push_back(node.vertex.idx());
     types.push_back(htloops::name_of(node.type));
   }
-  py::dict nodes;
-  nodes["positions"] = array_of(positions, 3);
-  nodes["values"] = array_of(values);
-  nodes["vertices"] = array_of(at);
-  nodes["types"] = types;
-  return nodes;
+  return py::dict("positions"_a = rows_of<double>(positions), "values"_a = array_of(values),
+                  "vertices"_a = array_of(at), "types"_a = types);
 }
 
 py::dict arcs_of(const Reeb_answer& answer, const htloops::Arc_shapes& shapes) {
   std::vector<std::int64_t> ends, starts = {0}, counts;
-  std::vector<double> points, radii, lengths;
+  std::vector<Point> points;
+  std::vector<double> radii, lengths;
   for(const auto e : CGAL::make_range(edges(answer.graph))) {
     const auto& arc = answer.graph[e];
     ends.push_back(static_cast<std::int64_t>(source(e, answer.graph)));
     ends.push_back(static_cast<std::int64_t>(target(e, answer.graph)));
-    for(const Point& p : arc.polyline)
-      append(p, points);
+    points.insert(points.end(), arc.polyline.begin(), arc.polyline.end());
     const std::vector<double>& radii_of_arc = shapes.radii[arc.index];
     radii.insert(radii.end(), radii_of_arc.begin(), radii_of_arc.end());
     starts.push_back(static_cast<std::int64_t>(radii.size()));
     lengths.push_back(arc.length);
     counts.push_back(static_cast<std::int64_t>(arc.vertices.size()));
   }
-  py::dict arcs;
-  arcs["ends"] = array_of(ends, 2);
-  arcs["points"] = array_of(points, 3);
-  arcs["radii"] = array_of(radii);
-  arcs["starts"] = array_of(starts);
-  arcs["lengths"] = array_of(lengths);
-  arcs["numbers_of_vertices"] = array_of(counts);
-  arcs["girths"] = array_of(shapes.girths);
-  arcs["is_on_cycle"] =
-      array_of(std::vector<std::uint8_t>(shapes.is_on_cycle.begin(), shapes.is_on_cycle.end()));
-  return arcs;
+  const std::vector<std::uint8_t> is_on_cycle(shapes.is_on_cycle.begin(), shapes.is_on_cycle.end());
+  return py::dict("ends"_a = array_of(ends, 2), "points"_a = rows_of<double>(points),
+                  "radii"_a = array_of(radii), "starts"_a = array_of(starts),
+                  "lengths"_a = array_of(lengths), "numbers_of_vertices"_a = array_of(counts),
+                  "girths"_a = array_of(shapes.girths), "is_on_cycle"_a = array_of(is_on_cycle));
 }
 
-// -1 for vertices without faces.
 py::array_t<std::int64_t> arcs_of_vertices(const Reeb_answer& answer) {
   std::vector<std::int64_t> arcs;
   for(const std::size_t arc : answer.vertex_arc)
@@ -116,7 +95,7 @@ py::dict reeb(const py::array& points,
   if(simplify)
     options.threshold = *simplify;
   if(measure)
-    options.measure = measure_of(*measure);
+    options.measure = measures.at(*measure);
   options.sources = vertices_of(mesh, sources);
   Reeb_answer answer;
   htloops::Arc_shapes shapes;
@@ -124,13 +103,10 @@ py::dict reeb(const py::array& points,
     answer = htloops::find_reeb_graph(mesh, options, watch);
     shapes = htloops::shapes_of_arcs(mesh, answer);
   });
-  py::dict record;
-  record["nodes"] = nodes_of(answer);
-  record["arcs"] = arcs_of(answer, shapes);
-  record["arc_of_vertex"] = arcs_of_vertices(answer);
-  record["values"] = array_of(answer.values);
-  record["number_of_cycles"] = htloops::number_of_cycles(answer);
-  return record;
+  return py::dict("nodes"_a = nodes_of(answer), "arcs"_a = arcs_of(answer, shapes),
+                  "arc_of_vertex"_a = arcs_of_vertices(answer),
+                  "values"_a = array_of(answer.values),
+                  "number_of_cycles"_a = htloops::number_of_cycles(answer));
 }
 
 } // namespace

@@ -22,25 +22,19 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace htl_python {
 namespace {
 
 using htloops::Mesh;
+using namespace py::literals;
 namespace htl = CGAL::Handle_tunnel_loops;
 
-htl::Removal_method method_of(const std::string& name) {
-  static const std::map<std::string, htl::Removal_method> methods = {
-      {"cut", htl::Removal_method::CUT},
-      {"fill", htl::Removal_method::FILL},
-      {"cheapest", htl::Removal_method::CHEAPEST}};
-  const auto it = methods.find(name);
-  if(it == methods.end())
-    throw std::invalid_argument("by is 'cut', 'fill' or 'cheapest', not '" + name + "'");
-  return it->second;
-}
+const std::map<std::string, htl::Removal_method> methods = {
+    {"cut", htl::Removal_method::CUT},
+    {"fill", htl::Removal_method::FILL},
+    {"cheapest", htl::Removal_method::CHEAPEST}};
 
 template <typename Value> std::optional<Value> chosen(const py::dict& options, const char* name) {
   return py::cast<std::optional<Value>>(options[name]);
@@ -56,48 +50,36 @@ htloops::Removal_options options_of(const py::dict& options) {
     result.maximal_neck_length = result.maximal_length = *length;
   if(const auto box = chosen<std::array<double, 6>>(options, "box"))
     result.box = CGAL::Bbox_3((*box)[0], (*box)[1], (*box)[2], (*box)[3], (*box)[4], (*box)[5]);
-  result.method = method_of(py::cast<std::string>(options["by"]));
+  result.method = methods.at(py::cast<std::string>(options["by"]));
   return result;
 }
 
 py::list records_of(const std::vector<htl::Removed_handle>& removed) {
   static const char* const ways[] = {"cut", "fill", "whole"};
   py::list list;
-  for(const htl::Removed_handle& handle : removed) {
-    py::dict record;
-    record["pair"] = handle.pair;
-    record["by"] = ways[static_cast<int>(handle.by)];
-    record["length"] = handle.length;
-    record["area"] = handle.area;
-    record["volume"] = handle.volume;
-    list.append(record);
-  }
+  for(const htl::Removed_handle& handle : removed)
+    list.append(py::dict("pair"_a = handle.pair, "by"_a = ways[static_cast<int>(handle.by)],
+                         "length"_a = handle.length, "area"_a = handle.area,
+                         "volume"_a = handle.volume));
   return list;
 }
 
 py::list records_of(const std::vector<htl::Refused_handle>& refused) {
   py::list list;
-  for(const htl::Refused_handle& handle : refused) {
-    py::dict record;
-    record["pair"] = handle.pair;
-    record["length"] = handle.length;
-    record["reason"] = handle.reason;
-    list.append(record);
-  }
+  for(const htl::Refused_handle& handle : refused)
+    list.append(
+        py::dict("pair"_a = handle.pair, "length"_a = handle.length, "reason"_a = handle.reason));
   return list;
 }
 
 py::dict words_of(const htl::Removal_report& report) {
-  py::dict record;
-  record["genus_before"] = report.genus_before;
-  record["genus_after"] = report.genus_after;
-  record["components_before"] = report.components_before;
-  record["components_after"] = report.components_after;
-  record["removed"] = records_of(report.removed);
-  record["refused"] = records_of(report.refused);
-  record["removed_necks"] = records_of(report.removed_necks);
-  record["refused_necks"] = records_of(report.refused_necks);
-  return record;
+  return py::dict("genus_before"_a = report.genus_before, "genus_after"_a = report.genus_after,
+                  "components_before"_a = report.components_before,
+                  "components_after"_a = report.components_after,
+                  "removed"_a = records_of(report.removed),
+                  "refused"_a = records_of(report.refused),
+                  "removed_necks"_a = records_of(report.removed_necks),
+                  "refused_necks"_a = records_of(report.refused_necks));
 }
 
 using Origins = Mesh::Property_map<Mesh::Face_index, std::int64_t>;
@@ -160,13 +142,10 @@ py::list dual_cuts(const py::array& points, const py::array& triangles, int thre
       edges.push_back(mesh.target(h).idx());
       times.push_back(number);
     }
-    py::dict record;
-    record["loop"] = record_of(mesh, {&cut.loop});
-    record["kind"] = htloops::name_of(cut.loop.type());
-    record["pair"] = cut.loop.pair_index();
-    record["edges"] = array_of(edges, 2);
-    record["times"] = array_of(times);
-    cuts.append(record);
+    cuts.append(py::dict("loop"_a = record_of(mesh, {&cut.loop}),
+                         "kind"_a = htloops::name_of(cut.loop.type()),
+                         "pair"_a = cut.loop.pair_index(), "edges"_a = array_of(edges, 2),
+                         "times"_a = array_of(times)));
   }
   return cuts;
 }

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import sys
+import tracemalloc
 import types
 
 import numpy as np
@@ -51,6 +52,20 @@ def test_views(torus, expected):
     assert lengths(htl.loops(V, backwards[::-1])) == expected
     unaligned = np.frombuffer(b"x" + V.tobytes(), dtype=np.uint8)[1:].view(np.float64)
     assert lengths(htl.loops(unaligned.reshape(V.shape), F)) == expected
+
+
+def test_there_is_no_second_copy():
+    """Of arrays that have to be converted, before they are copied into a mesh."""
+    V = np.zeros((10**6, 3), dtype=">f4")
+    F = np.zeros((10**6, 3), dtype=">i2")
+    F[-1] = -1
+    tracemalloc.start()
+    try:
+        with pytest.raises(htl.MeshError, match="face 999999 names vertex -1"):
+            htl.loops(V, F)
+        assert tracemalloc.get_traced_memory()[1] < 2e6
+    finally:
+        tracemalloc.stop()
 
 
 def test_nothing_is_changed(torus):
