@@ -7,14 +7,15 @@ import os
 import threading
 from concurrent.futures import Future, wait
 from queue import SimpleQueue
-from typing import Any, Callable, Dict, List
+from typing import Any, Callable, Dict, List, Tuple
 
 from . import _core
 from ._progress import told
 
 # Threads are kept for what comes next: the allocator of TBB loses some memory with each one that ends.
 # What is done with these two is done at once, as Python's own lock has it.
-_idle: "List[SimpleQueue[Callable[[], None]]]" = []
+_Task = Tuple["Future[Any]", _core.Watch, Callable[..., Any], Tuple[Any, ...]]
+_idle: "List[SimpleQueue[_Task]]" = []
 _running: "Dict[Future[Any], _core.Watch]" = {}
 _is_ending = False
 
@@ -32,7 +33,7 @@ def computed(what: str, progress: Any, function: Callable[..., Any], *arguments:
     future: "Future[Any]" = Future()
     watch = _core.Watch()
     with told(progress, what) as callback:
-        _begin(lambda: _compute(future, watch, function, *arguments))
+        _begin((future, watch, function, arguments))
         try:
             while not wait([future], _seconds_between_looks).done:
                 if callback is not None:
@@ -44,7 +45,7 @@ def computed(what: str, progress: Any, function: Callable[..., Any], *arguments:
         try:
             answer = future.result()
         finally:
-            del future  # an error would know it, and it the error
+            del future  # as below
         if callback is not None:
             callback(1.0)
         return answer
@@ -55,24 +56,7 @@ def _go_on_or_raise(answer: Any) -> None:
         raise _core.Interrupted("interrupted")
 
 
-def _compute(
-    future: "Future[Any]", watch: _core.Watch, function: Callable[..., Any], *arguments: Any
-) -> None:
-    _running[future] = watch
-    try:
-        if _is_ending:
-            raise _core.Interrupted("Python is about to end")
-        answer = function(*arguments, watch)
-    except BaseException as error:
-        del _running[future]
-        future.set_exception(error)
-        del future
-    else:
-        del _running[future]
-        future.set_result(answer)
-
-
-def _begin(compute: Callable[[], None]) -> None:
+def _begin(task: "_Task") -> None:
     try:
         tasks = _idle.pop()
     except IndexError:
@@ -81,15 +65,40 @@ def _begin(compute: Callable[[], None]) -> None:
             threading.Thread(target=_work, args=(tasks,), daemon=True).start()
         except RuntimeError as error:  # what a thread lacks is memory
             raise MemoryError("there is no memory for a thread") from error
-    tasks.put(compute)
+    tasks.put(task)
 
 
-def _work(tasks: "SimpleQueue[Callable[[], None]]") -> None:
+def _work(tasks: "SimpleQueue[_Task]") -> None:
     while True:
-        compute = tasks.get()
-        compute()
-        del compute  # and with it the arrays
-        _idle.append(tasks)
+        _compute(tasks, *tasks.get())
+
+
+def _compute(
+    tasks: "SimpleQueue[_Task]",
+    future: "Future[Any]",
+    watch: _core.Watch,
+    function: Callable[..., Any],
+    arguments: Tuple[Any, ...],
+) -> None:
+    _running[future] = watch
+    try:
+        if _is_ending:
+            raise _core.Interrupted("Python is about to end")
+        answer = function(*arguments, watch)
+    except BaseException as error:
+        _finish(tasks, future)
+        future.set_exception(error)
+    else:
+        _finish(tasks, future)
+        future.set_result(answer)
+    finally:
+        del future  # an error would know it, and it the error
+
+
+def _finish(tasks: "SimpleQueue[_Task]", future: "Future[Any]") -> None:
+    """Before others know, so that who asks next finds this thread."""
+    del _running[future]
+    _idle.append(tasks)
 
 
 @atexit.register

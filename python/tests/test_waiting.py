@@ -193,7 +193,12 @@ def test_nothing_leaks():
     for call in calls:
         for _ in range(50):
             call()
-        before = memory()
-        for _ in range(1000 if call is calls[0] else 200):
-            call()
-        assert memory() - before < 5e5
+        assert any(growth(call) < 1e5 for _ in range(12)), call
+
+
+def growth(call):
+    """What is lost grows each time; what allocators keep for later does not."""
+    before = memory()
+    for _ in range(100):
+        call()
+    return memory() - before
