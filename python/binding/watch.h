@@ -22,7 +22,6 @@
 #include <tbb/task_arena.h>
 #endif
 
-#include <algorithm>
 #include <atomic>
 #include <functional>
 
@@ -65,11 +64,10 @@ template <typename Compute> auto compute(int threads, const Watch& watch, const 
     }
   };
 #ifdef CGAL_LINKED_WITH_TBB
-  const int all = tbb::info::default_concurrency();
-  return tbb::task_arena(threads > 0 ? (std::min)(threads, all) : all).execute(answer_if_wanted);
-#else
-  return answer_if_wanted();
+  if(threads > 0 && threads < tbb::info::default_concurrency())
+    return tbb::task_arena(threads).execute(answer_if_wanted);
 #endif
+  return answer_if_wanted();
 }
 
 } // namespace htl_python
