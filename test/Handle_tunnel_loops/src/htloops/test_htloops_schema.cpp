@@ -210,13 +210,13 @@ TEST(Dual_cuts_schema, fits_what_is_written) {
 TEST(Events_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("events");
-  Progress_bar bar(false);
+  Progress told;
   const Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
   json document;
   for(const auto solve : {solve_on_host, solve_by_reference}) {
     Solve_options options;
     options.do_log_fronts = true;
-    write_events(folder.path("a.json"), solve(mesh, options, bar));
+    write_events(folder.path("a.json"), solve(mesh, options, told));
     document = json::parse(folder.read("a.json"));
     EXPECT_GE(document["events"].size(), 6u);
     schema.expect_fits(document);
