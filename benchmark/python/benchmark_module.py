@@ -58,9 +58,10 @@ def compare(runs, folder):
 
     import handle_tunnel_loops as htl
 
-    print("| mesh | module, s | program, s | ratio | least, most | of which solving | reading by the program, s "
-          "| more memory of the module, bytes per face | arrays, bytes per face |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| mesh | module, s | of which solving | program: reading, s | solving, s | module / program in all "
+          "| least, most | solving / solving | more memory of the module, bytes per face "
+          "| its arrays, bytes per face |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for kind, options in MESHES:
         V, F = htl.generate(kind, **options)
         np.savez(folder / "a.npz", V=V, F=F)
@@ -72,16 +73,17 @@ def compare(runs, folder):
         for _ in range(runs):
             module.append(of_module(folder))
             program.append(of_program(folder))
-        ratios = [m["seconds"] / (p["solve"]) for m, p in zip(module, program)]
+        ratios = [m["seconds"] / (p["read"] + p["solve"]) for m, p in zip(module, program)]
         solving = [m["solve"] / p["solve"] for m, p in zip(module, program)]
 
         def median(records, key):
             return statistics.median(record[key] for record in records)
 
         more = (median(module, "peak") - median(program, "peak")) / len(F)
-        print(f"| {kind} {options} | {median(module, 'seconds'):.3f} | {median(program, 'solve'):.3f} "
+        print(f"| {kind} {options} | {median(module, 'seconds'):.2f} | {median(module, 'solve'):.2f} "
+              f"| {median(program, 'read'):.2f} | {median(program, 'solve'):.2f} "
               f"| {statistics.median(ratios):.2f} | {min(ratios):.2f}, {max(ratios):.2f} "
-              f"| {statistics.median(solving):.2f} | {median(program, 'read'):.2f} | {more:.0f} "
+              f"| {statistics.median(solving):.2f} | {more:.0f} "
               f"| {module[0]['arrays'] / len(F):.0f} |", flush=True)
 
 
