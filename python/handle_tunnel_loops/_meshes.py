@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, List, Tuple
 
 import numpy as np
@@ -68,6 +69,7 @@ def _given(mesh: Any, faces: Any) -> Tuple[Any, List[Any]]:
         raise TypeError(
             f"a mesh is two arrays, V and F, or an object with vertices or points and faces; "
             f"this is of type {type(mesh).__name__}"
+            + (", and read() makes arrays of a file" if isinstance(mesh, (str, os.PathLike)) else "")
         )
     corners = np.asarray(mesh.faces)
     return points, [corners if corners.ndim == 2 else _faces_of_rows(corners)]

@@ -101,3 +101,9 @@ def test_numbers_that_are_none(torus):
             htl.reeb(V, F, f)
     with pytest.raises(ValueError, match="V is no array"):
         htl.loops([[0, 0, 0], [1, 0]], F)
+
+
+def test_names_of_files_are_no_meshes(tmp_path):
+    for name in ("a.off", tmp_path / "a.off"):
+        with pytest.raises(TypeError, match=r"read\(\) makes arrays of a file"):
+            htl.loops(name)
