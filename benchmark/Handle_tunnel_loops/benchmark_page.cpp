@@ -63,7 +63,7 @@ void measure(const std::string& input, int number_of_runs, Browser* browser) {
     answer = htloops::solve_on_host(mesh, {}, told);
     listing = htloops::list_pairs(mesh, answer.pairs);
     const double t2 = seconds_now();
-    htloops::write_loops_page(page, {}, input, mesh, answer, listing, "");
+    htloops::write_page(page, htloops::scene_of_loops({}, input, mesh, answer, listing, ""));
     const double t3 = seconds_now();
     bytes = double(std::filesystem::file_size(page));
     faces = double(mesh.number_of_faces());

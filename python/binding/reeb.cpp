@@ -16,7 +16,6 @@
 
 #include <pybind11/stl.h>
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -27,13 +26,6 @@ using htloops::Mesh;
 using htloops::Point;
 using htloops::Reeb_answer;
 using namespace py::literals;
-
-const std::map<std::string, CGAL::Reeb_measure> measures = {
-    {"limbs", CGAL::Reeb_measure::LIMBS},
-    {"persistence", CGAL::Reeb_measure::PERSISTENCE},
-    {"length", CGAL::Reeb_measure::LENGTH},
-    {"area", CGAL::Reeb_measure::AREA},
-    {"vertices", CGAL::Reeb_measure::VERTICES}};
 
 py::dict nodes_of(const Reeb_answer& answer) {
   std::vector<Point> positions;
@@ -95,7 +87,7 @@ py::dict reeb(const py::array& points,
   if(simplify)
     options.threshold = *simplify;
   if(measure)
-    options.measure = measures.at(*measure);
+    options.measure = htloops::reeb_measures().at(*measure);
   options.sources = vertices_of(mesh, sources);
   Reeb_answer answer;
   htloops::Arc_shapes shapes;

@@ -129,9 +129,10 @@ void write_files(const Loops_options& options,
   if(!options.gltf_file.empty())
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
   if(!options.page_file.empty())
-    write_loops_page(options.page_file, view, options.mesh_file, mesh, answer, told.listing,
-                     told.left_out + told.summary + remark_on_numbers(options),
-                     choice_of_pairs(options));
+    write_page(options.page_file,
+               scene_of_loops(view, options.mesh_file, mesh, answer, told.listing,
+                              told.left_out + told.summary + remark_on_numbers(options),
+                              choice_of_pairs(options)));
 }
 
 bool is_output_taken(const Loops_options& options) {

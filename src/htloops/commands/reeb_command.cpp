@@ -47,13 +47,6 @@ struct Reeb_command_options : Common_options
   std::optional<double> threshold;
 };
 
-const std::map<std::string, CGAL::Reeb_measure> measures = {
-    {"limbs", CGAL::Reeb_measure::LIMBS},
-    {"persistence", CGAL::Reeb_measure::PERSISTENCE},
-    {"length", CGAL::Reeb_measure::LENGTH},
-    {"area", CGAL::Reeb_measure::AREA},
-    {"vertices", CGAL::Reeb_measure::VERTICES}};
-
 void check_options(const Reeb_command_options& options) {
   if(!options.height.empty() && is_zero(options.height))
     throw Failure(Exit_code::WRONG_USAGE, "--height 0,0,0 is no direction");
@@ -98,7 +91,7 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
   reeb.sources = sources_of(options, mended.mesh);
   reeb.values = values_of(options, mended);
   if(!options.measure.empty())
-    reeb.measure = measures.at(options.measure);
+    reeb.measure = reeb_measures().at(options.measure);
   reeb.threshold = options.threshold;
   reeb.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
@@ -237,7 +230,7 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
                   "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
                   "else persistence")
       ->option_text("NAME")
-      ->check(CLI::IsMember(measures))
+      ->check(CLI::IsMember(reeb_measures()))
       ->group(group);
   add_threads_option(command, options, group);
 }

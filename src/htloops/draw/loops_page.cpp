@@ -74,15 +74,4 @@ htl_window::Scene scene_of_loops(const View& view,
   return scene;
 }
 
-void write_loops_page(const std::string& file,
-                      const View& view,
-                      const std::string& mesh_file,
-                      const Mesh& mesh,
-                      const Answer& answer,
-                      const Pair_listing& listing,
-                      const std::string& summary,
-                      const std::string& choice) {
-  write_page(file, scene_of_loops(view, mesh_file, mesh, answer, listing, summary, choice));
-}
-
 } // namespace htloops

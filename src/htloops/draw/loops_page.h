@@ -18,8 +18,9 @@
 
 namespace htloops {
 
-/// what is shown in a page in which a mesh can be turned, with the listed pairs, and what was found
-/// at its boundary curves. `choice` is what stands before the numbers of chosen pairs.
+/// what is shown in a page, for `write_page()`, in which a mesh can be turned, with the listed
+/// pairs, and what was found at its boundary curves. `choice` is what stands before the numbers of
+/// chosen pairs.
 htl_window::Scene scene_of_loops(const View& view,
                                  const std::string& mesh_file,
                                  const Mesh& mesh,
@@ -27,16 +28,6 @@ htl_window::Scene scene_of_loops(const View& view,
                                  const Pair_listing& listing,
                                  const std::string& summary,
                                  const std::string& choice = "--pairs");
-
-/// writes such a page.
-void write_loops_page(const std::string& file,
-                      const View& view,
-                      const std::string& mesh_file,
-                      const Mesh& mesh,
-                      const Answer& answer,
-                      const Pair_listing& listing,
-                      const std::string& summary,
-                      const std::string& choice = "--pairs");
 
 } // namespace htloops
 

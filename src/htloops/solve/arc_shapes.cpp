@@ -11,6 +11,8 @@
 
 #include "solve/girths.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,8 +20,6 @@
 
 namespace htloops {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
@@ -63,7 +63,7 @@ std::vector<double> radii_of(const Mesh& mesh, const CGAL::Reeb_arc<Mesh>& arc, 
     ++counts[k];
   }
   if(arc.vertices.empty())
-    return std::vector<double>(radii.size(), girth / (2. * pi));
+    return std::vector<double>(radii.size(), girth / (2. * CGAL_PI));
   for(std::size_t i = 0; i < radii.size(); ++i)
     if(counts[i] > 0)
       radii[i] /= static_cast<double>(counts[i]);

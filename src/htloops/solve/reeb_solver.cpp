@@ -43,6 +43,16 @@ void solve(const Mesh& mesh, const NamedParameters& np, Reeb_answer& answer) {
 
 } // namespace
 
+const std::map<std::string, CGAL::Reeb_measure>& reeb_measures() {
+  static const std::map<std::string, CGAL::Reeb_measure> measures = {
+      {"limbs", CGAL::Reeb_measure::LIMBS},
+      {"persistence", CGAL::Reeb_measure::PERSISTENCE},
+      {"length", CGAL::Reeb_measure::LENGTH},
+      {"area", CGAL::Reeb_measure::AREA},
+      {"vertices", CGAL::Reeb_measure::VERTICES}};
+  return measures;
+}
+
 Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
   const bool has_values = !options.values.empty();

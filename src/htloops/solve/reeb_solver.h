@@ -13,7 +13,9 @@
 #include "solve/progress.h"
 #include "solve/reeb_answer.h"
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace htloops {
@@ -26,6 +28,9 @@ struct Reeb_options
   std::optional<double> threshold;
   int number_of_threads = 0; ///< 0: as many as the machine has
 };
+
+/// the measures by their names.
+const std::map<std::string, CGAL::Reeb_measure>& reeb_measures();
 
 /// computes a Reeb graph.
 Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress& progress);

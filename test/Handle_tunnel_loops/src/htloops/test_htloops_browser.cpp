@@ -57,7 +57,8 @@ protected:
     answer_ = htloops::solve_on_host(mesh, {}, told);
     listing_ = htloops::list_pairs(mesh, answer_.pairs);
     const std::string file = folder_.path("page.html");
-    htloops::write_loops_page(file, {}, "a <mesh>.off", mesh, answer_, listing_, "one\ntwo & <b>");
+    htloops::write_page(file, htloops::scene_of_loops({}, "a <mesh>.off", mesh, answer_, listing_,
+                                                      "one\ntwo & <b>"));
     browser().open(file, "document.body?.classList.contains('ready') === true");
   }
 
