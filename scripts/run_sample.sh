@@ -15,7 +15,7 @@ scripts/build.sh htloops "${options[@]}"
 
 htloops=build/bin/htloops
 picture=()
-if "$htloops" loops --help | grep -q -- --picture; then
+if "$htloops" loops --help | grep -- --picture >/dev/null; then # grep -q would break the pipe
   picture=(--picture sample/loops.png)
 fi
 
