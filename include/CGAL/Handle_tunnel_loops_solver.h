@@ -281,6 +281,8 @@ private:
         choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
     options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
     options.do_log_fronts = choose_parameter(get_parameter(np, internal_np::do_log_fronts), false);
+    options.literal_rules =
+        choose_parameter(get_parameter(np, internal_np::literal_rules), Literal_rules());
     impl::check_constants(options.constants);
     const auto start = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));

@@ -105,6 +105,15 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
+/// is thrown when a rule of the paper that is followed to the letter (`Literal_rules`) leads nowhere;
+/// no loop has been written. Other rules, those by default, may find the answer.
+class Literal_failure_exception : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
 /// is thrown when the `callback` asked to stop; no loop has been written.
 class Interrupted_exception : public std::runtime_error
 {

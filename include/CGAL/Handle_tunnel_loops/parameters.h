@@ -27,6 +27,7 @@ enum do_refine_handles_t { do_refine_handles };
 enum do_tighten_t { do_tighten };
 enum do_compute_linking_t { do_compute_linking };
 enum do_log_fronts_t { do_log_fronts };
+enum literal_rules_t { literal_rules };
 enum source_vertices_t { source_vertices };
 enum vertex_function_map_t { vertex_function_map };
 enum reeb_measure_t { reeb_measure };
@@ -77,6 +78,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_refine_handles)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_tighten)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_compute_linking)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_log_fronts)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(literal_rules)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(source_vertices)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_function_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(reeb_measure)

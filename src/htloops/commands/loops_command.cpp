@@ -64,7 +64,7 @@ Told told_of(const Loops_options& options,
 // Whether 'htloops remove', which finds the pairs anew, finds these, with the same numbers.
 bool has_usual_numbers(const Loops_options& options) {
   return !options.seed && options.basis == "pure" && options.classifier == "linking" &&
-         !options.do_not_refine && !options.do_not_tighten &&
+         !options.is_literal && !options.do_not_refine && !options.do_not_tighten &&
          (options.backend == "auto" || options.backend == "host");
 }
 

@@ -63,6 +63,11 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       ->option_text("NAME")
       ->check(CLI::IsMember(names_of_backends()))
       ->group(group);
+  command
+      .add_flag("--literal", options.is_literal,
+                "with --backend reference: the rules of the paper to the letter, and no others;\n"
+                "the loops are not shortened, and named by --classify offset")
+      ->group(group);
   add_threads_option(command, options, group);
   command
       .add_option("--jobs", options.number_of_jobs,
@@ -146,6 +151,8 @@ void add_loops_options(CLI::App& command, Loops_options& options) {
 void check_loops_options(const Loops_options& options) {
   choose_backend(options.backend);
   check_common_options(options);
+  if(options.is_literal && options.backend != "reference")
+    throw Failure(Exit_code::WRONG_USAGE, "--literal goes with --backend reference");
   check_name(options.csv_file, "a table as CSV", ".csv");
   check_name(options.jsonl_file, "lines of JSON", ".jsonl");
   check_listing_choice(options.listing);
@@ -155,11 +162,12 @@ void check_loops_options(const Loops_options& options) {
 
 Json json_of(const Loops_options& options) {
   return {{"basis", options.basis},
-          {"classify", options.classifier},
+          {"classify", options.is_literal ? "offset" : options.classifier},
           {"backend", options.backend},
+          {"literal", options.is_literal},
           {"seed", options.seed ? Json(*options.seed) : Json()},
           {"refine", !options.do_not_refine},
-          {"tighten", !options.do_not_tighten},
+          {"tighten", !options.do_not_tighten && !options.is_literal},
           {"waists", options.do_find_waists},
           {"triangulate", options.remedies.do_triangulate},
           {"repair", options.remedies.do_repair}};
@@ -170,8 +178,9 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   if(options.seed)
     solve_options.seed = vertex_of_mesh(mesh, *options.seed);
   solve_options.do_refine_handles = !options.do_not_refine;
-  solve_options.do_tighten = !options.do_not_tighten;
-  solve_options.do_compute_linking = options.classifier == "linking";
+  solve_options.is_literal = options.is_literal;
+  solve_options.do_tighten = !options.do_not_tighten && !options.is_literal;
+  solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
   using CGAL::Handle_tunnel_loops::Basis_kind;
   solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
   solve_options.do_log_fronts = !options.events_file.empty();

@@ -32,6 +32,7 @@ struct Loops_options : Common_options
   Listing_choice listing;
   std::string backend = "auto";
   std::optional<std::uint32_t> seed;
+  bool is_literal = false;
   bool do_not_refine = false;
   bool do_not_tighten = false;
   bool do_find_waists = false;

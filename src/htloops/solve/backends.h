@@ -23,6 +23,7 @@ namespace htloops {
 struct Solve_options
 {
   std::optional<Mesh::Vertex_index> seed;
+  bool is_literal = false; ///< of the reference
   bool do_refine_handles = true;
   bool do_tighten = true;
   bool do_compute_linking = true;

@@ -46,8 +46,11 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
   const auto logged = parameters::do_log_fronts(options.do_log_fronts, watched);
   const auto kind = parameters::basis_kind(options.basis_kind, logged);
   const auto linked = parameters::do_compute_linking(options.do_compute_linking, kind);
-  const auto np = parameters::do_refine_handles(options.do_refine_handles,
-                                                parameters::do_tighten(options.do_tighten, linked));
+  const auto tightened = parameters::do_tighten(options.do_tighten, linked);
+  using CGAL::Handle_tunnel_loops::Literal_rules;
+  const auto literal = parameters::literal_rules(
+      options.is_literal ? Literal_rules::all() : Literal_rules(), tightened);
+  const auto np = parameters::do_refine_handles(options.do_refine_handles, literal);
 
   Answer answer;
   const Stopwatch stopwatch;

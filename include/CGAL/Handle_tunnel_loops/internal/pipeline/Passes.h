@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/Literal_rules.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
@@ -29,6 +30,7 @@ struct Pass_options
   bool do_refine_handles = true;
   bool do_tighten = true; ///< the reference knows no tightening
   bool do_log_fronts = false;
+  Literal_rules literal_rules; ///< of the reference
 };
 
 /// The passes of a method (paper, section 4), which `Loop_pipeline` calls in their order, each

@@ -37,15 +37,18 @@ comes to streamlines lead back to the left side; along the loop, and across it, 
 class Dual_loop_pass
 {
 public:
-  Dual_loop_pass(const Flat_mesh& mesh, const Field_constants& constants)
+  Dual_loop_pass(const Flat_mesh& mesh,
+                 const Field_constants& constants,
+                 const Literal_rules& rules)
       : mesh_(mesh)
-      , constants_(constants) {}
+      , constants_(constants)
+      , rules_(rules) {}
 
   /// `walls` are edges that may not be crossed, those of `loop` among them. Returns the loops of
   /// all streamlines, the shortest first.
   std::vector<Crossing_loop> dual_loops(const Crossing_loop& loop,
                                         const Barred_edges& walls) const {
-    Single_field field(mesh_, constants_, walls);
+    Single_field field(mesh_, constants_, rules_, walls);
     for(const Crossing& c : loop)
       field.add_source(c.left);
     std::vector<char> is_target(mesh_.number_of_vertices(), 0);
@@ -58,7 +61,10 @@ public:
     if(!has_target)
       return {};
     std::vector<std::pair<double, Crossing_loop>> loops;
-    for(const Index target : field.run_until(is_target)) {
+    std::vector<Index> targets = field.run_until(is_target);
+    if(rules_.first_reached && targets.size() > 1)
+      targets.resize(1);
+    for(const Index target : targets) {
       std::vector<Surface_point> line = Streamline(mesh_, field.arrivals()).trace(target);
       append_along(loop, line.back().a, target, line);
       remove_turns(line);
@@ -130,6 +136,7 @@ private:
 
   const Flat_mesh& mesh_;
   Field_constants constants_;
+  Literal_rules rules_;
 };
 
 } // namespace reference

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Front_event.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Front_meeting.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 
 #include <CGAL/assertions.h>
@@ -25,15 +26,6 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 namespace reference {
-
-/// Two fronts have met: a handle. `loop` is the shorter of the two, with what was covered on the
-/// left.
-struct Front_meeting
-{
-  Crossing_loop loop;
-  Index saddle;         ///< the vertex at which they met
-  Index foot_a, foot_b; ///< covered neighbors of the saddle, behind either front
-};
 
 /*!
 Follows the fronts and the layers that they lie in while vertices are covered one after the other.
@@ -165,7 +157,7 @@ private:
       log(Front_event_type::MERGE, step, v, {record(layer_a, loop_a), record(layer_b, loop_b)},
           {record(merged, placed(after.loop(a), covered))});
       Crossing_loop& shorter = length(mesh_, loop_a) <= length(mesh_, loop_b) ? loop_a : loop_b;
-      meetings_.push_back({std::move(shorter), v, a.left, b.left});
+      meetings_.push_back({std::move(shorter), v, a.left, b.left, area_of(covered)});
     } else {
       const Index part_a = new_layer(), part_b = new_layer();
       for(const Index part : {part_a, part_b})
@@ -184,17 +176,6 @@ private:
     for(const Crossing& c : fronts.crossings())
       if(fronts.front(c) == fronts.front(at))
         set_layer_of(c, layer);
-  }
-
-  // A front is the line on which the field has the value of the threshold.
-  template <typename Values>
-  static Crossing_loop placed(Crossing_loop loop, const Values& covered) {
-    for(Crossing& c : loop) {
-      const double drop = covered[c.left] - covered[c.right];
-      const double ratio = drop > 0. ? (covered[c.left] - threshold) / drop : 0.5;
-      c.ratio = (std::min)(0.99, (std::max)(0.01, ratio));
-    }
-    return loop;
   }
 
   Front_event::Front record(Index layer, const Crossing_loop& loop) const {

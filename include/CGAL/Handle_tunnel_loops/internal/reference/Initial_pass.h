@@ -14,12 +14,14 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Front_tracker.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handles_within_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Layered_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -40,10 +42,12 @@ class Initial_pass
 public:
   Initial_pass(const Flat_mesh& mesh,
                const Field_constants& constants,
+               const Literal_rules& rules,
                const std::vector<Index>& seeds)
       : mesh_(mesh)
       , patience_(patience(constants))
-      , field_(mesh, constants)
+      , is_rest_failure_(rules.are_of_fields())
+      , field_(mesh, constants, rules)
       , arrivals_(mesh)
       , tracker_(mesh) {
     start(seeds);
@@ -129,6 +133,11 @@ private:
   // On a mesh that is coarser than the front is wide, the field can come to rest: at a vertex of
   // high degree with one covered neighbor, say. Then all that it touches is declared covered.
   void push_on(const Values& covered) {
+    if(is_rest_failure_)
+      throw Literal_failure_exception("the field came to rest when " +
+                                      std::to_string(arrivals_.number_of_reached()) + " of " +
+                                      std::to_string(mesh_.number_of_vertices()) +
+                                      " vertices were covered");
     std::map<Index, Index> layer_of_vertex;
     arrivals_.push_on(covered, [&](Index v) {
       if(layer_of_vertex.empty())
@@ -197,6 +206,7 @@ private:
 
   const Flat_mesh& mesh_;
   std::size_t patience_;
+  bool is_rest_failure_;
   Layered_field field_;
   Arrivals arrivals_;
   Front_tracker tracker_;

@@ -49,10 +49,12 @@ public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   using Vector_of_values = Eigen::VectorXd;
 
-  Layered_field(const Flat_mesh& mesh, const Field_constants& constants)
+  Layered_field(const Flat_mesh& mesh,
+                const Field_constants& constants,
+                const Literal_rules& rules)
       : constants_(constants)
       , time_step_(time_step(constants))
-      , transposed_laplacian_(laplacian(mesh).transpose())
+      , transposed_laplacian_(laplacian(mesh, rules).transpose())
       , phi_(1, transposed_laplacian_.cols())
       , is_source_(mesh.number_of_vertices(), 0) {
     for(Eigen::Index v = 0; v < phi_.cols(); ++v)

@@ -15,7 +15,9 @@
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include <CGAL/Handle_tunnel_loops/Device_options.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Band_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Crossing_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Dual_loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
@@ -27,6 +29,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,17 +49,19 @@ public:
                    const std::vector<Index>& seeds,
                    const Pass_options& options)
       : mesh_(mesh)
-      , initial_pass_(mesh, options.constants, seeds)
-      , dual_loop_pass_(mesh, options.constants) {}
+      , rules_(options.literal_rules)
+      , seeds_(seeds)
+      , constants_(literal_constants(options.constants, rules_))
+      , dual_loop_pass_(mesh, constants_, rules_) {}
 
   void initial_pass(Progress& progress, Statistics& statistics) override {
-    initial_pass_.run(progress);
-    for(const Front_meeting& meeting : initial_pass_.tracker().meetings())
-      handles_.push_back(meeting.loop);
-    CGAL_postcondition_msg(handles_.size() == mesh_.genus, "as many handles as the genus");
     statistics.backend = "reference";
-    statistics.front_events = initial_pass_.tracker().events();
-    statistics.resolution = initial_pass_.resolution();
+    if(rules_.bands)
+      follow_bands(progress);
+    else
+      follow_fronts(progress, statistics);
+    for(const Front_meeting& meeting : meetings_)
+      handles_.push_back(meeting.loop);
   }
 
   /// The region that was covered when a handle was found lies to the left of all
@@ -65,14 +71,15 @@ public:
     for(std::size_t k = 0; k < handles_.size(); ++k) {
       report(progress, k);
       const std::vector<Crossing_loop> loops =
-          dual_loop_pass_.dual_loops(handles_[k], with_handles.walls(k, handles_.size()));
-      const auto shortest =
-          std::find_if(loops.begin(), loops.end(),
-                       [&](const Crossing_loop& loop) { return is_tunnel(with_handles(loop), k); });
-      statistics.kept_sweep_tunnels += shortest == loops.end();
-      tunnels_.push_back(shortest != loops.end()
-                             ? *shortest
-                             : tunnel_in_covered_region(initial_pass_.tracker().meetings()[k]));
+          dual_loop_pass_.dual_loops(handles_[k], walls_of_tunnel(with_handles, k));
+      const auto tunnel = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
+        return rules_.first_reached || is_tunnel(with_handles(loop), k);
+      });
+      if(tunnel == loops.end() && rules_.any())
+        throw Literal_failure_exception("no tunnel was found for handle " + std::to_string(k));
+      statistics.kept_sweep_tunnels += tunnel == loops.end();
+      tunnels_.push_back(tunnel != loops.end() ? *tunnel
+                                               : tunnel_in_covered_region(meetings_[k]));
     }
   }
 
@@ -80,16 +87,23 @@ public:
   /// shorter, and the loops remain a basis.
   void refinement_pass(Progress& progress, Statistics& statistics) override {
     const Crossing_numbers with_handles(mesh_, handles_), with_tunnels(mesh_, tunnels_);
-    Handle_exchange exchange(numbers_of_tunnels(with_handles), numbers_of_tunnels(with_tunnels));
+    std::optional<Handle_exchange> exchange;
+    if(!rules_.refined_always)
+      exchange = exchange_of_handles(with_handles, with_tunnels);
     for(std::size_t k = 0; k < handles_.size(); ++k) {
       report(progress, k);
       const std::vector<Crossing_loop> loops =
           dual_loop_pass_.dual_loops(tunnels_[k], with_tunnels.walls(k, k + 1));
       const auto better = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
+        if(!exchange)
+          return true;
         const Numbers numbers = with_tunnels(loop);
         return std::abs(numbers[k]) == 1 && length(mesh_, loop) < length(mesh_, handles_[k]) &&
-               exchange.replace(k, with_handles(loop), numbers);
+               exchange->replace(k, with_handles(loop), numbers);
       });
+      if(better == loops.end() && rules_.refined_always)
+        throw Literal_failure_exception("no refined handle was found for tunnel " +
+                                        std::to_string(k));
       if(better != loops.end())
         handles_[k] = *better;
       else
@@ -108,6 +122,48 @@ public:
 
 private:
   using Numbers = Handle_exchange::Numbers;
+
+  void follow_fronts(Progress& progress, Statistics& statistics) {
+    initial_pass_ = std::make_unique<Initial_pass>(mesh_, constants_, rules_, seeds_);
+    initial_pass_->run(progress);
+    meetings_ = initial_pass_->tracker().meetings();
+    CGAL_postcondition_msg(meetings_.size() == mesh_.genus, "as many handles as the genus");
+    statistics.front_events = initial_pass_->tracker().events();
+    statistics.resolution = initial_pass_->resolution();
+  }
+
+  void follow_bands(Progress& progress) {
+    Band_pass pass(mesh_, constants_, rules_, seeds_);
+    pass.run(progress);
+    meetings_ = pass.meetings();
+    if(meetings_.size() != mesh_.genus)
+      throw Literal_failure_exception("the fronts met " + std::to_string(meetings_.size()) +
+                                      " times, and there are " + std::to_string(mesh_.genus) +
+                                      " handles");
+  }
+
+  // Edges that the field which looks for a tunnel may not cross.
+  Barred_edges walls_of_tunnel(const Crossing_numbers& with_handles, std::size_t k) const {
+    if(!rules_.covered_area)
+      return with_handles.walls(k, handles_.size());
+    Barred_edges walls = with_handles.walls(k, k + 1);
+    const std::vector<char>& area = meetings_[k].area;
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      for(Index i = mesh_.row_begin[v]; i < mesh_.row_begin[v + 1]; ++i)
+        if(area[v] == 0 || area[mesh_.neighbor[i]] == 0)
+          walls[i] = 1;
+    return walls;
+  }
+
+  Handle_exchange exchange_of_handles(const Crossing_numbers& with_handles,
+                                      const Crossing_numbers& with_tunnels) const {
+    std::vector<Numbers> numbers = numbers_of_tunnels(with_handles);
+    for(std::size_t k = 0; k < numbers.size(); ++k)
+      if(!is_tunnel(numbers[k], k))
+        throw Literal_failure_exception("what was found for handle " + std::to_string(k) +
+                                        " is no tunnel of it");
+    return Handle_exchange(std::move(numbers), numbers_of_tunnels(with_tunnels));
+  }
 
   void report(Progress& progress, std::size_t k) const {
     progress.advance(static_cast<double>(k) / static_cast<double>(handles_.size()));
@@ -138,7 +194,7 @@ private:
 
   // With the fewest edges, from one foot to the other.
   std::vector<Index> covered_path(const Front_meeting& meeting) const {
-    const Arrivals& arrivals = initial_pass_.arrivals();
+    const Arrivals& arrivals = initial_pass_->arrivals();
     std::vector<Index> next(mesh_.number_of_vertices(), no_index), queue(1, meeting.foot_b);
     next[meeting.foot_b] = meeting.foot_b;
     for(std::size_t i = 0; next[meeting.foot_a] == no_index; ++i) {
@@ -156,7 +212,11 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Initial_pass initial_pass_;
+  Literal_rules rules_;
+  std::vector<Index> seeds_;
+  Field_constants constants_;
+  std::unique_ptr<Initial_pass> initial_pass_;
+  std::vector<Front_meeting> meetings_;
   Dual_loop_pass dual_loop_pass_;
   std::vector<Crossing_loop> handles_, tunnels_;
 };

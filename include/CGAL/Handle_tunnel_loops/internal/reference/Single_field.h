@@ -39,10 +39,14 @@ Sources keep the value one.
 class Single_field
 {
 public:
-  Single_field(const Flat_mesh& mesh, const Field_constants& constants, const Barred_edges& walls)
+  Single_field(const Flat_mesh& mesh,
+               const Field_constants& constants,
+               const Literal_rules& rules,
+               const Barred_edges& walls)
       : constants_(constants)
+      , is_rest_failure_(rules.are_of_fields())
       , factor_(time_step(constants) * constants.mobility / 2.)
-      , laplacian_(laplacian(mesh, walls))
+      , laplacian_(laplacian(mesh, rules, walls))
       , phi_(Eigen::ArrayXd::Zero(laplacian_.cols()))
       , arrivals_(mesh, walls) {}
 
@@ -82,7 +86,7 @@ public:
       steps_at_rest = arrivals_.number_of_reached() == reached_before ? steps_at_rest + 1 : 0;
       if(steps_at_rest < patience(constants_))
         continue;
-      if(!push_on(reached))
+      if(is_rest_failure_ || !push_on(reached))
         break;
       steps_at_rest = 0;
     }
@@ -114,6 +118,7 @@ private:
   }
 
   Field_constants constants_;
+  bool is_rest_failure_;
   double factor_;
   Eigen::SparseMatrix<double, Eigen::RowMajor> laplacian_;
   Eigen::ArrayXd phi_;

@@ -15,12 +15,14 @@
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/Literal_rules.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 
 #include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +54,58 @@ laplacian(const Flat_mesh& mesh, const Barred_edges& walls = Barred_edges()) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+/// The Laplacian of linear finite elements, with a mass for each vertex (paper, section 3). Lengths are
+/// in mean edge lengths, so that it is the other one on equilateral triangles. Edges with walls
+/// have no weight.
+inline Eigen::SparseMatrix<double, Eigen::RowMajor>
+finite_element_laplacian(const Flat_mesh& mesh, const Barred_edges& walls = Barred_edges()) {
+  const auto n = static_cast<Eigen::Index>(mesh.number_of_vertices());
+  std::vector<double> area(mesh.number_of_vertices(), 0.);
+  std::vector<Eigen::Triplet<double>> weights;
+  double length = 0.;
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Ring ring = mesh.ring(v);
+    for(Index i = 0; i < ring.size(); ++i) { // the triangle (v, a, b), for its edge from a to b
+      const Index a = ring[i], b = ring[ring.next(i)];
+      const Vector p = mesh.points[a] - mesh.points[v], q = mesh.points[b] - mesh.points[v];
+      const double twice_area = norm(cross(p, q));
+      area[v] += twice_area / 6.;
+      length += norm(p);
+      if(!(twice_area > 0.) || (!walls.empty() && walls[slot(mesh, a, b)]))
+        continue;
+      const double weight = dot(p, q) / twice_area / 2.;
+      for(const auto& [u, w] : {std::pair(a, b), std::pair(b, a)}) {
+        weights.emplace_back(static_cast<int>(u), static_cast<int>(w), weight);
+        weights.emplace_back(static_cast<int>(u), static_cast<int>(u), -weight);
+      }
+    }
+  }
+  length /= static_cast<double>(mesh.neighbor.size());
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(n, n);
+  matrix.setFromTriplets(weights.begin(), weights.end());
+  Eigen::VectorXd scale(n);
+  for(Eigen::Index v = 0; v < n; ++v)
+    scale[v] = area[v] > 0. ? length * length / area[v] : 0.;
+  return scale.asDiagonal() * matrix;
+}
+
+/// the one that is asked for.
+inline Eigen::SparseMatrix<double, Eigen::RowMajor>
+laplacian(const Flat_mesh& mesh, const Literal_rules& rules, const Barred_edges& walls = {}) {
+  return rules.finite_elements ? finite_element_laplacian(mesh, walls) : laplacian(mesh, walls);
+}
+
+/// the constants of the fields.
+inline Field_constants literal_constants(Field_constants constants, const Literal_rules& rules) {
+  if(rules.gradient_coefficient) { // the time step stays
+    constants.step *=
+        constants.gradient_coefficient / (rules.mean_edge_length * rules.mean_edge_length);
+    constants.gradient_coefficient *=
+        constants.gradient_coefficient / (rules.mean_edge_length * rules.mean_edge_length);
+  }
+  return constants;
 }
 
 /// the time step: the given fraction of the largest one for which no neighbor's weight, nor that of

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_BAND_PASS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_BAND_PASS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Band_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Front_meeting.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Layered_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+namespace reference {
+
+/*!
+The initial pass to the letter (paper, 4.1). After each step a layer whose front has several
+components is split, each of these going to a new layer; layers that have values at the same vertex
+are merged to a new one, which is a handle less than there are layers. The loops are the isolines of
+the layers; the longest is left out.
+
+A layer that was split, or has no front any more, is ignored.
+*/
+class Band_pass
+{
+public:
+  Band_pass(const Flat_mesh& mesh,
+            const Field_constants& constants,
+            const Literal_rules& rules,
+            const std::vector<Index>& seeds)
+      : mesh_(mesh)
+      , rules_(rules)
+      , patience_(patience(constants))
+      , field_(mesh, constants, rules)
+      , bands_(mesh, rules.band_threshold)
+      , is_active_(1, 0) {
+    start(seeds);
+  }
+
+  const std::vector<Front_meeting>& meetings() const { return meetings_; }
+
+  void run(Progress& progress) {
+    const double n = static_cast<double>(mesh_.number_of_vertices());
+    for(std::size_t i = 1; number_of_covered_ < mesh_.number_of_vertices(); ++i) {
+      step();
+      if(i % 16 == 0)
+        progress.advance(static_cast<double>(number_of_covered_) / n);
+    }
+  }
+
+private:
+  void start(const std::vector<Index>& seeds) {
+    std::map<Index, Index> layer_of_vertex;
+    for(const Index seed : seeds) {
+      const Index layer = new_layer();
+      layer_of_vertex[seed] = layer;
+      for(const Index u : mesh_.ring(seed))
+        layer_of_vertex[u] = layer;
+    }
+    for(const auto& [v, layer] : layer_of_vertex)
+      field_.add_source(v);
+    field_.move_rows(is_active_.size(), [&](Index row, Index v) {
+      const auto it = layer_of_vertex.find(v);
+      return it == layer_of_vertex.end() ? row : it->second;
+    });
+  }
+
+  void step() {
+    field_.step();
+    const Layered_field::Vector_of_values covered = field_.covered();
+    for(Index layer = 1, last = static_cast<Index>(is_active_.size()); layer < last; ++layer)
+      if(is_active_[layer] != 0)
+        split(layer);
+    merge(covered);
+    const std::size_t before = number_of_covered_;
+    number_of_covered_ = static_cast<std::size_t>((covered.array() >= threshold).count());
+    steps_at_rest_ = number_of_covered_ > before ? 0 : steps_at_rest_ + 1;
+    if(steps_at_rest_ > patience_)
+      throw Literal_failure_exception("the fields came to rest when " +
+                                      std::to_string(number_of_covered_) + " of " +
+                                      std::to_string(mesh_.number_of_vertices()) +
+                                      " vertices were covered, with " + handles_so_far());
+  }
+
+  std::string handles_so_far() const {
+    return std::to_string(meetings_.size()) + " of " + std::to_string(mesh_.genus) + " handles";
+  }
+
+  Index new_layer() {
+    is_active_.push_back(1);
+    return static_cast<Index>(is_active_.size()) - 1;
+  }
+
+  void split(Index layer) {
+    const Layered_field::Vector_of_values values = field_.phi().row(layer).transpose();
+    const Index count = bands_.find(values);
+    std::map<Index, Index> target;
+    std::vector<Index> layers;
+    for(Index i = 0; i < count && count > 1; ++i)
+      layers.push_back(new_layer());
+    bands_.take([&](Index v, Index component) {
+      if(count > 1 && values[v] > 0. && values[v] < 1.)
+        target[v] = layers[component];
+    });
+    if(count < 2)
+      return;
+    is_active_[layer] = 0;
+    field_.move_rows(is_active_.size(), [&](Index row, Index v) {
+      const auto it = row == layer ? target.find(v) : target.end();
+      return it == target.end() ? row : it->second;
+    });
+  }
+
+  void merge(const Layered_field::Vector_of_values& covered) {
+    for(const std::vector<Index>& layers : layers_in_contact()) {
+      add_handles(layers, covered);
+      const Index merged = new_layer();
+      std::vector<char> is_merged(is_active_.size(), 0);
+      for(const Index layer : layers) {
+        is_merged[layer] = 1;
+        is_active_[layer] = 0;
+      }
+      field_.move_rows(is_active_.size(),
+                       [&](Index row, Index) { return is_merged[row] != 0 ? merged : row; });
+    }
+  }
+
+  // Groups of two or more active layers that have values at the same vertices.
+  std::vector<std::vector<Index>> layers_in_contact() const {
+    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+    Graph graph(is_active_.size());
+    std::vector<Index> layer_at(mesh_.number_of_vertices(), no_index);
+    for(Index layer = 1; layer < is_active_.size(); ++layer)
+      if(is_active_[layer] != 0)
+        for(Layered_field::Matrix::InnerIterator it(field_.phi(), layer); it; ++it) {
+          if(!(it.value() > rules_.contact_threshold))
+            continue;
+          Index& first = layer_at[static_cast<Index>(it.col())];
+          if(first != no_index)
+            boost::add_edge(first, layer, graph);
+          first = layer;
+        }
+    std::vector<Index> group(is_active_.size());
+    const auto count = boost::connected_components(graph, group.data());
+    std::vector<std::vector<Index>> groups(static_cast<std::size_t>(count));
+    for(Index layer = 1; layer < is_active_.size(); ++layer)
+      groups[group[layer]].push_back(layer);
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                                [](const auto& layers) { return layers.size() < 2; }),
+                 groups.end());
+    return groups;
+  }
+
+  // The isolines of the layers but the longest.
+  void add_handles(const std::vector<Index>& layers,
+                   const Layered_field::Vector_of_values& covered) {
+    std::vector<Crossing_loop> loops = isolines(layers, covered);
+    std::stable_sort(loops.begin(), loops.end(), [this](const auto& a, const auto& b) {
+      return length(mesh_, a) < length(mesh_, b);
+    });
+    if(!loops.empty())
+      loops.pop_back();
+    for(Crossing_loop& loop : loops)
+      meetings_.push_back({std::move(loop), no_index, no_index, no_index, area_of(covered)});
+    if(meetings_.size() > mesh_.genus)
+      throw Literal_failure_exception("the fronts met more often than there are handles, " +
+                                      std::to_string(mesh_.genus));
+  }
+
+  // Of each of the layers the front, of those around what is covered, that has most of it behind.
+  std::vector<Crossing_loop> isolines(const std::vector<Index>& layers,
+                                      const Layered_field::Vector_of_values& covered) const {
+    Covered_region region(mesh_);
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(covered[v] >= threshold) {
+        region.add(v);
+        for(Index run = 1; run < region.number_of_runs(); ++run)
+          region.link_next_run();
+      }
+    const Fronts fronts(region);
+    std::vector<Crossing_loop> loops;
+    for(const Index layer : layers) {
+      const Layered_field::Vector_of_values values = field_.phi().row(layer).transpose();
+      std::vector<double> share(fronts.number_of_fronts(), 0.);
+      std::vector<const Crossing*> some(fronts.number_of_fronts(), nullptr);
+      for(const Crossing& c : fronts.crossings()) {
+        share[fronts.front(c)] += values[c.left];
+        some[fronts.front(c)] = &c;
+      }
+      const auto most = std::max_element(share.begin(), share.end());
+      if(most == share.end() || !(*most > 0.))
+        continue; // it is about to close
+      loops.push_back(placed(fronts.loop(*some[most - share.begin()]), covered));
+    }
+    return loops;
+  }
+
+  const Flat_mesh& mesh_;
+  Literal_rules rules_;
+  std::size_t patience_;
+  Layered_field field_;
+  Band_components bands_;
+  std::vector<char> is_active_; // by layer
+  std::vector<Front_meeting> meetings_;
+  std::size_t number_of_covered_ = 0, steps_at_rest_ = 0;
+};
+
+} // namespace reference
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_BAND_PASS_H
