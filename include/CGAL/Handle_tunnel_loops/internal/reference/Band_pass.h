@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Front_meeting.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Layered_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fail_at_rest.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
 #include <algorithm>
@@ -45,8 +46,8 @@ class Band_pass
 public:
   Band_pass(const Flat_mesh& mesh,
             const Field_constants& constants,
-            const Literal_rules& rules,
-            const std::vector<Index>& seeds)
+            const std::vector<Index>& seeds,
+            const Literal_rules& rules)
       : mesh_(mesh)
       , rules_(rules)
       , patience_(patience(constants))
@@ -95,14 +96,7 @@ private:
     number_of_covered_ = static_cast<std::size_t>((covered.array() >= threshold).count());
     steps_at_rest_ = number_of_covered_ > before ? 0 : steps_at_rest_ + 1;
     if(steps_at_rest_ > patience_)
-      throw Literal_failure_exception("the fields came to rest when " +
-                                      std::to_string(number_of_covered_) + " of " +
-                                      std::to_string(mesh_.number_of_vertices()) +
-                                      " vertices were covered, with " + handles_so_far());
-  }
-
-  std::string handles_so_far() const {
-    return std::to_string(meetings_.size()) + " of " + std::to_string(mesh_.genus) + " handles";
+      fail_at_rest(mesh_, number_of_covered_);
   }
 
   Index new_layer() {

@@ -39,7 +39,7 @@ class Dual_loop_pass
 public:
   Dual_loop_pass(const Flat_mesh& mesh,
                  const Field_constants& constants,
-                 const Literal_rules& rules)
+                 const Literal_rules& rules = Literal_rules())
       : mesh_(mesh)
       , constants_(constants)
       , rules_(rules) {}
@@ -48,7 +48,7 @@ public:
   /// all streamlines, the shortest first.
   std::vector<Crossing_loop> dual_loops(const Crossing_loop& loop,
                                         const Barred_edges& walls) const {
-    Single_field field(mesh_, constants_, rules_, walls);
+    Single_field field(mesh_, constants_, walls, rules_);
     for(const Crossing& c : loop)
       field.add_source(c.left);
     std::vector<char> is_target(mesh_.number_of_vertices(), 0);

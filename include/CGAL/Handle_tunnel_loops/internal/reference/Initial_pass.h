@@ -14,14 +14,13 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Front_tracker.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handles_within_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Layered_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fail_at_rest.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
 #include <map>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -42,8 +41,8 @@ class Initial_pass
 public:
   Initial_pass(const Flat_mesh& mesh,
                const Field_constants& constants,
-               const Literal_rules& rules,
-               const std::vector<Index>& seeds)
+               const std::vector<Index>& seeds,
+               const Literal_rules& rules = Literal_rules())
       : mesh_(mesh)
       , patience_(patience(constants))
       , is_rest_failure_(rules.are_of_fields())
@@ -134,10 +133,7 @@ private:
   // high degree with one covered neighbor, say. Then all that it touches is declared covered.
   void push_on(const Values& covered) {
     if(is_rest_failure_)
-      throw Literal_failure_exception("the field came to rest when " +
-                                      std::to_string(arrivals_.number_of_reached()) + " of " +
-                                      std::to_string(mesh_.number_of_vertices()) +
-                                      " vertices were covered");
+      fail_at_rest(mesh_, arrivals_.number_of_reached());
     std::map<Index, Index> layer_of_vertex;
     arrivals_.push_on(covered, [&](Index v) {
       if(layer_of_vertex.empty())

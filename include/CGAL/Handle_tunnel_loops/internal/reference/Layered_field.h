@@ -51,7 +51,7 @@ public:
 
   Layered_field(const Flat_mesh& mesh,
                 const Field_constants& constants,
-                const Literal_rules& rules)
+                const Literal_rules& rules = Literal_rules())
       : constants_(constants)
       , time_step_(time_step(constants))
       , transposed_laplacian_(laplacian(mesh, rules).transpose())

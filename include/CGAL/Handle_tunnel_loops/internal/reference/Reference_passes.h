@@ -124,7 +124,7 @@ private:
   using Numbers = Handle_exchange::Numbers;
 
   void follow_fronts(Progress& progress, Statistics& statistics) {
-    initial_pass_ = std::make_unique<Initial_pass>(mesh_, constants_, rules_, seeds_);
+    initial_pass_ = std::make_unique<Initial_pass>(mesh_, constants_, seeds_, rules_);
     initial_pass_->run(progress);
     meetings_ = initial_pass_->tracker().meetings();
     CGAL_postcondition_msg(meetings_.size() == mesh_.genus, "as many handles as the genus");
@@ -133,7 +133,7 @@ private:
   }
 
   void follow_bands(Progress& progress) {
-    Band_pass pass(mesh_, constants_, rules_, seeds_);
+    Band_pass pass(mesh_, constants_, seeds_, rules_);
     pass.run(progress);
     meetings_ = pass.meetings();
     if(meetings_.size() != mesh_.genus)

@@ -41,8 +41,8 @@ class Single_field
 public:
   Single_field(const Flat_mesh& mesh,
                const Field_constants& constants,
-               const Literal_rules& rules,
-               const Barred_edges& walls)
+               const Barred_edges& walls,
+               const Literal_rules& rules = Literal_rules())
       : constants_(constants)
       , is_rest_failure_(rules.are_of_fields())
       , factor_(time_step(constants) * constants.mobility / 2.)
