@@ -92,9 +92,12 @@ private:
       if(is_active_[layer] != 0)
         split(layer);
     merge(covered);
-    const std::size_t before = number_of_covered_;
-    number_of_covered_ = static_cast<std::size_t>((covered.array() >= threshold).count());
-    steps_at_rest_ = number_of_covered_ > before ? 0 : steps_at_rest_ + 1;
+    const auto now = static_cast<std::size_t>((covered.array() >= threshold).count());
+    ++steps_at_rest_;
+    if(now > number_of_covered_) { // on slivers the field may come and go
+      number_of_covered_ = now;
+      steps_at_rest_ = 0;
+    }
     if(steps_at_rest_ > patience_)
       fail_at_rest(mesh_, number_of_covered_);
   }
