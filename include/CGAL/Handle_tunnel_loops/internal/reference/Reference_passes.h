@@ -75,7 +75,7 @@ public:
       const auto tunnel = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
         return rules_.first_reached || is_tunnel(with_handles(loop), k);
       });
-      if(tunnel == loops.end() && rules_.any())
+      if(tunnel == loops.end() && (rules_.bands || rules_.covered_area || rules_.first_reached))
         throw Literal_failure_exception("no tunnel was found for handle " + std::to_string(k));
       statistics.kept_sweep_tunnels += tunnel == loops.end();
       tunnels_.push_back(tunnel != loops.end() ? *tunnel
