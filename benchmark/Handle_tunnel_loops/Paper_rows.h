@@ -22,7 +22,7 @@ struct Row
   double passes_megabytes;               ///< ... in the passes after it, of several handles at once
   double others_megabytes;               ///< of Dey, Fan and Wang 2013
   double length_ratio;                   ///< of the paper's loops to those of Dey, Fan and Wang
-  std::string kind;                      ///< of the generated mesh that has as many faces and handles
+  std::string kind; ///< of the generated mesh that has as many faces and handles
 };
 
 /// tables 1 and 2 of the paper.
@@ -38,7 +38,8 @@ inline std::vector<Row> rows() {
       {"Ball", 184000, 120, 17.65, 13.01, 1.97, 1.16, 401.77, 152, 458, 2135, 0.918, "lattice"},
       {"Metal Key", 390000, 10, 10.48, 6.87, 2.11, 1.50, 36.52, 210, 552, 810, 0.984, "plates"},
       {"Wooden Chair", 400000, 7, 7.49, 4.45, 2.28, 0.77, 31.21, 214, 472, 921, 0.982, "chair"},
-      {"Dragon Phoenix", 750000, 11, 12.89, 8.75, 2.15, 1.99, 100.83, 340, 1062, 1540, 0.942, "scan"},
+      {"Dragon Phoenix", 750000, 11, 12.89, 8.75, 2.15, 1.99, 100.83, 340, 1062, 1540, 0.942,
+       "scan"},
       {"Grayloc", 921000, 5, 22.25, 14.23, 4.11, 3.92, x, 366, 1155, x, x, "gyroid"},
       {"V745 Sco nova", 923000, 184, 273.99, 104.21, 86.32, 82.34, x, 502, 1402, x, x, "foam"},
       {"Metal Table", 950000, 198, 151.33, 92.31, 36.02, 21.32, 3732.92, 336, 882, 16891, 0.954,

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-// Follows rules of the paper to the letter, one at a time and all together, on all closed meshes of a
-// folder, and prints where they fail.
+// Follows rules of the paper to the letter, one at a time and all together, on all closed meshes of
+// a folder, and prints where they fail.
 //
 //   benchmark_letter [--faces LIMIT] [--verbose] FOLDER | FILE...
 

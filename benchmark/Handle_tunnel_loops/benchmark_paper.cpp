@@ -2,10 +2,10 @@
 //
 //   benchmark_paper [-n RUNS] [--faces LIMIT] [FOLDER]
 //
-// Each row is computed on the mesh NAME.off, .ply or .obj in the folder, where NAME is that of the row in
-// small letters with _ for spaces, if there is one; otherwise on a generated mesh with as many
-// faces and handles, which is named. Times are medians of the runs, in seconds, from arrays in memory to
-// certified loops, by all threads, and by a CUDA device where there is one.
+// Each row is computed on the mesh NAME.off, .ply or .obj in the folder, where NAME is that of the
+// row in small letters with _ for spaces, if there is one; otherwise on a generated mesh with as
+// many faces and handles, which is named. Times are medians of the runs, in seconds, from arrays in
+// memory to certified loops, by all threads, and by a CUDA device where there is one.
 
 #include "Benchmark_meshes.h"
 #include "Counting_allocation.h"
@@ -148,9 +148,10 @@ int main(int argc, char* argv[]) {
   const Options options = parse(argc, argv);
   std::printf("%u threads; paper: RTX 2080 Ti, and Dey, Fan and Wang 2013 on a Core i7-7700\n\n",
               std::thread::hardware_concurrency());
-  std::printf("| mesh | faces | genus | paper: total | initial | tunnel | handle | Dey 2013 | here: mesh "
-              "| faces | genus | total | initial | tunnel | handle | paper/here | device: total | initial "
-              "| tunnel | handle | paper: MB | Dey 2013: MB | here: MB | bytes per face |\n|");
+  std::printf(
+      "| mesh | faces | genus | paper: total | initial | tunnel | handle | Dey 2013 | here: mesh "
+      "| faces | genus | total | initial | tunnel | handle | paper/here | device: total | initial "
+      "| tunnel | handle | paper: MB | Dey 2013: MB | here: MB | bytes per face |\n|");
   for(int i = 0; i < 24; ++i)
     std::printf(i == 0 || i == 8 ? "---|" : "---:|");
   std::printf("\n");
@@ -160,18 +161,20 @@ int main(int argc, char* argv[]) {
       continue;
     const Subject subject = subject_of(row, options.folder);
     const Times here = times_of<CGAL::Parallel_if_available_tag>(subject.mesh, options.runs);
-    const double bytes = double(bytes_of(subject.mesh)), faces = double(subject.mesh.number_of_faces());
+    const double bytes = double(bytes_of(subject.mesh)),
+                 faces = double(subject.mesh.number_of_faces());
     const auto device = times_on_device(subject.mesh, options.runs);
     const double ratio = row.total / here.total;
     least = (std::min)(least, ratio);
-    std::printf("| %s | %zu | %zu | %s | %s | %s | %.0f | %zu | %s | %.0f | %s | %s | %s | %.0f | %.0f |\n",
-                row.mesh.c_str(), row.faces, row.genus,
-                cells({row.total, row.initial, row.tunnel, row.handle}).c_str(),
-                number(row.others_total, "%.2f").c_str(), subject.name.c_str(), faces,
-                Solver(CGAL::Sequential_tag(), subject.mesh, params::default_values()).genus(),
-                cells(here).c_str(), ratio, device ? cells(*device).c_str() : "- | - | - | -",
-                number((std::max)(row.initial_megabytes, row.passes_megabytes), "%.0f").c_str(),
-                number(row.others_megabytes, "%.0f").c_str(), bytes / 1e6, bytes / faces);
+    std::printf(
+        "| %s | %zu | %zu | %s | %s | %s | %.0f | %zu | %s | %.0f | %s | %s | %s | %.0f | %.0f |\n",
+        row.mesh.c_str(), row.faces, row.genus,
+        cells({row.total, row.initial, row.tunnel, row.handle}).c_str(),
+        number(row.others_total, "%.2f").c_str(), subject.name.c_str(), faces,
+        Solver(CGAL::Sequential_tag(), subject.mesh, params::default_values()).genus(),
+        cells(here).c_str(), ratio, device ? cells(*device).c_str() : "- | - | - | -",
+        number((std::max)(row.initial_megabytes, row.passes_megabytes), "%.0f").c_str(),
+        number(row.others_megabytes, "%.0f").c_str(), bytes / 1e6, bytes / faces);
     std::fflush(stdout);
   }
   std::printf("\nleast ratio of the paper's total to that here: %.1f\n", least);

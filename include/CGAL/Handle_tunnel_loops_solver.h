@@ -22,6 +22,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Capped_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/mean_edge_length.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
@@ -205,8 +206,8 @@ private:
                                      std::vector<Pair>& pairs, impl::Progress& progress) {
       return name_and_certify(
           execution, impl::certification<Pair>(tm, point, vertex_index, face_index, wanted.kind),
-          impl::Offset_classifier<TriangleMesh, Vertex_point_map>(tm, point), wanted.do_link,
-          std::move(relations), pairs, pairs, progress);
+          impl::Offset_classifier<TriangleMesh, Vertex_point_map>(tm, point, wanted.offset),
+          wanted.do_link, std::move(relations), pairs, pairs, progress);
     };
     relate_ = [&tm = tm_, point = point_,
                vertex_index](impl::Execution execution, const std::vector<Pair>& pairs,
@@ -238,10 +239,11 @@ private:
                          on_capped](impl::Execution execution, const impl::Class_options& wanted,
                                     std::optional<impl::Loop_relations> relations,
                                     std::vector<Pair>& pairs, impl::Progress& progress) {
-      return name_and_certify(
-          execution, impl::certification_of_capped(*capped, wanted.kind),
-          impl::Offset_classifier<Mesh, std::decay_t<decltype(point)>>(capped->mesh(), point),
-          wanted.do_link, std::move(relations), on_capped(pairs), pairs, progress);
+      return name_and_certify(execution, impl::certification_of_capped(*capped, wanted.kind),
+                              impl::Offset_classifier<Mesh, std::decay_t<decltype(point)>>(
+                                  capped->mesh(), point, wanted.offset),
+                              wanted.do_link, std::move(relations), on_capped(pairs), pairs,
+                              progress);
     };
     relate_ = [capped, point, on_capped](impl::Execution execution, const std::vector<Pair>& pairs,
                                          const std::vector<std::size_t>& components) {
@@ -298,6 +300,9 @@ private:
     wanted.kind = choose_parameter(get_parameter(np, internal_np::basis_kind), Basis_kind::PURE);
     wanted.do_link = choose_parameter(get_parameter(np, internal_np::do_compute_linking), true);
     wanted.do_shorten = options.do_tighten;
+    if(options.literal_rules.finite_offset)
+      wanted.offset =
+          options.literal_rules.offset * mesh_.in_units_of_caller(impl::mean_edge_length(mesh_));
     std::optional<impl::Loop_relations> relations;
     if(!flat_pairs.empty()) {
       progress.start(Stage::CLASSES);

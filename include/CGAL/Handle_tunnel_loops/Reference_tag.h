@@ -24,9 +24,9 @@ namespace CGAL {
 
 As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()` and of
 `CGAL::Handle_tunnel_loops_solver::find_loops()`, it asks for the reference solver: the method of
-\cgalCite{weinrauch2023variational}, in one thread, to compare others with. Where a rule of the paper
-does not hold on any mesh there is another one in its place, unless `Literal_rules` ask for the letter;
-\ref HTLLetter "the manual" lists them.
+\cgalCite{weinrauch2023variational}, in one thread, to compare others with. Where a rule of the
+paper does not hold on any mesh there is another one in its place, unless `Literal_rules` ask for
+the letter; \ref HTLLetter "the manual" lists them.
 
 All fields of the initial pass are the rows of a sparse matrix, and obey the equation of the paper's
 section 3 with all its terms; the fields of the other two passes cover the whole mesh; tunnels, and

@@ -13,14 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/enum.h>
-
-#include <vector>
 
 namespace CGAL {
 
@@ -58,6 +54,8 @@ nevertheless, that is found by comparing the remaining segments with each other,
   `CGAL::LARGER` if `a` is longer
 
 \pre the coordinates of `tm` are finite.
+
+\sa `CGAL::length_interval()`
 */
 template <typename TriangleMesh,
           typename Point,
@@ -67,17 +65,7 @@ Comparison_result compare_lengths(const Loop_on_surface<TriangleMesh, Point>& a,
                                   const TriangleMesh& tm,
                                   const NamedParameters& np = parameters::default_values()) {
   namespace impl = Handle_tunnel_loops::internal;
-  const auto point =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                   get_const_property_map(vertex_point, tm));
-  const auto places = [&](const Loop_on_surface<TriangleMesh, Point>& loop) {
-    std::vector<impl::Edge_place> result;
-    for(const auto& step : loop.steps())
-      result.push_back({impl::coordinates(point, source(step.halfedge, tm)),
-                        impl::coordinates(point, target(step.halfedge, tm)), step.ratio});
-    return result;
-  };
-  return impl::compare_lengths(places(a), places(b));
+  return impl::compare_lengths(impl::edge_places(tm, a, np), impl::edge_places(tm, b, np));
 }
 
 } // namespace CGAL

@@ -105,8 +105,8 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when a rule of the paper that is followed to the letter (`Literal_rules`) leads nowhere;
-/// no loop has been written. Other rules, those by default, may find the answer.
+/// is thrown when a rule of the paper that is followed to the letter (`Literal_rules`) leads
+/// nowhere; no loop has been written. Other rules, those by default, may find the answer.
 class Literal_failure_exception : public std::runtime_error
 {
 public:

@@ -25,8 +25,8 @@ Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress&
 Answer
 solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress& progress);
 
-/// finds the loops by the method of the paper, or to its letter, in one thread; logs the events of the
-/// fronts.
+/// finds the loops by the method of the paper, or to its letter, in one thread; logs the events of
+/// the fronts.
 Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress& progress);
 
 } // namespace htloops

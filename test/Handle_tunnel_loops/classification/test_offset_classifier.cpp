@@ -63,6 +63,21 @@ TEST_F(Circles, ShrinkAndGrowWhereFacesLookInwards) {
   expect_growth(torus, -1);
 }
 
+// An offset tells the same as the derivative.
+TEST_F(Circles, GrowAndShrinkAtAnOffset) {
+  const Mesh mesh = mesh_of(torus);
+  const Pairs pairs = find_loops(mesh);
+  const Loop &handle = pairs[0].handle(), &tunnel = pairs[0].tunnel();
+  const auto point = get(CGAL::vertex_point, mesh);
+  const double radius = tunnel.length() / (2. * CGAL_PI);
+  for(const double offset : {1e-6 * radius, 0.1 * radius, 0.5 * radius}) {
+    EXPECT_EQ(Classifier(mesh, point, offset).compare_growth(handle, tunnel), 1);
+    EXPECT_EQ(Classifier(mesh, point, -offset).compare_growth(handle, tunnel), -1);
+  }
+  // Beyond the axis of the hole its circle has turned around and grows as well, though later.
+  EXPECT_EQ(Classifier(mesh, point, 10. * radius).compare_growth(handle, tunnel), 1);
+}
+
 // A loop grows as much as itself in another direction, from another place, or on a copy that is
 // rotated by a right angle: by intervals this cannot be seen, nor by any number of digits.
 TEST_F(Circles, AreEqualExactly) {

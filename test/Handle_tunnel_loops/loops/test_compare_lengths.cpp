@@ -5,6 +5,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/length_interval.h>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@ namespace {
 
 using CGAL::Comparison_result;
 using CGAL::Handle_tunnel_loops::internal::Edge_place;
+using CGAL::Handle_tunnel_loops::internal::length_interval;
 using CGAL::Handle_tunnel_loops::internal::Vector;
 
 Crossing_loop rotated(Crossing_loop loop, std::size_t start) {
@@ -32,22 +34,26 @@ Crossing_loop with_random_ratios(Crossing_loop loop, Random& random) {
   return loop;
 }
 
-long double long_length(const Flat_mesh& mesh, const Crossing_loop& loop) {
+long double long_length(const std::vector<Edge_place>& places) {
   using Point = std::array<long double, 3>;
-  const auto point = [&](const Crossing& c) {
+  const auto point = [](const Edge_place& place) {
     Point result;
     for(int d = 0; d < 3; ++d) {
-      const long double p = mesh.points[c.left][d], q = mesh.points[c.right][d];
-      result[d] = p + c.ratio * (q - p);
+      const long double p = place.p[d], q = place.q[d];
+      result[d] = p + place.ratio * (q - p);
     }
     return result;
   };
   long double sum = 0.;
-  for(std::size_t i = 0; i < loop.size(); ++i) {
-    const Point p = point(loop[i]), q = point(loop[(i + 1) % loop.size()]);
+  for(std::size_t i = 0; i < places.size(); ++i) {
+    const Point p = point(places[i]), q = point(places[(i + 1) % places.size()]);
     sum += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
   }
   return sum;
+}
+
+long double long_length(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  return long_length(edge_places(mesh, loop));
 }
 
 TEST(Compare_lengths, OfALoopWithItselfIsEqual) {
@@ -218,6 +224,45 @@ TEST_F(Symmetric_torus, HasLoopsOfEqualLengths) {
     ratios[3] = 100. * ratios[3];
     expect(loop, around(2, ratios), CGAL::SMALLER);
   }
+}
+
+// ---- intervals
+
+TEST(Length_interval, HoldsTheLength) {
+  Random random(5);
+  for(std::size_t size = 3; size < 200; ++size) {
+    std::vector<Edge_place> places(size);
+    const double scale = std::pow(10., random.uniform(-100., 100.));
+    for(Edge_place& place : places) {
+      for(int d = 0; d < 3; ++d) {
+        place.p[d] = scale * random.uniform(-1., 1.);
+        place.q[d] = scale * random.uniform(-1., 1.);
+      }
+      place.ratio = random.uniform(0., 1.);
+    }
+    const auto [least, most] = length_interval(places);
+    const long double length = long_length(places);
+    EXPECT_LE(least, length);
+    EXPECT_GE(most, length);
+    EXPECT_LE(most - least, 1e-15 * double(size + 4) * most);
+  }
+}
+
+TEST(Length_interval, IsNarrowWhereNothingIsRounded) {
+  const auto at = [](double x, double y) { return Edge_place{{x, y, 0.}, {x, y, 0.}, 0.5}; };
+  EXPECT_EQ(length_interval({at(0., 0.), at(3., 0.), at(3., 4.)}), std::make_pair(12., 12.));
+  EXPECT_EQ(length_interval(std::vector<Edge_place>()), std::make_pair(0., 0.));
+}
+
+// As they come out, on a mesh of any kernel.
+TEST(Length_interval, HoldsWhatLoopsSay) {
+  const Mesh mesh = mesh_of(Recipe{"foam", {6000, 4, 1}});
+  for(const auto& pair : find_loops(mesh))
+    for(const auto* loop : {&pair.handle(), &pair.tunnel()}) {
+      const auto [least, most] = CGAL::length_interval(*loop, mesh);
+      EXPECT_LT(most - least, 1e-11 * most);
+      EXPECT_NEAR(loop->length(), least, 1e-9 * most);
+    }
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// The rules of the paper to the letter: an answer by them is as good as any, and where they lead nowhere
-// they say so.
+// The rules of the paper to the letter: an answer by them is as good as any, and where they lead
+// nowhere they say so.
 
 #include "Flat_mesh_of_soup.h"
 #include "Meshes_of_soups.h"
@@ -47,8 +47,8 @@ TEST(Finite_element_laplacian, IsTheOtherOneOnEquilateralTriangles) {
   }
 }
 
-// Of the function that is the coordinate along any direction, it is the mean curvature normal, which has
-// no part along the surface where that is flat.
+// Of the function that is the coordinate along any direction, it is the mean curvature normal,
+// which has no part along the surface where that is flat.
 TEST(Finite_element_laplacian, IsZeroForWhatIsLinearOnAFlatPart) {
   const Flat_mesh mesh = flat_mesh_of(Recipe{"sponge", {3000, 3, 0}});
   const auto laplacian = reference::finite_element_laplacian(mesh);
@@ -79,7 +79,8 @@ TEST(Finite_element_laplacian, IsZeroForWhatIsLinearOnAFlatPart) {
 TEST(Finite_element_laplacian, CrossesNoWall) {
   const Flat_mesh mesh = flat_mesh_of(octahedron());
   reference::Barred_edges walls(mesh.neighbor.size(), 0);
-  walls[reference::slot(mesh, 0, mesh.ring(0)[0])] = walls[reference::slot(mesh, mesh.ring(0)[0], 0)] = 1;
+  walls[reference::slot(mesh, 0, mesh.ring(0)[0])] =
+      walls[reference::slot(mesh, mesh.ring(0)[0], 0)] = 1;
   const Eigen::MatrixXd matrix(reference::finite_element_laplacian(mesh, walls));
   EXPECT_EQ(matrix(0, mesh.ring(0)[0]), 0.);
   EXPECT_NE(matrix(0, mesh.ring(0)[1]), 0.);
@@ -144,7 +145,8 @@ TEST(Literal_rules, FindTheLoopsOfTubes) {
   for(const Recipe& recipe : well_shaped()) {
     const Mesh mesh = mesh_of(recipe);
     const double length = total_length(answer_to(mesh, {}).pairs);
-    for(const Literal_rules& rules : {finite_elements, covered_area, first_reached, refined_always}) {
+    for(const Literal_rules& rules : {finite_elements, covered_area, first_reached, refined_always})
+    {
       SCOPED_TRACE(recipe);
       const Answer answer = answer_to(mesh, rules);
       EXPECT_EQ(answer.failure, "");
@@ -166,7 +168,8 @@ TEST(Literal_rules, OfBandsDependOnWhenTheyTouch) {
   EXPECT_EQ(answer.pairs.size(), 1u);
 }
 
-// On a mesh of any kind there is an answer, which was certified, or a reason, and then nothing else.
+// On a mesh of any kind there is an answer, which was certified, or a reason, and then nothing
+// else.
 TEST(Literal_rules, GiveAnAnswerOrAReason) {
   for(const Recipe& recipe : recipes_of_all_kinds({1, 3}, 1)) {
     SCOPED_TRACE(recipe);

@@ -36,6 +36,7 @@ struct Class_options
   Basis_kind kind = Basis_kind::PURE;
   bool do_link = true; ///< without, nothing is known of sides
   bool do_shorten = true;
+  double offset = 0.; ///< by which loops are moved that linking numbers do not name
 };
 
 /// changes pairs, which are a basis, to pairs of the kind that is wanted: makes them pure where

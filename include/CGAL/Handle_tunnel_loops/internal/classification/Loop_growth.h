@@ -43,6 +43,10 @@ struct Loop_with_faces
 CGAL_HTL_CORE double growth_of(const Loop_with_faces& loop);
 CGAL_HTL_CORE int compare_growth_of(const Loop_with_faces& a, const Loop_with_faces& b);
 
+/// the length of a loop whose points are moved by the given way along their normals, rounded; it
+/// stays where there are none.
+CGAL_HTL_CORE double length_at_offset(const Loop_with_faces& loop, double offset);
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -45,6 +45,20 @@ public:
     return sum.sign();
   }
 
+  static double length_at_offset(const Loop_with_faces& loop, double offset) {
+    if(loop.steps.empty())
+      return 0.;
+    const double s = scale(loop);
+    Vector_of<double> previous = moved(loop, loop.steps.size() - 1, s, offset);
+    double sum = 0.;
+    for(std::size_t i = 0; i < loop.steps.size(); ++i) {
+      const Vector_of<double> next = moved(loop, i, s, offset), segment = minus(next, previous);
+      sum += std::sqrt(product(segment, segment));
+      previous = next;
+    }
+    return sum / s;
+  }
+
 private:
   using Step = Loop_with_faces::Step;
   template <typename FT> using Vector_of = std::array<FT, 3>;
@@ -119,6 +133,16 @@ private:
     return edge_point;
   }
 
+  static Vector_of<double>
+  moved(const Loop_with_faces& loop, std::size_t i, double scale, double offset) {
+    const Edge_point<double> at = edge_point<double>(loop, i, scale);
+    const double area = std::sqrt(product(at.area, at.area));
+    Vector_of<double> result = at.point;
+    for(int d = 0; area > 0. && d < 3; ++d)
+      result[d] += offset * scale * at.area[d] / area;
+    return result;
+  }
+
   // calls f(sign, edge_point, segment) for the terms of the growth.
   template <typename FT, typename Function>
   static void for_each_term(const Loop_with_faces& loop, const Function& f) {
@@ -171,6 +195,10 @@ private:
 };
 
 CGAL_HTL_CORE double growth_of(const Loop_with_faces& loop) { return Loop_growth::growth(loop); }
+
+CGAL_HTL_CORE double length_at_offset(const Loop_with_faces& loop, double offset) {
+  return Loop_growth::length_at_offset(loop, offset);
+}
 
 CGAL_HTL_CORE int compare_growth_of(const Loop_with_faces& a, const Loop_with_faces& b) {
   return Loop_growth::compare(a, b);

@@ -37,6 +37,10 @@ of square roots of rational numbers: a segment e from a point with area vector M
 contributes N e / (|N| |e|) - M e / (|M| |e|). It is computed in floating point with
 a bound of the error first, and where that does not decide a comparison, the sign of the sum is
 computed exactly.
+
+Where an offset is given, loops are moved by it instead, as the paper does, and what is compared is
+by how much they have become longer, rounded: if the way is longer than the surface is away from
+itself, or bends, that may be another sign.
 */
 template <typename TriangleMesh, typename VertexPointMap> class Offset_classifier
 {
@@ -45,9 +49,11 @@ template <typename TriangleMesh, typename VertexPointMap> class Offset_classifie
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
-  Offset_classifier(const TriangleMesh& tm, VertexPointMap point)
+  /// \p offset is in the unit of the points; if it is 0 the derivative is compared.
+  Offset_classifier(const TriangleMesh& tm, VertexPointMap point, double offset = 0.)
       : tm_(tm)
-      , point_(point) {}
+      , point_(point)
+      , offset_(offset) {}
 
   /// the derivative of the length of a loop by the way that it is moved along the normals, to which
   /// the faces look.
@@ -57,10 +63,18 @@ public:
 
   /// 1 if loop a grows by more than loop b, -1 if by less, 0 if by as much.
   template <typename Loop> int compare_growth(const Loop& a, const Loop& b) const {
-    return compare_growth_of(with_faces(a), with_faces(b));
+    const Loop_with_faces x = with_faces(a), y = with_faces(b);
+    if(offset_ == 0.)
+      return compare_growth_of(x, y);
+    const double difference = growth_at_offset(x) - growth_at_offset(y);
+    return difference > 0. ? 1 : difference < 0. ? -1 : 0;
   }
 
 private:
+  double growth_at_offset(const Loop_with_faces& loop) const {
+    return length_at_offset(loop, offset_) - length_at_offset(loop, 0.);
+  }
+
   template <typename Loop> Loop_with_faces with_faces(const Loop& loop) const {
     Loop_with_faces result;
     for(const auto& step : loop.steps()) {
@@ -86,6 +100,7 @@ private:
 
   const TriangleMesh& tm_;
   VertexPointMap point_;
+  double offset_;
 };
 
 } // namespace internal

@@ -14,10 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -32,13 +32,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-
-/// The coordinates of a vertex, rounded to doubles if they are none.
-template <typename VertexPointMap, typename Vertex>
-Vector coordinates(VertexPointMap point, const Vertex& v) {
-  const auto& p = get(point, v);
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-}
 
 /*!
 Moves loops onto the edges of the mesh, as closed walks from vertex to vertex in the same classes

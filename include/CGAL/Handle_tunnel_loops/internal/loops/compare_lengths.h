@@ -13,40 +13,35 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Edge_place.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/core.h>
 
 #include <CGAL/enum.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The point `p + ratio (q - p)`, exactly.
-struct Edge_place
-{
-  Vector p, q;
-  double ratio;
-};
-
 /// compares the lengths of two closed polylines through such points, exactly.
 CGAL_HTL_CORE Comparison_result compare_lengths(const std::vector<Edge_place>& a,
                                                 const std::vector<Edge_place>& b);
 
-inline std::vector<Edge_place> edge_places(const Flat_mesh& mesh, const Crossing_loop& loop) {
-  std::vector<Edge_place> places;
-  places.reserve(loop.size());
-  for(const Crossing& c : loop)
-    places.push_back({mesh.points[c.left], mesh.points[c.right], ratio_on_surface(mesh, c)});
-  return places;
-}
+/// the ends of an interval that holds the length of a closed polyline through such points.
+CGAL_HTL_CORE std::pair<double, double> length_interval(const std::vector<Edge_place>& places);
 
 /// compares the lengths of two loops, exactly.
 inline Comparison_result
 compare_lengths(const Flat_mesh& mesh, const Crossing_loop& a, const Crossing_loop& b) {
   return compare_lengths(edge_places(mesh, a), edge_places(mesh, b));
+}
+
+/// whether loop a is shorter than loop b, exactly: for the choice between finished loops. Where
+/// many are looked at on the way to these, `length()` is enough.
+inline bool is_shorter(const Flat_mesh& mesh, const Crossing_loop& a, const Crossing_loop& b) {
+  return compare_lengths(mesh, a, b) == SMALLER;
 }
 
 } // namespace internal

@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +37,11 @@ public:
                                    const std::vector<Edge_place>& b) {
     const Uncertain<Comparison_result> result = compare_intervals(a, b);
     return is_certain(result) ? result.inf() : compare_exactly(a, b);
+  }
+
+  static std::pair<double, double> interval(const std::vector<Edge_place>& places) {
+    const Interval::Protector protector;
+    return length(places).pair();
   }
 
 private:
@@ -114,6 +120,10 @@ private:
 CGAL_HTL_CORE Comparison_result compare_lengths(const std::vector<Edge_place>& a,
                                                 const std::vector<Edge_place>& b) {
   return Length_comparison::compare(a, b);
+}
+
+CGAL_HTL_CORE std::pair<double, double> length_interval(const std::vector<Edge_place>& places) {
+  return Length_comparison::interval(places);
 }
 
 } // namespace internal

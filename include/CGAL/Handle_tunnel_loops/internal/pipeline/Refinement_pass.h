@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Basis_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Pass_context.h>
 
@@ -112,21 +113,22 @@ private:
   // to be kept although the candidate is shorter.
   std::vector<Index> replace_handles(const std::vector<Index>& numbers, std::size_t i) {
     std::vector<double> gain(candidates_.size(), 0.);
+    std::vector<char> is_gain(candidates_.size(), 0);
     std::vector<std::optional<Basis_exchange::Row>> rows(candidates_.size());
     context_.for_each(numbers.size(), [&](std::size_t j) {
       const Index k = numbers[j];
-      if(i >= candidates_[k].size())
+      if(i >= candidates_[k].size() || !is_shorter(context_.mesh, candidates_[k][i], handles_[k]))
         return;
+      is_gain[k] = 1;
       gain[k] = length(context_.mesh, handles_[k]) - length(context_.mesh, candidates_[k][i]);
-      if(gain[k] > 0.)
-        rows[k] = exchange_.handle_part(candidates_[k][i]);
+      rows[k] = exchange_.handle_part(candidates_[k][i]);
     });
     std::vector<Index> order = numbers;
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return gain[a] > gain[b]; });
     std::vector<Index> kept;
     for(Index k : order) {
-      if(gain[k] <= 0.)
+      if(!is_gain[k])
         continue;
       is_refined_[k] = rows[k] && exchange_.accept(k, *rows[k]);
       if(is_refined_[k])

@@ -32,16 +32,6 @@ inline double length(const Polyline& line) {
   return sum;
 }
 
-/// the mean length of some of the edges, spread over the mesh.
-inline double mean_edge_length(const Flat_mesh& mesh) {
-  const std::size_t n = mesh.number_of_vertices(), stride = n / 10000 + 1;
-  double sum = 0.;
-  std::size_t count = 0;
-  for(std::size_t v = 0; v < n; v += stride, ++count)
-    sum += mesh.edge_length(static_cast<Index>(v), mesh.ring(static_cast<Index>(v))[0]);
-  return sum / double(count);
-}
-
 /// rounds off the steps of a polyline; the ends stay.
 inline void smooth(Polyline& line, int number_of_rounds) {
   for(int round = 0; round < number_of_rounds; ++round) {

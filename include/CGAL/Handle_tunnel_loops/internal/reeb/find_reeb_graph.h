@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/mean_edge_length.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_finishing.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

@@ -30,8 +30,8 @@ namespace internal {
 namespace reference {
 
 /*!
-The advancing front of a layer as the paper has it (section 5): the triangles with a vertex that has a
-value above a threshold and below one, and the connected components of these. Two triangles are
+The advancing front of a layer as the paper has it (section 5): the triangles with a vertex that has
+a value above a threshold and below one, and the connected components of these. Two triangles are
 connected that share an edge.
 
 The paper asks for one or two such vertices. Without the triangles that have three, which are inside

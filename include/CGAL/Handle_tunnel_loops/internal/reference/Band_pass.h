@@ -15,6 +15,7 @@
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Band_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Front_meeting.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
@@ -171,9 +172,8 @@ private:
   void add_handles(const std::vector<Index>& layers,
                    const Layered_field::Vector_of_values& covered) {
     std::vector<Crossing_loop> loops = isolines(layers, covered);
-    std::stable_sort(loops.begin(), loops.end(), [this](const auto& a, const auto& b) {
-      return length(mesh_, a) < length(mesh_, b);
-    });
+    std::stable_sort(loops.begin(), loops.end(),
+                     [this](const auto& a, const auto& b) { return is_shorter(mesh_, a, b); });
     if(!loops.empty())
       loops.pop_back();
     for(Crossing_loop& loop : loops)

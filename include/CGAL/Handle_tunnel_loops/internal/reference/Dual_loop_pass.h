@@ -14,6 +14,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
 
@@ -60,7 +61,7 @@ public:
       }
     if(!has_target)
       return {};
-    std::vector<std::pair<double, Crossing_loop>> loops;
+    std::vector<Crossing_loop> loops;
     std::vector<Index> targets = field.run_until(is_target);
     if(rules_.first_reached && targets.size() > 1)
       targets.resize(1);
@@ -68,15 +69,11 @@ public:
       std::vector<Surface_point> line = Streamline(mesh_, field.arrivals()).trace(target);
       append_along(loop, line.back().a, target, line);
       remove_turns(line);
-      const Crossing_loop dual = Loop_of_line(mesh_)(line);
-      loops.emplace_back(length(mesh_, dual), dual);
+      loops.push_back(Loop_of_line(mesh_)(line));
     }
     std::stable_sort(loops.begin(), loops.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Crossing_loop> sorted;
-    for(auto& [length, dual] : loops)
-      sorted.push_back(std::move(dual));
-    return sorted;
+                     [this](const auto& a, const auto& b) { return is_shorter(mesh_, a, b); });
+    return loops;
   }
 
 private:

@@ -29,8 +29,8 @@ namespace reference {
 struct Front_meeting
 {
   Crossing_loop loop;
-  Index saddle;         ///< the vertex at which they met
-  Index foot_a, foot_b; ///< covered neighbors of the saddle, behind either front
+  Index saddle;           ///< the vertex at which they met
+  Index foot_a, foot_b;   ///< covered neighbors of the saddle, behind either front
   std::vector<char> area; ///< the vertices that any layer but the base had come to
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Front_event.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Front_meeting.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 
@@ -156,7 +157,7 @@ private:
       take_over(after, a, merged);
       log(Front_event_type::MERGE, step, v, {record(layer_a, loop_a), record(layer_b, loop_b)},
           {record(merged, placed(after.loop(a), covered))});
-      Crossing_loop& shorter = length(mesh_, loop_a) <= length(mesh_, loop_b) ? loop_a : loop_b;
+      Crossing_loop& shorter = is_shorter(mesh_, loop_b, loop_a) ? loop_b : loop_a;
       meetings_.push_back({std::move(shorter), v, a.left, b.left, area_of(covered)});
     } else {
       const Index part_a = new_layer(), part_b = new_layer();

@@ -16,6 +16,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Device_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Band_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Crossing_numbers.h>
@@ -78,8 +79,7 @@ public:
       if(tunnel == loops.end() && (rules_.bands || rules_.covered_area || rules_.first_reached))
         throw Literal_failure_exception("no tunnel was found for handle " + std::to_string(k));
       statistics.kept_sweep_tunnels += tunnel == loops.end();
-      tunnels_.push_back(tunnel != loops.end() ? *tunnel
-                                               : tunnel_in_covered_region(meetings_[k]));
+      tunnels_.push_back(tunnel != loops.end() ? *tunnel : tunnel_in_covered_region(meetings_[k]));
     }
   }
 
@@ -98,7 +98,7 @@ public:
         if(!exchange)
           return true;
         const Numbers numbers = with_tunnels(loop);
-        return std::abs(numbers[k]) == 1 && length(mesh_, loop) < length(mesh_, handles_[k]) &&
+        return std::abs(numbers[k]) == 1 && is_shorter(mesh_, loop, handles_[k]) &&
                exchange->replace(k, with_handles(loop), numbers);
       });
       if(better == loops.end() && rules_.refined_always)

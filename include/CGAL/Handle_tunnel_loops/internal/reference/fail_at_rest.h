@@ -23,7 +23,8 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace reference {
 
-/// is called where a field to the letter does not come on; no rule of the paper says what to do then.
+/// is called where a field to the letter does not come on; no rule of the paper says what to do
+/// then.
 [[noreturn]] inline void fail_at_rest(const Flat_mesh& mesh, std::size_t number_of_covered) {
   throw Literal_failure_exception(
       "the field came to rest when " + std::to_string(number_of_covered) + " of " +

@@ -56,8 +56,8 @@ laplacian(const Flat_mesh& mesh, const Barred_edges& walls = Barred_edges()) {
   return matrix;
 }
 
-/// The Laplacian of linear finite elements, with a mass for each vertex (paper, section 3). Lengths are
-/// in mean edge lengths, so that it is the other one on equilateral triangles. Edges with walls
+/// The Laplacian of linear finite elements, with a mass for each vertex (paper, section 3). Lengths
+/// are in mean edge lengths, so that it is the other one on equilateral triangles. Edges with walls
 /// have no weight.
 inline Eigen::SparseMatrix<double, Eigen::RowMajor>
 finite_element_laplacian(const Flat_mesh& mesh, const Barred_edges& walls = Barred_edges()) {

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
@@ -43,7 +44,7 @@ public:
   void reduce(Crossing_loop& a, Crossing_loop& b) {
     Crossing_loop *shorter = &a, *longer = &b;
     do {
-      if(length(mesh_, *longer) < length(mesh_, *shorter))
+      if(is_shorter(mesh_, *longer, *shorter))
         std::swap(shorter, longer);
     } while(shorten(*longer, *shorter));
   }

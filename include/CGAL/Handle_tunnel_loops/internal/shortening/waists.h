@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Waist_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/boundary_curves.h>
@@ -35,7 +36,7 @@ inline Crossing_loop waist(const Flat_mesh& mesh, Index hub, Waist_search& searc
   Loop_tightening tightening(mesh);
   const auto take_if_shorter = [&](Crossing_loop& loop) {
     tightening.tighten(loop);
-    if(!loop.empty() && length(mesh, loop) < length(mesh, best))
+    if(!loop.empty() && is_shorter(mesh, loop, best))
       best = std::move(loop);
   };
   take_if_shorter(tightened);
@@ -61,10 +62,10 @@ inline void share_waists(const Flat_mesh& mesh, std::vector<Crossing_loop>& wais
   for(const std::vector<Index>& both : curves)
     if(both.size() == 2) {
       Crossing_loop &a = waists[both[0]], &b = waists[both[1]];
-      if(length(mesh, a) <= length(mesh, b))
-        b = reversed(a);
-      else
+      if(is_shorter(mesh, b, a))
         a = reversed(b);
+      else
+        b = reversed(a);
     }
 }
 
