@@ -269,6 +269,27 @@ private:
   template <typename T> static T& unwrapped(T& t) { return t; }
   template <typename T> static T& unwrapped(std::reference_wrapper<T> t) { return t.get(); }
 
+  template <typename NamedParameters, typename Tag>
+  static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+  // Where there is a boundary, the hubs of the caps come last and are no vertices of the caller's.
+  template <typename NamedParameters>
+  void
+  put_swept_vertices([[maybe_unused]] const Handle_tunnel_loops::internal::Swept_vertices& swept,
+                     [[maybe_unused]] const NamedParameters& np) const {
+    [[maybe_unused]] const std::size_t n = mesh_.number_of_vertices() - mesh_.number_of_hubs;
+    if constexpr(is_given<NamedParameters, internal_np::vertex_layer_map_t>) {
+      const auto map = parameters::get_parameter(np, internal_np::vertex_layer_map);
+      for(std::size_t v = 0; v < n; ++v)
+        put(map, vertices_[v], std::size_t(swept.layers[v]));
+    }
+    if constexpr(is_given<NamedParameters, internal_np::vertex_time_map_t>) {
+      const auto map = parameters::get_parameter(np, internal_np::vertex_time_map);
+      for(std::size_t v = 0; v < n; ++v)
+        put(map, vertices_[v], swept.times[v]);
+    }
+  }
+
   template <typename ConcurrencyTag, typename NamedParameters>
   std::vector<Pair> compute(const NamedParameters& np,
                             Handle_tunnel_loops::internal::Progress& progress) {
@@ -288,12 +309,19 @@ private:
     impl::check_constants(options.constants);
     const auto start = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
+    options.do_keep_layers = is_given<NamedParameters, internal_np::vertex_layer_map_t>;
+    options.do_keep_times = is_given<NamedParameters, internal_np::vertex_time_map_t>;
     std::vector<impl::Flat_pair> flat_pairs;
-    if(mesh_.genus > 0) {
+    if(mesh_.genus > 0 || options.asks_for_fronts()) {
       const auto passes = impl::Passes_of_tag<ConcurrencyTag>::make(
           mesh_, start, options,
           choose_parameter(get_parameter(np, internal_np::device_options), Device_options()));
-      flat_pairs = impl::Loop_pipeline(*passes, options, progress).run(statistics_);
+      impl::Loop_pipeline pipeline(*passes, options, progress);
+      if(mesh_.genus > 0)
+        flat_pairs = pipeline.run(statistics_);
+      else
+        pipeline.run_initial_pass(statistics_);
+      put_swept_vertices(passes->take_swept_vertices(), np);
     }
     const impl::Execution execution = impl::execution_of<ConcurrencyTag>().watched_by(progress);
     impl::Class_options wanted;

@@ -34,6 +34,8 @@ enum reeb_measure_t { reeb_measure };
 enum simplification_threshold_t { simplification_threshold };
 enum vertex_arc_map_t { vertex_arc_map };
 enum vertex_value_map_t { vertex_value_map };
+enum vertex_layer_map_t { vertex_layer_map };
+enum vertex_time_map_t { vertex_time_map };
 enum allow_parallel_arcs_t { allow_parallel_arcs };
 enum device_options_t { device_options };
 enum basis_kind_t { basis_kind };
@@ -85,6 +87,8 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(reeb_measure)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(simplification_threshold)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_value_map)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_layer_map)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_time_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(allow_parallel_arcs)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(device_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(basis_kind)

@@ -75,7 +75,8 @@ struct Statistics
   std::size_t kept_sweep_tunnels = 0; ///< tunnels for which the loop of the initial pass was kept
   std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was
   ///< kept although shorter ones were found (by `Reference_tag`: all that were kept)
-  /// of the initial pass, if `do_log_fronts` asks for them; always by `Reference_tag`.
+  /// of the initial pass, if `do_log_fronts` asks for them; always by `Reference_tag`, where there
+  /// are handles.
   std::vector<Front_event> front_events;
   Field_resolution resolution; ///< of the initial pass; by `Reference_tag` only
   /// what computed the fields, if any: "host", "cuda" or "reference"; "cuda, then host" where a

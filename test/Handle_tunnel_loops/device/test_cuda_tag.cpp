@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <vector>
@@ -127,6 +128,34 @@ TEST_P(Cuda, LogsTheFrontsOfTheHost) {
   EXPECT_EQ(solver.statistics().front_events, expected);
   find<CGAL::Cuda_tag>(large_device);
   EXPECT_TRUE(solver.statistics().front_events.empty()) << "nobody asked for them";
+}
+
+TEST_P(Cuda, TellsTheLayersAndTimesOfTheHost) {
+  Mesh told = mesh;
+  const auto layers = told.add_property_map<Mesh::Vertex_index, std::size_t>("v:layer", 0).first;
+  const auto times = told.add_property_map<Mesh::Vertex_index, double>("v:time", -1.).first;
+  const auto maps = [&](const Device_options& options) {
+    return parameters::vertex_layer_map(
+        layers, parameters::vertex_time_map(times, parameters::device_options(options)));
+  };
+  solver.find_loops(CGAL::Emptyset_iterator(), maps({}));
+  const std::vector<std::size_t> expected_layers(layers.begin(), layers.end());
+  const std::vector<double> expected_times(times.begin(), times.end());
+  const auto expect_told_again = [&] {
+    EXPECT_TRUE(std::equal(layers.begin(), layers.end(), expected_layers.begin()));
+    EXPECT_TRUE(std::equal(times.begin(), times.end(), expected_times.begin()));
+    std::fill(layers.begin(), layers.end(), 0u);
+    std::fill(times.begin(), times.end(), -1.);
+  };
+  expect_told_again();
+  solver.find_loops<CGAL::Cuda_tag>(CGAL::Emptyset_iterator(), maps(device_with(needed_kib())));
+  expect_told_again();
+  solver.find_loops<CGAL::Cuda_if_available_tag>(CGAL::Emptyset_iterator(), maps(large_device));
+  EXPECT_EQ(solver.statistics().backend, "cuda");
+  expect_told_again();
+  solver.find_loops<CGAL::Cuda_if_available_tag>(CGAL::Emptyset_iterator(), maps(no_device));
+  EXPECT_EQ(solver.statistics().backend, "host");
+  expect_told_again();
 }
 
 // With the memory that it asks for, and with more: the passes of a search run in as many batches as

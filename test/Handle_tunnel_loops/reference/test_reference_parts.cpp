@@ -4,7 +4,9 @@
 #include "Random_growth.h"
 #include "random_input.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/executors/Processor_executor.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Narrow_band.h>
+#include <CGAL/Handle_tunnel_loops/internal/fronts/Front_layers.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
@@ -215,6 +217,31 @@ void expect_simple_fronts(const Flat_mesh& mesh, const reference::Fronts& fronts
   }
 }
 
+// Layer by layer the same as the other solvers find, and from the same events; lengths are those of
+// other fields.
+void expect_layers(const Flat_mesh& mesh,
+                   const std::vector<Time>& times,
+                   const reference::Front_tracker& tracker) {
+  Processor_executor executor((Execution()));
+  const Span<const Time> span(times.data(), times.size());
+  const Front_log log = Front_layers<Processor_executor>(executor, mesh, view_of(mesh), span).run();
+  EXPECT_EQ(tracker.layers_of_vertices(), log.layer);
+  const auto layers = [](const std::vector<Front_event::Front>& fronts) {
+    std::vector<std::size_t> numbers;
+    for(const Front_event::Front& front : fronts)
+      numbers.push_back(front.layer);
+    return numbers;
+  };
+  ASSERT_EQ(tracker.events().size(), log.events.size());
+  for(std::size_t i = 0; i < log.events.size(); ++i) {
+    const Front_event &a = tracker.events()[i], &b = log.events[i];
+    EXPECT_EQ(a.type, b.type);
+    EXPECT_EQ(a.vertex, b.vertex);
+    EXPECT_EQ(layers(a.before), layers(b.before));
+    EXPECT_EQ(layers(a.after), layers(b.after));
+  }
+}
+
 // The same order for the tracker, for a region that is looked at without it, and for the host's
 // reading of saddles.
 void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
@@ -244,6 +271,7 @@ void expect_handles(const Flat_mesh& mesh, const std::vector<Time>& times) {
       expect_simple_fronts(mesh, fronts);
   }
 
+  expect_layers(mesh, times, tracker);
   const Arrival_order arrival_order(times);
   const std::vector<Handle_candidate> handles = find_handle_candidates(Execution(), mesh, times);
   const auto& meetings = tracker.meetings();

@@ -59,8 +59,7 @@ public:
       return true;
     });
     CGAL_postcondition_msg(candidates_.size() == mesh_.genus, "as many handles as the genus");
-    if(options_.do_log_fronts)
-      statistics.front_events = backend_->front_log().events;
+    keep_what_is_asked_for(statistics);
     backend_->report(statistics);
     for(Handle_candidate& candidate : candidates_)
       contours_.push_back(std::move(candidate.loop));
@@ -70,6 +69,8 @@ public:
     context.for_each(handles_.size(),
                      [&](std::size_t k) { context.tighten(handles_[k], few_rounds); });
   }
+
+  Swept_vertices take_swept_vertices() override { return std::move(swept_); }
 
   void tunnel_pass(Progress& progress, Statistics& statistics) override {
     const Pass_context context = context_with(progress);
@@ -122,6 +123,18 @@ private:
   // long they will be.
   static constexpr std::size_t few_rounds = 3;
 
+  void keep_what_is_asked_for(Statistics& statistics) {
+    if(options_.do_log_fronts || options_.do_keep_layers) {
+      Front_log log = backend_->front_log();
+      if(options_.do_log_fronts)
+        statistics.front_events = std::move(log.events);
+      if(options_.do_keep_layers)
+        swept_.layers = std::move(log.layer);
+    }
+    if(options_.do_keep_times)
+      swept_.times = times_in_steps(backend_->arrival_times());
+  }
+
   // Whether each tunnel crosses its contour once and none that was found later.
   bool are_tunnels_of_contours() const {
     for(Index k = 0; k < tunnels_.size(); ++k)
@@ -145,7 +158,8 @@ private:
   Pass_options options_;
   Step_coefficients coefficients_;
   Make_backend make_backend_;
-  std::unique_ptr<Backend> backend_;         // made in the initial pass
+  std::unique_ptr<Backend> backend_; // made in the initial pass
+  Swept_vertices swept_;
   std::vector<Handle_candidate> candidates_; // their loops are the contours
   std::vector<Crossing_loop> contours_, handles_, tunnels_;
   std::vector<char> is_refined_; // by handle

@@ -31,13 +31,18 @@ public:
       , progress_(progress) {}
 
   std::vector<Flat_pair> run(Statistics& statistics) {
-    run_stage(Stage::INITIAL, [&] { passes_.initial_pass(progress_, statistics); });
+    run_initial_pass(statistics);
     run_stage(Stage::TUNNEL, [&] { passes_.tunnel_pass(progress_, statistics); });
     if(options_.do_refine_handles)
       run_stage(Stage::REFINE, [&] { passes_.refinement_pass(progress_, statistics); });
     if(options_.do_tighten)
       run_stage(Stage::SHORTEN, [&] { passes_.shorten(progress_); });
     return passes_.take_pairs();
+  }
+
+  /// the first of them alone, which is all there is to do where there are no handles.
+  void run_initial_pass(Statistics& statistics) {
+    run_stage(Stage::INITIAL, [&] { passes_.initial_pass(progress_, statistics); });
   }
 
 private:

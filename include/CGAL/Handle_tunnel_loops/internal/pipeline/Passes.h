@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/Literal_rules.h>
+#include <CGAL/Handle_tunnel_loops/internal/fronts/Swept_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
@@ -30,7 +31,12 @@ struct Pass_options
   bool do_refine_handles = true;
   bool do_tighten = true; ///< the reference knows no tightening
   bool do_log_fronts = false;
+  bool do_keep_layers = false; ///< of the vertices, in the initial pass
+  bool do_keep_times = false;
   Literal_rules literal_rules; ///< of the reference
+
+  /// whether more is asked for than loops, so that the initial pass is run without handles, too.
+  bool asks_for_fronts() const { return do_log_fronts || do_keep_layers || do_keep_times; }
 };
 
 /// The passes of a method (paper, section 4), which `Loop_pipeline` calls in their order, each
@@ -42,6 +48,9 @@ public:
 
   /// paper, 4.1: finds handle loops, as many as the genus.
   virtual void initial_pass(Progress& progress, Statistics& statistics) = 0;
+
+  /// what the initial pass tells of the vertices, as far as the options ask for it.
+  virtual Swept_vertices take_swept_vertices() = 0;
 
   /// paper, 4.2: finds a tunnel loop for each handle loop.
   virtual void tunnel_pass(Progress& progress, Statistics& statistics) = 0;

@@ -65,6 +65,9 @@ public:
   /// the moment at which `v` was reached, in steps.
   double time(Index v) const { return time_[v]; }
 
+  /// the same of all vertices.
+  const std::vector<double>& times() const { return time_; }
+
   std::size_t number_of_reached() const { return count_; }
   std::size_t number_of_steps() const { return step_; }
 

@@ -54,16 +54,23 @@ public:
       , patience_(patience(constants))
       , field_(mesh, constants, rules)
       , bands_(mesh, rules.band_threshold)
-      , is_active_(1, 0) {
+      , is_active_(1, 0)
+      , layers_(mesh.number_of_vertices(), no_index)
+      , times_(mesh.number_of_vertices(), 0.) {
     start(seeds);
   }
 
   const std::vector<Front_meeting>& meetings() const { return meetings_; }
 
+  /// by vertex, the layer that had most of it when it passed the threshold, and the step.
+  const std::vector<Index>& layers_of_vertices() const { return layers_; }
+  const std::vector<double>& times() const { return times_; }
+
   void run(Progress& progress) {
     const double n = static_cast<double>(mesh_.number_of_vertices());
     for(std::size_t i = 1; number_of_covered_ < mesh_.number_of_vertices(); ++i) {
       step();
+      note_layers(static_cast<double>(i));
       if(i % 16 == 0)
         progress.advance(static_cast<double>(number_of_covered_) / n);
     }
@@ -84,6 +91,23 @@ private:
       const auto it = layer_of_vertex.find(v);
       return it == layer_of_vertex.end() ? row : it->second;
     });
+    note_layers(0.);
+  }
+
+  void note_layers(double time) {
+    const Layered_field::Vector_of_values covered = field_.covered();
+    std::vector<double> largest(mesh_.number_of_vertices(), 0.);
+    std::vector<Index> layers = layers_;
+    for(Index layer = 1; layer < is_active_.size(); ++layer)
+      for(Layered_field::Matrix::InnerIterator it(field_.phi(), layer); it; ++it) {
+        const auto v = static_cast<Index>(it.col());
+        if(layers_[v] != no_index || covered[v] < threshold || !(it.value() > largest[v]))
+          continue;
+        largest[v] = it.value();
+        layers[v] = layer;
+        times_[v] = time;
+      }
+    layers_ = std::move(layers);
   }
 
   void step() {
@@ -217,6 +241,8 @@ private:
   Layered_field field_;
   Band_components bands_;
   std::vector<char> is_active_; // by layer
+  std::vector<Index> layers_;   // by vertex
+  std::vector<double> times_;
   std::vector<Front_meeting> meetings_;
   std::size_t number_of_covered_ = 0, steps_at_rest_ = 0;
 };

@@ -45,6 +45,7 @@ public:
       : mesh_(mesh)
       , region_(mesh)
       , layer_(mesh.neighbor.size(), no_index)
+      , layer_of_vertex_(mesh.number_of_vertices(), no_index)
       , successors_(1) {}
 
   const std::vector<Front_event>& events() const { return events_; }
@@ -56,10 +57,14 @@ public:
   /// the layers that took the place of a layer.
   const std::vector<Index>& successors(Index layer) const { return successors_[layer]; }
 
+  /// by vertex, the layer of the front that covered it.
+  const std::vector<Index>& layers_of_vertices() const { return layer_of_vertex_; }
+
   /// covers the first vertex of a component, with a front in a new layer.
   Index start(Index v) {
     region_.add(v);
     const Index layer = new_layer();
+    layer_of_vertex_[v] = layer;
     set_layer_around(v, layer);
     return layer;
   }
@@ -73,6 +78,7 @@ public:
       log(Front_event_type::CLOSING, step, v,
           {record(layer, placed(Fronts(region_).loop(behind), covered))}, {});
     region_.add(v);
+    layer_of_vertex_[v] = layer;
     set_layer_around(v, layer);
     for(Index run = 1; run < region_.number_of_runs(); ++run)
       link(v, run, step, covered);
@@ -194,6 +200,7 @@ private:
   const Flat_mesh& mesh_;
   Covered_region region_;
   std::vector<Index> layer_;                   // of the front that crosses an edge, by slot
+  std::vector<Index> layer_of_vertex_;         // of the front that covered it
   std::vector<std::vector<Index>> successors_; // by layer
   std::vector<Front_event> events_;
   std::vector<Front_meeting> meetings_;

@@ -50,6 +50,7 @@ public:
                    const std::vector<Index>& seeds,
                    const Pass_options& options)
       : mesh_(mesh)
+      , options_(options)
       , rules_(options.literal_rules)
       , seeds_(seeds)
       , constants_(literal_constants(options.constants, rules_))
@@ -64,6 +65,8 @@ public:
     for(const Front_meeting& meeting : meetings_)
       handles_.push_back(meeting.loop);
   }
+
+  Swept_vertices take_swept_vertices() override { return std::move(swept_); }
 
   /// The region that was covered when a handle was found lies to the left of all
   /// handles that were found later; these are walls, and a larger region is not barred.
@@ -130,6 +133,7 @@ private:
     CGAL_postcondition_msg(meetings_.size() == mesh_.genus, "as many handles as the genus");
     statistics.front_events = initial_pass_->tracker().events();
     statistics.resolution = initial_pass_->resolution();
+    keep(initial_pass_->tracker().layers_of_vertices(), initial_pass_->arrivals().times());
   }
 
   void follow_bands(Progress& progress) {
@@ -140,6 +144,14 @@ private:
       throw Literal_failure_exception("the fronts met " + std::to_string(meetings_.size()) +
                                       " times, and there are " + std::to_string(mesh_.genus) +
                                       " handles");
+    keep(pass.layers_of_vertices(), pass.times());
+  }
+
+  void keep(const std::vector<Index>& layers, const std::vector<double>& times) {
+    if(options_.do_keep_layers)
+      swept_.layers = layers;
+    if(options_.do_keep_times)
+      swept_.times = times;
   }
 
   // Edges that the field which looks for a tunnel may not cross.
@@ -212,10 +224,12 @@ private:
   }
 
   const Flat_mesh& mesh_;
+  Pass_options options_;
   Literal_rules rules_;
   std::vector<Index> seeds_;
   Field_constants constants_;
   std::unique_ptr<Initial_pass> initial_pass_;
+  Swept_vertices swept_;
   std::vector<Front_meeting> meetings_;
   Dual_loop_pass dual_loop_pass_;
   std::vector<Crossing_loop> handles_, tunnels_;
