@@ -179,7 +179,7 @@ file(READ "${FOLDER}/one.jsonl" line)
 string(JSON exit GET "${line}" exit)
 expect_equal("${exit}" 3)
 
-foreach(option IN ITEMS --output --lines --picture --html --gltf --events --write-mesh)
+foreach(option IN ITEMS --output --lines --picture --html --gltf --events --layers --write-mesh)
   run(2 loops torus.off mesh.off ${option} out.file)
   expect_match("${errors}" "${option} is for one mesh|end in one of|must end in")
 endforeach()

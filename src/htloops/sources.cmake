@@ -31,6 +31,9 @@ set(HTLOOPS_SOURCES
   draw/export_lines.cpp
   draw/export_vtp.cpp
   draw/exported_lines.cpp
+  draw/grown_layers.cpp
+  draw/layer_mesh.cpp
+  draw/level_cutter.cpp
   draw/loops_page.cpp
   draw/mesh_arrays.cpp
   draw/page_export.cpp

@@ -14,6 +14,8 @@
 #include "commands/outcome.h"
 #include "draw/export_gltf.h"
 #include "draw/export_lines.h"
+#include "draw/grown_layers.h"
+#include "draw/layer_mesh.h"
 #include "draw/loops_page.h"
 #include "draw/picture_export.h"
 #include "failure.h"
@@ -109,6 +111,30 @@ View view_of(const Loops_options& options, const Answer& answer, const Pair_list
   return view;
 }
 
+// The loops, or the layers at a moment.
+void draw(const Loops_options& options,
+          const View& view,
+          const Mesh& mesh,
+          const Answer& answer,
+          const Pair_listing& listing) {
+  if(options.picture.file.empty() && options.gltf_file.empty())
+    return;
+  Drawn_surface surface;
+  Exported_lines lines;
+  if(options.moment) {
+    Grown_layers grown = grown_layers(mesh, answer, *options.moment);
+    surface = std::move(grown.surface);
+    lines = std::move(grown.fronts);
+  } else {
+    surface = drawn_surface(mesh);
+    lines = lines_of(answer, listing);
+  }
+  if(!options.picture.file.empty())
+    export_picture(options.picture, view, surface, lines);
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, surface, lines);
+}
+
 void write_files(const Loops_options& options,
                  const Mesh& mesh,
                  const Answer& answer,
@@ -123,11 +149,10 @@ void write_files(const Loops_options& options,
     write_pair_csv(options.csv_file, options.mesh_file, answer, told.listing);
   for(const std::string& file : options.lines_files)
     export_lines(file, lines_of(answer, told.listing));
+  if(!options.layers_file.empty())
+    export_layers(options.layers_file, mesh, answer.vertex_layers);
   const View view = view_of(options, answer, told.listing);
-  if(!options.picture.file.empty())
-    export_picture(options.picture, view, drawn_surface(mesh), lines_of(answer, told.listing));
-  if(!options.gltf_file.empty())
-    export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
+  draw(options, view, mesh, answer, told.listing);
   if(!options.page_file.empty())
     write_page(options.page_file,
                scene_of_loops(view, options.mesh_file, mesh, answer, told.listing,

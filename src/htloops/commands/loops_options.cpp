@@ -10,6 +10,7 @@
 #include "commands/loops_options.h"
 
 #include "commands/file_options.h"
+#include "draw/reeb_exports.h"
 #include "failure.h"
 #include "solve/backends.h"
 #include "terminal/progress_bar.h"
@@ -49,9 +50,23 @@ void add_output_options(CLI::App& command, Loops_options& options) {
       ->option_text("FILE.json")
       ->type_name(output_file)
       ->group(group);
+  command
+      .add_option("--layers", options.layers_file,
+                  "the mesh with the layers of the first pass, and when its fronts came")
+      ->option_text("FILE.ply")
+      ->type_name(output_file)
+      ->group(group);
   add_picture_options(command, options, "the loops", group);
   add_page_option(command, options, "the mesh and the loops", group);
   add_gltf_option(command, options, "the loops", group);
+  command
+      .add_option("--moment", options.moment,
+                  "the layers and fronts of the first pass, in place of the loops, in the picture\n"
+                  "and the model: when this part of it had passed, 0 to 1")
+      ->option_text("PART")
+      ->check(CLI::Range(0., 1.))
+      ->check(why_not_finite)
+      ->group(group);
   add_view_options(command, options, group);
 }
 
@@ -125,6 +140,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
   const std::pair<const char*, bool> given[] = {
       {"--output", !options.json_file.empty()},
       {"--events", !options.events_file.empty()},
+      {"--layers", !options.layers_file.empty()},
       {"--lines", !options.lines_files.empty()},
       {"--picture", !options.picture.file.empty()},
       {"--html", !options.page_file.empty()},
@@ -153,6 +169,12 @@ void check_loops_options(const Loops_options& options) {
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
     throw Failure(Exit_code::WRONG_USAGE, "--literal goes with --backend reference");
+  if(!options.layers_file.empty())
+    check_coloured_mesh_format(options.layers_file);
+  if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
+    throw Failure(Exit_code::WRONG_USAGE,
+                  std::string("--moment says when to look at the layers: it needs ") +
+                      (has_pictures ? "--picture or --gltf" : "--gltf"));
   check_name(options.csv_file, "a table as CSV", ".csv");
   check_name(options.jsonl_file, "lines of JSON", ".jsonl");
   check_listing_choice(options.listing);
@@ -183,7 +205,8 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
   using CGAL::Handle_tunnel_loops::Basis_kind;
   solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
-  solve_options.do_log_fronts = !options.events_file.empty();
+  solve_options.do_log_fronts = !options.events_file.empty() || options.moment;
+  solve_options.do_find_layers = !options.layers_file.empty() || options.moment;
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(show_progress);
   Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);

@@ -27,6 +27,8 @@ struct Loops_options : Common_options
 {
   std::vector<std::string> mesh_files;
   std::string events_file;
+  std::string layers_file;
+  std::optional<double> moment; ///< of the first pass, to be seen in pictures
   std::string csv_file;
   std::string jsonl_file; ///< an object of JSON for each mesh
   Listing_choice listing;

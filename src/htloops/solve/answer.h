@@ -17,9 +17,20 @@
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace htloops {
+
+/// How the fronts of the first pass came to the vertices: by vertex, the layer, from 1, and the
+/// time in steps. Those that have no faces are in layer 0, and have the time -1. Empty unless asked
+/// for.
+struct Vertex_layers
+{
+  std::vector<std::size_t> layers;
+  std::vector<double> times;
+};
 
 /// What a backend returns: certified pairs, and how they were found.
 struct Answer
@@ -27,6 +38,7 @@ struct Answer
   Pairs pairs;
   Boundaries boundaries;
   CGAL::Handle_tunnel_loops::Statistics statistics;
+  Vertex_layers vertex_layers;
   std::string backend;
   int number_of_threads = 1;
   double total_seconds = 0.; ///< without reading and writing

@@ -28,6 +28,7 @@ struct Solve_options
   bool do_tighten = true;
   bool do_compute_linking = true;
   bool do_log_fronts = false;
+  bool do_find_layers = false; ///< and arrival times
   CGAL::Handle_tunnel_loops::Basis_kind basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::PURE;
   int number_of_threads = 0; ///< 0: as many as the machine has
 };

@@ -12,10 +12,12 @@
 
 #include "solve/backends.h"
 #include "solve/stopwatch.h"
+#include "solve/vertex_map.h"
 
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
+#include <cstddef>
 #include <functional>
 #include <iterator>
 
@@ -57,8 +59,19 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
   const Mesh::Vertex_index seed =
       options.seed.value_or(boost::graph_traits<Mesh>::null_vertex()); // the solver's choice
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(ConcurrencyTag(), mesh, np);
-  solver.template find_loops<ConcurrencyTag>(std::back_inserter(answer.pairs),
-                                             parameters::seed_vertex(seed, np));
+  const auto from_seed = parameters::seed_vertex(seed, np);
+  const auto find = [&](const auto& wanted) {
+    solver.template find_loops<ConcurrencyTag>(std::back_inserter(answer.pairs), wanted);
+  };
+  if(options.do_find_layers) {
+    Vertex_layers& told = answer.vertex_layers;
+    told.layers.assign(mesh.number_of_vertices(), 0);
+    told.times.assign(mesh.number_of_vertices(), -1.);
+    find(parameters::vertex_layer_map(
+        Vertex_map<std::size_t>{&told.layers},
+        parameters::vertex_time_map(Vertex_map<double>{&told.times}, from_seed)));
+  } else
+    find(from_seed);
   answer.statistics = solver.statistics();
   answer.certificate = solver.certificate();
   answer.total_seconds = stopwatch.seconds();

@@ -11,6 +11,7 @@
 
 #include "solve/stopwatch.h"
 #include "solve/thread_limit.h"
+#include "solve/vertex_map.h"
 
 #include <CGAL/reeb_graph.h>
 
@@ -22,19 +23,6 @@ namespace htloops {
 namespace {
 
 namespace parameters = CGAL::parameters;
-
-// Writes what is told of vertices where the answer has room for it.
-template <typename Value> struct Vertex_map
-{
-  using key_type = Mesh::Vertex_index;
-  using value_type = Value;
-  using reference = Value;
-  using category = boost::writable_property_map_tag;
-
-  std::vector<Value>* room;
-
-  friend void put(const Vertex_map& map, key_type v, Value value) { (*map.room)[v.idx()] = value; }
-};
 
 template <typename NamedParameters>
 void solve(const Mesh& mesh, const NamedParameters& np, Reeb_answer& answer) {

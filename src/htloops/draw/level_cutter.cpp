@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "draw/level_cutter.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace htloops {
+
+Level_cutter::Level_cutter(const Mesh& mesh, const std::vector<double>& values)
+    : mesh_(mesh)
+    , values_(values)
+    , points_(points_of(mesh)) {}
+
+Level_cutter::Corners Level_cutter::corners_of(Mesh::Face_index f) const {
+  const Mesh::Halfedge_index h = mesh_.halfedge(f);
+  Corners corners = {mesh_.source(h), mesh_.target(h), mesh_.target(mesh_.next(h))};
+  std::sort(corners.begin(), corners.end(), [this](Vertex v, Vertex w) {
+    return std::make_pair(value(v), v) < std::make_pair(value(w), w);
+  });
+  return corners;
+}
+
+bool Level_cutter::has_orientation(Mesh::Face_index f, const Corners& corners) const {
+  Mesh::Halfedge_index h = mesh_.halfedge(f);
+  while(mesh_.source(h) != corners[0])
+    h = mesh_.next(h);
+  return mesh_.target(h) == corners[1];
+}
+
+Level_cutter::Polygon Level_cutter::polygon(const Corners& corners, double low, double high) {
+  Polygon polygon;
+  const auto add = [&](std::uint32_t p) {
+    if(polygon.empty() || (polygon.back() != p && polygon.front() != p))
+      polygon.push_back(p);
+  };
+  for(int i = 0; i < 3; ++i) {
+    const Vertex v = corners[i], w = corners[(i + 1) % 3];
+    if(low <= value(v) && value(v) <= high)
+      add(v.idx());
+    const bool is_up = value(v) < value(w);
+    for(const double level : {is_up ? low : high, is_up ? high : low})
+      if((std::min)(value(v), value(w)) < level && level < (std::max)(value(v), value(w)))
+        add(is_up ? point_at(v, w, level) : point_at(w, v, level));
+  }
+  return polygon;
+}
+
+std::uint32_t Level_cutter::point_at(Vertex low, Vertex high, double level) {
+  const auto next = static_cast<std::uint32_t>(points_.size());
+  const auto [position, is_new] = cuts_.try_emplace({low, high, level}, next);
+  if(is_new) {
+    const double ratio = (level - value(low)) / (value(high) - value(low));
+    points_.push_back(
+        coordinates(mesh_.point(low) + ratio * (mesh_.point(high) - mesh_.point(low))));
+  }
+  return position->second;
+}
+
+std::uint32_t Level_cutter::add_point(const Point& p) {
+  points_.push_back(coordinates(p));
+  return static_cast<std::uint32_t>(points_.size() - 1);
+}
+
+} // namespace htloops
