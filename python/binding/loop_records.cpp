@@ -102,6 +102,15 @@ std::string in_words(const std::vector<std::string>& problems) {
   return text;
 }
 
+// None where nobody asked.
+void add_layers(py::dict& record, const htloops::Vertex_layers& told) {
+  record["layers"] = record["layer_times"] = py::none();
+  if(told.layers.empty())
+    return;
+  record["layers"] = array_of(std::vector<std::int64_t>(told.layers.begin(), told.layers.end()));
+  record["layer_times"] = array_of(told.times);
+}
+
 } // namespace
 
 // Python has checked the word.
@@ -153,6 +162,7 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
   py::dict boundaries = record_of(mesh, curves);
   boundaries["components"] = components_of(mesh, curves, components);
   py::dict record = record_of(mesh, loops);
+  add_layers(record, answer.vertex_layers);
   return py::dict("components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
                   "bounds_alone"_a = sides_alone,
                   "linking"_a = matrix_of(answer.certificate.linking),

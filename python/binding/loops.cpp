@@ -34,12 +34,14 @@ py::dict find_loops(const py::array& points,
                     int threads,
                     std::optional<py::ssize_t> seed,
                     bool waists,
+                    bool layers,
                     Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Solve_options options;
   options.basis_kind = basis_kind(basis);
   if(seed)
     options.seed = vertex_of(mesh, *seed);
+  options.do_find_layers = layers;
   return record_of(mesh, compute(threads, watch, [&] {
                      htloops::Answer answer =
                          htloops::choose_backend("auto").solve(mesh, options, watch);

@@ -30,6 +30,7 @@ def loops(
     threads: int,
     seed: Optional[int],
     waists: bool,
+    layers: bool,
     watch: Watch,
 ) -> _Record: ...
 def certify(

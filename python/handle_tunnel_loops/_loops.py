@@ -105,6 +105,11 @@ class Loops:
         self.waists: List[Loop] = _loops_of(
             waists, ["boundary"] * len(waists["lengths"]), list(range(len(waists["lengths"])))
         )
+        #: (n,): the layer of the front that came to each vertex in the first pass, from 1; 0 where there is
+        #: no face. None unless asked for, like the next.
+        self.layers: Optional[np.ndarray] = record.get("layers")
+        #: (n,): when it came, in steps of the field; -1 where there is no face
+        self.layer_times: Optional[np.ndarray] = record.get("layer_times")
         self.certificate = Certificate(**record["certificate"])
         self.number_of_components: int = record["number_of_components"]
         self.seconds: Dict[str, float] = record["seconds"]  #: by stage of the computation
@@ -180,6 +185,7 @@ def loops(
     progress: Any = None,
     *,
     waists: bool = False,
+    layers: bool = False,
 ) -> Loops:
     """The handle and tunnel loops of a mesh.
 
@@ -191,6 +197,7 @@ def loops(
     threads : how many this call takes at most; 0 or None for as many as there are processors
     seed : the vertex that the computation begins at; chosen if not given
     waists : whether to look for the shortest loops that go around what boundary curves go around
+    layers : whether to keep what each front of the first pass covered, and when
     progress : True for a bar, or a callable that is told a number from 0 to 1
 
     The answer is certified, and the same for any number of threads. The time is about linear in m;
@@ -208,6 +215,7 @@ def loops(
             threads_of(threads),
             vertex_or_none("seed", seed),
             bool(waists),
+            bool(layers),
         )
     )
 

@@ -121,6 +121,19 @@ def test_boundary(plate):
     assert htl.loops(V, F).waists == []
 
 
+def test_layers(genus_3):
+    V, F = genus_3
+    plain, L = htl.loops(V, F), htl.loops(V, F, layers=True)
+    assert plain.layers is None and plain.layer_times is None
+    assert [h.length for h in plain.handles] == [h.length for h in L.handles]
+    assert L.layers.shape == L.layer_times.shape == (len(V),)
+    assert L.layers.min() == 1 and L.layer_times.min() == 0
+    # Each handle takes a split, a merge, and the layers before, between and after.
+    assert L.layers.max() >= 3 * L.genus + 1
+    seed = int(np.argmin(L.layer_times))
+    assert L.layers[seed] == 1
+
+
 def test_components(torus, genus_3):
     V = np.concatenate([torus[0], genus_3[0] + 10])
     F = np.concatenate([torus[1], genus_3[1] + len(torus[0])])
