@@ -155,19 +155,23 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
   \cgalParamNEnd
   \cgalParamNBegin{vertex_layer_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the layer of the front
-that came to it in the initial pass (paper, section 4.1). Layers are numbered from 1 as in
-      `Handle_tunnel_loops::Front_event`; a vertex at which fronts part, meet or close is in a layer
-      that ends there}
+      that came to it in the initial pass (paper, section 4.1). Layers are numbered from 1 as in
+      `Handle_tunnel_loops::Front_event`; a vertex at which fronts part, meet or close is in a
+      layer that ends there}
     \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
       `std::size_t` as value type}
     \cgalParamDefault{unused}
     \cgalParamExtra{It takes as long as `do_log_fronts`, no longer with both, and four bytes per
-vertex until the loops are found. Written before these are, so also if the computation is stopped
-later.} \cgalParamNEnd \cgalParamNBegin{vertex_time_map} \cgalParamDescription{is given, for each
-vertex that is not isolated, the time at which the front of the initial pass came to it, in steps of
-the field and parts of them: 0 at the seed} \cgalParamType{a class model of `WritablePropertyMap`
-with the vertices of `tm` as keys and `double` as value type} \cgalParamDefault{unused}
-    \cgalParamExtra{It takes eight bytes per vertex until the loops are found.}
+      vertex until the loops are found. It is written before these are.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_time_map}
+    \cgalParamDescription{is given, for each vertex that is not isolated, the time at which the
+      front of the initial pass came to it, in steps of the field and parts of them: 0 at the seed}
+    \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
+      `double` as value type}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{It takes eight bytes per vertex until the loops are found. It is written before
+      these are.}
   \cgalParamNEnd
   \cgalParamNBegin{device_options}
     \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
