@@ -258,6 +258,7 @@ private:
     statistics_.seconds.fill(0.);
     statistics_.seconds[static_cast<std::size_t>(Stage::ADAPTOR)] = seconds_of_adaptor;
     statistics_.kept_sweep_tunnels = statistics_.kept_sweep_handles = 0;
+    statistics_.swept_handles = statistics_.traced_tunnels = statistics_.refined_handles = 0;
     certificate_ = Certificate();
     statistics_.front_events.clear();
     statistics_.resolution = Field_resolution();

@@ -75,6 +75,11 @@ struct Statistics
   std::size_t kept_sweep_tunnels = 0; ///< tunnels for which the loop of the initial pass was kept
   std::size_t kept_sweep_handles = 0; ///< handles for which the loop of the initial pass was
   ///< kept although shorter ones were found (by `Reference_tag`: all that were kept)
+  /// handles that the initial pass found: as many as the genus, unless it was to follow
+  /// `Literal_rules`, by which it may end before it has found all, or find too many.
+  std::size_t swept_handles = 0;
+  std::size_t traced_tunnels = 0;  ///< tunnels that the tunnel pass found
+  std::size_t refined_handles = 0; ///< handles that the refinement pass replaced
   /// of the initial pass, if `do_log_fronts` asks for them; always by `Reference_tag`, where there
   /// are handles.
   std::vector<Front_event> front_events;

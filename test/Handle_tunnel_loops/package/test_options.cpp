@@ -373,8 +373,9 @@ TEST(Statistics, TellOfTheStages) {
     sum += s.seconds_of(static_cast<Stage>(i));
   }
   EXPECT_DOUBLE_EQ(s.total_seconds(), sum);
-  EXPECT_LE(s.kept_sweep_tunnels, small_genus);
-  EXPECT_LE(s.kept_sweep_handles, small_genus);
+  EXPECT_EQ(s.swept_handles, small_genus);
+  EXPECT_EQ(s.traced_tunnels + s.kept_sweep_tunnels, small_genus);
+  EXPECT_LE(s.refined_handles + s.kept_sweep_handles, small_genus);
 }
 
 TEST(Statistics, AreThoseOfTheLastRun) {
@@ -384,6 +385,7 @@ TEST(Statistics, AreThoseOfTheLastRun) {
   solver.find_loops(CGAL::Emptyset_iterator(), params::do_refine_handles(false));
   EXPECT_EQ(solver.statistics().seconds_of(Stage::REFINE), 0.);
   EXPECT_EQ(solver.statistics().kept_sweep_handles, 0u);
+  EXPECT_EQ(solver.statistics().refined_handles, 0u);
   EXPECT_GT(solver.statistics().seconds_of(Stage::ADAPTOR), 0.);
 }
 

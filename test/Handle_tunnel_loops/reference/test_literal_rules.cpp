@@ -6,6 +6,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Band_components.h>
+#include <CGAL/iterator.h>
 
 #include <gtest/gtest.h>
 
@@ -166,6 +167,23 @@ TEST(Literal_rules, OfBandsDependOnWhenTheyTouch) {
   const Answer answer = answer_to(mesh, rules);
   EXPECT_EQ(answer.failure, "");
   EXPECT_EQ(answer.pairs.size(), 1u);
+}
+
+TEST(Literal_rules, TellHowFarTheyCame) {
+  const Mesh mesh = mesh_of(Recipe{"knot", {10000, 1, 0}});
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
+  solver.find_loops<CGAL::Reference_tag>(CGAL::Emptyset_iterator());
+  const Statistics& s = solver.statistics();
+  EXPECT_EQ(s.swept_handles, 1u);
+  EXPECT_EQ(s.traced_tunnels + s.kept_sweep_tunnels, 1u);
+  EXPECT_EQ(s.refined_handles + s.kept_sweep_handles, 1u);
+  Literal_rules rules;
+  rules.bands = true;
+  EXPECT_THROW(solver.find_loops<CGAL::Reference_tag>(CGAL::Emptyset_iterator(),
+                                                      params::literal_rules(rules)),
+               Literal_failure_exception);
+  EXPECT_NE(s.swept_handles, 1u);
+  EXPECT_EQ(s.traced_tunnels, 0u);
 }
 
 // On a mesh of any kind there is an answer, which was certified, or a reason, and then nothing

@@ -21,6 +21,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -59,6 +60,7 @@ public:
       return true;
     });
     CGAL_postcondition_msg(candidates_.size() == mesh_.genus, "as many handles as the genus");
+    statistics.swept_handles = candidates_.size();
     keep_what_is_asked_for(statistics);
     backend_->report(statistics);
     for(Handle_candidate& candidate : candidates_)
@@ -86,6 +88,7 @@ public:
         tunnels_[k] = descending_tunnel(mesh_, Arrival_order(times), candidates_[k]);
         context.tighten(tunnels_[k]);
       }
+    statistics.traced_tunnels = tunnels_.size() - statistics.kept_sweep_tunnels;
     CGAL_expensive_postcondition(are_tunnels_of_contours());
     contours_ = {};
     backend_->report(statistics);
@@ -96,6 +99,8 @@ public:
     Refinement_pass pass(context, handles_, tunnels_, *contour_index_);
     statistics.kept_sweep_handles = pass.run();
     is_refined_ = pass.is_refined();
+    statistics.refined_handles = static_cast<std::size_t>(
+        std::count_if(is_refined_.begin(), is_refined_.end(), [](char c) { return c != 0; }));
     backend_->report(statistics);
   }
 

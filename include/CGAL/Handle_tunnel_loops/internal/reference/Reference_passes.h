@@ -59,7 +59,7 @@ public:
   void initial_pass(Progress& progress, Statistics& statistics) override {
     statistics.backend = "reference";
     if(rules_.bands)
-      follow_bands(progress);
+      follow_bands(progress, statistics);
     else
       follow_fronts(progress, statistics);
     for(const Front_meeting& meeting : meetings_)
@@ -81,7 +81,7 @@ public:
       });
       if(tunnel == loops.end() && (rules_.bands || rules_.covered_area || rules_.first_reached))
         throw Literal_failure_exception("no tunnel was found for handle " + std::to_string(k));
-      statistics.kept_sweep_tunnels += tunnel == loops.end();
+      ++(tunnel != loops.end() ? statistics.traced_tunnels : statistics.kept_sweep_tunnels);
       tunnels_.push_back(tunnel != loops.end() ? *tunnel : tunnel_in_covered_region(meetings_[k]));
     }
   }
@@ -109,8 +109,7 @@ public:
                                         std::to_string(k));
       if(better != loops.end())
         handles_[k] = *better;
-      else
-        ++statistics.kept_sweep_handles;
+      ++(better != loops.end() ? statistics.refined_handles : statistics.kept_sweep_handles);
     }
   }
 
@@ -128,7 +127,7 @@ private:
 
   void follow_fronts(Progress& progress, Statistics& statistics) {
     initial_pass_ = std::make_unique<Initial_pass>(mesh_, constants_, seeds_, rules_);
-    initial_pass_->run(progress);
+    run(*initial_pass_, initial_pass_->tracker().meetings(), progress, statistics);
     meetings_ = initial_pass_->tracker().meetings();
     CGAL_postcondition_msg(meetings_.size() == mesh_.genus, "as many handles as the genus");
     statistics.front_events = initial_pass_->tracker().events();
@@ -136,9 +135,9 @@ private:
     keep(initial_pass_->tracker().layers_of_vertices(), initial_pass_->arrivals().times());
   }
 
-  void follow_bands(Progress& progress) {
+  void follow_bands(Progress& progress, Statistics& statistics) {
     Band_pass pass(mesh_, constants_, seeds_, rules_);
-    pass.run(progress);
+    run(pass, pass.meetings(), progress, statistics);
     meetings_ = pass.meetings();
     if(meetings_.size() != mesh_.genus)
       throw Literal_failure_exception("the fronts met " + std::to_string(meetings_.size()) +
@@ -152,6 +151,21 @@ private:
       swept_.layers = layers;
     if(options_.do_keep_times)
       swept_.times = times;
+  }
+
+  // What fronts met is counted where the pass fails, too.
+  template <typename Pass>
+  static void run(Pass& pass,
+                  const std::vector<Front_meeting>& meetings,
+                  Progress& progress,
+                  Statistics& statistics) {
+    try {
+      pass.run(progress);
+    } catch(...) {
+      statistics.swept_handles = meetings.size();
+      throw;
+    }
+    statistics.swept_handles = meetings.size();
   }
 
   // Edges that the field which looks for a tunnel may not cross.
