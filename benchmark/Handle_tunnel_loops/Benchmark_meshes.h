@@ -5,14 +5,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include "generators/generators.h"
-#include "generators/holes.h"
+#include "Requested_soup.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,32 +40,6 @@ inline void write_off(const CGAL::Handle_tunnel_loops::generators::Soup& soup,
   for(const auto& t : soup.triangles)
     std::fprintf(f, "3 %u %u %u\n", t[0], t[1], t[2]);
   std::fclose(f);
-}
-
-inline CGAL::Handle_tunnel_loops::generators::Soup generate(const std::string& request) {
-  std::istringstream in(request);
-  std::string name, faces, genus, holes, hole_faces, is_ragged;
-  std::getline(in, name, ':');
-  std::getline(in, faces, ':');
-  std::getline(in, genus, ':');
-  std::getline(in, holes, ':');
-  std::getline(in, hole_faces, ':');
-  std::getline(in, is_ragged, ':');
-  for(const auto& kind : CGAL::Handle_tunnel_loops::generators::kinds())
-    if(kind.name == name) {
-      CGAL::Handle_tunnel_loops::generators::Request r;
-      r.faces = std::stoul(faces);
-      r.genus = std::stoul(genus);
-      if(holes.empty())
-        return kind.make(r);
-      CGAL::Handle_tunnel_loops::generators::Hole_request h;
-      h.number = std::stoul(holes);
-      if(!hole_faces.empty())
-        h.faces = std::stoul(hole_faces);
-      h.is_ragged = is_ragged == "ragged";
-      return with_holes(kind.make(r), h);
-    }
-  throw std::runtime_error("no such kind of mesh: " + name);
 }
 
 // Writes the mesh as an OFF file, unless it is one; returns the name of the file.

@@ -7,21 +7,18 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-// Follows rules of the paper to the letter, one at a time and all together, on all closed meshes of
-// a folder, and prints where they fail.
+// Follows rules of the paper to the letter, one at a time and all together, on the closed meshes of
+// a folder, or on generated shapes if none is given, and prints where they fail.
 //
-//   benchmark_letter [--faces LIMIT] [--verbose] FOLDER | FILE...
+//   benchmark_letter [--faces LIMIT] [--verbose] [FOLDER | FILE]...
 
-#include "Corpus_answer.h"
+#include "Subjects.h"
 
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-
 #include <cstdio>
-#include <filesystem>
 #include <functional>
+#include <iostream>
 #include <map>
 
 namespace {
@@ -106,30 +103,17 @@ Answer answer_to(const Mesh& mesh, const Literal_rules& rules, Stage& stage) {
 class Letter
 {
 public:
-  Letter(std::size_t limit, bool is_verbose)
-      : limit_(limit)
-      , is_verbose_(is_verbose)
+  explicit Letter(bool is_verbose)
+      : is_verbose_(is_verbose)
       , rows_(rows())
       , outcomes_(rows_.size()) {}
 
-  void run_on(const std::filesystem::path& file) {
-    Mesh mesh;
-    if(!CGAL::IO::read_polygon_mesh(file.string(), mesh) &&
-       !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file.string(), mesh))
-      return;
-    if(mesh.number_of_faces() > limit_)
-      return;
-    try {
-      if(Solver(CGAL::Sequential_tag(), mesh, params::default_values()).genus() == 0)
-        return;
-    } catch(const HTL::Invalid_mesh_exception&) {
-      return;
-    }
+  void run_on(const Subject& subject) {
     ++meshes_;
-    faces_ += mesh.number_of_faces();
+    faces_ += subject.mesh.number_of_faces();
     double length = 0.; // by no rule
     for(std::size_t i = 0; i < rows_.size(); ++i)
-      run_on(mesh, file.filename().string(), i, length);
+      run_on(subject.mesh, subject.name, i, length);
   }
 
   void print() const {
@@ -167,7 +151,6 @@ private:
     }
   }
 
-  std::size_t limit_;
   bool is_verbose_;
   std::vector<Row> rows_;
   std::vector<Outcome> outcomes_;
@@ -177,24 +160,16 @@ private:
 } // namespace
 
 int main(int argc, char* argv[]) {
-  std::size_t limit = 60000;
-  bool is_verbose = false;
-  std::vector<std::filesystem::path> files;
-  for(int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if(word == "--faces" && i + 1 < argc)
-      limit = std::stoul(argv[++i]);
-    else if(word == "--verbose")
-      is_verbose = true;
-    else if(std::filesystem::is_directory(word))
-      for(const auto& entry : std::filesystem::directory_iterator(word))
-        files.push_back(entry.path());
-    else
-      files.emplace_back(word);
+  try {
+    const Command_line line(argc, argv, {"--verbose"}, {"--faces"});
+    Letter letter(line.has("--verbose"));
+    const auto run = [&](const Subject& subject) { letter.run_on(subject); };
+    if(line.files().empty())
+      for_each_generated_subject(run);
+    for_each_subject_of_files(line, 60000, run);
+    letter.print();
+  } catch(const std::exception& e) {
+    std::cerr << "Error: " << e.what() << '\n';
+    return EXIT_FAILURE;
   }
-  std::sort(files.begin(), files.end());
-  Letter letter(limit, is_verbose);
-  for(const auto& file : files)
-    letter.run_on(file);
-  letter.print();
 }

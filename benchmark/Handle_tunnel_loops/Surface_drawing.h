@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef BENCHMARK_SURFACE_DRAWING_H
+#define BENCHMARK_SURFACE_DRAWING_H
+
+#include "Loop_places.h"
+#include "Subjects.h"
+#include "Svg.h"
+#include "mean_edge_length.h"
+
+#include <functional>
+#include <limits>
+
+/// \file Surface_drawing.h
+/// Surfaces with loops on them, in figures.
+
+namespace corpus {
+
+/// A surface as seen from a direction without perspective, what is near over what is far.
+class Surface_drawing
+{
+public:
+  using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
+
+  /// in a square of a figure.
+  Surface_drawing(svg::Figure& figure,
+                  const Mesh& mesh,
+                  const svg::Place& corner,
+                  double side,
+                  const Vector& view = Vector(0.6, -1., 0.8))
+      : figure_(figure)
+      , mesh_(mesh) {
+    axes_[2] = unit(view);
+    axes_[0] = unit(CGAL::cross_product(Vector(0., 0., 1.), axes_[2]));
+    axes_[1] = CGAL::cross_product(axes_[2], axes_[0]);
+    fit(corner, side);
+    lift_ = 0.7 * mean_edge_length(mesh);
+    for(const Mesh::Face_index f : mesh.faces())
+      add(f);
+  }
+
+  void add_loop(const Closed_polyline& points, const std::string& colour, double width = 1.6) {
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const Space_point &a = points[i], &b = points[(i + 1) % points.size()];
+      const Space_point middle = CGAL::midpoint(a, b);
+      parts_.push_back({along(middle, 2) + lift_, [this, a, b, colour, width] {
+                          figure_.line({place(a), place(b)}, colour, width);
+                        }});
+    }
+  }
+
+  /// handles orange, tunnels blue.
+  void add_loops(const Pairs& pairs, double width = 1.6) {
+    const std::vector<Closed_polyline> loops = sampled_loops(pairs);
+    for(std::size_t i = 0; i < loops.size(); ++i)
+      add_loop(loops[i], i % 2 == 0 ? svg::orange : svg::blue, width);
+  }
+
+  void add_dot(const Space_point& p, const std::string& colour, double radius = 3.) {
+    parts_.push_back({along(p, 2) + 2. * lift_,
+                      [this, p, colour, radius] { figure_.dot(place(p), colour, radius); }});
+  }
+
+  void draw() {
+    std::stable_sort(parts_.begin(), parts_.end(),
+                     [](const Part& a, const Part& b) { return a.depth < b.depth; });
+    for(const Part& part : parts_)
+      part.draw();
+  }
+
+private:
+  struct Part
+  {
+    double depth; // to the eye
+    std::function<void()> draw;
+  };
+
+  static Vector unit(const Vector& v) { return v / std::sqrt(v.squared_length()); }
+
+  double along(const Space_point& p, std::size_t axis) const {
+    return (p - CGAL::ORIGIN) * axes_[axis];
+  }
+
+  void fit(const svg::Place& corner, double side) {
+    std::array<double, 2> low, high;
+    low.fill(std::numeric_limits<double>::max());
+    high.fill(std::numeric_limits<double>::lowest());
+    for(const Mesh::Vertex_index v : mesh_.vertices())
+      for(const std::size_t i : {0, 1}) {
+        low[i] = (std::min)(low[i], along(mesh_.point(v), i));
+        high[i] = (std::max)(high[i], along(mesh_.point(v), i));
+      }
+    scale_ = 0.94 * side / (std::max)(high[0] - low[0], high[1] - low[1]);
+    shift_ = {corner.first + side / 2. - scale_ * (low[0] + high[0]) / 2.,
+              corner.second + side / 2. + scale_ * (low[1] + high[1]) / 2.};
+  }
+
+  svg::Place place(const Space_point& p) const {
+    return {shift_.first + scale_ * along(p, 0), shift_.second - scale_ * along(p, 1)};
+  }
+
+  void add(Mesh::Face_index f) {
+    std::vector<Space_point> corners;
+    for(const Mesh::Vertex_index v : vertices_around_face(mesh_.halfedge(f), mesh_))
+      corners.push_back(mesh_.point(v));
+    const Vector normal = CGAL::cross_product(corners[1] - corners[0], corners[2] - corners[0]);
+    if(!(normal * axes_[2] > 0.))
+      return; // turned away
+    const double light = unit(normal) * unit(axes_[2] + 0.5 * axes_[1] - 0.4 * axes_[0]);
+    parts_.push_back(
+        {along(CGAL::centroid(corners[0], corners[1], corners[2]), 2),
+         [this, corners, colour = shade(light)] {
+           figure_.area({place(corners[0]), place(corners[1]), place(corners[2])}, colour);
+         }});
+  }
+
+  // One digit of each colour is enough.
+  static std::string shade(double light) {
+    const int level = std::clamp(int(std::lround(9. + 6. * light)), 8, 15);
+    char text[8];
+    std::snprintf(text, sizeof(text), "#%x%x%x", unsigned(level) - 1, unsigned(level) - 1,
+                  unsigned(level));
+    return text;
+  }
+
+  svg::Figure& figure_;
+  const Mesh& mesh_;
+  std::array<Vector, 3> axes_; // to the right, upwards, to the eye
+  double scale_ = 1., lift_ = 0.;
+  svg::Place shift_;
+  std::vector<Part> parts_;
+};
+
+} // namespace corpus
+
+#endif // BENCHMARK_SURFACE_DRAWING_H
