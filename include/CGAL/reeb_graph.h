@@ -12,13 +12,17 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Device_options.h>
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/Literal_rules.h>
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/diffusion_times.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_computation.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
 #include <CGAL/reeb_graph_of_function.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -61,8 +65,13 @@ halfedges it is \f$ O(n \log n) \f$ from there on. The memory is about 80 bytes 
 100 to 180 where a third of the vertices are critical points.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
-  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
-  not depend on it.
+  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`; for a diffusion
+  also `Cuda_tag`, `Cuda_if_available_tag` and `Reference_tag`. With the CUDA tags all fields, those
+  that find the handle loops and the diffusion itself, run on the device, and the rest on the
+  processor, in parallel if TBB is linked. With `Reference_tag` all fields are those of the
+  reference solver, in one thread. The result does not depend on the tag, but for `Reference_tag`,
+  which finds handle loops and arrival times of its own. With `vertex_function_map`, and in
+  `CGAL::reeb_graph_of_function()`, there is no field, and only the first three tags compile.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex
   point map
@@ -147,6 +156,12 @@ returning `false`}
     \cgalParamDefault{an empty function}
     \cgalParamExtra{After a stop the graph is as it was.}
   \cgalParamNEnd
+  \cgalParamNBegin{device_options}
+    \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
+      `Cuda_if_available_tag`}
+    \cgalParamType{`Handle_tunnel_loops::Device_options`}
+    \cgalParamDefault{the current device, and a stream of its own}
+  \cgalParamNEnd
   \cgalParamNBegin{field_constants}
     \cgalParamDescription{the constants of the phase field}
     \cgalParamType{`Handle_tunnel_loops::Field_constants`}
@@ -161,6 +176,7 @@ returning `false`}
 \throws Handle_tunnel_loops::Invalid_function_exception if the function is infinite or not a number
   at a vertex
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
+\throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
 \throws std::invalid_argument if a source is not a vertex with faces, or the threshold is not in [0,
 1]
 
@@ -182,19 +198,30 @@ reeb_graph(const TriangleMesh& tm,
   if constexpr(parameters::is_default_parameter<NamedParameters,
                                                 internal_np::vertex_function_map_t>::value)
   {
-    impl::Reeb_computation<TriangleMesh, NamedParameters> computation(
-        impl::execution_of<ConcurrencyTag>(), tm, np);
-    const auto diffusion = [&] {
-      const auto constants =
+    const auto device_options =
+        choose_parameter(get_parameter(np, internal_np::device_options), Device_options());
+    auto computation = [&] {
+      const typename impl::Passes_of_tag<ConcurrencyTag>::Head_start head_start(device_options,
+                                                                                num_vertices(tm));
+      return impl::Reeb_computation<TriangleMesh, NamedParameters>(
+          impl::execution_of<ConcurrencyTag>(), tm, np);
+    }();
+    const auto diffusion = [&](const impl::Flat_mesh& mesh, Statistics& statistics) {
+      impl::Pass_options options;
+      options.constants =
           choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
-      impl::check_constants(constants);
-      Statistics ignored;
+      impl::check_constants(options.constants);
+      options.literal_rules =
+          choose_parameter(get_parameter(np, internal_np::literal_rules), Literal_rules());
+      options.do_tighten = false; // a front forgets where exactly it started
       const auto nothing = [](Stage) {};
       impl::Progress progress(
           choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-          nothing, nothing, ignored, impl::Progress::stages_of_diffusion());
-      return impl::diffusion_times<ConcurrencyTag>(computation.mesh(), computation.sources(),
-                                                   constants, progress);
+          nothing, nothing, statistics, impl::Progress::stages_of_diffusion());
+      const auto passes =
+          impl::Passes_of_tag<ConcurrencyTag>::make(mesh, mesh.seeds, options, device_options);
+      return impl::diffusion_times(*passes, options, mesh, computation.sources(), progress,
+                                   statistics);
     };
     return computation.run_on_times(diffusion, graph);
   } else {

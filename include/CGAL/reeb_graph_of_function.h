@@ -20,6 +20,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <type_traits>
+
 /// \file reeb_graph_of_function.h
 /// The Reeb graph of a function on the vertices, without what a diffusion needs.
 
@@ -34,7 +36,8 @@ header compiles in less time, as it includes nothing that finds loops.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
-  not depend on it.
+  not depend on it. Other tags do not compile: there is no field that a device or the reference
+  solver could compute.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexFunctionMap a class model of `ReadablePropertyMap` with the vertices of `tm` as keys
   and numbers that `CGAL::to_double()` takes as values; they are compared as `double`, integers as
@@ -71,6 +74,11 @@ reeb_graph_of_function(const TriangleMesh& tm,
                        Graph& graph,
                        const NamedParameters& np = parameters::default_values()) {
   namespace impl = Handle_tunnel_loops::internal;
+  static_assert(std::is_same<ConcurrencyTag, Sequential_tag>::value ||
+                    std::is_same<ConcurrencyTag, Parallel_tag>::value ||
+                    std::is_same<ConcurrencyTag, Parallel_if_available_tag>::value,
+                "the graph of a given function is computed on the processor, with Sequential_tag, "
+                "Parallel_tag or Parallel_if_available_tag");
   return impl::Reeb_computation<TriangleMesh, NamedParameters>(impl::execution_of<ConcurrencyTag>(),
                                                                tm, np)
       .run_on_function(function, graph);

@@ -389,6 +389,20 @@ foreach(mesh IN ITEMS mesh holes sphere)
   endforeach()
 endforeach()
 
+# The Reeb graph of a diffusion, by each backend that is there.
+foreach(backend IN ITEMS cuda host reference)
+  run("0|5" reeb mesh.off --quiet --backend ${backend} -o ${backend}.reeb.json)
+  if(EXISTS "${FOLDER}/${backend}.reeb.json")
+    file(READ "${FOLDER}/${backend}.reeb.json" reeb)
+    string(JSON name GET "${reeb}" backend)
+    expect_equal("${name}" "${backend}")
+    string(JSON cycles GET "${reeb}" cycles)
+    expect_equal("${cycles}" 3)
+  endif()
+endforeach()
+run(2 reeb mesh.off --backend abacus)
+run(2 reeb mesh.off --backend host --height 0,0,1)
+
 # Help is no error.
 foreach(command IN ITEMS "" loops reeb cut remove check generate)
   run(0 ${command} --help)

@@ -87,6 +87,13 @@ public:
                                      const Crossing_index& index,
                                      const Step_coefficients& k);
 
+  /// computes one field from vertices, some perhaps given twice, and their neighbors, and returns
+  /// its arrival times: 0 and 1 there, and `never` in components without one. The callback is
+  /// called by the calling thread.
+  std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
+                                        const Step_coefficients& k,
+                                        const Callback& callback);
+
   /// computes the fields of the loop passes, and returns what is found for each of the numbers of
   /// the query. The callback may be called by several threads at a time.
   std::vector<Dual_walks>

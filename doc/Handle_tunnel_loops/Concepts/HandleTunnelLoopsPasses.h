@@ -31,6 +31,12 @@ public:
   /// \name Types
   /// @{
 
+  /// the number of a vertex: an unsigned integer of 32 bits.
+  typedef CGAL::Handle_tunnel_loops::internal::Index Index;
+
+  /// an arrival time, in ticks.
+  typedef CGAL::Handle_tunnel_loops::internal::Time Time;
+
   /// is told how far the work has come, and knows whether to go on.
   typedef CGAL::Handle_tunnel_loops::internal::Progress Progress;
 
@@ -59,6 +65,13 @@ public:
 
   /// returns the pairs, and keeps none.
   std::vector<Flat_pair> take_pairs();
+
+  /// returns the arrival times of a field that grows from vertices (paper, section 6), `never` in
+  /// components without one, and says in the statistics who computed it. May be called before the
+  /// passes, after them, or without them, and more than once.
+  std::vector<Time> diffusion(const std::vector<Index>& vertices,
+                              Progress& progress,
+                              CGAL::Handle_tunnel_loops::Statistics& statistics);
 
   /// @}
 };

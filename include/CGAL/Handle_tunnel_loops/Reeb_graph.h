@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -126,7 +127,11 @@ struct Reeb_statistics
   std::size_t number_of_critical_nodes = 0; ///< before the simplification
   std::uint64_t number_of_steps = 0;        ///< edges walked over where contours part
   bool has_used_trees = false;              ///< whether the steps became too many
-  double seconds_of_adaptor = 0.;           ///< wall time of the preparation of the mesh
+  /// what computed the fields of a diffusion: "host", "cuda", "cuda, then host" or "reference";
+  /// empty for a given function.
+  std::string backend;
+  std::string fallback; ///< why the processor computed them, where a device was to if possible
+  double seconds_of_adaptor = 0.;   ///< wall time of the preparation of the mesh
   double seconds_of_function = 0.;  ///< of the loops and the diffusion, or of reading values
   double seconds_of_sweep = 0.;     ///< of the Reeb graph itself
   double seconds_of_finishing = 0.; ///< of simplification and embedding

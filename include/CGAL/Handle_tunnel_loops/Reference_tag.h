@@ -22,11 +22,11 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()` and of
-`CGAL::Handle_tunnel_loops_solver::find_loops()`, it asks for the reference solver: the method of
-\cgalCite{weinrauch2023variational}, in one thread, to compare others with. Where a rule of the
-paper does not hold on any mesh there is another one in its place, unless `Literal_rules` ask for
-the letter; \ref HTLLetter "the manual" lists them.
+As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()`, of
+`CGAL::Handle_tunnel_loops_solver::find_loops()` and of `CGAL::reeb_graph()`, it asks for the
+reference solver: the method of \cgalCite{weinrauch2023variational}, in one thread, to compare
+others with. Where a rule of the paper does not hold on any mesh there is another one in its place,
+unless `Literal_rules` ask for the letter; \ref HTLLetter "the manual" lists them.
 
 All fields of the initial pass are the rows of a sparse matrix, and obey the equation of the paper's
 section 3 with all its terms; the fields of the other two passes cover the whole mesh; tunnels, and
@@ -40,6 +40,10 @@ are tightened, unless `do_tighten` is. `Handle_tunnel_loops::Statistics::front_e
 splits, merges and closings of the initial pass afterwards, and
 `Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for what the paper takes
 for granted.
+
+A Reeb graph starts from the handle loops of these passes, and its diffusion is one more field over
+the whole mesh, section 6 of the paper; the sweep through the arrival times is that of the other
+solvers.
 
 Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
 is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is

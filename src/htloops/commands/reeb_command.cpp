@@ -18,6 +18,7 @@
 #include "draw/reeb_page.h"
 #include "failure.h"
 #include "read/values_reader.h"
+#include "solve/backends.h"
 #include "solve/reeb_solver.h"
 #include "solve/stopwatch.h"
 #include "terminal/progress_bar.h"
@@ -45,6 +46,7 @@ struct Reeb_command_options : Common_options
   std::string values_file;
   std::string measure;
   std::optional<double> threshold;
+  std::string backend = "auto";
 };
 
 void check_options(const Reeb_command_options& options) {
@@ -55,6 +57,7 @@ void check_options(const Reeb_command_options& options) {
   if(!options.parts_file.empty())
     check_coloured_mesh_format(options.parts_file);
   check_common_options(options);
+  choose_backend(options.backend);
   check_name(options.csv_file, "a table as CSV", ".csv");
 }
 
@@ -93,6 +96,7 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
   if(!options.measure.empty())
     reeb.measure = reeb_measures().at(options.measure);
   reeb.threshold = options.threshold;
+  reeb.backend = options.backend;
   reeb.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   return find_reeb_graph(mended.mesh, reeb, bar);
@@ -137,9 +141,9 @@ std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
   for(const auto v : CGAL::make_range(vertices(answer.graph)))
     ++count[answer.graph[v].type];
   const auto& statistics = answer.statistics;
-  char seconds[80];
-  std::snprintf(seconds, sizeof(seconds), "%.2f s after %.2f s of reading, ", answer.total_seconds,
-                read_seconds);
+  char seconds[120];
+  std::snprintf(seconds, sizeof(seconds), "%.2f s after %.2f s of reading, backend %s, ",
+                answer.total_seconds, read_seconds, answer.backend.c_str());
   return "genus " + std::to_string(statistics.genus) + " in " +
          counted(statistics.number_of_components, "component", "components") + ": " +
          counted(num_edges(answer.graph), "arc", "arcs") + ", " +
@@ -212,11 +216,23 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
           ->check(why_not_finite)
           ->excludes(seed)
           ->group(group);
-  command.add_option("--values", options.values_file, "take a number for each vertex from a file")
-      ->option_text("FILE")
-      ->type_name(input_file)
-      ->excludes(seed)
+  CLI::Option* values =
+      command
+          .add_option("--values", options.values_file, "take a number for each vertex from a file")
+          ->option_text("FILE")
+          ->type_name(input_file)
+          ->excludes(seed)
+          ->excludes(height)
+          ->group(group);
+  command
+      .add_option(
+          "--backend", options.backend,
+          "of the diffusion: auto, host, cuda or reference; default: auto, a CUDA device if "
+          "there is one")
+      ->option_text("NAME")
+      ->check(CLI::IsMember(names_of_backends()))
       ->excludes(height)
+      ->excludes(values)
       ->group(group);
   command
       .add_option("--simplify", options.threshold,

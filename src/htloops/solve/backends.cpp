@@ -21,18 +21,19 @@ namespace {
 
 #ifndef CGAL_LINKED_WITH_CUDA
 constexpr std::nullptr_t solve_on_device = nullptr, solve_on_device_if_available = nullptr;
+constexpr std::nullptr_t diffuse_on_device = nullptr, diffuse_on_device_if_available = nullptr;
 #endif
 #ifndef HTLOOPS_HAS_REFERENCE
-constexpr std::nullptr_t solve_by_reference = nullptr;
+constexpr std::nullptr_t solve_by_reference = nullptr, diffuse_by_reference = nullptr;
 #endif
 
 // For "auto" the first that there is of those that may be chosen so. A new backend is a line here
 // and a function that solves.
 constexpr Backend backends[] = {
-    {"auto", true, solve_on_device_if_available},
-    {"cuda", false, solve_on_device},
-    {"host", true, solve_on_host},
-    {"reference", false, solve_by_reference},
+    {"auto", true, solve_on_device_if_available, diffuse_on_device_if_available},
+    {"cuda", false, solve_on_device, diffuse_on_device},
+    {"host", true, solve_on_host, diffuse_on_host},
+    {"reference", false, solve_by_reference, diffuse_by_reference},
 };
 
 } // namespace

@@ -13,6 +13,7 @@
 #include "mesh_types.h"
 #include "solve/answer.h"
 #include "solve/progress.h"
+#include "solve/reeb_solver.h"
 
 #include <optional>
 #include <string>
@@ -40,6 +41,8 @@ struct Backend
   bool is_chosen_by_auto;
   /// null in a build without it.
   Answer (*solve)(const Mesh&, const Solve_options&, Progress&);
+  /// the Reeb graph of a diffusion; null as well.
+  void (*diffuse)(const Mesh&, const Reeb_options&, Progress&, Reeb_answer&);
 };
 
 /// the backend of that name; for "auto" the first that there is of those that may be chosen so.

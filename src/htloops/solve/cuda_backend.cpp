@@ -9,6 +9,7 @@
 
 #include "failure.h"
 #include "solve/library_backend.h"
+#include "solve/library_reeb.h"
 #include "solve/solvers.h"
 #include "solve/thread_limit.h"
 
@@ -28,12 +29,11 @@ Answer solve(const Mesh& mesh, const Solve_options& options, Progress& progress)
   return answer;
 }
 
-} // namespace
-
-Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress& progress) {
+// What was asked for is not there.
+template <typename Function> auto on_device(const Function& f) {
   using namespace CGAL::Handle_tunnel_loops;
   try {
-    return solve<CGAL::Cuda_tag>(mesh, options, progress);
+    return f();
   } catch(const No_device_exception& exception) {
     throw Failure(Exit_code::NO_BACKEND, exception.what());
   } catch(const Out_of_device_memory_exception& exception) {
@@ -41,9 +41,29 @@ Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress&
   }
 }
 
+} // namespace
+
+Answer solve_on_device(const Mesh& mesh, const Solve_options& options, Progress& progress) {
+  return on_device([&] { return solve<CGAL::Cuda_tag>(mesh, options, progress); });
+}
+
 Answer
 solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Progress& progress) {
   return solve<CGAL::Cuda_if_available_tag>(mesh, options, progress);
+}
+
+void diffuse_on_device(const Mesh& mesh,
+                       const Reeb_options& options,
+                       Progress& progress,
+                       Reeb_answer& answer) {
+  on_device([&] { diffuse_with_library<CGAL::Cuda_tag>(mesh, options, progress, answer); });
+}
+
+void diffuse_on_device_if_available(const Mesh& mesh,
+                                    const Reeb_options& options,
+                                    Progress& progress,
+                                    Reeb_answer& answer) {
+  diffuse_with_library<CGAL::Cuda_if_available_tag>(mesh, options, progress, answer);
 }
 
 } // namespace htloops

@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "solve/library_backend.h"
+#include "solve/library_reeb.h"
 #include "solve/solvers.h"
 #include "solve/thread_limit.h"
 
@@ -21,6 +22,13 @@ Answer solve_on_host(const Mesh& mesh, const Solve_options& options, Progress& p
   answer.backend = "host";
   answer.number_of_threads = limit.number_of_threads();
   return answer;
+}
+
+void diffuse_on_host(const Mesh& mesh,
+                     const Reeb_options& options,
+                     Progress& progress,
+                     Reeb_answer& answer) {
+  diffuse_with_library<CGAL::Parallel_if_available_tag>(mesh, options, progress, answer);
 }
 
 } // namespace htloops

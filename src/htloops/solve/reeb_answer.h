@@ -32,6 +32,7 @@ struct Reeb_answer
   std::vector<std::size_t> vertex_arc; ///< by vertex
   std::vector<double> values;          ///< by vertex, of the function
   std::string function;                ///< of which it is the graph, in a word
+  std::string backend;                 ///< what computed the fields of the diffusion, else "host"
   CGAL::Handle_tunnel_loops::Reeb_statistics statistics;
   int number_of_threads = 1;
   double total_seconds = 0.; ///< without reading and writing

@@ -26,7 +26,8 @@ struct Reeb_options
   std::vector<double> values;              ///< by vertex, a function; none: a diffusion
   std::optional<CGAL::Reeb_measure> measure;
   std::optional<double> threshold;
-  int number_of_threads = 0; ///< 0: as many as the machine has
+  std::string backend = "auto"; ///< of the diffusion, see `choose_backend()`
+  int number_of_threads = 0;    ///< 0: as many as the machine has
 };
 
 /// the measures by their names.

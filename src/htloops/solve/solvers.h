@@ -29,6 +29,26 @@ solve_on_device_if_available(const Mesh& mesh, const Solve_options& options, Pro
 /// the fronts.
 Answer solve_by_reference(const Mesh& mesh, const Solve_options& options, Progress& progress);
 
+void diffuse_on_host(const Mesh& mesh,
+                     const Reeb_options& options,
+                     Progress& progress,
+                     Reeb_answer& answer);
+
+void diffuse_on_device(const Mesh& mesh,
+                       const Reeb_options& options,
+                       Progress& progress,
+                       Reeb_answer& answer);
+
+void diffuse_on_device_if_available(const Mesh& mesh,
+                                    const Reeb_options& options,
+                                    Progress& progress,
+                                    Reeb_answer& answer);
+
+void diffuse_by_reference(const Mesh& mesh,
+                          const Reeb_options& options,
+                          Progress& progress,
+                          Reeb_answer& answer);
+
 } // namespace htloops
 
 #endif // HTLOOPS_SOLVERS_H

@@ -5,6 +5,7 @@
 #include "Device_agreement.h"
 #include "Pass_answers.h"
 #include "Same_loops.h"
+#include "Same_reeb_graphs.h"
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
 
@@ -37,6 +38,7 @@ Answers answers_of(Backend& backend, const Flat_mesh& mesh) {
   const std::vector<Crossing_loop> contours = loops_of(answers.handles);
   const Crossing_index index(mesh, contours);
   answers.times_from_loops = backend.times_from_loops(contours, index, searching);
+  answers.times_from_vertices = backend.times_from_vertices({5, 6, 40}, k, go_on);
   for(const bool bars_only_own : {false, true})
     for(const Dual_walks& found :
         backend.dual_walks({contours, index, bars_only_own, {0}}, searching, go_on))
@@ -150,6 +152,34 @@ TEST_F(Cuda_fallback, StopsWhenItIsAskedToAfterAFailure) {
                    Interrupted_exception);
       machine.calls.restart();
     }
+}
+
+// ---- Reeb graphs
+
+TEST_F(Cuda_fallback, TheReebGraphIsThatOfTheHost) {
+  const Mesh mesh = mesh_of(recipe);
+  Reeb_graph_of_mesh expected_graph;
+  CGAL::reeb_graph(mesh, expected_graph);
+  std::size_t on_both = 0;
+  for(const unsigned number : {1u, all_later})
+    expect_survived({1, number, cudaErrorLaunchFailure}, 5, [&] {
+      Reeb_graph_of_mesh graph;
+      const auto statistics = CGAL::reeb_graph<CGAL::Cuda_if_available_tag>(
+          mesh, graph, parameters::device_options(Device_options{1, nullptr, any_size}));
+      expect_same(graph, expected_graph);
+      EXPECT_EQ(statistics.backend == "cuda", statistics.fallback.empty());
+      on_both += statistics.backend == "cuda, then host";
+    });
+  EXPECT_GT(on_both, 10u);
+}
+
+TEST_F(Cuda_fallback, TheReebGraphOfASmallMeshStaysOnTheHost) {
+  Reeb_graph_of_mesh graph;
+  const auto statistics = CGAL::reeb_graph<CGAL::Cuda_if_available_tag>(
+      mesh_of(recipe), graph, parameters::device_options(Device_options{1, nullptr, 1000}));
+  EXPECT_EQ(statistics.backend, "host");
+  EXPECT_NE(statistics.fallback, "");
+  EXPECT_EQ(machine.calls.number(), 0u) << "a device is woken";
 }
 
 // ---- the size of the mesh

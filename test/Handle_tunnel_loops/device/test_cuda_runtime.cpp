@@ -111,6 +111,7 @@ Answers answers_of(Backend& solver, const Flat_mesh& mesh) {
   const std::vector<Crossing_loop> contours = loops_of(answers.handles);
   const Crossing_index index(mesh, contours);
   answers.times_from_loops = solver.times_from_loops(contours, index, k);
+  answers.times_from_vertices = solver.times_from_vertices({5, 6, 40}, k, go_on);
   answers.walks = solver.dual_walks({contours, index, false, {0}}, k, go_on).at(0).walks;
   return answers;
 }

@@ -5,6 +5,7 @@
 
 #include "Same_events.h"
 #include "Same_loops.h"
+#include "Same_reeb_graphs.h"
 
 #include "Host_executor.h"
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
@@ -63,6 +64,7 @@ using CGAL::Handle_tunnel_loops::Interrupted_exception;
 using CGAL::Handle_tunnel_loops::No_device_exception;
 using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
 namespace parameters = CGAL::parameters;
+using Statistics_of_reeb = CGAL::Handle_tunnel_loops::Reeb_statistics;
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
 // For meshes of any size.
@@ -79,6 +81,10 @@ protected:
     return pairs;
   }
 
+  template <typename Tag> Statistics_of_reeb find_reeb_graph(const Device_options& options) {
+    return CGAL::reeb_graph<Tag>(mesh, graph, parameters::device_options(options));
+  }
+
   std::size_t needed_kib() {
     try {
       find<CGAL::Cuda_tag>(device_with(0));
@@ -90,6 +96,7 @@ protected:
 
   const Mesh mesh = mesh_of(GetParam());
   Solver solver{mesh};
+  Reeb_graph_of_mesh graph;
 };
 
 INSTANTIATE_TEST_SUITE_P(Surfaces,
@@ -196,6 +203,36 @@ TEST_P(Cuda, FallsBackAndSaysSo) {
   }
   expect_same(find<CGAL::Sequential_tag>({}), expected);
   EXPECT_EQ(solver.statistics().fallback, "");
+}
+
+// With all fields on the device, the last one too; or all on the processor.
+TEST_P(Cuda, FindsTheReebGraphOfTheHost) {
+  Reeb_graph_of_mesh expected;
+  EXPECT_EQ(CGAL::reeb_graph(mesh, expected).backend, "host");
+  EXPECT_EQ(find_reeb_graph<CGAL::Cuda_tag>(device_with(needed_kib())).backend, "cuda");
+  expect_same(graph, expected);
+  const Statistics_of_reeb there = find_reeb_graph<CGAL::Cuda_if_available_tag>(large_device);
+  EXPECT_EQ(there.backend, "cuda");
+  EXPECT_EQ(there.fallback, "");
+  expect_same(graph, expected);
+  for(const Device_options& options : {no_device, device_with(8)}) {
+    const Statistics_of_reeb elsewhere = find_reeb_graph<CGAL::Cuda_if_available_tag>(options);
+    EXPECT_EQ(elsewhere.backend, "host");
+    EXPECT_NE(elsewhere.fallback, "");
+    expect_same(graph, expected);
+  }
+}
+
+TEST_P(Cuda, FindsNoReebGraphWithoutADevice) {
+  graph = Reeb_graph_of_mesh(5);
+  EXPECT_THROW(find_reeb_graph<CGAL::Cuda_tag>(no_device), No_device_exception);
+  EXPECT_THROW(find_reeb_graph<CGAL::Cuda_tag>(device_with(8)), Out_of_device_memory_exception);
+  const std::vector<Mesh::Vertex_index> sources = {Mesh::Vertex_index(0)}; // and so no loops
+  EXPECT_THROW(
+      CGAL::reeb_graph<CGAL::Cuda_tag>(
+          mesh, graph, parameters::device_options(no_device, parameters::source_vertices(sources))),
+      No_device_exception);
+  EXPECT_EQ(num_vertices(graph), 5u);
 }
 
 TEST_P(Cuda, StopsWhenItIsAskedTo) {

@@ -109,6 +109,26 @@ TEST_P(Device_backend, FindTheHandleOfTheSmallestTorusInEveryOrder) {
   } while(--left > 0 && std::next_permutation(times.begin(), times.end()));
 }
 
+// In components without a source nothing is reached.
+TEST_P(Device_backend, LeaveComponentsWithoutASource) {
+  const Soup torus = soup_of({"torus", {300, 1, 0}}), sphere = soup_of({"sphere", {100, 0, 0}});
+  const Soup last = soup_of({"multi-torus", {700, 2, 0}});
+  const Flat_mesh mesh = flat_mesh_of(generators::disjoint_union({torus, sphere, last}));
+  const Index first_of_sphere = static_cast<Index>(torus.points.size());
+  const Index first_of_last = static_cast<Index>(first_of_sphere + sphere.points.size());
+  const Step_coefficients k = step_coefficients({});
+  Host_executor executor(GetParam());
+  Solver solver(executor, mesh);
+  Host_backend host(Execution(), mesh);
+  const std::vector<Index> vertices = {first_of_last + 3, 0, first_of_last};
+  const std::vector<Time> times = solver.times_from_vertices(vertices, k, go_on);
+  EXPECT_EQ(times, host.times_from_vertices(vertices, k, go_on));
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    EXPECT_EQ(times[v] == never, v >= first_of_sphere && v < first_of_last);
+  const auto stop = [](double) { return false; };
+  EXPECT_THROW(solver.times_from_vertices(vertices, k, stop), Interrupted_exception);
+}
+
 // In so little memory that the passes of a search must run one after the other, they find the same.
 TEST_P(Device_backend, DoNotDependOnTheMemory) {
   const Flat_mesh mesh = flat_mesh_of(Recipe{"sponge", {3000, 16, 1}});

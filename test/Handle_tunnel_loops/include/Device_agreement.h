@@ -115,6 +115,10 @@ expect_agreement(Backend& solver, const Flat_mesh& mesh, Index seed, const Field
   const Crossing_index index(mesh, contours);
   EXPECT_EQ(solver.times_from_loops(contours, index, searching),
             host.times_from_loops(contours, index, searching));
+  // One of them twice, and one beside another.
+  const std::vector<Index> vertices = {mesh.ring(seed)[0], seed, mesh.seeds[0], seed};
+  EXPECT_EQ(solver.times_from_vertices(vertices, k, go_on),
+            host.times_from_vertices(vertices, k, go_on));
   const std::vector<Index> all = first_numbers(contours.size());
   Tally tally;
   for(const std::uint64_t updates : {100u, 3000u})

@@ -12,13 +12,14 @@ namespace device_agreement {
 struct Answers
 {
   std::vector<Handle_candidate> handles;
-  std::vector<Time> times, times_from_loops;
+  std::vector<Time> times, times_from_loops, times_from_vertices;
   std::vector<Index> layers;
   std::vector<std::vector<Index>> walks;
 
   bool operator==(const Answers& other) const {
-    return std::tie(handles, times, times_from_loops, layers, walks) ==
-           std::tie(other.handles, other.times, other.times_from_loops, other.layers, other.walks);
+    return std::tie(handles, times, times_from_loops, times_from_vertices, layers, walks) ==
+           std::tie(other.handles, other.times, other.times_from_loops, other.times_from_vertices,
+                    other.layers, other.walks);
   }
 };
 

@@ -60,6 +60,14 @@ public:
                                              const Crossing_index& index,
                                              const Step_coefficients& k) = 0;
 
+  /// the arrival times of one field from vertices, the same one more than once or not: these first,
+  /// their neighbours next; `never` where it does not come.
+  ///
+  /// \param callback is called by the calling thread
+  virtual std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
+                                                const Step_coefficients& k,
+                                                const Callback& callback) = 0;
+
   /// the fields of the loop passes: what is found for each of the numbers of the query.
   ///
   /// \param callback may be called by several threads at a time

@@ -77,6 +77,12 @@ public:
     return run([&](Backend& backend) { return backend.times_from_loops(loops, index, k); });
   }
 
+  std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
+                                        const Step_coefficients& k,
+                                        const Callback& callback) override {
+    return run([&](Backend& b) { return b.times_from_vertices(vertices, k, callback); });
+  }
+
   std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
                                      const Step_coefficients& k,
                                      const Callback& callback) override {

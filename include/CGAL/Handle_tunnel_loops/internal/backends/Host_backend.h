@@ -24,6 +24,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -49,16 +50,9 @@ public:
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,
                                               const Callback& callback) override {
-    Narrow_band band(mesh_, stencils_, k);
-    for(Index seed : seeds)
-      add_source_with_ring(band, mesh_, seed);
-    grow(band, mesh_.number_of_vertices(), [&](double part) {
-      if(!callback(part))
-        throw Interrupted_exception();
-    });
-    CGAL_assertion_msg(band.number_of_reached() == mesh_.number_of_vertices(),
+    times_ = times_from_vertices(seeds, k, callback);
+    CGAL_assertion_msg(std::find(times_.begin(), times_.end(), never) == times_.end(),
                        "there is a seed in each component");
-    times_ = band.take_times();
     return find_handle_candidates(execution_, mesh_, times_);
   }
 
@@ -91,6 +85,18 @@ public:
     band.start(walls);
     while(band.step(walls, [](Index) {}))
       ;
+    return band.take_times();
+  }
+
+  std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
+                                        const Step_coefficients& k,
+                                        const Callback& callback) override {
+    Narrow_band band(mesh_, stencils_, k);
+    add_sources_with_rings(band, mesh_, vertices);
+    grow(band, mesh_.number_of_vertices(), [&](double part) {
+      if(!callback(part))
+        throw Interrupted_exception();
+    });
     return band.take_times();
   }
 

@@ -79,15 +79,10 @@ public:
            (2 * sizeof(float) + sizeof(Time) + sizeof(std::uint32_t) + 2 * sizeof(Index));
   }
 
-  /// the initial pass, from one vertex in each component.
-  void run(const std::vector<Index>& seeds, const Step_coefficients& k, const Callback& callback) {
-    std::vector<Source> sources;
-    for(Index seed : seeds) {
-      sources.push_back({seed, 0});
-      for(Index u : host_mesh_.ring(seed))
-        sources.push_back({u, 1});
-    }
-    run(Whole_mesh_domain(mesh_.view()), sources, k, callback);
+  /// a field from vertices: that of the initial pass, if there is one in each component.
+  void
+  run(const std::vector<Index>& vertices, const Step_coefficients& k, const Callback& callback) {
+    run(Whole_mesh_domain(mesh_.view()), with_rings(vertices), k, callback);
   }
 
   /// a field from both sides of all loops, which are walls to it.
@@ -123,6 +118,22 @@ public:
   std::vector<Time> times() { return downloaded(executor_, time_); }
 
 private:
+  // Each vertex once, with its earliest time: they are added in any order.
+  std::vector<Source> with_rings(const std::vector<Index>& vertices) const {
+    std::vector<Source> sources;
+    for(Index v : vertices) {
+      sources.push_back({v, 0});
+      for(Index u : host_mesh_.ring(v))
+        sources.push_back({u, 1});
+    }
+    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
+      return a.vertex != b.vertex ? a.vertex < b.vertex : a.time < b.time;
+    });
+    const auto is_same = [](const Source& a, const Source& b) { return a.vertex == b.vertex; };
+    sources.erase(std::unique(sources.begin(), sources.end(), is_same), sources.end());
+    return sources;
+  }
+
   void run(const Whole_mesh_domain& domain,
            const std::vector<Source>& sources,
            const Step_coefficients& k,

@@ -62,6 +62,15 @@ public:
     return field.times();
   }
 
+  std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
+                                        const Step_coefficients& k,
+                                        const Callback& callback) override {
+    [[maybe_unused]] const auto scope = executor_.scope();
+    Device_initial_pass<Executor> field(executor_, host_mesh_, mesh_, tuning_, costs_);
+    field.run(vertices, k, callback);
+    return field.times();
+  }
+
   std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
                                      const Step_coefficients& k,
                                      const Callback& callback) override {

@@ -420,11 +420,15 @@ void grow(Narrow_band& band, std::size_t number_of_vertices, const Tell& tell) {
       tell(double(band.number_of_reached()) / double(number_of_vertices));
 }
 
-/// starts a front at a vertex. A single vertex may be too little for a front to leave it.
-inline void add_source_with_ring(Narrow_band& band, const Flat_mesh& mesh, Index v) {
-  band.add_source(v, 0);
-  for(Index u : mesh.ring(v))
-    band.add_source(u, 1);
+/// starts a front at vertices. A single vertex may be too little for a front to leave it.
+inline void add_sources_with_rings(Narrow_band& band,
+                                   const Flat_mesh& mesh,
+                                   const std::vector<Index>& vertices) {
+  for(Index v : vertices)
+    band.add_source(v, 0);
+  for(Index v : vertices)
+    for(Index u : mesh.ring(v))
+      band.add_source(u, 1);
 }
 
 } // namespace internal

@@ -37,7 +37,7 @@ namespace internal {
 class Field_passes : public Passes
 {
 public:
-  /// makes the backend, which may take a while, when the first pass begins.
+  /// makes the backend, which may take a while, when it is needed first.
   using Make_backend = std::function<std::unique_ptr<Backend>()>;
 
   /// \p seeds are the vertices to start from, one in each component.
@@ -54,7 +54,7 @@ public:
       , make_backend_(std::move(make_backend)) {}
 
   void initial_pass(Progress& progress, Statistics& statistics) override {
-    backend_ = make_backend_();
+    make_backend();
     candidates_ = backend_->initial_field(seeds_, coefficients_, [&](double part) {
       progress.advance(part);
       return true;
@@ -123,6 +123,19 @@ public:
     return pairs;
   }
 
+  std::vector<Time> diffusion(const std::vector<Index>& vertices,
+                              Progress& progress,
+                              Statistics& statistics) override {
+    make_backend();
+    std::vector<Time> times =
+        backend_->times_from_vertices(vertices, coefficients_, [&](double part) {
+          progress.advance(part);
+          return true;
+        });
+    backend_->report(statistics);
+    return times;
+  }
+
 private:
   // Most contours are replaced in the refinement pass; until then it is enough to know about how
   // long they will be.
@@ -138,6 +151,11 @@ private:
     }
     if(options_.do_keep_times)
       swept_.times = times_in_steps(backend_->arrival_times());
+  }
+
+  void make_backend() {
+    if(backend_ == nullptr)
+      backend_ = make_backend_();
   }
 
   // Whether each tunnel crosses its contour once and none that was found later.
@@ -163,7 +181,7 @@ private:
   Pass_options options_;
   Step_coefficients coefficients_;
   Make_backend make_backend_;
-  std::unique_ptr<Backend> backend_; // made in the initial pass
+  std::unique_ptr<Backend> backend_;
   Swept_vertices swept_;
   std::vector<Handle_candidate> candidates_; // their loops are the contours
   std::vector<Crossing_loop> contours_, handles_, tunnels_;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/Literal_rules.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/fronts/Swept_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
@@ -40,7 +41,7 @@ struct Pass_options
 };
 
 /// The passes of a method (paper, section 4), which `Loop_pipeline` calls in their order, each
-/// once: `Field_passes`, or those of the reference.
+/// once, and its diffusion: `Field_passes`, or those of the reference.
 class Passes
 {
 public:
@@ -63,6 +64,11 @@ public:
 
   /// the pairs; which loop of a pair is the handle remains to be seen.
   virtual std::vector<Flat_pair> take_pairs() = 0;
+
+  /// paper, 6: the arrival times of a field that starts from vertices and their neighbours, `never`
+  /// in components without one. May be called at any time, and more than once.
+  virtual std::vector<Time>
+  diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
 };
 
 } // namespace internal

@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/core.h>
 
 #include <vector>
@@ -23,34 +21,15 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The arrival times of a diffusion that starts from the sources and from the handle loops of the
-/// pairs; in components without any, from one vertex.
-CGAL_HTL_CORE std::vector<Time> diffusion_times(Execution execution,
+/// The arrival times of a diffusion that starts from the sources, if there are any; else from both
+/// sides of the handle loops; and in components without any, from one vertex. All fields are those
+/// of the passes.
+CGAL_HTL_CORE std::vector<Time> diffusion_times(Passes& passes,
+                                                const Pass_options& options,
                                                 const Flat_mesh& mesh,
                                                 const std::vector<Index>& sources,
-                                                const std::vector<Flat_pair>& pairs,
-                                                const Field_constants& constants,
-                                                Progress& progress);
-
-/// The arrival times of a diffusion that starts from the sources, if there are any; in components
-/// without one, from both sides of the handle loops, or else from one vertex.
-template <typename ConcurrencyTag>
-std::vector<Time> diffusion_times(const Flat_mesh& mesh,
-                                  const std::vector<Index>& sources,
-                                  const Field_constants& constants,
-                                  Progress& progress) {
-  std::vector<Flat_pair> pairs;
-  if(sources.empty() && mesh.genus > 0) {
-    Pass_options options;
-    options.constants = constants;
-    options.do_tighten = false; // a front forgets where exactly it started
-    const auto passes =
-        Passes_of_tag<ConcurrencyTag>::make(mesh, mesh.seeds, options, Device_options());
-    Statistics statistics;
-    pairs = Loop_pipeline(*passes, options, progress).run(statistics);
-  }
-  return diffusion_times(execution_of<ConcurrencyTag>(), mesh, sources, pairs, constants, progress);
-}
+                                                Progress& progress,
+                                                Statistics& statistics);
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -20,6 +20,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/find_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/middle_of_curve.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -75,8 +76,6 @@ public:
     statistics_.seconds_of_adaptor = seconds_since(began);
   }
 
-  const Flat_mesh& mesh() const { return mesh_; }
-
   /// the vertices at which the parameters want a diffusion to start, if they say so.
   std::vector<Index> sources() const {
     std::vector<vertex_descriptor> given;
@@ -113,11 +112,15 @@ public:
                 [&](Index v) { return function.value(v); }, Reeb_measure::PERSISTENCE, graph);
   }
 
-  /// the graph of the arrival times that `find_times()` returns.
+  /// the graph of the arrival times that `find_times()` returns, given the mesh and a record of
+  /// what it does.
   template <typename FindTimes, typename Graph>
   Reeb_statistics run_on_times(const FindTimes& find_times, Graph& graph) {
     const auto began = Clock::now();
-    const std::vector<Time> times = find_times();
+    Statistics statistics;
+    const std::vector<Time> times = find_times(static_cast<const Flat_mesh&>(mesh_), statistics);
+    statistics_.backend = statistics.backend;
+    statistics_.fallback = statistics.fallback;
     statistics_.seconds_of_function = seconds_since(began);
     return find([&](Index v) { return std::uint64_t(times[v]); },
                 [&](Index v) { return double(times[v]) / ticks_per_step; }, Reeb_measure::LIMBS,

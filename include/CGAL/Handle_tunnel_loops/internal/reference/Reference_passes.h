@@ -23,6 +23,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Dual_loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fail_at_rest.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fixed_point_times.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <CGAL/assertions.h>
@@ -122,6 +125,28 @@ public:
     return pairs;
   }
 
+  std::vector<Time> diffusion(const std::vector<Index>& vertices,
+                              Progress& progress,
+                              Statistics& statistics) override {
+    statistics.backend = "reference";
+    Single_field field(mesh_, constants_, Barred_edges(), rules_);
+    for(Index v : vertices)
+      field.add_source(v);
+    for(Index v : vertices)
+      for(Index u : mesh_.ring(v))
+        field.add_source(u);
+    const Arrivals& arrivals = field.arrivals();
+    const std::size_t n = number_of_vertices_around(vertices);
+    field.run(n, [&] {
+      if(arrivals.number_of_steps() % 16 == 0)
+        progress.advance(static_cast<double>(arrivals.number_of_reached()) /
+                         static_cast<double>(n));
+    });
+    if(arrivals.number_of_reached() < n)
+      fail_at_rest(mesh_, arrivals.number_of_reached());
+    return fixed_point_times(mesh_, arrivals, vertices);
+  }
+
 private:
   using Numbers = Handle_exchange::Numbers;
 
@@ -189,6 +214,16 @@ private:
         throw Literal_failure_exception("what was found for handle " + std::to_string(k) +
                                         " is no tunnel of it");
     return Handle_exchange(std::move(numbers), numbers_of_tunnels(with_tunnels));
+  }
+
+  // In the components of the given ones.
+  std::size_t number_of_vertices_around(const std::vector<Index>& vertices) const {
+    std::vector<char> has_vertex(mesh_.seeds.size(), 0);
+    for(Index v : vertices)
+      has_vertex[mesh_.component[v]] = 1;
+    return static_cast<std::size_t>(
+        std::count_if(mesh_.component.begin(), mesh_.component.end(),
+                      [&](Index component) { return has_vertex[component] != 0; }));
   }
 
   void report(Progress& progress, std::size_t k) const {

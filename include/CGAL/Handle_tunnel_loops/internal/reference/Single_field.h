@@ -77,23 +77,32 @@ public:
         last_step = arrivals_.number_of_steps() * 4 / 3;
       targets.push_back(v);
     };
-    std::size_t steps_at_rest = 0;
-    while((targets.empty() || targets.size() < number_of_targets) &&
+    bool goes_on = true;
+    while(goes_on && (targets.empty() || targets.size() < number_of_targets) &&
           arrivals_.number_of_steps() < last_step)
-    {
-      const std::size_t reached_before = arrivals_.number_of_reached();
-      step(reached);
-      steps_at_rest = arrivals_.number_of_reached() == reached_before ? steps_at_rest + 1 : 0;
-      if(steps_at_rest < patience(constants_))
-        continue;
-      if(is_rest_failure_ || !push_on(reached))
-        break;
-      steps_at_rest = 0;
-    }
+      goes_on = advance(reached);
     return targets;
   }
 
+  /// makes steps until so many vertices are reached, or the field is at rest for good; calls
+  /// `advanced()` after each.
+  template <typename Advanced> void run(std::size_t number_of_vertices, const Advanced& advanced) {
+    while(arrivals_.number_of_reached() < number_of_vertices && advance([](Index) {}))
+      advanced();
+  }
+
 private:
+  // Makes a step, and pushes on what has come to rest. Returns false if that is for good.
+  template <typename Reached> bool advance(const Reached& reached) {
+    const std::size_t reached_before = arrivals_.number_of_reached();
+    step(reached);
+    steps_at_rest_ = arrivals_.number_of_reached() == reached_before ? steps_at_rest_ + 1 : 0;
+    if(steps_at_rest_ < patience(constants_))
+      return true;
+    steps_at_rest_ = 0;
+    return !is_rest_failure_ && push_on(reached);
+  }
+
   template <typename Reached> void step(const Reached& reached) {
     const Eigen::ArrayXd before = phi_;
     const Eigen::ArrayXd diffusion = (laplacian_ * phi_.matrix()).array();
@@ -124,6 +133,7 @@ private:
   Eigen::ArrayXd phi_;
   Arrivals arrivals_;
   std::vector<Index> sources_;
+  std::size_t steps_at_rest_ = 0;
 };
 
 } // namespace reference
