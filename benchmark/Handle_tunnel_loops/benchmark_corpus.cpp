@@ -15,10 +15,10 @@
 #ifdef CGAL_EIGEN3_ENABLED
 #include "Corpus_reference.h"
 #endif
+#include "mean_edge_length.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -236,13 +236,6 @@ private:
           agree += (offset == 0. ? sign * order : order) > 0;
         }
     }
-  }
-
-  static double mean_edge_length(const Mesh& mesh) {
-    double sum = 0.;
-    for(const auto e : mesh.edges())
-      sum += PMP::edge_length(e, mesh);
-    return sum / double(mesh.number_of_edges());
   }
 
   void compare_lengths(const Answer& answer, const std::string& name) {
