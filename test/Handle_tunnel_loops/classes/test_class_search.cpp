@@ -6,16 +6,19 @@
 #include <CGAL/Handle_tunnel_loops/internal/classes/Class_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Class_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Partner_distances.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -235,7 +238,7 @@ constexpr double rounding = 1e-5;
 class Searched_surface
 {
 public:
-  Searched_surface(const Recipe& recipe, bool is_pure, std::size_t finer)
+  Searched_surface(const Recipe& recipe, bool is_pure, std::size_t finer, double coarser = 0.)
       : mesh_(flat_mesh_of(recipe))
       , loops_(loops_of_basis(soup_of(recipe)))
       , is_pure_(loops_.size() / 2, is_pure)
@@ -245,7 +248,14 @@ public:
     if(finer > 0)
       search_mesh_.refine(finer);
     search_mesh_.count(edge_classes_);
-    oracle_.emplace(mesh_, search_mesh_, loops_);
+    if(coarser > 0.) {
+      search_mesh_.measure();
+      const double spacing =
+          coarser * std::sqrt(search_mesh_.area() / double(search_mesh_.number_of_vertices()));
+      coarser_ = std::make_unique<Search_mesh>(search_mesh_, edge_classes_, spacing);
+      coarser_->count(edge_classes_);
+    }
+    oracle_.emplace(mesh_, searched(), loops_);
     for(Index t = 0; t < loops_.size(); ++t)
       duals_.push_back(classes_.class_with({{t, 1}}).value());
   }
@@ -253,19 +263,82 @@ public:
   std::size_t number_of_loops() const { return loops_.size(); }
 
   std::size_t number_of_bounds() const { return bounded_roots_; }
-  std::size_t number_of_vertices() const { return search_mesh_.number_of_vertices(); }
+  std::size_t number_of_vertices() const { return searched().number_of_vertices(); }
+  const Search_mesh& searched() const { return coarser_ ? *coarser_ : search_mesh_; }
 
   // There is a walk through the root that goes around the loop.
   double limit(Index t, Index root) const {
     const std::vector<double> distance = oracle_->distances(root);
     double nearest = 1e300, around = 0.;
     for(std::size_t i = 0; i < loops_[t].size(); ++i) {
-      const Index v = loops_[t][i].left, u = loops_[t][(i + 1) % loops_[t].size()].left;
+      const Index v = near(loops_[t][i]), u = near(loops_[t][(i + 1) % loops_[t].size()]);
       nearest = (std::min)(nearest, distance[v]);
       if(u != v)
         around += oracle_->distances(v)[u];
     }
     return 1.01 * (around + 2. * nearest);
+  }
+
+  // With what is known of the distances from a loop, the shortest walks that cross it are found.
+  void expect_shortest_walks_across(Index partner, Index t) const {
+    const bool are_walls_along = is_pure_[0] && t % 2 == 1;
+    const Index root = near(loops_[partner].front());
+    const double most = limit(t, root);
+    Search_targets found({{most, &duals_[t]}});
+    Partner_distances distances(searched(), edge_classes_);
+    std::size_t visits = 100000000;
+    distances.compute(loops_[partner], partner, most, visits);
+    Class_search search(searched(), edge_classes_);
+    search.start(are_walls_along, &distances);
+    const std::size_t before = visits;
+    search.search(root, found, visits);
+    double shortest = 1e300, shortest_found = 1e300;
+    for(const auto& [numbers, length] : oracle_->walks_through(root, most))
+      if(crosses_no_wall(numbers, t) && is_unit(numbers, t) && numbers[partner] != 0)
+        shortest = (std::min)(shortest, length);
+    for(const Search_targets::Found& f : found.take_found()) {
+      shortest_found = (std::min)(shortest_found, f.length);
+      expect_walk(f, t);
+    }
+    if(shortest < most) {
+      EXPECT_LE(shortest_found, (1. + rounding) * shortest) << "loop " << t << " at " << partner;
+      EXPECT_LE(distances.around(), (1. + rounding) * shortest);
+      ++across_;
+    }
+    Search_targets all({{most, &duals_[t]}});
+    Class_search other(searched(), edge_classes_);
+    other.start(are_walls_along);
+    std::size_t left = 100000000;
+    other.search(root, all, left);
+    visits_ += before - visits;
+    visits_without_ += 100000000 - left;
+  }
+
+  // Searches at each loop for those that cross it.
+  void expect_shortest_walks_across() const {
+    for(Index t = 0; t < loops_.size(); ++t)
+      for(const auto& entry : duals_[t])
+        expect_shortest_walks_across(entry.first, t);
+    EXPECT_GT(across_, 0u);
+    EXPECT_LE(visits_, visits_without_);
+  }
+
+  // The walks of all steps lead to their heads, and are as long as they are said to be.
+  void expect_steps() const {
+    const Search_mesh& mesh = searched();
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      for(Index step = mesh.begin(v); step != mesh.end(v); ++step) {
+        Index last = mesh.vertex_of_walks(v);
+        double length = 0.;
+        mesh.for_each_edge(v, step, [&](Index from, Index to) {
+          ASSERT_EQ(from, last);
+          ASSERT_LT(mesh_.ring(from).position(to), mesh_.ring(from).size());
+          length += mesh_.edge_length(from, to);
+          last = to;
+        });
+        EXPECT_EQ(last, mesh.vertex_of_walks(mesh.head(step)));
+        EXPECT_NEAR(mesh.length(v, step), length, rounding * length);
+      }
   }
 
   void expect_shortest_walks(Index root, const std::vector<Index>& targets) const {
@@ -276,7 +349,7 @@ public:
       limit = (std::max)(limit, wanted.back().limit);
     }
     Search_targets found(wanted);
-    Class_search search(search_mesh_, edge_classes_);
+    Class_search search(searched(), edge_classes_);
     const bool are_walls_along = is_pure_[0] && targets.front() % 2 == 1;
     search.start(are_walls_along);
     std::size_t visits = 100000000;
@@ -315,7 +388,7 @@ public:
   void expect_visits(Index root, Index t) const {
     for(const std::size_t given : {0, 1, 5, 50}) {
       Search_targets found({{limit(t, root), &duals_[t]}});
-      Class_search search(search_mesh_, edge_classes_);
+      Class_search search(searched(), edge_classes_);
       search.start(is_pure_[0] && t % 2 == 1);
       std::size_t visits = given;
       search.search(root, found, visits);
@@ -327,7 +400,7 @@ public:
       std::size_t enough = 100000000;
       search.search(root, found, enough);
       Search_targets anew({{limit(t, root), &duals_[t]}});
-      Class_search other(search_mesh_, edge_classes_);
+      Class_search other(searched(), edge_classes_);
       other.start(is_pure_[0] && t % 2 == 1);
       enough = 100000000;
       other.search(root, anew, enough);
@@ -338,6 +411,10 @@ public:
   }
 
 private:
+  Index near(const Crossing& c) const {
+    return searched().vertex_near(mesh_.points[c.left], c.left);
+  }
+
   bool crosses_no_wall(const Numbers& numbers, Index t) const {
     for(std::size_t i = 0; i < numbers.size(); ++i)
       if(is_pure_[0] && i % 2 == t % 2 && numbers[i] != 0)
@@ -381,11 +458,12 @@ private:
   std::vector<Crossing_loop> loops_;
   std::vector<char> is_pure_;
   Search_mesh search_mesh_;
+  std::unique_ptr<Search_mesh> coarser_;
   Loop_classes classes_;
   Edge_classes edge_classes_;
   std::optional<Cover_oracle> oracle_;
   std::vector<Class_vector> duals_;
-  mutable std::size_t bounded_roots_ = 0;
+  mutable std::size_t bounded_roots_ = 0, across_ = 0, visits_ = 0, visits_without_ = 0;
 };
 
 void expect_shortest_walks(const Recipe& recipe, bool is_pure, std::size_t finer) {
@@ -417,6 +495,31 @@ TEST(Class_search, FindsShortestWalksOnFinerMeshes) {
   for(const Recipe& recipe : {embedded[0], embedded[2]})
     for(const bool is_pure : {true, false})
       expect_shortest_walks(recipe, is_pure, 400);
+}
+
+TEST(Class_search, FindsShortestWalksOnCoarserMeshes) {
+  for(const Recipe& recipe : {embedded[0], embedded[2], embedded[4], embedded[5]})
+    for(const bool is_pure : {true, false}) {
+      SCOPED_TRACE(testing::PrintToString(recipe));
+      const Searched_surface finer(recipe, is_pure, 0), surface(recipe, is_pure, 0, 2.);
+      EXPECT_LT(2 * surface.number_of_vertices(), finer.number_of_vertices());
+      surface.expect_steps();
+      // Without walls there are too many classes to try them all, but on few handles.
+      if(is_pure || surface.number_of_loops() == 2) {
+        surface.expect_shortest_walks(0, {0});
+        surface.expect_shortest_walks(5, {1});
+      }
+    }
+}
+
+TEST(Class_search, FindsShortestWalksAcrossPartners) {
+  for(const Recipe& recipe : embedded)
+    for(const double coarser : {0., 2.}) {
+      SCOPED_TRACE(testing::PrintToString(recipe));
+      Searched_surface(recipe, true, 0, coarser).expect_shortest_walks_across();
+    }
+  Searched_surface(embedded[0], false, 0).expect_shortest_walks_across();
+  Searched_surface(embedded[2], true, 400).expect_shortest_walks_across();
 }
 
 TEST(Class_search, StopsAfterSoManyVisits) {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/classes/Class_vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Edge_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Partner_distances.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Search_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Search_targets.h>
 
@@ -54,8 +55,11 @@ public:
 
   /// before searches with other targets or walls. The walls are the loops of the sums `along` if
   /// \p are_walls_along, else those of `across`.
-  void start(bool are_walls_along) {
+  /// With distances from a partner, walks count only that cross it, and begin near it: ways that
+  /// cannot be part of one that is short enough are not followed.
+  void start(bool are_walls_along, const Partner_distances* partner = nullptr) {
     are_walls_along_ = are_walls_along;
+    partner_ = partner;
     for(Index v : bounded_)
       lower_bounds_[v] = 0.f;
     bounded_.clear();
@@ -69,7 +73,12 @@ public:
     visits_ = &visits;
     shortest_ = targets.limit();
     is_cut_off_ = false;
-    reach(root, {0.f, root, no_index, no_index, no_index, false, {}});
+    Label first{0.f, root, no_index, no_index, no_index, false, 0, {}};
+    if(partner_ != nullptr) {
+      first.copy = partner_->first_copy(root);
+      offset_ = partner_->distance(root);
+    }
+    reach(root, first);
     while(!queue_.empty() && visits > 0) {
       const auto [distance, l] = queue_.top();
       queue_.pop();
@@ -77,6 +86,8 @@ public:
         continue;
       if(2. * distance >= targets.limit())
         break;
+      if(is_too_far(labels_[l]))
+        continue;
       --visits;
       visit(l);
     }
@@ -98,6 +109,7 @@ private:
     Index step;   // from it
     Index next;   // of the same vertex
     bool is_settled;
+    int copy; // of the surface cut open along the partner
     Class_sums sums;
   };
 
@@ -111,6 +123,12 @@ private:
 
   std::uint64_t wall(const Class_sums& s) const { return are_walls_along_ ? s.along : s.across; }
   std::uint64_t kind(const Class_sums& s) const { return are_walls_along_ ? s.across : s.along; }
+
+  // Whether no walk that goes this way is short enough.
+  bool is_too_far(const Label& way) const {
+    return partner_ != nullptr &&
+           way.distance + partner_->way_on(way.vertex, way.copy) - offset_ >= targets_->limit();
+  }
 
   void reach(Index v, Label label) {
     if(first_[v] == no_index)
@@ -132,7 +150,11 @@ private:
       there.step = step;
       there.distance = here.distance + mesh_.length(here.vertex, step);
       there.sums = here.sums;
-      there.sums.add(1, mesh_.sums(here.vertex, step, classes_));
+      const Class_sums sums = mesh_.sums(here.vertex, step, classes_);
+      there.sums.add(1, sums);
+      there.copy = here.copy;
+      if(partner_ != nullptr && !sums.is_zero())
+        there.copy += partner_->number(here.vertex, step);
       relax(there);
     }
   }
@@ -145,7 +167,7 @@ private:
         continue;
       if(kind(other.sums) != kind(way.sums))
         note(way, other);
-      if(!other.is_settled && way.distance < other.distance) {
+      if(!other.is_settled && way.distance < other.distance && !is_too_far(way)) {
         const Index next = other.next;
         other = way;
         other.next = next;
@@ -153,7 +175,7 @@ private:
       }
       return;
     }
-    if(2. * way.distance >= targets_->limit())
+    if(2. * way.distance >= targets_->limit() || is_too_far(way))
       return;
     if(number < most_labels)
       reach(way.vertex, way);
@@ -190,7 +212,7 @@ private:
     std::vector<const Label*> labels(1, &way);
     while(labels.back()->parent != no_index)
       labels.push_back(&labels_[labels.back()->parent]);
-    std::vector<Index> walk(1, labels.back()->vertex);
+    std::vector<Index> walk(1, mesh_.vertex_of_walks(labels.back()->vertex));
     for(std::size_t i = labels.size() - 1; i-- > 0;)
       mesh_.for_each_edge(labels[i + 1]->vertex, labels[i]->step,
                           [&](Index, Index to) { walk.push_back(to); });
@@ -239,6 +261,8 @@ private:
   bool are_walls_along_ = false;
   bool is_cut_off_ = false; // at a vertex that has been reached with too many sums
   double shortest_ = 0.;
+  double offset_ = 0.; // of the root from the partner
+  const Partner_distances* partner_ = nullptr;
   Search_targets* targets_ = nullptr;
   std::size_t* visits_ = nullptr;
 };

@@ -30,6 +30,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -74,7 +75,7 @@ public:
     // Loops that have just been put together have been seen by nothing, the others by a field. On a
     // small mesh there is enough for all of them at once.
     const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
-    if(visits() < most_visits) {
+    if(!is_small()) {
       is_open_ = is_new;
       repeat((std::max)(visits(), most_on_large_mesh * number_of_new / (number_of_new + 8.)));
     }
@@ -100,32 +101,78 @@ private:
   // So much longer, at most, is a walk on the edges than the loop that it is pulled to.
   static constexpr double poor_edges = 1.4;
 
-  static constexpr double gain_worth_having = 1. - 1e-7;
+  static constexpr double gain_worth_having = 1. - 1e-7, much_shorter = 0.99;
 
-  static constexpr double most_visits = 4e6, most_on_large_mesh = 1.6e6;
+  static constexpr double most_visits = 2e6, most_on_large_mesh = 1.6e6;
   static constexpr double most_overestimate = 4.; // that is made use of
   static constexpr double least_visits = 200.;    // of a loop, that could find anything
   static constexpr double larger_part = 3.;       // of a part before
   static constexpr double small = 40000.;         // vertices
   static constexpr std::size_t even = 5000;       // vertices
 
+  // Of a larger mesh, with fewer visits, coarser ones would take too many of them.
+  static constexpr double visits_worth_levels = 4.;
+  static constexpr double steps_around = 24.; // a loop, at least
+  static constexpr double largest_level = 20.;
+  static constexpr double nodes_by_square = 0.7; // of the spacing
+  static constexpr double most_patience = 8.;    // visits over those that are expected
+
+  bool is_small() const { return double(mesh_.number_of_vertices()) <= small; }
+
   // On a large mesh, less: its loops have cost more before, and are not to wait as long again.
   double visits() const {
     const double part = (std::min)(1., small / double(mesh_.number_of_vertices()));
-    return most_visits * part * std::sqrt(part);
+    return (std::min)(most_visits, 2. * most_visits * part * std::sqrt(part));
   }
 
   void prepare_search() {
     if(is_prepared_)
       return;
     is_prepared_ = true;
-    if(visits() == most_visits)
+    if(is_small())
       search_mesh_.refine((std::min)(even, 16 * mesh_.number_of_vertices()));
     if(visits() > double(mesh_.number_of_vertices())) {
       search_mesh_.measure();
       if(search_mesh_.area() > 0.)
         density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
     }
+    if(visits() > visits_worth_levels * double(search_mesh_.number_of_vertices()) && density_ > 0.)
+      spacing_ = std::sqrt(1.15 / density_);
+  }
+
+  // ---- coarser meshes, for longer loops
+
+  // On a level, places to search from are 2^level times as far apart as the vertices are.
+  int level(double length) const {
+    if(spacing_ == 0.)
+      return 0;
+    const double steps = length / (steps_around * spacing_);
+    return steps < 2. ? 0 : static_cast<int>((std::min)(std::log2(steps), largest_level));
+  }
+
+  const Search_mesh& mesh_of_level(int k) const { return k == 0 ? search_mesh_ : *levels_.at(k); }
+
+  double density_of_level(int k) const {
+    return k == 0 ? density_ : nodes_by_square / std::pow(std::ldexp(spacing_, k), 2);
+  }
+
+  // Makes those that are not there, of all that are to be used, and counts.
+  void prepare_levels(const std::set<int>& levels, const Edge_classes& edge_classes) {
+    search_mesh_.count(edge_classes);
+    std::vector<std::pair<int, std::unique_ptr<Search_mesh>*>> wanted;
+    for(int k : levels)
+      if(k > 0)
+        wanted.emplace_back(k, &levels_[k]);
+    for_each_index(
+        execution_, wanted.size(),
+        [&](std::size_t i) {
+          const auto& [k, mesh] = wanted[i];
+          if(*mesh == nullptr)
+            *mesh =
+                std::make_unique<Search_mesh>(search_mesh_, edge_classes, std::ldexp(spacing_, k));
+          (*mesh)->count(edge_classes);
+        },
+        1);
   }
 
   // Looks for the open loops, and for those that are opened by it, as long as there are visits.
@@ -159,7 +206,10 @@ private:
   // About the vertices within half the length of a loop: by how densely they lie, or because a
   // geodesic crosses two edges on an edge length.
   double vertices_around(Index i) const {
-    const double by_density = density_ * lengths_[i] * lengths_[i];
+    const int k = level(part_ * lengths_[i]);
+    const double by_density = density_of_level(k) * lengths_[i] * lengths_[i];
+    if(k > 0)
+      return by_density;
     const double size = double((*loops_)[i].size());
     return (std::min)((std::max)(by_density, 0.3 * size * size),
                       double(search_mesh_.number_of_vertices()));
@@ -246,30 +296,52 @@ private:
     const std::vector<Task>& tasks = planned.first;
     const Search_plan& efforts = planned.second;
     const Edge_classes edge_classes(mesh_, classes_->index(), *is_pure_);
-    search_mesh_.count(edge_classes);
-    Workspace_pool<Partner_search> searches(
-        [&] { return std::make_unique<Partner_search>(mesh_, search_mesh_, edge_classes); });
+    std::set<int> levels;
+    for(const Task& task : tasks)
+      levels.insert(level(part_ * task.length));
+    prepare_levels(levels, edge_classes);
+    std::map<int, Workspace_pool<Partner_search>> searches;
+    for(int k : levels)
+      searches.try_emplace(k, [this, k, &edge_classes] {
+        return std::make_unique<Partner_search>(mesh_, mesh_of_level(k), edge_classes);
+      });
     std::vector<std::vector<Candidate>> found(tasks.size());
-    std::vector<std::size_t> left(tasks.size(), 0);
+    const std::vector<std::size_t> allowed = allowed_visits(tasks.size(), efforts, visits);
+    std::vector<std::size_t> left = allowed;
     for_each_index(
         execution_, tasks.size(),
         [&](std::size_t n) {
-          left[n] = efforts.effort(n).visits;
           if(left[n] > 0 && progress_.goes_on())
-            found[n] =
-                candidates(tasks[n], duals, efforts.effort(n).spacing, left[n], *searches.borrow());
+            found[n] = candidates(tasks[n], duals, efforts.effort(n).spacing, left[n],
+                                  *searches.at(level(part_ * tasks[n].length)).borrow());
         },
         1);
     progress_.throw_if_interrupted();
-    close_loops(tasks, efforts, left, visits);
+    close_loops(tasks, allowed, efforts, left, visits);
     candidates_.clear();
     for(std::vector<Candidate>& part : found)
       std::move(part.begin(), part.end(), std::back_inserter(candidates_));
     return !efforts.is_empty();
   }
 
+  // What is expected may be too little: a search that has to be begun again costs all of it once
+  // more.
+  static std::vector<std::size_t>
+  allowed_visits(std::size_t number_of_tasks, const Search_plan& efforts, double visits) {
+    std::vector<std::size_t> allowed;
+    for(std::size_t n = 0; n < number_of_tasks; ++n)
+      allowed.push_back(efforts.effort(n).visits);
+    const double planned = std::accumulate(allowed.begin(), allowed.end(), 1.);
+    const std::size_t factor =
+        static_cast<std::size_t>(std::clamp(0.3 * visits / planned, 1., most_patience));
+    for(std::size_t& number : allowed)
+      number *= factor;
+    return allowed;
+  }
+
   // What has been searched to its end is closed. Takes what was spent from the visits.
   void close_loops(const std::vector<Task>& tasks,
+                   const std::vector<std::size_t>& allowed,
                    const Search_plan& efforts,
                    const std::vector<std::size_t>& left,
                    double& visits) {
@@ -278,7 +350,7 @@ private:
     for(std::size_t n = 0; n < tasks.size(); ++n) {
       const std::size_t planned = efforts.effort(n).visits;
       planned_for_all += double(planned);
-      spent += double(planned - left[n]);
+      spent += double(allowed[n] - left[n]);
       for(Index i : tasks[n].targets)
         if(planned == 0)
           is_left_out[i] = 1; // the others may leave something
@@ -318,7 +390,8 @@ private:
     for(Index i : task.targets)
       wanted.push_back({part_ * poor_edges * lengths_[i], &duals[i]});
     Search_targets targets(std::move(wanted));
-    search.run((*loops_)[task.partner], is_pure && is_tunnel, spacing, targets, visits);
+    search.run((*loops_)[task.partner], task.partner, is_pure && is_tunnel, spacing, targets,
+               visits);
     std::vector<Candidate> candidates;
     for(const Search_targets::Found& found : targets.take_found()) {
       if(found.walk.size() < 3)
@@ -374,10 +447,12 @@ private:
                      [this](Index a, Index b) { return lengths_[a] > lengths_[b]; });
     for(Index i : places)
       if(can_pair(c, i, exchange, pairing)) {
+        // There is nothing new to be found for a loop in place of one of its class, about as long.
+        if(x->size() > 1 || c.length < much_shorter * lengths_[i])
+          is_changed[i] = 1;
         exchange.replace(i, c.coordinates, *x);
         (*loops_)[i] = std::move(c.loop);
         lengths_[i] = c.length;
-        is_changed[i] = 1;
         sources_[i] = no_index;
         return;
       }
@@ -431,6 +506,8 @@ private:
   Execution execution_;
   const Flat_mesh& mesh_;
   Search_mesh search_mesh_;
+  std::map<int, std::unique_ptr<Search_mesh>> levels_;
+  double spacing_ = 0.; // of the vertices, if there are levels
   Progress& progress_;
   std::vector<Crossing_loop>* loops_ = nullptr;
   const std::vector<char>* is_pure_ = nullptr;

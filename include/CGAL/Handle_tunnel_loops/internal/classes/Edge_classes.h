@@ -35,6 +35,10 @@ struct Class_sums
   friend Class_sums operator+(Class_sums a, Class_sums b) {
     return {a.across + b.across, a.along + b.along};
   }
+  friend bool operator==(const Class_sums& a, const Class_sums& b) {
+    return a.across == b.across && a.along == b.along;
+  }
+  bool is_zero() const { return across == 0 && along == 0; }
   void add(std::int64_t number, const Class_sums& s) {
     across += static_cast<std::uint64_t>(number) * s.across;
     along += static_cast<std::uint64_t>(number) * s.along;

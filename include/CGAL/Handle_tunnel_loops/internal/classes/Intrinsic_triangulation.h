@@ -139,7 +139,9 @@ public:
   double length(Index h) const { return lengths_[h]; }
 
   /// the vertices that follow the source on a walk on the subdivision, to the target.
-  const std::vector<Index>& walk(Index h) const { return walks_[h]; }
+  std::vector<Index> walk(Index h) const {
+    return is_flipped_[h] != 0 ? walks_[h] : std::vector<Index>(1, targets_[h]);
+  }
 
 private:
   // Halfedges 3f, 3f + 1, 3f + 2 lead around face f.
@@ -234,10 +236,9 @@ private:
 
   void start_walks() {
     walks_.resize(targets_.size());
-    for(Index h = 0; h < targets_.size(); ++h) {
+    is_flipped_.assign(targets_.size(), 0);
+    for(Index h = 0; h < targets_.size(); ++h)
       lengths_.push_back(is_spoke(h) ? std::numeric_limits<double>::infinity() : distance(h));
-      walks_[h] = {targets_[h]};
-    }
   }
 
   // Where the apex of a face lies, if the edge leads from the origin along the x-axis.
@@ -282,14 +283,16 @@ private:
     {
       Index target, twin;
       double length;
+      char is_flipped;
       std::vector<Index> walk;
     };
     const auto side = [&](Index e) {
-      return Outer{targets_[e], twins_[e], lengths_[e], std::move(walks_[e])};
+      return Outer{targets_[e], twins_[e], lengths_[e], is_flipped_[e], std::move(walks_[e])};
     };
     const auto set = [&](Index e, Outer s) {
       targets_[e] = s.target;
       lengths_[e] = s.length;
+      is_flipped_[e] = s.is_flipped;
       walks_[e] = std::move(s.walk);
       join(e, s.twin);
     };
@@ -299,6 +302,7 @@ private:
     targets_[h] = c;
     targets_[g] = d;
     lengths_[h] = lengths_[g] = across;
+    is_flipped_[h] = is_flipped_[g] = 1;
     walks_[h] = walk;
     walks_[g] = std::move(back);
     // The places of the other sides change; two of them may be one edge.
@@ -317,7 +321,7 @@ private:
     set(g2, moved(of_bc, g2, h1, h2, g1));
   }
 
-  std::vector<Index> reversed(Index h) const { return walks_[twins_[h]]; }
+  std::vector<Index> reversed(Index h) const { return walk(twins_[h]); }
 
   // The same vertices the other way, without the first.
   static std::vector<Index> reversed_walk(const std::vector<Index>& walk, Index first) {
@@ -353,7 +357,8 @@ private:
   std::vector<Index> targets_, twins_;    // by halfedge
   std::vector<char> is_on_edge_;          // by halfedge, of the mesh; before flips
   std::vector<double> lengths_;           // by halfedge, once they are flipped
-  std::vector<std::vector<Index>> walks_; // by halfedge, once they are flipped
+  std::vector<char> is_flipped_;          // by halfedge, of the edges that flips have made
+  std::vector<std::vector<Index>> walks_; // by halfedge, of these
   std::priority_queue<std::pair<double, Index>> queue_;
 };
 

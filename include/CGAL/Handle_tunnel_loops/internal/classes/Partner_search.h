@@ -39,24 +39,29 @@ public:
   Partner_search(const Flat_mesh& mesh, const Search_mesh& search_mesh, const Edge_classes& classes)
       : mesh_(mesh)
       , search_mesh_(search_mesh)
+      , distances_(search_mesh, classes)
       , search_(search_mesh, classes) {}
 
-  /// looks for the targets along a loop that all of them have to cross; see `Class_search` for the
-  /// walls. The places are \p spacing times what is looked for apart.
+  /// looks for the targets along loop \p number, that all of them have to cross; see `Class_search`
+  /// for the walls. The places are \p spacing times what is looked for apart.
   void run(const Crossing_loop& partner,
+           Index number,
            bool are_walls_along,
            double spacing,
            Search_targets& targets,
            std::size_t& visits) {
     measure(partner);
-    search_.start(are_walls_along);
-    double s = 0.;
-    do {
-      const Index root = place(partner, s);
-      if(search_.lower_bound(root) < worth_a_search * targets.limit())
+    distances_.compute(partner, number, targets.limit(), visits);
+    if(distances_.around() >= targets.limit())
+      return;
+    search_.start(are_walls_along, &distances_);
+    for(const auto& [bound, root] : places(partner, spacing * targets.smallest_limit()))
+      if(visits > 0 && bound < worth_a_way * targets.limit() &&
+         search_.lower_bound(root) < worth_a_search * targets.limit())
+      {
+        targets.start_place();
         search_.search(root, targets, visits);
-      s += (std::max)(spacing * targets.smallest_limit(), along_.back() / most_places);
-    } while(s < along_.back() && visits > 0);
+      }
   }
 
 private:
@@ -64,7 +69,7 @@ private:
   static constexpr double most_places = 1000.;
 
   // Of the length that is looked for, unless no loop through a place can be so short.
-  static constexpr double worth_a_search = 0.8;
+  static constexpr double worth_a_search = 0.8, worth_a_way = 0.95;
 
   void measure(const Crossing_loop& loop) {
     along_.assign(1, 0.);
@@ -72,6 +77,22 @@ private:
       along_.push_back(
           along_.back() +
           norm(position(mesh_, loop[i + 1 == loop.size() ? 0 : i + 1]) - position(mesh_, loop[i])));
+  }
+
+  // Where to search from, so far apart, and what no walk through there can be shorter than: those
+  // first through which there may be short ones.
+  std::vector<std::pair<double, Index>> places(const Crossing_loop& partner, double spacing) const {
+    std::vector<std::pair<double, Index>> all;
+    spacing = (std::max)(spacing, along_.back() / most_places);
+    double s = 0.;
+    do {
+      const Index root = place(partner, s);
+      all.emplace_back(distances_.way_on(root, distances_.first_copy(root)), root);
+      s += spacing;
+    } while(s < along_.back());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
   }
 
   // A vertex to search from, near the place of the loop at a distance along it.
@@ -88,6 +109,7 @@ private:
 
   const Flat_mesh& mesh_;
   const Search_mesh& search_mesh_;
+  Partner_distances distances_;
   Class_search search_;
   std::vector<double> along_; // the loop, by crossing
 };

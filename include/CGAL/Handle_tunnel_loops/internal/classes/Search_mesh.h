@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/classes/Edge_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Intrinsic_triangulation.h>
+#include <CGAL/Handle_tunnel_loops/internal/classes/Step_coarsening.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
@@ -39,6 +40,29 @@ class Search_mesh
 public:
   explicit Search_mesh(const Flat_mesh& mesh)
       : mesh_(mesh) {}
+
+  /// places of another such mesh that are nowhere nearer to each other than \p spacing, and steps
+  /// between them of each class; see `Step_coarsening`. Their walks are those of the other mesh,
+  /// which has been counted.
+  Search_mesh(const Search_mesh& finer, const Edge_classes& classes, double spacing)
+      : mesh_(finer.mesh_)
+      , finer_(&finer) {
+    const Step_coarsening<Search_mesh> coarsening(finer, classes, spacing);
+    nodes_ = coarsening.nodes();
+    for(Index v = 0; v < finer.number_of_vertices(); ++v)
+      node_of_.push_back(coarsening.node(v));
+    for(Index node = 0; node < nodes_.size(); ++node) {
+      begin_.push_back(static_cast<Index>(heads_.size()));
+      for(const auto& step : coarsening.steps(node)) {
+        heads_.push_back(step.head);
+        lengths_.push_back(step.length);
+        walk_begin_.push_back(static_cast<Index>(walks_.size()));
+        coarsening.append_walk(step, walks_);
+      }
+    }
+    begin_.push_back(static_cast<Index>(heads_.size()));
+    walk_begin_.push_back(static_cast<Index>(walks_.size()));
+  }
 
   Search_mesh(const Search_mesh&) = delete;
   Search_mesh& operator=(const Search_mesh&) = delete;
@@ -72,26 +96,67 @@ public:
   /// counts what the steps cross.
   void count(const Edge_classes& classes) {
     sums_.assign(heads_.size(), {});
-    for(Index v = 0; is_refined() && v < number_of_vertices(); ++v)
-      for(Index s = begin(v); s != end(v); ++s)
+    steps_.clear();
+    for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
+      for(Index s = begin(v); s != end(v); ++s) {
         for_each_edge(v, s, [&](Index from, Index to) {
-          const Index u = corners_[from], w = corners_[to];
+          const Index u = corner(from), w = corner(to);
           if(u != w && classes.has_crossing(u))
             sums_[s].add(1, classes.edge(u, mesh_.ring(u).position(w)).sums);
         });
+        if(!sums_[s].is_zero())
+          note_step(v, s, classes);
+      }
+    std::sort(steps_.begin(), steps_.end());
+  }
+
+  /// how often a step from `v` crosses a loop, in net numbers, by the edge classes that were last
+  /// counted.
+  int number(Index v, Index step, Index loop, const Edge_classes& classes) const {
+    int sum = 0;
+    for_each_edge(v, step, [&](Index from, Index to) {
+      classes.for_each_term(corner(from), corner(to),
+                            [&](Index other, int number) { sum += other == loop ? number : 0; });
+    });
+    return sum;
+  }
+
+  /// calls `f(vertex, step)` for steps, among which are all that cross a loop in net numbers, in
+  /// one direction at least.
+  template <typename Function>
+  void for_each_step_across(const Crossing_loop& loop, Index number, const Function& f) const {
+    if(!has_walks()) {
+      for(const Crossing& c : loop) {
+        const Index v = mesh_.is_hub(c.left) ? c.right : c.left;
+        f(v, begin(v) + mesh_.ring(v).position(v == c.left ? c.right : c.left));
+      }
+      return;
+    }
+    for(auto s = std::lower_bound(steps_.begin(), steps_.end(), Step{number, 0, 0});
+        s != steps_.end() && s->loop == number; ++s)
+      f(s->vertex, s->step);
   }
 
   std::size_t number_of_vertices() const {
-    return is_refined() ? subdivision_.number_of_vertices() : mesh_.number_of_vertices();
+    return finer_ != nullptr ? nodes_.size()
+           : is_refined()    ? subdivision_.number_of_vertices()
+                             : mesh_.number_of_vertices();
   }
   const Vector& point(Index v) const {
-    return is_refined() ? subdivision_.points[v] : mesh_.points[v];
+    return finer_ != nullptr ? finer_->point(nodes_[v])
+           : is_refined()    ? subdivision_.points[v]
+                             : mesh_.points[v];
   }
 
+  bool is_hub(Index v) const { return mesh_.is_hub(v); }
+
+  /// the vertex on the edges along which steps lead.
+  Index vertex_of_walks(Index v) const { return finer_ != nullptr ? nodes_[v] : v; }
+
   /// the steps from a vertex are those from `begin()` to `end()`.
-  Index begin(Index v) const { return is_refined() ? begin_[v] : mesh_.row_begin[v]; }
-  Index end(Index v) const { return is_refined() ? begin_[v + 1] : mesh_.row_begin[v + 1]; }
-  Index head(Index step) const { return is_refined() ? heads_[step] : mesh_.neighbor[step]; }
+  Index begin(Index v) const { return has_walks() ? begin_[v] : mesh_.row_begin[v]; }
+  Index end(Index v) const { return has_walks() ? begin_[v + 1] : mesh_.row_begin[v + 1]; }
+  Index head(Index step) const { return has_walks() ? heads_[step] : mesh_.neighbor[step]; }
 
   float length(Index v, Index step) const {
     return lengths_.empty() ? length_of_edge(v, head(step)) : lengths_[step];
@@ -99,19 +164,21 @@ public:
 
   /// what a step from `v` crosses, by the edge classes that were last counted.
   Class_sums sums(Index v, Index step, const Edge_classes& classes) const {
-    if(is_refined())
+    if(has_walks())
       return sums_[step];
     return classes.has_crossing(v) ? classes.edge(v, step - begin(v)).sums : Class_sums();
   }
 
-  /// the corner of the mesh that stands for a vertex.
-  Index corner(Index v) const { return is_refined() ? corners_[v] : v; }
+  /// the corner of the mesh that stands for a vertex on the edges along which steps lead.
+  Index corner(Index v) const {
+    return finer_ != nullptr ? finer_->corner(v) : is_refined() ? corners_[v] : v;
+  }
 
   /// calls `f(from, to)` for the edges along which a step from `v` leads.
   template <typename Function> void for_each_edge(Index v, Index step, const Function& f) const {
-    if(!is_refined())
+    if(!has_walks())
       return f(v, head(step));
-    Index from = v;
+    Index from = vertex_of_walks(v);
     for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
       f(from, walks_[i]);
       from = walks_[i];
@@ -121,6 +188,8 @@ public:
   /// the loop on the mesh along a closed walk on these edges without spurs. It crosses the edges of
   /// the mesh where it crosses those of the subdivision that lie on them.
   Crossing_loop loop_along(const std::vector<Index>& walk) const {
+    if(finer_ != nullptr)
+      return finer_->loop_along(walk);
     if(!is_refined())
       return pushed_left(mesh_, walk);
     Crossing_loop loop;
@@ -135,6 +204,8 @@ public:
 
   /// a vertex near a place, by steps towards it from a corner near it that is no hub.
   Index vertex_near(const Vector& place, Index corner) const {
+    if(finer_ != nullptr)
+      return node_of_[finer_->vertex_near(place, corner)];
     Index v = corner;
     for(double best = squared_distance(v, place);;) {
       const Index from = v;
@@ -166,7 +237,24 @@ public:
 private:
   using Place = Intrinsic_triangulation::Place;
 
+  // A step that crosses a loop.
+  struct Step
+  {
+    Index loop, vertex, step;
+
+    bool operator<(const Step& s) const { return loop != s.loop ? loop < s.loop : step < s.step; }
+  };
+
+  void note_step(Index v, Index step, const Edge_classes& classes) {
+    for_each_edge(v, step, [&](Index from, Index to) {
+      classes.for_each_term(corner(from), corner(to), [&](Index loop, int) {
+        steps_.push_back({loop, v, step});
+      });
+    });
+  }
+
   bool is_refined() const { return !corners_.empty(); }
+  bool has_walks() const { return is_refined() || finer_ != nullptr; }
 
   float length_of_edge(Index u, Index v) const {
     return mesh_.is_spoke(u, v) ? std::numeric_limits<float>::infinity()
@@ -209,22 +297,32 @@ private:
     std::vector<Index> halfedges(n), place(begin_.begin(), begin_.end() - 1);
     for(Index h = 0; h < n; ++h)
       halfedges[place[triangulation.source(h)]++] = h;
+    heads_.reserve(n);
+    lengths_.reserve(n);
+    walk_begin_.reserve(n + 1);
+    walks_.reserve(n);
     for(Index h : halfedges) {
       heads_.push_back(triangulation.target(h));
       lengths_.push_back(static_cast<float>(triangulation.length(h)));
       walk_begin_.push_back(static_cast<Index>(walks_.size()));
-      walks_.insert(walks_.end(), triangulation.walk(h).begin(), triangulation.walk(h).end());
+      const std::vector<Index> walk = triangulation.walk(h);
+      walks_.insert(walks_.end(), walk.begin(), walk.end());
     }
     walk_begin_.push_back(static_cast<Index>(walks_.size()));
   }
 
   const Flat_mesh& mesh_;
+  // The mesh of which this has a part of the vertices, if there is one, those, and by vertex there
+  // the nearest of them.
+  const Search_mesh* finer_ = nullptr;
+  std::vector<Index> nodes_, node_of_;
   // Of the finer triangulation, if there is one.
   Flat_mesh subdivision_;                         // points and rings
   std::vector<Place> places_;                     // by vertex
   std::vector<Index> corners_, begin_;            // by vertex
   std::vector<Index> heads_, walk_begin_, walks_; // by step, and what the walks lead to
   std::vector<Class_sums> sums_;                  // by step
+  std::vector<Step> steps_;                       // that cross loops, by loop
   std::vector<float> lengths_;                    // by step, of the mesh as well if measured
 };
 

@@ -41,7 +41,8 @@ public:
     const Class_vector* dual; ///< the coordinate, by the intersection numbers
   };
 
-  /// A closed walk, of a class of its own.
+  /// A closed walk: of its class the shortest, or the shortest from another place if it is hardly
+  /// longer. What is shorter once it is pulled taut shows then.
   struct Found
   {
     double length; ///< on the mesh that is searched
@@ -69,7 +70,7 @@ public:
 
   /// says by intersection numbers what class a key stands for.
   void add_class(std::uint64_t key, const Class_vector& numbers) {
-    Found& found = classes_[key];
+    Class& found = classes_[key];
     for(Index t = 0; t < targets_.size(); ++t) {
       std::int64_t x = 0;
       for(const auto& [loop, factor] : *targets_[t].dual)
@@ -77,7 +78,13 @@ public:
       if(x == 1 || x == -1)
         found.targets.push_back(t);
     }
-    found.length = limit_;
+    found.shortest = found.here.length = limit_;
+  }
+
+  /// before a search from another place.
+  void start_place() {
+    for(auto& entry : classes_)
+      entry.second.keep(limit_);
   }
 
   /// whether walks of a class and of this length are of use.
@@ -85,15 +92,18 @@ public:
     return is_wanted(classes_.at(key).targets, length);
   }
 
-  /// whether none so short has been found of the class.
+  /// whether none so short has been found of the class from this place, and none much shorter from
+  /// another.
   bool is_shortest(std::uint64_t key, double length) const {
-    return length < classes_.at(key).length;
+    const Class& c = classes_.at(key);
+    return length < c.here.length && length < near * c.shortest;
   }
 
   void take(std::uint64_t key, double length, std::vector<Index> walk) {
-    Found& found = classes_.at(key);
-    found.length = length;
-    found.walk = std::move(walk);
+    Class& found = classes_.at(key);
+    found.here.length = length;
+    found.here.vertices = std::move(walk);
+    found.shortest = (std::min)(found.shortest, length);
     for(Index t : found.targets)
       targets_[t].limit = (std::min)(targets_[t].limit, slack * length);
     update_limit();
@@ -102,9 +112,13 @@ public:
   /// what is still wanted, the shortest first.
   std::vector<Found> take_found() {
     std::vector<Found> all;
-    for(auto& entry : classes_)
-      if(!entry.second.walk.empty() && is_wanted(entry.second.targets, entry.second.length))
-        all.push_back(std::move(entry.second));
+    for(auto& entry : classes_) {
+      Class& c = entry.second;
+      c.keep(limit_);
+      for(Walk& walk : c.walks)
+        if(walk.length < near * c.shortest && is_wanted(c.targets, walk.length))
+          all.push_back({walk.length, std::move(walk.vertices), c.targets});
+    }
     std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
       return a.length != b.length ? a.length < b.length : a.walk < b.walk;
     });
@@ -114,6 +128,34 @@ public:
 private:
   // Of walks more than so many times longer than the shortest, none is pulled to a shorter loop.
   static constexpr double slack = 1.15;
+  static constexpr double near = 1.04;
+  static constexpr std::size_t most_walks = 3; // of a class
+
+  struct Walk
+  {
+    double length;
+    std::vector<Index> vertices;
+
+    bool operator<(const Walk& w) const {
+      return length != w.length ? length < w.length : vertices < w.vertices;
+    }
+  };
+
+  struct Class
+  {
+    double shortest;
+    Walk here; // found from the present place
+    std::vector<Walk> walks;
+    std::vector<Index> targets;
+
+    void keep(double limit) {
+      if(!here.vertices.empty())
+        walks.push_back(std::move(here));
+      here = {limit, {}};
+      std::sort(walks.begin(), walks.end());
+      walks.resize((std::min)(walks.size(), most_walks));
+    }
+  };
 
   bool is_wanted(const std::vector<Index>& targets, double length) const {
     return std::any_of(targets.begin(), targets.end(),
@@ -128,7 +170,7 @@ private:
 
   std::vector<Target> targets_;
   double limit_ = 0.;
-  std::unordered_map<std::uint64_t, Found> classes_;
+  std::unordered_map<std::uint64_t, Class> classes_;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
@@ -98,9 +99,11 @@ private:
     vertex_descriptor u = end_of(loop.steps().back());
     for(const auto& step : loop.steps()) {
       const vertex_descriptor v = end_of(step);
-      CGAL_precondition_msg(u == v || halfedge(u, v, tm_).second, "steps lie on a common face");
-      if(u != v)
-        walk.push_back(halfedge(u, v, tm_).first);
+      if(u != v) {
+        walk.push_back(halfedge_near(step.halfedge, u, v, tm_));
+        CGAL_precondition_msg(walk.back() != boost::graph_traits<TriangleMesh>::null_halfedge(),
+                              "steps lie on a common face");
+      }
       u = v;
     }
     return walk;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -34,6 +35,7 @@ namespace internal {
 template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits> class Loop_converter
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using FT = typename GeomTraits::FT;
 
 public:
@@ -53,10 +55,12 @@ public:
     std::vector<typename Loop::Step> steps;
     std::vector<Point> points;
     const Crossing* previous = loop.empty() ? nullptr : &loop.back();
+    halfedge_descriptor near = boost::graph_traits<TriangleMesh>::null_halfedge();
     for(const Crossing& c : loop) {
+      near = edge_of(c, near);
       // Many edges are passed at one vertex.
       if(vertex_of(c) == no_index || vertex_of(c) != vertex_of(*previous)) {
-        steps.push_back(step(c));
+        steps.push_back(step(c, near));
         points.push_back(point_at(c));
       }
       previous = &c;
@@ -68,10 +72,18 @@ public:
 private:
   bool is_hub(Index v) const { return v >= vertices_.size(); }
 
-  typename Loop::Step step(const Crossing& c) const {
+  // The edge that is crossed, on a face of the one that was crossed before; none that leads to a
+  // hub.
+  halfedge_descriptor edge_of(const Crossing& c, halfedge_descriptor before) const {
+    return is_hub(c.left) || is_hub(c.right)
+               ? boost::graph_traits<TriangleMesh>::null_halfedge()
+               : halfedge_near(before, vertices_[c.left], vertices_[c.right], tm_);
+  }
+
+  typename Loop::Step step(const Crossing& c, halfedge_descriptor edge) const {
     if(is_hub(c.left) || is_hub(c.right))
       return {opposite(halfedge(vertices_[vertex_of(c)], tm_), tm_), 0.};
-    return {halfedge(vertices_[c.left], vertices_[c.right], tm_).first, c.ratio};
+    return {edge, c.ratio};
   }
 
   Index vertex_of(const Crossing& c) const {
