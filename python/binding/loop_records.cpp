@@ -104,7 +104,8 @@ std::string in_words(const std::vector<std::string>& problems) {
 
 // None where nobody asked.
 void add_layers(py::dict& record, const htloops::Vertex_layers& told) {
-  record["layers"] = record["layer_times"] = py::none();
+  record["layers"] = py::none();
+  record["layer_times"] = py::none();
   if(told.layers.empty())
     return;
   record["layers"] = array_of(std::vector<std::int64_t>(told.layers.begin(), told.layers.end()));

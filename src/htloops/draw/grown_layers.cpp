@@ -40,96 +40,111 @@ std::vector<double> ends_of_layers(const Answer& answer) {
   return ends;
 }
 
-class Layer_painter
+// The parts of faces that differ in color: layers, dark and light bands of these, and what no front
+// has come to yet.
+class Layer_parts
 {
+  using Vertex = Mesh::Vertex_index;
+  using Parts = std::vector<Face_part>;
+
 public:
-  Layer_painter(const Mesh& mesh, const Answer& answer, double now)
-      : mesh_(mesh)
-      , layers_(answer.vertex_layers.layers)
-      , cutter_(mesh, answer.vertex_layers.times)
+  Layer_parts(const Answer& answer, double now)
+      : told_(answer.vertex_layers)
       , ends_(ends_of_layers(answer))
-      , width_of_band_(last_time(answer.vertex_layers) / number_of_time_bands)
+      , width_of_band_(last_time(told_) / number_of_time_bands)
       , now_(now) {}
 
-  Drawn_surface paint() {
-    for(const Mesh::Face_index f : mesh_.faces())
-      paint(f);
-    surface_.points = cutter_.take_points();
-    return std::move(surface_);
+  Parts parts_of(const std::array<Vertex, 3>& corners) {
+    Parts parts;
+    append(corners[0], corners[1], parts);
+    append(corners[1], corners[2], parts);
+    return parts;
+  }
+
+  Parts parts_of(Vertex low, Vertex high) {
+    Parts parts;
+    append(low, high, parts);
+    return parts;
+  }
+
+  static Colour colour_of_part(std::size_t part) {
+    const bool is_dark = part % 2 != 0;
+    return part == rest ? colour_of_rest
+                        : darkened(colour_of_layer(part / 2), is_dark ? light_of_dark_bands : 1.);
   }
 
 private:
-  using Corners = Level_cutter::Corners;
+  static constexpr std::size_t rest = 0; // as no layer has the number 0
 
-  void paint(Mesh::Face_index f) {
-    const Corners corners = cutter_.corners_of(f);
-    const bool is_turned = !cutter_.has_orientation(f, corners);
-    const double low = cutter_.value(corners[0]), high = cutter_.value(corners[2]);
-    find_levels(corners);
-    if(levels_.empty())
-      return add({corners[0].idx(), corners[1].idx(), corners[2].idx()}, is_turned,
-                 colour_between(corners, low, high));
-    double from = low;
-    levels_.push_back(high);
-    for(const double to : levels_) {
-      add(cutter_.polygon(corners, from, to), is_turned, colour_between(corners, from, to));
-      from = to;
+  void append(Vertex from, Vertex to, Parts& parts) {
+    find_levels(from, to);
+    double low = value(from);
+    for(const double high : levels_) {
+      const std::size_t part = part_at(from, to, 0.5 * (low + high));
+      if(!parts.empty() && !(parts.back().low < parts.back().high))
+        parts.pop_back();
+      if(parts.empty() || (parts.back().arc != part && low < high))
+        parts.push_back({part, low, high});
+      else
+        parts.back().high = high;
+      low = high;
     }
   }
 
-  // Where the colour may change within a face: between layers, between bands, and now.
-  void find_levels(const Corners& corners) {
-    levels_.clear();
-    for(int i = 0; i < 2; ++i)
-      if(layer(corners[i]) != layer(corners[i + 1]))
-        levels_.push_back(border(corners, i));
-    const double low = cutter_.value(corners[0]), high = cutter_.value(corners[2]);
+  // Where the color may change on an edge: between layers, between bands, and now. The last one is
+  // its upper end.
+  void find_levels(Vertex from, Vertex to) {
+    levels_ = {now_};
+    if(layer(from) != layer(to))
+      levels_.push_back(border(from, to));
     if(width_of_band_ > 0.)
-      for(double k = std::floor(low / width_of_band_) + 1.; k * width_of_band_ < high; ++k)
+      for(double k = std::floor(value(from) / width_of_band_) + 1.; k * width_of_band_ < value(to);
+          ++k)
         levels_.push_back(k * width_of_band_);
-    levels_.push_back(now_);
+    levels_.erase(
+        std::remove_if(levels_.begin(), levels_.end(),
+                       [&](double level) { return level <= value(from) || level >= value(to); }),
+        levels_.end());
+    levels_.push_back(value(to));
     std::sort(levels_.begin(), levels_.end());
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
-    levels_.erase(std::remove_if(levels_.begin(), levels_.end(),
-                                 [&](double level) { return level <= low || level >= high; }),
-                  levels_.end());
   }
 
-  // Where the layer of a corner ends and that of the next one begins.
-  double border(const Corners& corners, int i) const {
-    return std::clamp(ends_[layer(corners[i])], cutter_.value(corners[i]),
-                      cutter_.value(corners[i + 1]));
+  // Where the layer of a vertex ends and that of a later one begins.
+  double border(Vertex from, Vertex to) const {
+    return std::clamp(ends_[layer(from)], value(from), value(to));
   }
 
-  Colour colour_between(const Corners& corners, double from, double to) const {
-    const double middle = 0.5 * (from + to);
-    if(!(middle <= now_))
-      return colour_of_rest;
-    int i = 0;
-    while(i < 2 && border(corners, i) < middle)
-      ++i;
+  std::size_t part_at(Vertex from, Vertex to, double level) const {
+    if(!(level <= now_))
+      return rest;
     const bool is_dark =
-        width_of_band_ > 0. && std::fmod(std::floor(middle / width_of_band_), 2.) != 0.;
-    return darkened(colour_of_layer(layer(corners[i])), is_dark ? light_of_dark_bands : 1.);
+        width_of_band_ > 0. && std::fmod(std::floor(level / width_of_band_), 2.) != 0.;
+    const Vertex nearest = level <= border(from, to) ? from : to;
+    return 2 * layer(nearest) + (is_dark ? 1 : 0);
   }
 
-  std::size_t layer(Mesh::Vertex_index v) const { return layers_[v.idx()]; }
+  std::size_t layer(Vertex v) const { return told_.layers[v.idx()]; }
+  double value(Vertex v) const { return told_.times[v.idx()]; }
 
-  void add(const Level_cutter::Polygon& polygon, bool is_turned, const Colour& colour) {
-    for_each_triangle(polygon, is_turned, [&](const std::array<std::uint32_t, 3>& triangle) {
-      surface_.triangles.push_back(triangle);
-      surface_.colours.push_back(colour);
-    });
-  }
-
-  const Mesh& mesh_;
-  const std::vector<std::size_t>& layers_;
-  Level_cutter cutter_;
+  const Vertex_layers& told_;
   std::vector<double> ends_;
   double width_of_band_, now_;
-  std::vector<double> levels_; // of the present face
-  Drawn_surface surface_;
+  std::vector<double> levels_; // of the present edge
 };
+
+Drawn_surface painted(const Mesh& mesh, const Answer& answer, double now) {
+  Drawn_surface surface;
+  Layer_parts parts(answer, now);
+  Level_cutter cutter(mesh, answer.vertex_layers.times);
+  for(const Mesh::Face_index f : mesh.faces())
+    cutter.cut(f, parts, [&](const Level_cutter::Triangle& triangle, std::size_t part) {
+      surface.triangles.push_back(triangle);
+      surface.colours.push_back(Layer_parts::colour_of_part(part));
+    });
+  surface.points = cutter.take_points();
+  return surface;
+}
 
 // The contours of a level: closed, or from border to border.
 class Contour_walker
@@ -194,7 +209,7 @@ private:
 
 Grown_layers grown_layers(const Mesh& mesh, const Answer& answer, double part) {
   const double now = part * last_time(answer.vertex_layers);
-  return {Layer_painter(mesh, answer, now).paint(),
+  return {painted(mesh, answer, now),
           {"fronts", "front", Contour_walker(mesh, answer.vertex_layers.times, now).walk()}};
 }
 

@@ -9,6 +9,7 @@
 
 #include "draw/layer_mesh.h"
 
+#include "draw/vectors.h"
 #include "solve/reeb_answer.h"
 #include "vertex_properties.h"
 #include "write/mesh_writer.h"
@@ -22,7 +23,7 @@ namespace {
 
 // A wave over two bands.
 double light_at(double time, double last) {
-  constexpr double pi = 3.14159265358979323846, mean = 0.5 * (1. + light_of_dark_bands);
+  constexpr double mean = 0.5 * (1. + light_of_dark_bands);
   const double band = last > 0. ? time / last * number_of_time_bands : 0.;
   return mean + (1. - mean) * std::cos(pi * band);
 }

@@ -23,9 +23,7 @@ Level_cutter::Level_cutter(const Mesh& mesh, const std::vector<double>& values)
 Level_cutter::Corners Level_cutter::corners_of(Mesh::Face_index f) const {
   const Mesh::Halfedge_index h = mesh_.halfedge(f);
   Corners corners = {mesh_.source(h), mesh_.target(h), mesh_.target(mesh_.next(h))};
-  std::sort(corners.begin(), corners.end(), [this](Vertex v, Vertex w) {
-    return std::make_pair(value(v), v) < std::make_pair(value(w), w);
-  });
+  std::sort(corners.begin(), corners.end(), [this](Vertex v, Vertex w) { return is_before(v, w); });
   return corners;
 }
 
@@ -65,8 +63,11 @@ std::uint32_t Level_cutter::point_at(Vertex low, Vertex high, double level) {
   return position->second;
 }
 
-std::uint32_t Level_cutter::add_point(const Point& p) {
-  points_.push_back(coordinates(p));
+std::uint32_t Level_cutter::add_middle(Mesh::Face_index f) {
+  const Mesh::Halfedge_index h = mesh_.halfedge(f);
+  const Point& p = mesh_.point(mesh_.source(h));
+  const auto to = [&](Vertex v) { return mesh_.point(v) - p; };
+  points_.push_back(coordinates(p + (to(mesh_.target(h)) + to(mesh_.target(mesh_.next(h)))) / 3.));
   return static_cast<std::uint32_t>(points_.size() - 1);
 }
 

@@ -12,6 +12,7 @@
 
 #include "draw/mesh_arrays.h"
 #include "mesh_types.h"
+#include "solve/face_arcs.h"
 
 #include <array>
 #include <cstddef>
@@ -23,50 +24,105 @@
 
 namespace htloops {
 
-/// Cuts faces between levels of a function on the vertices. Points are those of the mesh, and where
-/// edges were cut: the same from both sides.
+/// Cuts faces between levels of a function on the vertices, to triangles. Points are those of the
+/// mesh, and where edges were cut: the same from both sides.
 class Level_cutter
 {
-public:
   using Vertex = Mesh::Vertex_index;
   using Corners = std::array<Vertex, 3>;
   using Polygon = std::vector<std::uint32_t>;
+
+public:
+  using Triangle = std::array<std::uint32_t, 3>;
 
   /// \p values are by vertex. Both must outlive the object.
   Level_cutter(const Mesh& mesh, const std::vector<double>& values);
 
   double value(Vertex v) const { return values_[v.idx()]; }
 
-  /// the corners of a face by increasing value, of equal ones by number.
-  Corners corners_of(Mesh::Face_index f) const;
-
-  /// whether the corners follow each other as around the face.
-  bool has_orientation(Mesh::Face_index f, const Corners& corners) const;
-
-  /// around what of a face lies between two levels: convex, in the order of the corners.
-  Polygon polygon(const Corners& corners, double low, double high);
-
-  /// the point of an edge that rises from `low` to `high`, at a level between their values.
-  std::uint32_t point_at(Vertex low, Vertex high, double level);
-
-  std::uint32_t add_point(const Point& p);
+  /// calls `add(triangle, arc)` for the triangles of a face. What its parts are, say
+  /// `parts.parts_of(corners)` and, of a side, `parts.parts_of(low, high)`, by increasing value.
+  template <typename Parts, typename Add>
+  void cut(Mesh::Face_index f, Parts& parts, const Add& add) {
+    const Corners corners = corners_of(f);
+    const bool is_turned = !has_orientation(f, corners);
+    const std::vector<Face_part> found = parts.parts_of(corners);
+    if(found != parts.parts_of(corners[0], corners[2]))
+      cut_to_fan(f, parts, add);
+    else if(found.front().low < found.back().high)
+      for(const Face_part& part : found)
+        add_polygon(polygon(corners, part.low, part.high), part.arc, is_turned, add);
+    else // all of it is at one level
+      add_polygon(whole(corners), found.front().arc, is_turned, add);
+  }
 
   std::vector<std::array<double, 3>> take_points() { return std::move(points_); }
 
 private:
+  // Where the three sides of a face do not tell the same, each has a third of it.
+  template <typename Parts, typename Add>
+  void cut_to_fan(Mesh::Face_index f, Parts& parts, const Add& add) {
+    const std::uint32_t middle = add_middle(f);
+    for(Mesh::Halfedge_index side : mesh_.halfedges_around_face(mesh_.halfedge(f)))
+      cut_side(side, middle, parts, add);
+  }
+
+  template <typename Parts, typename Add>
+  void cut_side(Mesh::Halfedge_index side, std::uint32_t middle, Parts& parts, const Add& add) {
+    Vertex low = mesh_.source(side), high = mesh_.target(side);
+    const bool is_turned = is_before(high, low);
+    if(is_turned)
+      std::swap(low, high);
+    std::uint32_t from = low.idx();
+    for(const Face_part& part : parts.parts_of(low, high)) {
+      const bool is_last = part.high == value(high);
+      if(!is_last && !(part.low < part.high))
+        continue;
+      const std::uint32_t to = is_last ? std::uint32_t(high.idx()) : point_at(low, high, part.high);
+      add_polygon({from, to, middle}, part.arc, is_turned, add);
+      from = to;
+      if(is_last)
+        break;
+    }
+  }
+
+  // All of them are convex.
+  template <typename Add>
+  void add_polygon(const Polygon& polygon, std::size_t arc, bool is_turned, const Add& add) {
+    for(std::size_t i = 2; i < polygon.size(); ++i)
+      add(is_turned ? Triangle{polygon[0], polygon[i], polygon[i - 1]}
+                    : Triangle{polygon[0], polygon[i - 1], polygon[i]},
+          arc);
+  }
+
+  // By value, of equal ones by number.
+  bool is_before(Vertex v, Vertex w) const {
+    return std::make_pair(value(v), v) < std::make_pair(value(w), w);
+  }
+
+  static Polygon whole(const Corners& corners) {
+    return {corners[0].idx(), corners[1].idx(), corners[2].idx()};
+  }
+
+  // The corners of a face by increasing value.
+  Corners corners_of(Mesh::Face_index f) const;
+
+  // Whether the corners follow each other as around the face.
+  bool has_orientation(Mesh::Face_index f, const Corners& corners) const;
+
+  // Around what of a face lies between two levels, in the order of the corners.
+  Polygon polygon(const Corners& corners, double low, double high);
+
+  // The point of an edge that rises from `low` to `high`.
+  std::uint32_t point_at(Vertex low, Vertex high, double level);
+
+  std::uint32_t add_middle(Mesh::Face_index f);
+
   const Mesh& mesh_;
   const std::vector<double>& values_;
   std::map<std::tuple<Vertex, Vertex, double>, std::uint32_t> cuts_;
   std::vector<std::array<double, 3>> points_;
 };
-
-/// calls `f(triangle)` for those of a convex polygon, which is turned over if its face is.
-template <typename Function>
-void for_each_triangle(const Level_cutter::Polygon& polygon, bool is_turned, const Function& f) {
-  for(std::size_t i = 2; i < polygon.size(); ++i)
-    f(is_turned ? std::array<std::uint32_t, 3>{polygon[0], polygon[i], polygon[i - 1]}
-                : std::array<std::uint32_t, 3>{polygon[0], polygon[i - 1], polygon[i]});
-}
 
 } // namespace htloops
 

@@ -151,8 +151,10 @@ TEST_P(Cuda, TellsTheLayersAndTimesOfTheHost) {
   const auto expect_told_again = [&] {
     EXPECT_TRUE(std::equal(layers.begin(), layers.end(), expected_layers.begin()));
     EXPECT_TRUE(std::equal(times.begin(), times.end(), expected_times.begin()));
-    std::fill(layers.begin(), layers.end(), 0u);
-    std::fill(times.begin(), times.end(), -1.);
+    for(const Mesh::Vertex_index v : told.vertices()) {
+      layers[v] = 0;
+      times[v] = -1.;
+    }
   };
   expect_told_again();
   solver.find_loops<CGAL::Cuda_tag>(CGAL::Emptyset_iterator(), maps(device_with(needed_kib())));

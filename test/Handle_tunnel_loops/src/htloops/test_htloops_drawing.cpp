@@ -8,10 +8,13 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "htloops/draw/arc_surface.h"
+#include "htloops/draw/grown_layers.h"
+#include "htloops/draw/layer_mesh.h"
 #include "htloops/draw/tube.h"
 #include "htloops/draw/vectors.h"
 #include "htloops/draw/view.h"
 #include "htloops/solve/reeb_solver.h"
+#include "htloops/solve/solvers.h"
 
 #include "Meshes_of_soups.h"
 
@@ -152,6 +155,114 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"multi-torus", {6000, 4, 0}},
                                          Recipe{"gyroid", {9000, 9, 1}},
                                          Recipe{"chair", {20000, 7, 0}}));
+
+namespace {
+
+using Colour = std::array<unsigned char, 3>;
+
+class Grown : public testing::TestWithParam<Recipe>
+{
+protected:
+  htloops::Answer solved() const {
+    htloops::Solve_options options;
+    options.do_find_layers = options.do_log_fronts = true;
+    options.do_tighten = false;
+    htloops::Progress told;
+    return htloops::solve_on_host(mesh_, options, told);
+  }
+
+  // How many layers have begun and not ended.
+  std::size_t number_of_fronts_at(double time) const {
+    std::size_t number = 1;
+    for(const auto& event : answer_.statistics.front_events)
+      if(answer_.vertex_layers.times[event.vertex] <= time)
+        number = number + event.after.size() - event.before.size();
+    return number;
+  }
+
+  const Mesh mesh_ = mesh_of(GetParam());
+  const htloops::Answer answer_ = solved();
+};
+
+// The length of the edges between triangles of a colour and others.
+double length_of_border(const htloops::Drawn_surface& surface, const Colour& colour) {
+  std::map<Edge, bool> is_of_colour;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for(int i = 0; i < 3; ++i)
+      is_of_colour[{surface.triangles[t][i], surface.triangles[t][(i + 1) % 3]}] =
+          surface.colours[t] == colour;
+  double length = 0.;
+  for(const auto& [edge, is_inside] : is_of_colour)
+    if(is_inside && !is_of_colour.at({edge.second, edge.first})) {
+      const Vector along = difference(surface.points[edge.second], surface.points[edge.first]);
+      length += std::sqrt(dot(along, along));
+    }
+  return length;
+}
+
+double length_of(const htloops::Exported_line& line) {
+  EXPECT_TRUE(line.is_closed);
+  double length = 0.;
+  for(std::size_t i = 0; i < line.points.size(); ++i)
+    length += std::sqrt(
+        CGAL::squared_distance(line.points[i], line.points[(i + 1) % line.points.size()]));
+  return length;
+}
+
+} // namespace
+
+TEST_P(Grown, layers_are_the_surface_up_to_their_fronts) {
+  const Colour rest = grown_layers(mesh_, answer_, 0.).surface.colours.front();
+  const double whole = CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh_));
+  double before = -1.;
+  for(const double part : {0., 0.13, 0.31, 0.57, 0.83, 1.}) {
+    SCOPED_TRACE(part);
+    const auto [surface, fronts] = grown_layers(mesh_, answer_, part);
+    ASSERT_EQ(surface.triangles.size(), surface.colours.size());
+    EXPECT_NEAR(area(surface.points, surface.triangles) / whole, 1., 1e-9);
+    EXPECT_EQ(number_of_open_edges(surface.triangles), 0u);
+    Triangles covered;
+    for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+      if(surface.colours[t] != rest)
+        covered.push_back(surface.triangles[t]);
+    const double now = area(surface.points, covered);
+    EXPECT_GT(now, before);
+    before = now;
+    if(part > 0.) {
+      EXPECT_EQ(fronts.lines.size(), number_of_fronts_at(part * last_time(answer_.vertex_layers)));
+      double length = 0.;
+      for(const htloops::Exported_line& front : fronts.lines)
+        length += length_of(front);
+      EXPECT_NEAR(length, length_of_border(surface, rest), 1e-9 * whole);
+    }
+  }
+  EXPECT_NEAR(before / whole, 1., 1e-9);
+}
+
+// In the colour of its layer, but for what is near the borders of layers.
+TEST_P(Grown, layers_have_their_colours) {
+  const auto surface = grown_layers(mesh_, answer_, 1.).surface;
+  std::size_t right = 0, wrong = 0;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for(const std::uint32_t v : surface.triangles[t]) {
+      if(v >= mesh_.number_of_vertices())
+        continue;
+      const Colour colour = htloops::colour_of_layer(answer_.vertex_layers.layers[v]);
+      const bool is_right =
+          surface.colours[t] == colour ||
+          surface.colours[t] == htloops::darkened(colour, htloops::light_of_dark_bands);
+      ++(is_right ? right : wrong);
+    }
+  EXPECT_GT(right, mesh_.number_of_vertices());
+  EXPECT_LT(wrong, right / 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes,
+                         Grown,
+                         testing::Values(Recipe{"sphere", {2000, 0, 0}},
+                                         Recipe{"torus", {2000, 1, 0}},
+                                         Recipe{"multi-torus", {6000, 4, 0}},
+                                         Recipe{"gyroid", {9000, 9, 1}}));
 
 namespace {
 
