@@ -26,10 +26,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-programs=(benchmark_paper benchmark_seeds benchmark_robustness benchmark_solvers benchmark_letter)
-for program in "${programs[@]}"; do
-  scripts/build.sh "$program" >&2
-done
+scripts/build.sh experiments >&2
 build=build/benchmark/Handle_tunnel_loops
 figures=$(dirname "$page")
 mkdir -p "$figures"
@@ -104,7 +101,8 @@ SEEDS
 
 Noise is normally distributed, along the normals, with a standard deviation in mean edge lengths. The loops
 of the clean mesh can be carried along with it, as the faces are the same: so much longer does noise alone
-make them. "Reference over host" is the total length of the loops of the reference solver over that of the
+make them. The plates have few, long triangles, whose mean edge is longer than they are thick: the slightest noise
+lets them cross themselves. "Reference over host" is the total length of the loops of the reference solver over that of the
 host solver.
 
 ROBUSTNESS

@@ -15,8 +15,9 @@
 #include "Svg.h"
 #include "mean_edge_length.h"
 
-#include <functional>
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 /// \file Surface_drawing.h
 /// Surfaces with loops on them, in figures.
@@ -47,13 +48,7 @@ public:
   }
 
   void add_loop(const Closed_polyline& points, const std::string& colour, double width = 1.6) {
-    for(std::size_t i = 0; i < points.size(); ++i) {
-      const Space_point &a = points[i], &b = points[(i + 1) % points.size()];
-      const Space_point middle = CGAL::midpoint(a, b);
-      parts_.push_back({along(middle, 2) + lift_, [this, a, b, colour, width] {
-                          figure_.line({place(a), place(b)}, colour, width);
-                        }});
-    }
+    loops_.push_back({points, colour, width});
   }
 
   /// handles orange, tunnels blue.
@@ -63,24 +58,74 @@ public:
       add_loop(loops[i], i % 2 == 0 ? svg::orange : svg::blue, width);
   }
 
-  void add_dot(const Space_point& p, const std::string& colour, double radius = 3.) {
-    parts_.push_back({along(p, 2) + 2. * lift_,
-                      [this, p, colour, radius] { figure_.dot(place(p), colour, radius); }});
-  }
+  void add_dot(const Space_point& p, const std::string& colour) { dots_.emplace_back(p, colour); }
 
   void draw() {
-    std::stable_sort(parts_.begin(), parts_.end(),
-                     [](const Part& a, const Part& b) { return a.depth < b.depth; });
-    for(const Part& part : parts_)
-      part.draw();
+    std::stable_sort(faces_.begin(), faces_.end(), [](const Front_face& a, const Front_face& b) {
+      return a.depths[0] + a.depths[1] + a.depths[2] < b.depths[0] + b.depths[1] + b.depths[2];
+    });
+    for(const Front_face& face : faces_)
+      figure_.area({face.corners.begin(), face.corners.end()}, face.colour);
+    for(const Line& loop : loops_)
+      draw_visible_parts(loop);
+    for(const auto& [point, colour] : dots_)
+      if(is_visible(point))
+        figure_.dot(place(point), colour, 2.5);
   }
 
 private:
-  struct Part
+  struct Front_face
   {
-    double depth; // to the eye
-    std::function<void()> draw;
+    std::array<svg::Place, 3> corners;
+    std::array<double, 3> depths; // to the eye
+    std::string colour;
+
+    // Whether it lies before a place, and further than by a length.
+    bool hides(const svg::Place& p, double depth, double length) const {
+      const auto area = [](const svg::Place& a, const svg::Place& b, const svg::Place& c) {
+        return (b.first - a.first) * (c.second - a.second) -
+               (c.first - a.first) * (b.second - a.second);
+      };
+      const auto& [a, b, c] = corners;
+      const double all = area(a, b, c);
+      const double u = area(p, b, c) / all, v = area(a, p, c) / all, w = area(a, b, p) / all;
+      return u > 0. && v > 0. && w > 0. &&
+             u * depths[0] + v * depths[1] + w * depths[2] > depth + length;
+    }
   };
+
+  struct Line
+  {
+    Closed_polyline points;
+    std::string colour;
+    double width;
+  };
+
+  bool is_visible(const Space_point& p) const {
+    return std::none_of(faces_.begin(), faces_.end(), [&](const Front_face& face) {
+      return face.hides(place(p), along(p, 2), lift_);
+    });
+  }
+
+  void draw_visible_parts(const Line& loop) {
+    std::vector<svg::Place> part;
+    const auto end_part = [&] {
+      if(part.size() > 1)
+        figure_.line(part, loop.colour, loop.width);
+      part.clear();
+    };
+    for(std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Space_point &a = loop.points[i], &b = loop.points[(i + 1) % loop.points.size()];
+      if(!is_visible(CGAL::midpoint(a, b))) {
+        end_part();
+        continue;
+      }
+      if(part.empty())
+        part.push_back(place(a));
+      part.push_back(place(b));
+    }
+    end_part();
+  }
 
   static Vector unit(const Vector& v) { return v / std::sqrt(v.squared_length()); }
 
@@ -114,11 +159,13 @@ private:
     if(!(normal * axes_[2] > 0.))
       return; // turned away
     const double light = unit(normal) * unit(axes_[2] + 0.5 * axes_[1] - 0.4 * axes_[0]);
-    parts_.push_back(
-        {along(CGAL::centroid(corners[0], corners[1], corners[2]), 2),
-         [this, corners, colour = shade(light)] {
-           figure_.area({place(corners[0]), place(corners[1]), place(corners[2])}, colour);
-         }});
+    Front_face face;
+    for(std::size_t i = 0; i < 3; ++i) {
+      face.corners[i] = place(corners[i]);
+      face.depths[i] = along(corners[i], 2);
+    }
+    face.colour = shade(light);
+    faces_.push_back(face);
   }
 
   // One digit of each colour is enough.
@@ -135,7 +182,9 @@ private:
   std::array<Vector, 3> axes_; // to the right, upwards, to the eye
   double scale_ = 1., lift_ = 0.;
   svg::Place shift_;
-  std::vector<Part> parts_;
+  std::vector<Front_face> faces_;
+  std::vector<Line> loops_;
+  std::vector<std::pair<Space_point, std::string>> dots_;
 };
 
 } // namespace corpus

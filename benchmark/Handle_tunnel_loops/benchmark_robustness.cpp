@@ -21,6 +21,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <cstdio>
+#include <functional>
 #include <iostream>
 
 namespace {
@@ -187,8 +188,8 @@ private:
 // mesh where they are carried along with the noise.
 void draw_lengths(const std::string& file, const Robustness& results) {
   svg::Figure figure(620., 340.);
-  svg::Chart chart(figure, {70., 30.}, {530., 260.}, {0., 2.}, {0., 3.});
-  for(const int octave : {0, 1, 2, 3})
+  svg::Chart chart(figure, {70., 30.}, {530., 260.}, {0., 2.}, {0., 4.});
+  for(const int octave : {0, 1, 2, 3, 4})
     chart.mark_y(octave, std::to_string(1 << octave) + " x");
   const auto place_of = [](double noise) { return std::sqrt(noise); };
   for(const double noise : {0., 0.05, 0.25, 0.5, 1., 2., 4.})
@@ -201,7 +202,7 @@ void draw_lengths(const std::string& file, const Robustness& results) {
       const std::vector<double>& values = values_of(results.outcomes()[i]);
       curves.resize((std::max)(curves.size(), noise < 0. ? 0 : values.size()));
       for(std::size_t k = 0; k < values.size() && noise >= 0.; ++k)
-        curves[k].emplace_back(place_of(noise), std::log2(values[k]));
+        curves[k].emplace_back(place_of(noise), (std::min)(4., std::log2(values[k])));
     }
     for(const auto& curve : curves)
       chart.curve(curve, colour);

@@ -25,6 +25,7 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <cstdio>
+#include <functional>
 #include <iostream>
 
 namespace {
@@ -192,7 +193,7 @@ private:
 
 // The loops from all seeds on one mesh, over each other, for each way.
 void draw_overlays(const std::string& file, std::size_t number_of_seeds) {
-  const Subject subject = generated_subject("multi-torus:3000:3");
+  const Subject subject = generated_subject("multi-torus:2000:3");
   const auto seeds = random_seeds(subject.mesh, number_of_seeds);
   svg::Figure figure(900., 280.);
   double x = 0.;
@@ -201,7 +202,7 @@ void draw_overlays(const std::string& file, std::size_t number_of_seeds) {
     Surface_drawing drawing(figure, subject.mesh, {x, -25.}, 300.);
     for(const auto seed : seeds) {
       drawing.add_loops(way.answer(solver, seed).pairs, 1.);
-      drawing.add_dot(subject.mesh.point(seed), svg::purple, 2.5);
+      drawing.add_dot(subject.mesh.point(seed), svg::purple);
     }
     drawing.draw();
     figure.text({x + 150., 268.}, way.name);
