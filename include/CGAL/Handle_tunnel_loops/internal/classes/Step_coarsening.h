@@ -113,7 +113,9 @@ private:
       for(Index step = mesh_.begin(u); step != mesh_.end(u); ++step) {
         const float there = distance + mesh_.length(u, step);
         Way& way = ways_[mesh_.head(step)];
-        if(!(there < (std::min)(way.distance, spacing_)))
+        // What is reached through u follows it, also where rounding hides that it is nearer.
+        const bool follows = way.parent == u && way.step == step && way.node != here.node;
+        if(!follows && !(there < (std::min)(way.distance, spacing_)))
           continue;
         way = {there, here.node, u, step, here.sums + mesh_.sums(u, step, classes_)};
         queue_.push({there, mesh_.head(step)});
