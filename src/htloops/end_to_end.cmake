@@ -389,6 +389,18 @@ foreach(mesh IN ITEMS mesh holes sphere)
   endforeach()
 endforeach()
 
+# The letter of the paper: an answer that is named so, or the reason.
+run("0|1|5" loops mesh.off --quiet --backend reference --literal -o literal.json)
+if(EXISTS "${FOLDER}/literal.json")
+  file(READ "${FOLDER}/literal.json" literal)
+  string(JSON is_literal GET "${literal}" options literal)
+  expect_equal("${is_literal}" ON)
+else()
+  expect_match("${errors}" "the letter of the paper|reference") # or it is not built in
+endif()
+run(2 loops mesh.off --literal)
+expect_match("${errors}" "reference")
+
 # The Reeb graph of a diffusion, by each backend that is there.
 foreach(backend IN ITEMS cuda host reference)
   run("0|5" reeb mesh.off --quiet --backend ${backend} -o ${backend}.reeb.json)

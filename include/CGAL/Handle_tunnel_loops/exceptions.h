@@ -110,7 +110,8 @@ public:
 class Literal_failure_exception : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  explicit Literal_failure_exception(const std::string& reason)
+      : std::runtime_error("the letter of the paper leads to no loops here: " + reason) {}
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
