@@ -37,9 +37,9 @@ device: the fields of all passes and the contours run there, and contours and cl
 back; arrival times only where no dual loop of a handle was found in the tunnel pass, for the
 tunnels that are found by one field from all loops, with `vertex_time_map`, and, with
 `do_log_fronts` or `vertex_layer_map`, as layers. For a Reeb graph of a diffusion its field runs
-there too, and its arrival times come back. The preparation of
-the mesh, the tightening of the loops and the certificate run on the processor, in parallel if TBB
-is linked. The loops are those of `Sequential_tag` and `Parallel_tag`.
+there too, and its arrival times come back. The preparation of the mesh, the tightening of the loops
+and the certificate run on the processor, in parallel if TBB is linked. The loops are those of
+`Sequential_tag` and `Parallel_tag`.
 
 Which device and which stream is said by the named parameter `device_options`. At least about
 90 bytes per face of the device's memory are asked for: some 50 for the mesh and one field, the
