@@ -53,7 +53,9 @@ By default the function is the arrival time of a front (\cgalCite{weinrauch2023v
 6): on components with handles it starts at both sides of all handle loops, which puts the junctions
 where the handles branch off; on components of genus 0 it starts at one vertex, the one that a first
 front from the vertex of smallest index reaches last. Each arc is drawn along the means of the
-contours, so that the graph lies inside where the surface is tubular.
+contours. Means that are outside of the solid, where contours are not convex, are drawn at the
+center of a ball that touches the contour from inside, and lines are rounded off as far as that does
+not take them outside. Most of the line is inside then, not all of it.
 
 Leaves that are small, the smallest first, are taken off together with the saddle that they end at.
 An arc that has become one with another by this may pass a cancelled extremum. A leaf stays where

@@ -57,7 +57,8 @@ struct Reeb_node
 {
   /// the vertex of the mesh that is the critical point.
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
-  /// where the node is drawn: at the vertex if it is an extremum, at the mean of the front if not.
+  /// where the node is drawn: at the vertex if it is an extremum; if not, at the mean of the front
+  /// where that is inside of the solid, else at a place nearby that is, as far as may be.
   Point point;
   /// the type of the critical point.
   Reeb_node_type type = Reeb_node_type::REGULAR;
@@ -81,8 +82,9 @@ struct Reeb_arc
 {
   /// the position of the arc in the range `edges(graph)`.
   std::size_t index = 0;
-  /// where the arc is drawn: the means of the front as it passes, from `source(e, graph)` to
-  /// `target(e, graph)` for the descriptors `e` in the range `edges(graph)`, both included.
+  /// where the arc is drawn: the means of the front as it passes, or places nearby where these are
+  /// outside of the solid, from `source(e, graph)` to `target(e, graph)` for the descriptors `e` in
+  /// the range `edges(graph)`, both included.
   std::vector<Point> polyline;
   /// the vertices of the mesh that belong to the arc, by increasing value. A critical point belongs
   /// to the arc below it, or to the only one that it has.

@@ -49,10 +49,11 @@ struct Flat_reeb_graph
     float lower_girth = 0.f, upper_girth = 0.f; ///< of the front at the ends
   };
 
-  /// A mean of the front of an arc.
+  /// A mean of the front of an arc, when it has passed a vertex.
   struct Sample
   {
     Index arc;
+    Index vertex;
     Float_point position;
   };
 

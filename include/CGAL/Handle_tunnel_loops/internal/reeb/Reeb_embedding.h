@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Embedded_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_simplification.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
 
@@ -22,27 +23,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-
-using Polyline = std::vector<Vector>;
-
-inline double length(const Polyline& line) {
-  double sum = 0.;
-  for(std::size_t i = 1; i < line.size(); ++i)
-    sum += norm(line[i] - line[i - 1]);
-  return sum;
-}
-
-/// rounds off the steps of a polyline; the ends stay.
-inline void smooth(Polyline& line, int number_of_rounds) {
-  for(int round = 0; round < number_of_rounds; ++round) {
-    Vector before = line.front();
-    for(std::size_t i = 1; i + 1 < line.size(); ++i) {
-      const Vector old = line[i];
-      line[i] = 0.25 * (before + line[i + 1]) + 0.5 * old;
-      before = old;
-    }
-  }
-}
 
 /// Numbers sorted by groups: those of group g are `items[begin[g]]` to `items[begin[g + 1] - 1]`.
 template <typename T> struct Grouped
@@ -63,7 +43,23 @@ template <typename T> struct Grouped
   }
 };
 
-/// The places of a swept Reeb graph as polylines.
+/// A mean of the contours that come to a vertex.
+struct Reeb_mean
+{
+  Index vertex;
+  Float_point position;
+};
+
+using Reeb_means = std::vector<Reeb_mean>;
+
+/// A Reeb graph without its lines, and the means along each arc.
+struct Undrawn_reeb_graph
+{
+  Embedded_reeb_graph graph;
+  std::vector<Reeb_means> means;
+};
+
+/// The places of a swept Reeb graph.
 class Reeb_embedding
 {
 public:
@@ -72,19 +68,20 @@ public:
       : graph_(graph)
       , samples_(graph.arcs.size(), [samples = std::move(graph.samples)](const auto& f) {
         for(const Flat_reeb_graph::Sample& sample : samples)
-          f(sample.arc, sample.position);
+          f(sample.arc, {sample.vertex, sample.position});
       }) {}
 
-  Polyline polyline(const Reeb_simplification::Path& path) const {
-    Polyline line(1, graph_.nodes[path.lower].position);
+  /// the means along a path, without its ends.
+  Reeb_means means(const Reeb_simplification::Path& path) const {
+    Reeb_means means;
     for(const Reeb_simplification::Piece& piece : path.pieces) {
-      const std::size_t size = line.size();
-      append_samples(piece.arc, line);
+      const auto size = static_cast<std::ptrdiff_t>(means.size());
+      means.insert(means.end(), samples_.items.begin() + samples_.begin[piece.arc],
+                   samples_.items.begin() + samples_.begin[piece.arc + 1]);
       if(piece.is_reversed)
-        std::reverse(line.begin() + size, line.end());
+        std::reverse(means.begin() + size, means.end());
     }
-    line.push_back(graph_.nodes[path.upper].position);
-    return line;
+    return means;
   }
 
   /// fills in what the means say of an arc.
@@ -109,11 +106,11 @@ public:
 private:
   void append_samples(Index arc, Polyline& line) const {
     for(std::size_t i = samples_.begin[arc]; i < samples_.begin[arc + 1]; ++i)
-      line.push_back(to_vector(samples_.items[i]));
+      line.push_back(to_vector(samples_.items[i].position));
   }
 
   const Flat_reeb_graph& graph_;
-  Grouped<Float_point> samples_; // by arc
+  Grouped<Reeb_mean> samples_; // by arc
 };
 
 } // namespace internal

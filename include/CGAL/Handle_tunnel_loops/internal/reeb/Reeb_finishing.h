@@ -13,7 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Embedded_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/draw_lines.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
@@ -28,20 +30,6 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
-
-/// A Reeb graph as it is handed out, still in the terms of the flat mesh.
-struct Embedded_reeb_graph
-{
-  struct Arc
-  {
-    Index lower, upper;          ///< nodes
-    Polyline line;               ///< from the lower node to the upper one
-    std::vector<Index> vertices; ///< of the mesh, in the order of the sweep
-  };
-
-  std::vector<Flat_reeb_graph::Node> nodes;
-  std::vector<Arc> arcs;
-};
 
 /// From a swept graph to one that is handed out: simplified, embedded, and with the vertices of its
 /// arcs. `Value` gives the value of the function at a vertex.
@@ -61,6 +49,13 @@ public:
       , embedding_(graph) {}
 
   Embedded_reeb_graph run(Reeb_measure measure, double threshold) const {
+    Undrawn_reeb_graph undrawn = simplified_graph(measure, threshold);
+    draw_lines(execution_, mesh_, order_, undrawn);
+    return std::move(undrawn.graph);
+  }
+
+  /// what there is to draw. Nothing but the lines depends on how it is drawn.
+  Undrawn_reeb_graph simplified_graph(Reeb_measure measure, double threshold) const {
     using Path = Reeb_simplification::Path;
     if(!(threshold > 0.)) {
       const auto path = [this](Index a) {
@@ -172,24 +167,22 @@ private:
 
   // Of so many paths: `path(i)`, to which the arcs with `path_of_arc(arc) == i` belong.
   template <typename PathAt, typename PathOfArc>
-  Embedded_reeb_graph
+  Undrawn_reeb_graph
   graph_of(std::size_t number_of_paths, const PathAt& path, const PathOfArc& path_of_arc) const {
-    Embedded_reeb_graph result;
-    result.arcs.resize(number_of_paths);
-    number_nodes(path, result);
+    Undrawn_reeb_graph result;
+    result.means.resize(number_of_paths);
+    result.graph.arcs.resize(number_of_paths);
+    number_nodes(path, result.graph);
     const Grouped<Index> vertices(number_of_paths, [&](const auto& f) {
       for(Index v : order_.vertices())
         f(path_of_arc(graph_.vertex_arc[v]), v);
     });
-    constexpr int rounds_of_smoothing = 10;
     for_each_index(
         execution_, number_of_paths,
         [&](std::size_t i) {
-          Embedded_reeb_graph::Arc& arc = result.arcs[i];
-          arc.line = embedding_.polyline(path(static_cast<Index>(i)));
-          smooth(arc.line, rounds_of_smoothing);
-          arc.vertices.assign(vertices.items.begin() + vertices.begin[i],
-                              vertices.items.begin() + vertices.begin[i + 1]);
+          result.means[i] = embedding_.means(path(static_cast<Index>(i)));
+          result.graph.arcs[i].vertices.assign(vertices.items.begin() + vertices.begin[i],
+                                               vertices.items.begin() + vertices.begin[i + 1]);
         },
         256);
     return result;

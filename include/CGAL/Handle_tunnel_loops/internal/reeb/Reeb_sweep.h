@@ -238,7 +238,7 @@ private:
     if(dot(step, step) <= squared_spacing_)
       return;
     front.last_sample = to_float_point(mean);
-    graph_.samples.push_back({arc, front.last_sample});
+    graph_.samples.push_back({arc, v, front.last_sample});
   }
 
   struct Running_front
