@@ -51,7 +51,7 @@ run() {
 
 meshes() {
   echo "Meshes are generated: the ten shapes of \`benchmark/Handle_tunnel_loops/Subjects.h\`, and for the tables of"
-  echo "the paper others with as many faces and handles as its own."
+  echo "the paper others with as many faces and at least as many handles as its own."
   if [ ${#folder[@]} -ne 0 ]; then
     echo "To these were added the closed meshes of up to 20000 faces of a folder of $(find "${folder[0]}" -maxdepth 1 -type f | wc -l) files."
   fi
@@ -86,6 +86,7 @@ Twenty random vertices to start from. A loop is at the same place as the one tha
 in the answer for the first seed if no point of one of them is further from the other than half a mean
 edge, or two. Where a handle is equally thin in many places, or is symmetric, so
 are its loops equally good in many.
+
 SEEDS
   run benchmark_seeds --figures "$figures" "${folder[@]}"
   cat <<'ROBUSTNESS'

@@ -107,6 +107,16 @@ inline std::vector<Mesh::Vertex_index> spaced_seeds(const Mesh& mesh, std::size_
   return seeds;
 }
 
+inline double total_length(const Answer& answer) {
+  const auto lengths = answer.lengths();
+  return lengths[0] + lengths[1];
+}
+
+/// parameters that leave the loops as the passes find them.
+inline auto untouched() {
+  return CGAL::parameters::do_tighten(false, CGAL::parameters::do_compute_linking(false));
+}
+
 } // namespace corpus
 
 #endif // BENCHMARK_CORPUS_ANSWER_H

@@ -23,12 +23,13 @@ struct Row
   double passes_megabytes;               ///< ... in the passes after it, of several handles at once
   double others_megabytes;               ///< of Dey, Fan and Wang 2013
   double length_ratio;                   ///< of the paper's loops to those of Dey, Fan and Wang
-  std::string kind; ///< of the generated mesh that has as many faces and handles
+  std::string kind; ///< of the generated mesh that has as many faces and, at least, handles
 };
 
 /*!
 Tables 1 and 2 of the paper. Their meshes are not ours to give away, so a generated one stands for
-each, with as many faces and handles (as far as its kind allows) and triangles of the same sort:
+each, with as many faces, at least as many handles (the noise of a scan makes some more), and
+triangles of the same sort:
 
 - `scan`: a smooth body, evenly triangulated, with small handles from noise: for the statues,
   dragons and figures, which come from scanners (MotherWithChild, Happy Buddha, Dragon Phoenix,

@@ -47,4 +47,15 @@ inline CGAL::Handle_tunnel_loops::generators::Soup generate(const std::string& r
   throw std::runtime_error("no such kind of mesh: " + name);
 }
 
+/// a `CGAL::Surface_mesh` of a soup.
+template <typename Mesh> Mesh mesh_of(const CGAL::Handle_tunnel_loops::generators::Soup& soup) {
+  using Vertex = typename Mesh::Vertex_index;
+  Mesh mesh;
+  for(const auto& [x, y, z] : soup.points)
+    mesh.add_vertex({x, y, z});
+  for(const auto& [a, b, c] : soup.triangles)
+    mesh.add_face(Vertex(a), Vertex(b), Vertex(c));
+  return mesh;
+}
+
 #endif // BENCHMARK_REQUESTED_SOUP_H

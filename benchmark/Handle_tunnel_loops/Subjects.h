@@ -32,19 +32,10 @@ struct Subject
   std::size_t genus;
 };
 
-inline Mesh mesh_of(const HTL::generators::Soup& soup) {
-  Mesh mesh;
-  for(const auto& [x, y, z] : soup.points)
-    mesh.add_vertex({x, y, z});
-  for(const auto& [a, b, c] : soup.triangles)
-    mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
-  return mesh;
-}
-
 /// a generated shape, see `generate()`.
 inline Subject generated_subject(const std::string& request) {
   const auto soup = generate(request);
-  return {request.substr(0, request.find(':')), mesh_of(soup), HTL::generators::genus(soup)};
+  return {request.substr(0, request.find(':')), mesh_of<Mesh>(soup), HTL::generators::genus(soup)};
 }
 
 /// the mesh of a file, unless it cannot be read, has too many faces or no handles, or is refused.

@@ -26,6 +26,7 @@
 #include <cctype>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 
 namespace {
@@ -61,15 +62,6 @@ Options parse(int argc, char* argv[]) {
   return options;
 }
 
-Mesh mesh_of(const HTL::generators::Soup& soup) {
-  Mesh mesh;
-  for(const auto& [x, y, z] : soup.points)
-    mesh.add_vertex({x, y, z});
-  for(const auto& [a, b, c] : soup.triangles)
-    mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
-  return mesh;
-}
-
 std::string file_name(std::string name) {
   for(char& c : name)
     c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -95,8 +87,8 @@ Subject subject_of(const paper::Row& row, const std::filesystem::path& folder) {
   subject.name = row.kind;
   const std::size_t faces = // which its noise takes
       row.kind == "scan" ? (std::max)(row.faces, 15000 + 4000 * row.genus) : row.faces;
-  subject.mesh =
-      mesh_of(generate(row.kind + ":" + std::to_string(faces) + ":" + std::to_string(row.genus)));
+  subject.mesh = mesh_of<Mesh>(
+      generate(row.kind + ":" + std::to_string(faces) + ":" + std::to_string(row.genus)));
   return subject;
 }
 
@@ -114,8 +106,11 @@ double seconds_of(const Mesh& mesh, const Parameters& np, HTL::Statistics& stati
   Solver solver(ConcurrencyTag(), mesh, params::default_values());
   std::vector<Solver::Pair> pairs;
   solver.template find_loops<ConcurrencyTag>(std::back_inserter(pairs), np);
+  const double seconds = seconds_now() - start;
+  if(pairs.size() != solver.genus() || !solver.certificate())
+    throw std::runtime_error("there are not as many certified pairs as handles");
   statistics = solver.statistics();
-  return seconds_now() - start;
+  return seconds;
 }
 
 template <typename ConcurrencyTag> Times times_of(const Mesh& mesh, int runs) {

@@ -57,11 +57,6 @@ std::vector<Change> changes() {
   return changes;
 }
 
-double total_length(const Answer& answer) {
-  const auto lengths = answer.lengths();
-  return lengths[0] + lengths[1];
-}
-
 template <typename ConcurrencyTag> Answer answer_for(const Mesh& mesh) {
   Solver solver(CGAL::Sequential_tag(), mesh, params::default_values());
   return answer_of<ConcurrencyTag>(solver, params::default_values());

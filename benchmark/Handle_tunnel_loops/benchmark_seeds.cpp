@@ -53,8 +53,6 @@ struct Way
 };
 
 // Nothing follows the passes.
-auto untouched() { return params::do_tighten(false, params::do_compute_linking(false)); }
-
 std::vector<Way> ways() {
   return {{"by default", svg::blue,
            [](Solver& solver, Mesh::Vertex_index seed) {
@@ -68,11 +66,6 @@ std::vector<Way> ways() {
            [](Solver& solver, Mesh::Vertex_index seed) {
              return answer_of<CGAL::Reference_tag>(solver, params::seed_vertex(seed, untouched()));
            }}};
-}
-
-double total_length(const Answer& answer) {
-  const auto lengths = answer.lengths();
-  return lengths[0] + lengths[1];
 }
 
 // What the answers for one mesh have in common.

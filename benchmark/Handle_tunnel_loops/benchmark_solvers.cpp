@@ -35,8 +35,6 @@ struct Kind_of_solver
 };
 
 // Nothing follows the passes.
-auto untouched() { return params::do_tighten(false, params::do_compute_linking(false)); }
-
 Kind_of_solver by_rules(const char* name, const Literal_rules& rules) {
   return {name, [rules](Solver& solver) {
             return answer_of<CGAL::Reference_tag>(solver,
@@ -58,11 +56,6 @@ std::vector<Kind_of_solver> solvers() {
           {"host, loops made pure and tightened", [](Solver& solver) {
              return answer_of<CGAL::Sequential_tag>(solver, params::default_values());
            }}};
-}
-
-double total_length(const Answer& answer) {
-  const auto lengths = answer.lengths();
-  return lengths[0] + lengths[1];
 }
 
 // The sums over the meshes for one solver.

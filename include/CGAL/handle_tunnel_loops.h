@@ -153,6 +153,12 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{literal_rules}
+    \cgalParamDescription{which rules of the paper `Reference_tag` is to follow to the letter; other
+      tags do not look at them, but for `Handle_tunnel_loops::Literal_rules::finite_offset`}
+    \cgalParamType{`Handle_tunnel_loops::Literal_rules`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_layer_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the layer of the front
       that came to it in the initial pass (paper, section 4.1). Layers are numbered from 1 as in
@@ -166,12 +172,10 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
   \cgalParamNEnd
   \cgalParamNBegin{vertex_time_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the time at which the
-      front of the initial pass came to it, in steps of the field and parts of them: 0 at the seed}
-    \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
-      `double` as value type}
-    \cgalParamDefault{unused}
-    \cgalParamExtra{It takes eight bytes per vertex until the loops are found. It is written before
-      these are.}
+      front of the initial pass came to it, in steps of the field and parts of them: 0 at the seed,
+and by `Reference_tag` around it} \cgalParamType{a class model of `WritablePropertyMap` with the
+vertices of `tm` as keys and `double` as value type} \cgalParamDefault{unused} \cgalParamExtra{It
+takes eight bytes per vertex until the loops are found. It is written before these are.}
   \cgalParamNEnd
   \cgalParamNBegin{device_options}
     \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
@@ -188,8 +192,10 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
 \throws Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that
   is a defect of the package, and nothing has been written
+\throws Handle_tunnel_loops::Literal_failure_exception if a rule among `literal_rules` leads nowhere
 \throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
-\throws std::invalid_argument if the seed vertex or the constants of the field are not valid
+\throws std::invalid_argument if the seed vertex, the constants of the field or those of literal
+  rules are not valid
 
 \sa `Handle_tunnel_loops_solver`
 \sa `certify_handle_tunnel_loops()`

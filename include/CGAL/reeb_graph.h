@@ -169,6 +169,12 @@ returning `false`}
     \cgalParamType{`Handle_tunnel_loops::Field_constants`}
     \cgalParamDefault{those of the paper}
   \cgalParamNEnd
+  \cgalParamNBegin{literal_rules}
+    \cgalParamDescription{which rules of the paper `Reference_tag` is to follow to the letter, for
+the handle loops and, those of the Laplacian and of its coefficient, for the diffusion}
+    \cgalParamType{`Handle_tunnel_loops::Literal_rules`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return what the computation did
@@ -178,6 +184,7 @@ returning `false`}
 \throws Handle_tunnel_loops::Invalid_function_exception if the function is infinite or not a number
   at a vertex
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
+\throws Handle_tunnel_loops::Literal_failure_exception if a rule among `literal_rules` leads nowhere
 \throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
 \throws std::invalid_argument if a source is not a vertex with faces, or the threshold is not in [0,
 1]

@@ -81,7 +81,8 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
   command
       .add_flag("--literal", options.is_literal,
                 "with --backend reference: the rules of the paper to the letter, and no others;\n"
-                "the loops are not shortened, and named by --classify offset")
+                "the loops are not shortened, and named by --classify offset; ends with 1\n"
+                "where they lead to no loops")
       ->group(group);
   add_threads_option(command, options, group);
   command

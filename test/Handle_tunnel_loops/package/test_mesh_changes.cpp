@@ -69,7 +69,8 @@ protected:
 
 TEST_F(Changed_mesh, HasTheSameHandlesWithNoise) {
   expect_loops_of_changed(6, [](const Exact_mesh& mesh, Random& random) {
-    return mesh_changes::with_noise(mesh, random.uniform(0., 4.),
+    // Beyond an edge or so most cross themselves.
+    return mesh_changes::with_noise(mesh, random.uniform(0., random.below(2) == 0 ? 0.3 : 4.),
                                     static_cast<unsigned>(random.next()));
   });
 }

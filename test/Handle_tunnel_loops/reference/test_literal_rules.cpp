@@ -12,6 +12,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -200,6 +202,47 @@ TEST(Literal_rules, GiveAnAnswerOrAReason) {
       EXPECT_EQ(answer.failure.empty(), !answer.pairs.empty());
     }
   }
+}
+
+TEST(Literal_rules, AllButThoseOfTheFieldHaveAnswers) {
+  Literal_rules rules = Literal_rules::all();
+  rules.bands = rules.finite_elements = false;
+  for(const Recipe& recipe : well_shaped()) {
+    SCOPED_TRACE(recipe);
+    const Answer answer = answer_to(mesh_of(recipe), rules);
+    EXPECT_EQ(answer.failure, "");
+    EXPECT_EQ(answer.pairs.size(), recipe.request.genus);
+  }
+}
+
+// In whatever unit the mesh is.
+TEST(Literal_rules, OffsetsNameTheLoopsOfTubes) {
+  Literal_rules rules;
+  rules.finite_offset = true;
+  const Soup torus = soup_of({"torus", {3100, 1, 0}});
+  for(const double scale : {1e-3, 1., 1e3}) {
+    const Pairs named = find_loops(mesh_of(transformed(torus, scale, 0.)));
+    for(const double offset : {0.1, 1.}) {
+      rules.offset = offset;
+      const Pairs pairs = answer_to(mesh_of(transformed(torus, scale, 0.)), rules).pairs;
+      ASSERT_EQ(pairs.size(), 1u);
+      EXPECT_NEAR(pairs[0].handle().length() / named[0].handle().length(), 1., 0.1);
+    }
+  }
+}
+
+TEST(Literal_rules, AreRefusedOutOfTheirRanges) {
+  const Mesh mesh = mesh_of(Recipe{"torus", {400, 1, 0}});
+  for(double Literal_rules::*const number :
+      {&Literal_rules::mean_edge_length, &Literal_rules::band_threshold,
+       &Literal_rules::contact_threshold, &Literal_rules::offset})
+    for(const double value :
+        {-1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    {
+      Literal_rules rules;
+      rules.*number = value;
+      EXPECT_THROW(answer_to(mesh, rules), std::invalid_argument);
+    }
 }
 
 // ---- bands

@@ -55,8 +55,8 @@ public:
 
   /// before searches with other targets or walls. The walls are the loops of the sums `along` if
   /// \p are_walls_along, else those of `across`.
-  /// With distances from a partner, walks count only that cross it, and begin near it: ways that
-  /// cannot be part of one that is short enough are not followed.
+  /// With distances from a partner, walks begin near it, and ways are followed only that may
+  /// be part of one that crosses it and is short enough.
   void start(bool are_walls_along, const Partner_distances* partner = nullptr) {
     are_walls_along_ = are_walls_along;
     partner_ = partner;

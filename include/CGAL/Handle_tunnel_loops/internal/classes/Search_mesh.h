@@ -148,6 +148,7 @@ public:
                              : mesh_.points[v];
   }
 
+  /// not of a coarse mesh.
   bool is_hub(Index v) const { return mesh_.is_hub(v); }
 
   /// the vertex on the edges along which steps lead.

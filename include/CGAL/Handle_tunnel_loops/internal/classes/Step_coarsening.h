@@ -138,14 +138,17 @@ private:
     }
   }
 
+  // Where a node has a great many handles around it, those found first are enough.
   static void add_step(const Step& step, std::vector<Step>& steps) {
+    constexpr std::size_t largest_number = 256;
     for(Step& other : steps)
       if(other.head == step.head && other.sums == step.sums) {
         if(step.length < other.length)
           other = step;
         return;
       }
-    steps.push_back(step);
+    if(steps.size() < largest_number)
+      steps.push_back(step);
   }
 
   void append_edges(Index v, Index step, std::vector<Index>& walk) const {

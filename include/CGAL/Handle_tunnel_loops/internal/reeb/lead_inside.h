@@ -155,8 +155,9 @@ private:
 
 /*!
 Moves means of contours that lie outside of the solid inside. Each is that of the contours at a
-vertex. It goes to the centre of a ball that touches one of these and holds none of their places:
-the nearest ball of which the centre is inside, if there is one. All other means stay.
+vertex; where one parts there, of a part, and the whole contour is looked at. It goes to the centre
+of a ball that touches one of these and holds none of their places: the nearest ball of which the
+centre is inside, if there is one. All other means stay.
 
 Contours are walked along as long as they are not longer, on the average, than so many times the
 number of vertices in all.

@@ -133,11 +133,12 @@ public:
                    [&](std::size_t v) { cells_[v] = grid_.cell_of(mesh.points[v]); });
   }
 
-  /// counts those around \p v that it is the least vertex of. Returns how much it had to do.
-  std::size_t add_triangles_at(Index v) {
+  /// counts those around \p v that it is the least vertex of, as long as there is not too much to
+  /// do. Returns how much it had to do.
+  std::size_t add_triangles_at(Index v, std::size_t largest_number) {
     const Ring ring = mesh_.ring(v);
     std::size_t number = 0;
-    for(Index i = 0; i < ring.size(); ++i) {
+    for(Index i = 0; i < ring.size() && number <= largest_number; ++i) {
       const Index a = ring[i], b = ring[ring.next(i)];
       if(v > a || v > b)
         continue;
@@ -187,10 +188,11 @@ winding_numbers(Execution execution, const Flat_mesh& mesh, const std::vector<Ve
   Crossings_above crossings(execution, mesh, points);
   std::atomic<bool> are_too_many(false);
   execution.for_ranges(mesh.number_of_vertices(), grain, [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t largest_number = grain * largest_number_per_vertex;
     std::size_t number = 0;
-    for(std::size_t v = begin; v < end && number <= grain * largest_number_per_vertex; ++v)
-      number += crossings.add_triangles_at(static_cast<Index>(v));
-    if(number > grain * largest_number_per_vertex)
+    for(std::size_t v = begin; v < end && number <= largest_number; ++v)
+      number += crossings.add_triangles_at(static_cast<Index>(v), largest_number - number);
+    if(number > largest_number)
       are_too_many = true;
   });
   return are_too_many ? std::vector<int>() : crossings.counts();

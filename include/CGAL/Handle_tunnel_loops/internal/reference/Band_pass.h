@@ -124,7 +124,7 @@ private:
       steps_at_rest_ = 0;
     }
     if(steps_at_rest_ > patience_)
-      fail_at_rest(mesh_, number_of_covered_);
+      fail_at_rest(number_of_covered_, mesh_.number_of_vertices());
   }
 
   Index new_layer() {

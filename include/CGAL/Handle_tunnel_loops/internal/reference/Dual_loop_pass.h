@@ -14,6 +14,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
@@ -63,6 +64,8 @@ public:
       return {};
     std::vector<Crossing_loop> loops;
     std::vector<Index> targets = field.run_until(is_target);
+    if(rules_.are_of_fields() && targets.empty())
+      throw Literal_failure_exception("a field came to rest on its way around a loop");
     if(rules_.first_reached && targets.size() > 1)
       targets.resize(1);
     for(const Index target : targets) {

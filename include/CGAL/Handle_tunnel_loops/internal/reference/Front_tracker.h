@@ -41,8 +41,11 @@ there are no others.
 class Front_tracker
 {
 public:
-  explicit Front_tracker(const Flat_mesh& mesh)
+  /// \p keeps_areas says whether meetings are to know what was covered when they happened, which
+  /// takes a byte per vertex for each.
+  explicit Front_tracker(const Flat_mesh& mesh, bool keeps_areas = false)
       : mesh_(mesh)
+      , keeps_areas_(keeps_areas)
       , region_(mesh)
       , layer_(mesh.neighbor.size(), no_index)
       , layer_of_vertex_(mesh.number_of_vertices(), no_index)
@@ -164,7 +167,8 @@ private:
       log(Front_event_type::MERGE, step, v, {record(layer_a, loop_a), record(layer_b, loop_b)},
           {record(merged, placed(after.loop(a), covered))});
       Crossing_loop& shorter = is_shorter(mesh_, loop_b, loop_a) ? loop_b : loop_a;
-      meetings_.push_back({std::move(shorter), v, a.left, b.left, area_of(covered)});
+      meetings_.push_back({std::move(shorter), v, a.left, b.left,
+                           keeps_areas_ ? area_of(covered) : std::vector<char>()});
     } else {
       const Index part_a = new_layer(), part_b = new_layer();
       for(const Index part : {part_a, part_b})
@@ -198,6 +202,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
+  bool keeps_areas_;
   Covered_region region_;
   std::vector<Index> layer_;                   // of the front that crosses an edge, by slot
   std::vector<Index> layer_of_vertex_;         // of the front that covered it

@@ -48,7 +48,7 @@ public:
       , is_rest_failure_(rules.are_of_fields())
       , field_(mesh, constants, rules)
       , arrivals_(mesh)
-      , tracker_(mesh) {
+      , tracker_(mesh, rules.covered_area) {
     start(seeds);
   }
 
@@ -133,7 +133,7 @@ private:
   // high degree with one covered neighbor, say. Then all that it touches is declared covered.
   void push_on(const Values& covered) {
     if(is_rest_failure_)
-      fail_at_rest(mesh_, arrivals_.number_of_reached());
+      fail_at_rest(arrivals_.number_of_reached(), mesh_.number_of_vertices());
     std::map<Index, Index> layer_of_vertex;
     arrivals_.push_on(covered, [&](Index v) {
       if(layer_of_vertex.empty())

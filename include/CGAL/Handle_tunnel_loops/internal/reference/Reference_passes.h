@@ -57,7 +57,9 @@ public:
       , rules_(options.literal_rules)
       , seeds_(seeds)
       , constants_(literal_constants(options.constants, rules_))
-      , dual_loop_pass_(mesh, constants_, rules_) {}
+      , dual_loop_pass_(mesh, constants_, rules_) {
+    check_rules(rules_);
+  }
 
   void initial_pass(Progress& progress, Statistics& statistics) override {
     statistics.backend = "reference";
@@ -143,7 +145,7 @@ public:
                          static_cast<double>(n));
     });
     if(arrivals.number_of_reached() < n)
-      fail_at_rest(mesh_, arrivals.number_of_reached());
+      fail_at_rest(arrivals.number_of_reached(), n);
     return fixed_point_times(mesh_, arrivals, vertices);
   }
 

@@ -13,7 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <cstddef>
 #include <string>
@@ -25,10 +24,10 @@ namespace reference {
 
 /// is called where a field to the letter does not come on; no rule of the paper says what to do
 /// then.
-[[noreturn]] inline void fail_at_rest(const Flat_mesh& mesh, std::size_t number_of_covered) {
-  throw Literal_failure_exception(
-      "the field came to rest when " + std::to_string(number_of_covered) + " of " +
-      std::to_string(mesh.number_of_vertices()) + " vertices were covered");
+[[noreturn]] inline void fail_at_rest(std::size_t number_of_covered, std::size_t number) {
+  throw Literal_failure_exception("the field came to rest when " +
+                                  std::to_string(number_of_covered) + " of " +
+                                  std::to_string(number) + " vertices were covered");
 }
 
 } // namespace reference

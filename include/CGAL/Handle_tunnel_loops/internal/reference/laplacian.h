@@ -20,8 +20,10 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -97,14 +99,22 @@ laplacian(const Flat_mesh& mesh, const Literal_rules& rules, const Barred_edges&
   return rules.finite_elements ? finite_element_laplacian(mesh, walls) : laplacian(mesh, walls);
 }
 
+inline void check_rules(const Literal_rules& rules) {
+  const auto is_threshold = [](double value) { return value >= 0. && value < 1.; };
+  if(!(rules.mean_edge_length > 0.) || !std::isfinite(rules.mean_edge_length) ||
+     !is_threshold(rules.band_threshold) || !is_threshold(rules.contact_threshold) ||
+     !(rules.offset > 0.) || !std::isfinite(rules.offset))
+    throw std::invalid_argument("lengths of literal rules are positive, thresholds in [0, 1)");
+}
+
 /// the constants of the fields.
 inline Field_constants literal_constants(Field_constants constants, const Literal_rules& rules) {
-  if(rules.gradient_coefficient) { // the time step stays
-    constants.step *=
-        constants.gradient_coefficient / (rules.mean_edge_length * rules.mean_edge_length);
-    constants.gradient_coefficient *=
-        constants.gradient_coefficient / (rules.mean_edge_length * rules.mean_edge_length);
-  }
+  if(!rules.gradient_coefficient)
+    return constants;
+  const double factor =
+      constants.gradient_coefficient / (rules.mean_edge_length * rules.mean_edge_length);
+  constants.gradient_coefficient *= factor;
+  constants.step = (std::min)(constants.step * factor, 1.); // the time step stays if it is stable
   return constants;
 }
 
