@@ -78,7 +78,8 @@ certified, so that there would be no page.
 ## Time and memory
 
 HEAD
-  run benchmark_paper -n "$runs" "${paper[@]}" "${folder[@]}"
+  run benchmark_paper -n "$runs" --only paper "${paper[@]}" "${folder[@]}"
+  run benchmark_paper -n "$runs" --only hard --faces 400000 # larger plates take minutes each
   cat <<'SEEDS'
 ## Seeds
 
