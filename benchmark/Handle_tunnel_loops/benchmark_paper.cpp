@@ -8,12 +8,13 @@
 //
 // Each row is computed on the mesh NAME.off, .ply or .obj in the folder, where NAME is that of the
 // row in small letters with _ for spaces, if there is one; otherwise on a generated mesh with as
-// many faces and handles, which is named. Times are medians of the runs, in seconds, from arrays in
-// memory to certified loops, by all threads, and by a CUDA device where there is one: of
-// everything, and of what the paper does as well (its three passes and the naming of the loops,
-// without making them shorter and looking for others; still with their certificate).
+// many faces and at least as many handles, which is named. Times are medians of the runs, in
+// seconds, from arrays in memory to certified loops, by all threads, and by a CUDA device where
+// there is one: of everything, and of what the paper does as well (its three passes and the naming
+// of the loops, without making them shorter and looking for others; still with their certificate).
 
 #include "Benchmark_meshes.h"
+#include "Command_line.h"
 #include "Counting_allocation.h"
 #include "Paper_rows.h"
 
@@ -38,27 +39,19 @@ using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
 struct Options
 {
-  int runs = 3;
-  std::size_t least = 0, limit = static_cast<std::size_t>(-1);
+  int runs;
+  std::size_t least, limit;
   std::string only;
-  std::filesystem::path folder;
+  std::vector<std::filesystem::path> files;
 };
 
-Options parse(int argc, char* argv[]) {
+Options options_of(const corpus::Command_line& line) {
   Options options;
-  for(int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if(word == "-n" && i + 1 < argc)
-      options.runs = std::stoi(argv[++i]);
-    else if(word == "--from" && i + 1 < argc)
-      options.least = std::stoul(argv[++i]);
-    else if(word == "--only" && i + 1 < argc)
-      options.only = argv[++i];
-    else if(word == "--faces" && i + 1 < argc)
-      options.limit = std::stoul(argv[++i]);
-    else
-      options.folder = word;
-  }
+  options.runs = static_cast<int>(line.number("-n", 3));
+  options.least = line.number("--from", 0);
+  options.limit = line.number("--faces", static_cast<std::size_t>(-1));
+  options.only = line.text("--only");
+  options.files = line.files();
   return options;
 }
 
@@ -75,15 +68,14 @@ struct Subject
   std::string name;
 };
 
-Subject subject_of(const paper::Row& row, const std::filesystem::path& folder) {
+Subject subject_of(const paper::Row& row, const std::vector<std::filesystem::path>& files) {
   Subject subject;
-  for(const char* const extension : {".off", ".ply", ".obj"}) {
-    const std::filesystem::path file = folder / (file_name(row.mesh) + extension);
-    if(!folder.empty() && CGAL::IO::read_polygon_mesh(file.string(), subject.mesh)) {
+  for(const std::filesystem::path& file : files)
+    if(file.stem() == file_name(row.mesh) &&
+       CGAL::IO::read_polygon_mesh(file.string(), subject.mesh)) {
       subject.name = "the same";
       return subject;
     }
-  }
   subject.name = row.kind;
   const std::size_t faces = // which its noise takes
       row.kind == "scan" ? (std::max)(row.faces, 15000 + 4000 * row.genus) : row.faces;
@@ -188,7 +180,7 @@ void print_head() {
 }
 
 void print(const paper::Row& row, const Options& options, Least& least) {
-  const Subject subject = subject_of(row, options.folder);
+  const Subject subject = subject_of(row, options.files);
   const Times here = times_of<CGAL::Parallel_if_available_tag>(subject.mesh, options.runs);
   const double bytes = double(bytes_of(subject.mesh)),
                faces = double(subject.mesh.number_of_faces());
@@ -225,7 +217,8 @@ void print(const char* title, const std::vector<paper::Row>& rows, const Options
 } // namespace
 
 int main(int argc, char* argv[]) {
-  const Options options = parse(argc, argv);
+  const Options options =
+      options_of(corpus::Command_line(argc, argv, {}, {"-n", "--from", "--faces", "--only"}));
   std::printf("%u threads; paper: RTX 2080 Ti, and Dey, Fan and Wang 2013 on a Core i7-7700\n\n",
               std::thread::hardware_concurrency());
   if(options.only != "hard")
