@@ -32,6 +32,12 @@ constexpr File_format<void(Text_writer&, const Mesh&, const std::vector<Mesh::Ed
         {".selection.txt", write_selection},
 };
 
+// Whether a corner of the opened mesh begins at a halfedge, in the order around its target: behind
+// the cut, or behind the gap between two halfedges of the border.
+bool begins_corner(const Mesh& mesh, Mesh::Halfedge_index h, const std::vector<char>& is_cut) {
+  return !mesh.is_border(h) && (is_cut[mesh.edge(h).idx()] || mesh.is_border(mesh.opposite(h)));
+}
+
 // Gives numbers to the copies of a vertex: a halfedge that leads to it has that of its corner.
 void number_copies(const Mesh& mesh,
                    Mesh::Vertex_index v,
@@ -40,16 +46,15 @@ void number_copies(const Mesh& mesh,
                    generators::Soup& soup) {
   const Mesh::Halfedge_index some = mesh.halfedge(v);
   Mesh::Halfedge_index first = some;
-  do // where a corner begins, if the vertex has several
-    if(is_cut[mesh.edge(first).idx()])
-      break;
-    else
-      first = mesh.next_around_target(first);
-  while(first != some);
+  while(!begins_corner(mesh, first, is_cut)) {
+    first = mesh.next_around_target(first);
+    if(first == some)
+      break; // there is one corner only
+  }
   std::uint32_t number = static_cast<std::uint32_t>(v.idx());
   Mesh::Halfedge_index h = first;
   do {
-    if(h != first && is_cut[mesh.edge(h).idx()]) {
+    if(h != first && begins_corner(mesh, h, is_cut)) {
       number = static_cast<std::uint32_t>(soup.points.size());
       soup.points.push_back(soup.points[v.idx()]);
     }

@@ -1,0 +1,158 @@
+// The file that `htloops cut -o` writes, judged by what is in it: faces as numbers of vertices.
+
+#include "htloops/draw/cut_exports.h"
+
+#include "Mesh_corpus.h"
+#include "Meshes_of_soups.h"
+#include "Temporary_folder.h"
+
+#include "generators/holes.h"
+#include "htloops/mend/mesh_reader.h"
+#include "htloops/read/soup_reader.h"
+#include "htloops/solve/cut_solver.h"
+#include "htloops/write/mesh_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Vertex_number = std::size_t;
+using Side = std::pair<Vertex_number, Vertex_number>;
+
+struct Piece
+{
+  std::set<Vertex_number> vertices;
+  std::set<Side> edges;
+  long faces = 0;
+  std::map<Vertex_number, Vertex_number> boundary; ///< where its boundary goes on from a vertex
+};
+
+// The pieces into which the faces of a file fall, by the vertices that they share.
+std::vector<Piece> pieces_of(const htloops::Soup& soup) {
+  boost::disjoint_sets_with_storage<> sets(soup.points.size());
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    sets.make_set(v);
+  std::set<Side> sides;
+  for(const auto& face : soup.faces)
+    for(std::size_t i = 0; i < face.size(); ++i) {
+      const Side side(face[i], face[(i + 1) % face.size()]);
+      sets.union_set(side.first, side.second);
+      EXPECT_TRUE(sides.insert(side).second) << "two faces on one side of an edge";
+    }
+  std::map<Vertex_number, Piece> pieces;
+  for(const auto& face : soup.faces)
+    ++pieces[sets.find_set(face[0])].faces;
+  for(const auto& [a, b] : sides) {
+    Piece& piece = pieces[sets.find_set(a)];
+    piece.vertices.insert(a);
+    piece.edges.insert(std::minmax(a, b));
+    if(sides.count({b, a}) == 0) {
+      EXPECT_TRUE(piece.boundary.emplace(a, b).second) << "two boundaries pass vertex " << a;
+    }
+  }
+  std::vector<Piece> result;
+  for(const auto& [representative, piece] : pieces)
+    result.push_back(piece);
+  return result;
+}
+
+std::size_t number_of_boundary_curves(const Piece& piece) {
+  std::set<Vertex_number> seen;
+  std::size_t number = 0;
+  for(const auto& [start, next] : piece.boundary) {
+    number += seen.count(start) == 0;
+    for(Vertex_number v = start; seen.insert(v).second;)
+      v = piece.boundary.at(v);
+  }
+  return number;
+}
+
+void expect_disks(const htloops::Soup& soup) {
+  std::size_t number_of_vertices = 0;
+  for(const Piece& piece : pieces_of(soup)) {
+    number_of_vertices += piece.vertices.size();
+    EXPECT_EQ(long(piece.vertices.size()) - long(piece.edges.size()) + piece.faces, 1);
+    EXPECT_EQ(number_of_boundary_curves(piece), 1u);
+  }
+  EXPECT_EQ(number_of_vertices, soup.points.size()) << "vertices of no face";
+}
+
+class Opened_mesh : public testing::Test
+{
+protected:
+  // What is read of the file that is written of a mesh cut open.
+  htloops::Soup written(const htloops::Mesh& mesh,
+                        const std::string& name,
+                        const htloops::Cut_options& options = {}) {
+    htloops::Progress progress;
+    const auto cut = htloops::find_cut(mesh, options, progress).edges;
+    htloops::write_mesh(folder_.path(name), htloops::opened_mesh(mesh, cut));
+    return htloops::read_soup(folder_.path(name));
+  }
+
+  Temporary_folder folder_;
+};
+
+htloops::Mesh holed_mesh(const Recipe& recipe, std::size_t number, bool is_ragged) {
+  generators::Hole_request holes;
+  holes.number = number;
+  holes.is_ragged = is_ragged;
+  holes.seed = recipe.request.seed;
+  return mesh_of<htloops::Mesh>(generators::with_holes(soup_of(recipe), holes));
+}
+
+} // namespace
+
+TEST_F(Opened_mesh, is_a_disk_where_there_is_no_boundary) {
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 3}, 1)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    expect_disks(written(mesh_of<htloops::Mesh>(soup_of(recipe)), "open.off"));
+  }
+}
+
+TEST_F(Opened_mesh, is_a_disk_where_there_is_a_boundary) {
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 2}, 2))
+    for(const std::size_t number : {1, 2, 7}) {
+      SCOPED_TRACE(testing::Message() << recipe << ", " << number << " holes");
+      expect_disks(written(holed_mesh(recipe, number, number == 2), "open.obj"));
+    }
+}
+
+// Cones may lie inside, on a boundary curve, and side by side.
+TEST_F(Opened_mesh, is_a_disk_with_cones) {
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 2}, 1)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const htloops::Mesh mesh = holed_mesh(recipe, 3, true);
+    htloops::Cut_options options;
+    for(const auto h : mesh.halfedges())
+      if(mesh.is_border(h) && options.cones.size() < 2)
+        options.cones.push_back(mesh.target(h));
+    options.cones.insert(options.cones.end(),
+                         {htloops::Mesh::Vertex_index(0), htloops::Mesh::Vertex_index(5)});
+    std::sort(options.cones.begin(), options.cones.end());
+    options.cones.erase(std::unique(options.cones.begin(), options.cones.end()),
+                        options.cones.end());
+    expect_disks(written(mesh, "open.ply", options));
+  }
+}
+
+TEST_F(Opened_mesh, is_a_disk_on_scans_with_boundary) {
+  for(const char* name : {"eight_hole.off", "cgal_elephant-with-holes.off",
+                          "cgal_double-torus-3-holes.off", "gebco_open.off"})
+  {
+    const auto file = mesh_corpus() / "difficult" / name;
+    if(!std::filesystem::exists(file))
+      GTEST_SKIP() << "there are no meshes in " << mesh_corpus();
+    SCOPED_TRACE(name);
+    expect_disks(written(htloops::read_mesh(file.string()), "open.obj"));
+  }
+}
