@@ -91,6 +91,15 @@ check_header_code() {
     while read -r line; do complain "$line: not in a header"; done
 }
 
+# What begins a paragraph or a block of Doxygen's begins its line; filled lines hide it.
+check_documentation_commands() {
+  local commands='brief|t?param|returns?|pre|post|throws|sa|(in|addto)group' line
+  commands+='|cgal(Param|NamedParams|Models)\w*'
+  files 'include/*.h' 'doc/*.h' |
+    xargs -r grep -nP "[^\s/*!]\s*\\\\($commands)\b" |
+    while read -r line; do complain "$line: a command within a line"; done
+}
+
 # Each folder of programs names its project as CGAL wants it, and every source file in its list.
 check_program_folders() {
   local kind folder list source
@@ -198,6 +207,7 @@ check_letter_case
 check_banners
 check_headers
 check_header_code
+check_documentation_commands
 check_program_folders
 check_package_info
 check_device_headers

@@ -143,9 +143,10 @@ The result does not depend on the number of threads.
 \throws Handle_tunnel_loops::No_cut_exception if the edges to keep or to avoid leave no cut; that is
   decided before loops are looked for
 \throws std::invalid_argument if a cone is not a vertex with faces of `tm`, or a weight is negative
-or not finite \throws Handle_tunnel_loops::Uncertified_cut_exception if the result is not as
-promised; that is a defect of the package, and nothing has been written \throws . what
-`handle_tunnel_loops()` throws
+  or not finite
+\throws Handle_tunnel_loops::Uncertified_cut_exception if the result is not as promised; that is a
+  defect of the package, and nothing has been written
+\throws . what `handle_tunnel_loops()` throws
 
 \sa `add_seams_of_cut()`
 \sa `mark_loop_edges()`

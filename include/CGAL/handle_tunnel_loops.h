@@ -173,9 +173,12 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
   \cgalParamNBegin{vertex_time_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the time at which the
       front of the initial pass came to it, in steps of the field and parts of them: 0 at the seed,
-and by `Reference_tag` around it} \cgalParamType{a class model of `WritablePropertyMap` with the
-vertices of `tm` as keys and `double` as value type} \cgalParamDefault{unused} \cgalParamExtra{It
-takes eight bytes per vertex until the loops are found. It is written before these are.}
+      and by `Reference_tag` around it}
+    \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
+      `double` as value type}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{It takes eight bytes per vertex until the loops are found. It is written before
+      these are.}
   \cgalParamNEnd
   \cgalParamNBegin{device_options}
     \cgalParamDescription{the device and the stream to use with `Cuda_tag` and

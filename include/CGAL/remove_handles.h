@@ -88,7 +88,10 @@ are refined and plane otherwise.
   \cgalParamNEnd
   \cgalParamNBegin{maximal_length}
     \cgalParamDescription{only handles of a smaller size are removed; in the unit of the
-coordinates} \cgalParamType{`double`} \cgalParamDefault{no limit, or that of necks} \cgalParamNEnd
+      coordinates}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no limit, or that of necks}
+  \cgalParamNEnd
   \cgalParamNBegin{removal_box}
     \cgalParamDescription{only handles are removed whose loop that is tried first lies in this box}
     \cgalParamType{`Bbox_3`}
@@ -101,7 +104,8 @@ coordinates} \cgalParamType{`double`} \cgalParamDefault{no limit, or that of nec
   \cgalParamNEnd
   \cgalParamNBegin{known_pairs}
     \cgalParamDescription{the loops of all handles, or of some, if they have been found already:
-these are the handles there are to choose from} \cgalParamType{a range of `Handle_tunnel_pair`}
+      these are the handles there are to choose from}
+    \cgalParamType{a range of `Handle_tunnel_pair`}
     \cgalParamDefault{they are found}
   \cgalParamNEnd
   \cgalParamNBegin{removal_method}
@@ -116,7 +120,10 @@ these are the handles there are to choose from} \cgalParamType{a range of `Handl
   \cgalParamNEnd
   \cgalParamNBegin{minimal_piece_share}
     \cgalParamDescription{the share of the area of its component that each piece has at least that
-comes off at a neck; from 0 to 0.5} \cgalParamType{`double`} \cgalParamDefault{0.01} \cgalParamNEnd
+      comes off at a neck; from 0 to 0.5}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.01}
+  \cgalParamNEnd
   \cgalParamNBegin{do_dry_run}
     \cgalParamDescription{whether all is computed and nothing is written to the mesh}
     \cgalParamType{Boolean}
@@ -134,16 +141,17 @@ comes off at a neck; from 0 to 0.5} \cgalParamType{`double`} \cgalParamDefault{0
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
     \cgalParamDescription{is told for each face that the mesh did not have before for which handle
-it was made, a cap or a part of a face at its rim: the place in `Removal_report::removed`, or, for
-necks, that in `Removal_report::removed_necks` plus the size of the former. For handles that were
-removed together it is the first of them} \cgalParamType{a class model of `WritablePropertyMap` with
-face descriptors as key type and a number as value type, that takes faces that are new}
+      it was made, a cap or a part of a face at its rim: the place in `Removal_report::removed`, or,
+      for necks, that in `Removal_report::removed_necks` plus the size of the former. For handles
+      that were removed together it is the first of them}
+    \cgalParamType{a class model of `WritablePropertyMap` with face descriptors as key type and a
+      number as value type, that takes faces that are new}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{remaining_pairs}
     \cgalParamDescription{is told the loops of the handles that are left, as `handle_tunnel_loops()`
-finds them on the mesh once handles are removed, in the time that this takes and without asking the
-callback. That is not done in a dry run}
+      finds them on the mesh once handles are removed, in the time that this takes and without
+      asking the callback. That is not done in a dry run}
     \cgalParamType{a model of `OutputIterator` that accepts `Handle_tunnel_pair`}
     \cgalParamDefault{none}
   \cgalParamNEnd

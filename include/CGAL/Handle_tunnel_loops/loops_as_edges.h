@@ -42,8 +42,10 @@ loop passes twice, some vertex is passed more than once. The time is proportiona
 the loop, whatever the size of the mesh.
 
 \tparam TriangleMesh a model of `HalfedgeGraph` with triangles as faces, and no boundary near the
-loop \tparam Loop `Loop_on_surface<TriangleMesh>`, or a type with a member function `steps()` like
-its own \tparam OutputIterator a model of `OutputIterator` that accepts
+  loop
+\tparam Loop `Loop_on_surface<TriangleMesh>`, or a type with a member function `steps()` like its
+  own
+\tparam OutputIterator a model of `OutputIterator` that accepts
   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -113,7 +115,8 @@ and leaves it as it is for other edges. So marked, they are what the property ma
   `Handle_tunnel_pair<TriangleMesh>`, of which both loops are taken
 \tparam TriangleMesh a model of `HalfedgeGraph` with triangles as faces
 \tparam EdgeMarkMap a model of `WritablePropertyMap` with the edges of the mesh as keys and `bool`
-as value type \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param loops the loops
 \param tm the mesh
@@ -173,10 +176,17 @@ passed at once.
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{is set to `true` for the edges of the loops, and left as it is for others}
     \cgalParamType{a class model of `WritablePropertyMap` with the edges of `tm` as keys and `bool`
-as value type} \cgalParamDefault{unused} \cgalParamNEnd \cgalParamNBegin{face_origin_map}
+      as value type}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_origin_map}
     \cgalParamDescription{is given, for each part of a face that was divided, that face, which is
-one of the parts} \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as
-keys and as values} \cgalParamDefault{unused} \cgalParamNEnd \cgalNamedParamsEnd
+      one of the parts}
+    \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as keys and as
+      values}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \return `out`, past the last walk written
 
