@@ -17,9 +17,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -48,7 +45,7 @@ public:
     for(const auto& [i, factor] : coordinates)
       walks_.push_back(repeated(left_side(loops_[i], factor > 0), std::abs(factor)));
     join_all();
-    std::vector<Index> all = std::move(walks_[joined_.find_set(Index(0))]);
+    std::vector<Index> all = std::move(walks_[joined(0)]);
     remove_spurs(all);
     return all;
   }
@@ -80,13 +77,19 @@ private:
     Index walk = no_index;
   };
 
-  using Disjoint_sets =
-      boost::disjoint_sets_with_storage<boost::identity_property_map, boost::identity_property_map>;
+  // The walks as a forest, whose trees are those that have been joined.
+  struct Node
+  {
+    Index parent;
+    Index height = 0;
+  };
 
   // Joins walks where the regions meet that grow around them, the nearest to each other first: by
   // the number of edges, since what is joined is pulled taut anyway.
   void join_all() {
-    joined_ = Disjoint_sets(walks_.size());
+    nodes_.clear();
+    for(Index w = 0; w < walks_.size(); ++w)
+      nodes_.push_back({w});
     std::size_t parts = walks_.size();
     for(Index w = 0; w < walks_.size(); ++w)
       for(Index v : std::vector<Index>(walks_[w]))
@@ -111,8 +114,8 @@ private:
   // Joins the walks of which `a` and `b` have become parts, where `u` and `v` have been reached
   // from these. Returns whether they were two.
   bool join(Index u, Index v, Index a, Index b) {
-    a = joined_.find_set(a);
-    b = joined_.find_set(b);
+    a = joined(a);
+    b = joined(b);
     if(a == b)
       return false;
     std::vector<Index> way = way_back(u); // to a walk
@@ -121,12 +124,21 @@ private:
       const std::vector<Index> other_way = way_back(v);
       way.insert(way.end(), other_way.begin(), other_way.end());
     }
-    joined_.link(a, b);
-    const Index kept = joined_.find_set(a);
-    if(kept == b)
+    if(nodes_[a].height <= nodes_[b].height) {
+      std::swap(a, b);
       std::reverse(way.begin(), way.end());
-    splice(walks_[kept], way, walks_[kept == a ? b : a]);
+    }
+    nodes_[b].parent = a;
+    nodes_[a].height = (std::max)(nodes_[a].height, nodes_[b].height + 1);
+    splice(walks_[a], way, walks_[b]);
     return true;
+  }
+
+  // The walk that has become the one of all in its tree.
+  Index joined(Index w) const {
+    while(nodes_[w].parent != w)
+      w = nodes_[w].parent;
+    return w;
   }
 
   // Leads a walk along a way that begins on it, around another walk at its end, and back.
@@ -155,8 +167,8 @@ private:
   const std::vector<Crossing_loop>& loops_;
   std::vector<Label> labels_; // by vertex
   std::vector<Index> reached_;
-  std::vector<std::vector<Index>> walks_; // those that have been joined are at the representative
-  Disjoint_sets joined_{0};
+  std::vector<std::vector<Index>> walks_; // those that have been joined are at the root
+  std::vector<Node> nodes_;               // by walk
 };
 
 } // namespace internal

@@ -21,6 +21,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/iterator.h>
+#include <CGAL/version.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -195,9 +196,12 @@ private:
     if(side == Mesh::null_halfedge() || !copy_.is_border(side))
       return false;
     constexpr std::size_t cubic_is_too_slow = 200;
-    Polygon_mesh_processing::triangulate_hole(
-        copy_, side, Emptyset_iterator(),
-        parameters::do_not_use_cubic_algorithm(border.size() > cubic_is_too_slow));
+    const auto how = parameters::do_not_use_cubic_algorithm(border.size() > cubic_is_too_slow);
+#if CGAL_VERSION_NR < 1050600000
+    Polygon_mesh_processing::triangulate_hole(copy_, side, Emptyset_iterator(), how);
+#else
+    Polygon_mesh_processing::triangulate_hole(copy_, side, how);
+#endif
     return copy_.number_of_faces() == before + border.size() - 2;
   }
 
