@@ -106,7 +106,7 @@ public:
     std::printf("meshes that break an assumption: %zu (handles within a step %zu, rests %zu, early "
                 "vertices %zu, events beside the seed %zu)\n",
                 unresolved_, within_steps_, rests_, early_, at_seed_);
-    std::printf("tunnels kept from the sweep: %zu; handles refined: %zu\n", kept_tunnels_,
+    std::printf("tunnels kept from the initial pass: %zu; handles refined: %zu\n", kept_tunnels_,
                 pairs_ - kept_handles_);
     std::printf("loops that bound, host: %zu handles, %zu tunnels; reference: %zu, %zu\n",
                 bound_[0], bound_[1], bound_[2], bound_[3]);

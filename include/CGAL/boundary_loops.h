@@ -37,11 +37,11 @@ namespace CGAL {
 \ingroup PkgHandleTunnelLoopsRef
 
 writes the boundary curves of a surface as loops, the surface to their left; or, with `do_tighten`,
-for each a short loop that is homologous to it: the waist of a sleeve.
+for each its waist: a short loop that is homologous to it.
 
 All but one of the curves of each component, whichever that is, are a basis of its first homology
-group together with the loops of `handle_tunnel_loops()`. A tightened loop may take the place of its
-curve. It crosses no boundary, but may run along it.
+group together with the loops of `handle_tunnel_loops()`. A waist may take the place of its curve.
+It crosses no boundary, but may run along it.
 
 A chain is homologous to a boundary curve if it separates that from all others. So the shortest is a
 minimum cut, wherever on the surface it lies: of a graph on the mesh, which makes its length a few
@@ -66,7 +66,7 @@ Linear in the size of the mesh; with `do_tighten` mostly near linear for each cu
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{do_tighten}
-    \cgalParamDescription{whether the loops are to be shortened}
+    \cgalParamDescription{whether the waists of the curves are written in their place}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -37,8 +37,8 @@ the loop, each halfedge beginning where the one before it ends.
 
 Each place of the loop moves to one end of its edge. Of all these walks the shortest is taken; then
 it goes around a vertex wherever that is shorter, and around those that it passes twice, if there is
-room. So almost always it is simple; where it is not, as in a neck of three edges through which a
-loop passes twice, some vertex is passed more than once. The time is proportional to the length of
+room. So almost always it is simple; where it is not, as on a tube three edges around that a loop
+passes twice, some vertex is passed more than once. The time is proportional to the length of
 the loop, whatever the size of the mesh.
 
 \tparam TriangleMesh a model of `HalfedgeGraph` with triangles as faces, and no boundary near the

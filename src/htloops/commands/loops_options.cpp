@@ -112,7 +112,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       ->group(group);
   command
       .add_flag("--no-tighten", options.do_not_tighten,
-                "do not shorten the loops, nor look for shorter ones: faster")
+                "do not tighten the loops, nor look for shorter ones: faster")
       ->group(group);
   command
       .add_option("--classify", options.classifier,

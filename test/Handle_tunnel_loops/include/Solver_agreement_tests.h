@@ -89,7 +89,7 @@ TYPED_TEST_P(Solver, FindsLoopsOfTheSameClasses) {
     }
 }
 
-// Streamlines are longer than what was pulled taut, but of the same kind.
+// Streamlines are longer than what was tightened, but of the same kind.
 TYPED_TEST_P(Solver, FindsLoopsOfSimilarLengths) {
   for(const Recipe& recipe : recipes_of_all_kinds({1, 2, 7}, 1))
     if(recipe.kind != "random") {

@@ -13,7 +13,7 @@ namespace tightening_anew {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
-// Pulls a loop taut as `Loop_tightening` does, but lays the whole strip out anew in each round, and
+// Tightens a loop as `Loop_tightening` does, but lays the whole strip out anew in each round, and
 // finds all places where the loop crosses edges.
 class Tightening_anew
 {

@@ -1,4 +1,4 @@
-// Pulled taut, loops become closed geodesics: as long as these where they are known, and everywhere
+// Tightened, loops become closed geodesics: as long as these where they are known, and everywhere
 // without bends that could be taken out.
 
 #include "Crossing_loops.h"

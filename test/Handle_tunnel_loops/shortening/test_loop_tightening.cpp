@@ -1,4 +1,4 @@
-// Pulled taut, a loop is never longer than before, in the same class, and to the last bit where it
+// Tightened, a loop is never longer than before, in the same class, and to the last bit where it
 // is when everything is done anew in each round.
 
 #include "Tightening_anew.h"

@@ -43,7 +43,7 @@ Looks for shorter bases of L_in and of L_out, and of H1 where these are not know
 
 Candidates for each loop are the shortest that cross its partner once and, if its pair is pure, no
 loop of its own kind but for a net number of zero: so they are of the same subgroup. All of them are
-pulled taut; then, the shortest first, each takes the place of the longest loop that can be replaced
+tightened; then, the shortest first, each takes the place of the longest loop that can be replaced
 by it. That is the greedy algorithm for the lightest basis, but for what is not found, and for
 coordinates other than 1 and -1.
 */

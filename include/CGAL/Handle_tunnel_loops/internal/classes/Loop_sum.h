@@ -85,7 +85,7 @@ private:
   };
 
   // Joins walks where the regions meet that grow around them, the nearest to each other first: by
-  // the number of edges, since what is joined is pulled taut anyway.
+  // the number of edges, since what is joined is tightened anyway.
   void join_all() {
     nodes_.clear();
     for(Index w = 0; w < walks_.size(); ++w)

@@ -30,7 +30,7 @@ other as it takes.
 
 A loop through a place that is d away is longer by at most 2 d than one through this place. So
 places at a part of the length of what is looked for find a loop that is longer by that part at
-most, before it is pulled taut; and places near one through which there is no short loop can be left
+most, before it is tightened; and places near one through which there is no short loop can be left
 out.
 */
 class Partner_search

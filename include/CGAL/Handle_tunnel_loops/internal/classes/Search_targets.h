@@ -42,7 +42,7 @@ public:
   };
 
   /// A closed walk: of its class the shortest, or the shortest from another place if it is hardly
-  /// longer. What is shorter once it is pulled taut shows then.
+  /// longer. What is shorter once it is tightened shows then.
   struct Found
   {
     double length; ///< on the mesh that is searched

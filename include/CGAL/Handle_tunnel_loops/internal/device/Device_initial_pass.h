@@ -73,7 +73,7 @@ public:
       , steps_per_run_(tuning.steps_per_run)
       , costs_(costs) {}
 
-  /// the bytes that a sweep needs beside the mesh.
+  /// the bytes that an initial pass needs beside the mesh.
   static std::size_t bytes(std::size_t number_of_vertices) {
     return number_of_vertices *
            (2 * sizeof(float) + sizeof(Time) + sizeof(std::uint32_t) + 2 * sizeof(Index));

@@ -22,10 +22,10 @@ namespace device {
 /// How a device is used, for benchmarks and tests to vary: no answer depends on it.
 struct Tuning
 {
-  int threads_at_barrier = 640; ///< of each multiprocessor, at most, in kernels of many steps
-  Time steps_per_run = 512;     ///< of a sweep, between two looks at the callback and at the band
-  Time steps_per_look = 64;     ///< of the loop passes, at most, between two looks; no more than
-                                ///< `Step_coefficients::patience`
+  int threads_at_barrier = 640;    ///< of each multiprocessor, at most, in kernels of many steps
+  Time steps_per_run = 512;        ///< of an initial pass, between two looks at callback and band
+  Time steps_per_look = 64;        ///< of the loop passes, at most, between two looks; no more than
+                                   ///< `Step_coefficients::patience`
   Time steps_per_look_if_met = 16; ///< at least, where fronts have met
   bool times_kernels = false;      ///< see `Costs::kernels`; waits for each of them
 };

@@ -35,7 +35,7 @@ namespace internal {
 /*!
 Looks once more for each loop of the pairs, this time by lengths. A field counts edges; where
 triangles are of very different sizes or long and thin, the way that it finds may be far from short,
-and a loop that is tightened comes to the nearest geodesic only, such as one around a knob.
+and a loop that is tightened comes to the nearest geodesic only, such as one around a bump.
 
 A loop is replaced by a shorter one x if x = e (loop) + m (partner) in homology, with e = 1 or -1:
 adding to an element of a basis a multiple of another one gives a basis again, whatever is replaced
