@@ -105,7 +105,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       ->group(group);
   command
       .add_flag("--waists", options.do_find_waists,
-                "for each boundary curve a short loop of its class, too: the waist of a sleeve")
+                "for each boundary curve its waist, too: a short loop of its class")
       ->group(group);
   command
       .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")

@@ -71,7 +71,8 @@ public:
 
 private:
   // A leaf that is less long than this, in units of the radius at its base, is a bump and no limb.
-  // On animals and parts, most bumps and caps have less, toes, ears, legs and heads have more.
+  // On animals and parts, most bumps and round ends have less, toes, ears, legs and heads have
+  // more.
   static constexpr double slenderness_of_limbs = 0.8;
 
   // The paths, and for each arc the number of its path.
