@@ -173,10 +173,17 @@ passed at once.
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{is set to `true` for the edges of the loops, and left as it is for others}
     \cgalParamType{a class model of `WritablePropertyMap` with the edges of `tm` as keys and `bool`
-as value type} \cgalParamDefault{unused} \cgalParamNEnd \cgalParamNBegin{face_origin_map}
+      as value type}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_to_face_map}
     \cgalParamDescription{is given, for each part of a face that was divided, that face, which is
-one of the parts} \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as
-keys and as values} \cgalParamDefault{unused} \cgalParamNEnd \cgalNamedParamsEnd
+      one of the parts}
+    \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as keys and as
+      values}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \return `out`, past the last walk written
 
@@ -209,8 +216,8 @@ OutputIterator imprint_loops(const LoopRange& loops,
       for(const auto h : walk)
         put(marks, edge(h, tm), true);
   }
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_origin_map_t>::value) {
-    auto origins = get_parameter(np, internal_np::face_origin_map);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_to_face_map_t>::value) {
+    auto origins = get_parameter(np, internal_np::face_to_face_map);
     imprint.for_each_part(
         [&](const auto& part, const auto& origin) { put(origins, part, origin); });
   }
