@@ -179,7 +179,7 @@ check_named_parameters() {
   [ -f "$theirs" ] || return
   files 'include/*.h' | xargs -r grep -hoP '\\cgalParamNBegin\{\K\w+' | sort -u |
     while read -r name; do
-      grep -q "ADD_PARAMETER($name)" "$ours" || grep -qP "\(\w+, \w+, $name\)" "$theirs" ||
+      grep -qzP "\(\w+,\s+\w+,\s+$name\)" "$ours" "$theirs" ||
         complain "include: there is no named parameter $name"
     done
 }

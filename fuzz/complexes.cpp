@@ -68,7 +68,7 @@ void solve(const Mesh& mesh) {
   require(pairs.size() == solver.genus(), "there are as many pairs as handles");
   require(bool(CGAL::certify_handle_tunnel_loops(mesh, pairs)), "the loops are certified");
   std::vector<Mesh::Edge_index> cut;
-  CGAL::cut_to_disk(mesh, std::back_inserter(cut), CGAL::parameters::cut_loops(pairs));
+  CGAL::cut_to_disk(mesh, std::back_inserter(cut), CGAL::parameters::known_loops(pairs));
   CGAL::Reeb_graph<Mesh> graph;
   CGAL::reeb_graph(mesh, graph);
   require(num_edges(graph) + solver.number_of_components() - num_vertices(graph) == solver.genus(),

@@ -112,9 +112,11 @@ inline double total_length(const Answer& answer) {
   return lengths[0] + lengths[1];
 }
 
-/// parameters that leave the loops as the passes find them.
-inline auto untouched() {
-  return CGAL::parameters::do_tighten(false, CGAL::parameters::do_compute_linking(false));
+/// options that leave the loops as the passes find them.
+inline CGAL::Handle_tunnel_loops::Solver_options untouched() {
+  CGAL::Handle_tunnel_loops::Solver_options options;
+  options.do_tighten = options.do_compute_linking = false;
+  return options;
 }
 
 } // namespace corpus

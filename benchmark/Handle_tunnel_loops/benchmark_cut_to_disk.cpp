@@ -87,7 +87,7 @@ void measure(const std::string& file, std::size_t most_faces, Sums& sums) {
   const double middle = now();
   std::vector<Mesh::Edge_index> cut;
   CGAL::cut_to_disk<CGAL::Parallel_if_available_tag>(mesh, std::back_inserter(cut),
-                                                     CGAL::parameters::cut_loops(pairs));
+                                                     CGAL::parameters::known_loops(pairs));
   const double end = now();
   const double length = length_of(mesh, cut), other = length_by_libigl(mesh);
   std::printf("%s: faces %zu, genus %zu, length %.6g, over libigl's %.3f, time over that of the "

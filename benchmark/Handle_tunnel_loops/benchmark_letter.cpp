@@ -87,11 +87,13 @@ struct Outcome
 
 Answer answer_to(const Mesh& mesh, const Literal_rules& rules, Stage& stage) {
   Answer answer;
+  HTL::Solver_options options = untouched();
+  options.literal_rules = rules;
   const double start = seconds_now();
   try {
     CGAL::handle_tunnel_loops<CGAL::Reference_tag>(
         mesh, std::back_inserter(answer.pairs),
-        params::literal_rules(rules, untouched()).visitor(Stage_visitor(stage)));
+        params::solver_options(options).visitor(Stage_visitor(stage)));
   } catch(const std::exception& e) {
     answer.error = e.what();
   }

@@ -173,13 +173,15 @@ void measure(const std::string& input, double threshold, Total& total) {
       std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
                 CGAL::square(box.zmax() - box.zmin()));
   Graph graph;
+  CGAL::Handle_tunnel_loops::Reeb_options options;
+  options.threshold = threshold;
+  options.allow_parallel_arcs = true;
   CGAL::Handle_tunnel_loops::Reeb_statistics statistics;
   double seconds = std::numeric_limits<double>::infinity(), finishing = seconds;
   for(int run = 0; run < number_of_runs; ++run) {
     const double began = seconds_now();
     statistics = CGAL::reeb_graph<CGAL::Parallel_if_available_tag>(
-        mesh, graph,
-        parameters::simplification_threshold(threshold, parameters::allow_parallel_arcs(true)));
+        mesh, graph, parameters::reeb_options(options));
     seconds = (std::min)(seconds, seconds_now() - began);
     finishing = (std::min)(finishing, statistics.seconds_of_finishing);
   }

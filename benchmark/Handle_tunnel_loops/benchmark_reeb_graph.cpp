@@ -28,10 +28,10 @@
 namespace {
 
 namespace HTL = CGAL::Handle_tunnel_loops;
-namespace parameters = CGAL::parameters;
 
 using Function = std::vector<double>;
 using Graph = CGAL::Reeb_graph<Mesh>;
+using Tag = CGAL::Parallel_if_available_tag;
 
 struct Settings
 {
@@ -57,16 +57,16 @@ Function height_with_noise(const Mesh& mesh, double height, double noise) {
   return function;
 }
 
-template <typename NamedParameters>
-void measure(const Mesh& mesh, double reading, const NamedParameters& np, Measured& measured) {
+template <typename FindGraph>
+void measure(double reading, const FindGraph& find_graph, Measured& measured) {
   if(measured.seconds.empty())
     measured.bytes = double(counting_allocation::peak_bytes([&] {
       Graph graph;
-      CGAL::reeb_graph<CGAL::Parallel_if_available_tag>(mesh, graph, np);
+      find_graph(graph);
     }));
   Graph graph;
   const double began = seconds_now();
-  measured.statistics = CGAL::reeb_graph<CGAL::Parallel_if_available_tag>(mesh, graph, np);
+  measured.statistics = find_graph(graph);
   measured.seconds.push_back(seconds_now() - began);
   measured.ratio.push_back(measured.seconds.back() / reading);
   measured.cycles = static_cast<std::ptrdiff_t>(num_edges(graph) - num_vertices(graph) +
@@ -125,9 +125,13 @@ void measure_all(const std::string& input, const Settings& settings) {
       const Function& function = functions[i];
       const auto map = boost::make_function_property_map<Mesh::Vertex_index, double>(
           [&function](Mesh::Vertex_index v) { return function[v.idx()]; });
-      measure(mesh, reading.back(), parameters::vertex_function_map(map), measured[i]);
+      const auto find_graph = [&](Graph& graph) {
+        return CGAL::reeb_graph_of_function<Tag>(mesh, map, graph);
+      };
+      measure(reading.back(), find_graph, measured[i]);
     }
-    measure(mesh, reading.back(), parameters::default_values(), measured[3]);
+    const auto find_graph = [&](Graph& graph) { return CGAL::reeb_graph<Tag>(mesh, graph); };
+    measure(reading.back(), find_graph, measured[3]);
   }
   for(std::size_t i = 0; i < measured.size(); ++i) {
     print(input, names[i], median(reading), measured[i]);

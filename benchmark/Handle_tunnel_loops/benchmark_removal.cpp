@@ -52,8 +52,11 @@ struct Sum
 
 HTL::Removal_report remove(Mesh& mesh, const Pairs& pairs, const Wish& wish) {
   const std::size_t genus = wish.half ? pairs.size() / 2 : (std::min)(wish.genus, pairs.size());
-  const auto known = params::target_genus(genus, params::known_pairs(pairs));
-  return CGAL::remove_handles<Tag>(mesh, params::maximal_neck_length(wish.neck_length, known));
+  HTL::Removal_options options;
+  options.target_genus = genus;
+  options.maximal_neck_length = wish.neck_length;
+  return CGAL::remove_handles<Tag>(mesh,
+                                   params::removal_options(options, params::known_loops(pairs)));
 }
 
 Mesh read(const std::string& file) {

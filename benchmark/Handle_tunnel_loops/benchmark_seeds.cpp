@@ -60,11 +60,13 @@ std::vector<Way> ways() {
            }},
           {"of the passes of the host solver alone", svg::orange,
            [](Solver& solver, Mesh::Vertex_index seed) {
-             return answer_of<Tag>(solver, params::seed_vertex(seed, untouched()));
+             return answer_of<Tag>(solver,
+                                   params::seed_vertex(seed, params::solver_options(untouched())));
            }},
           {"of the passes of the reference alone", svg::purple,
            [](Solver& solver, Mesh::Vertex_index seed) {
-             return answer_of<CGAL::Reference_tag>(solver, params::seed_vertex(seed, untouched()));
+             return answer_of<CGAL::Reference_tag>(
+                 solver, params::seed_vertex(seed, params::solver_options(untouched())));
            }}};
 }
 

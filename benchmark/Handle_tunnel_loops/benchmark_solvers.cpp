@@ -36,9 +36,10 @@ struct Kind_of_solver
 
 // Nothing follows the passes.
 Kind_of_solver by_rules(const char* name, const Literal_rules& rules) {
-  return {name, [rules](Solver& solver) {
-            return answer_of<CGAL::Reference_tag>(solver,
-                                                  params::literal_rules(rules, untouched()));
+  HTL::Solver_options options = untouched();
+  options.literal_rules = rules;
+  return {name, [options](Solver& solver) {
+            return answer_of<CGAL::Reference_tag>(solver, params::solver_options(options));
           }};
 }
 
@@ -52,7 +53,9 @@ std::vector<Kind_of_solver> solvers() {
           by_rules("literal, without bands and finite elements", wide_fronts),
           by_rules("reference", {}),
           {"host, its passes alone",
-           [](Solver& solver) { return answer_of<CGAL::Sequential_tag>(solver, untouched()); }},
+           [](Solver& solver) {
+             return answer_of<CGAL::Sequential_tag>(solver, params::solver_options(untouched()));
+           }},
           {"host, loops made pure and tightened", [](Solver& solver) {
              return answer_of<CGAL::Sequential_tag>(solver, params::default_values());
            }}};

@@ -2,7 +2,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
-#include <CGAL/reeb_graph.h>
+#include <CGAL/reeb_graph_of_function.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -14,7 +14,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Polyhedron_3<Kernel>;
 using Vertex = boost::graph_traits<Mesh>::vertex_descriptor;
 using Graph = CGAL::Reeb_graph<Mesh>;
-namespace params = CGAL::parameters;
 
 // Counts the polylines that the graph falls into at its nodes with one or three arcs.
 struct Polyline_counter
@@ -39,8 +38,10 @@ int main(int argc, char* argv[]) {
   const auto height = boost::make_function_property_map<Vertex, double>(
       [](Vertex v) { return v->point().x() + 0.5 * v->point().y(); });
   Graph graph;
-  const auto statistics = CGAL::reeb_graph(
-      mesh, graph, params::vertex_function_map(height, params::simplification_threshold(0.)));
+  CGAL::Handle_tunnel_loops::Reeb_options options;
+  options.threshold = 0.;
+  const auto statistics =
+      CGAL::reeb_graph_of_function(mesh, height, graph, CGAL::parameters::reeb_options(options));
 
   Polyline_counter counter;
   CGAL::split_graph_into_polylines(graph, counter);

@@ -13,7 +13,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,9 @@ namespace HTL = CGAL::Handle_tunnel_loops;
 
 int main(int argc, char* argv[]) {
   const std::string file = argc > 1 ? argv[1] : "data/triple_torus.off";
-  const double length = argc > 2 ? std::atof(argv[2]) : (std::numeric_limits<double>::infinity)();
+  HTL::Removal_options options;
+  if(argc > 2)
+    options.maximal_length = std::atof(argv[2]);
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh)) {
     std::cerr << "Cannot read " << file << std::endl;
@@ -31,8 +32,8 @@ int main(int argc, char* argv[]) {
 
   std::vector<Mesh::Face_index> new_faces;
   const HTL::Removal_report report = CGAL::remove_handles(
-      mesh, CGAL::parameters::maximal_length(
-                length, CGAL::parameters::added_faces(std::back_inserter(new_faces))));
+      mesh, CGAL::parameters::removal_options(
+                options, CGAL::parameters::face_output_iterator(std::back_inserter(new_faces))));
 
   for(const HTL::Removed_handle& handle : report.removed)
     std::cout << "pair " << handle.pair << ": "

@@ -31,7 +31,9 @@ int main(int argc, char* argv[]) {
 
   std::vector<CGAL::Loop_on_surface<Mesh>> curves, waists;
   CGAL::boundary_loops(mesh, std::back_inserter(curves));
-  CGAL::boundary_loops(mesh, std::back_inserter(waists), CGAL::parameters::do_tighten(true));
+  CGAL::boundary_loops(
+      mesh, std::back_inserter(waists),
+      CGAL::parameters::basis_kind(CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST));
   for(std::size_t i = 0; i < curves.size(); ++i)
     std::cout << "boundary curve of length " << curves[i].length()
               << ", beside it a loop of length " << waists[i].length() << '\n';

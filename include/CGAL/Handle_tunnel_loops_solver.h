@@ -116,9 +116,7 @@ public:
     namespace impl = Handle_tunnel_loops::internal;
     const auto began = std::chrono::steady_clock::now();
     const typename impl::Passes_of_tag<ConcurrencyTag>::Head_start head_start(
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::device_options),
-                                     Device_options()),
-        num_vertices(tm));
+        solver_options(np).device, num_vertices(tm));
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
     impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
         builder(impl::execution_of<ConcurrencyTag>(), tm, vertex_index, point_);
@@ -284,11 +282,47 @@ private:
       for(std::size_t v = 0; v < n; ++v)
         put(map, vertices_[v], std::size_t(swept.layers[v]));
     }
-    if constexpr(is_given<NamedParameters, internal_np::vertex_time_map_t>) {
-      const auto map = parameters::get_parameter(np, internal_np::vertex_time_map);
+    if constexpr(is_given<NamedParameters, internal_np::vertex_value_map_t>) {
+      const auto map = parameters::get_parameter(np, internal_np::vertex_value_map);
       for(std::size_t v = 0; v < n; ++v)
         put(map, vertices_[v], swept.times[v]);
     }
+  }
+
+  template <typename NamedParameters>
+  static Handle_tunnel_loops::Solver_options solver_options(const NamedParameters& np) {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::solver_options),
+                                        Handle_tunnel_loops::Solver_options());
+  }
+
+  /// What a computation is asked for.
+  struct Request
+  {
+    Handle_tunnel_loops::internal::Pass_options passes;
+    Handle_tunnel_loops::internal::Class_options classes;
+    std::vector<Handle_tunnel_loops::internal::Index> seeds; // one in each component
+  };
+
+  template <typename NamedParameters> Request request(const NamedParameters& np) const {
+    using namespace Handle_tunnel_loops;
+    namespace impl = Handle_tunnel_loops::internal;
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const Solver_options options = solver_options(np);
+    impl::check_constants(options.field_constants);
+    Request request;
+    request.passes = {options, is_given<NamedParameters, internal_np::vertex_layer_map_t>,
+                      is_given<NamedParameters, internal_np::vertex_value_map_t>};
+    request.classes.kind =
+        choose_parameter(get_parameter(np, internal_np::basis_kind), Basis_kind::PURE);
+    request.classes.do_link = options.do_compute_linking;
+    request.classes.do_shorten = options.do_tighten;
+    if(options.literal_rules.finite_offset)
+      request.classes.offset =
+          options.literal_rules.offset * mesh_.in_units_of_caller(impl::mean_edge_length(mesh_));
+    request.seeds = seeds(
+        choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
+    return request;
   }
 
   template <typename ConcurrencyTag, typename NamedParameters>
@@ -296,27 +330,11 @@ private:
                             Handle_tunnel_loops::internal::Progress& progress) {
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    impl::Pass_options options;
-    options.constants =
-        choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
-    options.do_refine_handles =
-        choose_parameter(get_parameter(np, internal_np::do_refine_handles), true);
-    options.do_tighten = choose_parameter(get_parameter(np, internal_np::do_tighten), true);
-    options.do_log_fronts = choose_parameter(get_parameter(np, internal_np::do_log_fronts), false);
-    options.literal_rules =
-        choose_parameter(get_parameter(np, internal_np::literal_rules), Literal_rules());
-    impl::check_constants(options.constants);
-    const auto start = seeds(
-        choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
-    options.do_keep_layers = is_given<NamedParameters, internal_np::vertex_layer_map_t>;
-    options.do_keep_times = is_given<NamedParameters, internal_np::vertex_time_map_t>;
+    const Request wanted = request(np);
+    const impl::Pass_options& options = wanted.passes;
     std::vector<impl::Flat_pair> flat_pairs;
     if(mesh_.genus > 0 || options.asks_for_fronts()) {
-      const auto passes = impl::Passes_of_tag<ConcurrencyTag>::make(
-          mesh_, start, options,
-          choose_parameter(get_parameter(np, internal_np::device_options), Device_options()));
+      const auto passes = impl::Passes_of_tag<ConcurrencyTag>::make(mesh_, wanted.seeds, options);
       impl::Loop_pipeline pipeline(*passes, options, progress);
       if(mesh_.genus > 0)
         flat_pairs = pipeline.run(statistics_);
@@ -325,18 +343,11 @@ private:
       put_swept_vertices(passes->take_swept_vertices(), np);
     }
     const impl::Execution execution = impl::execution_of<ConcurrencyTag>().watched_by(progress);
-    impl::Class_options wanted;
-    wanted.kind = choose_parameter(get_parameter(np, internal_np::basis_kind), Basis_kind::PURE);
-    wanted.do_link = choose_parameter(get_parameter(np, internal_np::do_compute_linking), true);
-    wanted.do_shorten = options.do_tighten;
-    if(options.literal_rules.finite_offset)
-      wanted.offset =
-          options.literal_rules.offset * mesh_.in_units_of_caller(impl::mean_edge_length(mesh_));
     std::optional<impl::Loop_relations> relations;
     if(!flat_pairs.empty()) {
       progress.start(Stage::CLASSES);
       relations = impl::find_right_classes(
-          execution, mesh_, wanted,
+          execution, mesh_, wanted.classes,
           [&](const std::vector<impl::Flat_pair>& pairs) {
             return relate_(execution, converted(execution, pairs), components());
           },
@@ -346,7 +357,8 @@ private:
     progress.start(Stage::CONVERT);
     std::vector<Pair> pairs = converted(execution, flat_pairs);
     progress.end(Stage::CONVERT);
-    certificate_ = name_and_certify_(execution, wanted, std::move(relations), pairs, progress);
+    certificate_ =
+        name_and_certify_(execution, wanted.classes, std::move(relations), pairs, progress);
     if(!certificate_)
       throw Uncertified_loops_exception("the loops found fail their certificate: " +
                                         certificate_.failure);

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
@@ -36,8 +37,8 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-writes the boundary curves of a surface as loops, the surface to their left; or, with `do_tighten`,
-for each its waist: a short loop that is homologous to it.
+writes the boundary curves of a surface as loops, the surface to their left; or, if
+`basis_kind` says so, for each its waist: a short loop that is homologous to it.
 
 All but one of the curves of each component, whichever that is, are a basis of its first homology
 group together with the loops of `handle_tunnel_loops()`. A waist may take the place of its curve.
@@ -50,7 +51,7 @@ loops (the two legs of trousers may be narrower than the waist), or the curve is
 component and separates nothing, the curve itself is tightened, which does not change its homotopy
 class; and where it bounds a disk it would shrink to a point, and is written as it is.
 
-Linear in the size of the mesh; with `do_tighten` mostly near linear for each curve.
+Linear in the size of the mesh; short loops take mostly near linear time for each curve.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
@@ -65,10 +66,10 @@ Linear in the size of the mesh; with `do_tighten` mostly near linear for each cu
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{do_tighten}
-    \cgalParamDescription{whether the waists of the curves are written in their place}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
+  \cgalParamNBegin{basis_kind}
+    \cgalParamDescription{`SHORTEST` asks for waists; `PURE` for the curves as they are}
+    \cgalParamType{`Handle_tunnel_loops::Basis_kind`}
+    \cgalParamDefault{`Handle_tunnel_loops::Basis_kind::PURE`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
@@ -118,7 +119,9 @@ OutputIterator boundary_loops(const TriangleMesh& tm,
   const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(tm, point, traits,
                                                                                   vertices);
   std::vector<impl::Crossing_loop> flat_loops;
-  if(choose_parameter(get_parameter(np, internal_np::do_tighten), false))
+  const auto kind = choose_parameter(get_parameter(np, internal_np::basis_kind),
+                                     Handle_tunnel_loops::Basis_kind::PURE);
+  if(kind == Handle_tunnel_loops::Basis_kind::SHORTEST)
     flat_loops = impl::waists(execution, mesh);
   else
     for(impl::Index hub = mesh.first_hub; hub < mesh.first_hub + mesh.number_of_hubs; ++hub)

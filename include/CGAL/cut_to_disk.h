@@ -42,16 +42,14 @@ void read_parameters(Request& request, const NamedParameters& np) {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
-  if constexpr(is_default_parameter<NamedParameters, internal_np::edge_weight_map_t>::value)
+  if constexpr(is_default_parameter<NamedParameters, internal_np::edge_weight_t>::value)
     request.use_lengths();
   else
-    request.use_weights(get_parameter(np, internal_np::edge_weight_map));
+    request.use_weights(get_parameter(np, internal_np::edge_weight));
   if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
-    request.set_rule(get_parameter(np, internal_np::edge_is_constrained), Edge_rule::KEEP);
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_avoided_map_t>::value)
-    request.set_rule(get_parameter(np, internal_np::edge_is_avoided_map), Edge_rule::AVOID);
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::cone_vertices_t>::value)
-    request.add_cones(get_parameter(np, internal_np::cone_vertices));
+    request.keep_edges(get_parameter(np, internal_np::edge_is_constrained));
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+    request.add_cones(get_parameter(np, internal_np::vertex_is_constrained));
   request.cut_spheres(choose_parameter(get_parameter(np, internal_np::do_cut_spheres), false));
   request.open_at_boundaries();
 }
@@ -87,15 +85,17 @@ The result does not depend on the number of threads.
   `handle_tunnel_loops()`
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{cone_vertices}
+  \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{vertices that the cut has to pass, so that they are on the boundary of the
       disk: the cones of a parametrization, say}
-    \cgalParamType{a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
     \cgalParamDefault{none}
-    \cgalParamExtra{A sphere with one cone is cut from there to the vertex farthest away.}
+    \cgalParamExtra{A sphere with one such vertex is cut from there to the vertex farthest away.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what an edge counts, in the place of its length; not negative}
+    \cgalParamDescription{what an edge counts, in the place of its length; not negative. An edge
+      of infinite weight must not belong to the cut}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
     \cgalParamDefault{the length of the edge}
@@ -106,13 +106,7 @@ The result does not depend on the number of threads.
       `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
-  \cgalParamNBegin{edge_is_avoided_map}
-    \cgalParamDescription{edges that must not belong to the cut}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-  \cgalParamNBegin{cut_loops}
+  \cgalParamNBegin{known_loops}
     \cgalParamDescription{loops to begin with, which are then not looked for; any will do, the
       shorter they are the better, a basis is best}
     \cgalParamType{a range of `Handle_tunnel_pair<TriangleMesh>` or `Loop_on_surface<TriangleMesh>`}
@@ -142,8 +136,8 @@ The result does not depend on the number of threads.
   mesh, with or without boundary, with finite coordinates
 \throws Handle_tunnel_loops::No_cut_exception if the edges to keep or to avoid leave no cut; that is
   decided before loops are looked for
-\throws std::invalid_argument if a cone is not a vertex with faces of `tm`, or a weight is negative
-  or not finite
+\throws std::invalid_argument if a constrained vertex has no faces, or a weight is negative or not a
+  number
 \throws Handle_tunnel_loops::Uncertified_cut_exception if the result is not as promised; that is a
   defect of the package, and nothing has been written
 \throws . what `handle_tunnel_loops()` throws
@@ -171,15 +165,19 @@ OutputIterator cut_to_disk(const TriangleMesh& tm,
   impl::read_parameters(request, np);
   impl::check_rules(request.problem());
   const auto add = [&](const auto& loop) { request.add_loop(loop); };
-  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::cut_loops_t>::value) {
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::known_loops_t>::value)
+  {
     std::vector<typename Solver::Pair> pairs;
+    auto options = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::solver_options), Solver_options());
+    options.do_compute_linking = false;
     solver.template find_loops<ConcurrencyTag>(
         std::back_inserter(pairs),
-        parameters::do_compute_linking(false, parameters::basis_kind(Basis_kind::SHORTEST, np)));
+        parameters::solver_options(options, parameters::basis_kind(Basis_kind::SHORTEST, np)));
     for(const auto& pair : pairs)
       impl::for_each_loop_of(pair, add);
   } else {
-    for(const auto& item : parameters::get_parameter(np, internal_np::cut_loops))
+    for(const auto& item : parameters::get_parameter(np, internal_np::known_loops))
       impl::for_each_loop_of(item, add);
   }
   for(const impl::Index h : impl::cut_open(request.problem()))

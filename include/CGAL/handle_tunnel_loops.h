@@ -13,9 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
-#include <CGAL/Handle_tunnel_loops/Device_options.h>
-#include <CGAL/Handle_tunnel_loops/Field_constants.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
@@ -114,28 +113,10 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
     \cgalParamType{a class model of `HandleTunnelLoopsVisitor`}
     \cgalParamDefault{`Handle_tunnel_loops::Default_visitor`}
   \cgalParamNEnd
-  \cgalParamNBegin{field_constants}
-    \cgalParamDescription{the constants of the phase field}
-    \cgalParamType{`Handle_tunnel_loops::Field_constants`}
-    \cgalParamDefault{those of the paper}
-  \cgalParamNEnd
-  \cgalParamNBegin{do_refine_handles}
-    \cgalParamDescription{whether to run the refinement pass}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`true`}
-  \cgalParamNEnd
-  \cgalParamNBegin{do_tighten}
-    \cgalParamDescription{whether to tighten the loops in their homotopy classes, and to look for
-      shorter ones}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`true`}
-  \cgalParamNEnd
-  \cgalParamNBegin{do_compute_linking}
-    \cgalParamDescription{whether linking numbers tell handles from tunnels; otherwise the growth
-      along the normals does, it is not known which loops bound inside and outside, and none are
-      replaced by others that do}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`true`}
+  \cgalParamNBegin{solver_options}
+    \cgalParamDescription{what is done to find the loops, and how}
+    \cgalParamType{`Handle_tunnel_loops::Solver_options`}
+    \cgalParamDefault{as that says}
   \cgalParamNEnd
   \cgalParamNBegin{basis_kind}
     \cgalParamDescription{which basis is looked for: `PURE`, of handle loops that bound inside and
@@ -147,19 +128,6 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
     \cgalParamType{`Handle_tunnel_loops::Basis_kind`}
     \cgalParamDefault{`Handle_tunnel_loops::Basis_kind::PURE`}
   \cgalParamNEnd
-  \cgalParamNBegin{do_log_fronts}
-    \cgalParamDescription{whether `Handle_tunnel_loops::Statistics::front_events` is filled, which
-      `Handle_tunnel_loops_solver::statistics()` returns; `Reference_tag` always does, where there
-      are handles}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{literal_rules}
-    \cgalParamDescription{which rules of the paper `Reference_tag` is to follow to the letter; other
-      tags do not look at them, but for `Handle_tunnel_loops::Literal_rules::finite_offset`}
-    \cgalParamType{`Handle_tunnel_loops::Literal_rules`}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
   \cgalParamNBegin{vertex_layer_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the layer of the front
       that came to it in the initial pass (paper, section 4.1). Layers are numbered from 1 as in
@@ -168,10 +136,11 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
     \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
       `std::size_t` as value type}
     \cgalParamDefault{unused}
-    \cgalParamExtra{It takes as long as `do_log_fronts`, no longer with both, and four bytes per
-      vertex until the loops are found. It is written before these are.}
+    \cgalParamExtra{It takes as long as `Handle_tunnel_loops::Solver_options::do_log_fronts`, no
+      longer with both, and four bytes per vertex until the loops are found. It is written before
+      these are.}
   \cgalParamNEnd
-  \cgalParamNBegin{vertex_time_map}
+  \cgalParamNBegin{vertex_value_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the time at which the
       front of the initial pass came to it, in steps of the field and parts of them: 0 at the seed,
       and by `Reference_tag` around it}
@@ -180,12 +149,6 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
     \cgalParamDefault{unused}
     \cgalParamExtra{It takes eight bytes per vertex until the loops are found. It is written before
       these are.}
-  \cgalParamNEnd
-  \cgalParamNBegin{device_options}
-    \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
-      `Cuda_if_available_tag`}
-    \cgalParamType{`Handle_tunnel_loops::Device_options`}
-    \cgalParamDefault{the current device, and a stream of its own}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -196,7 +159,7 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
 \throws Handle_tunnel_loops::Uncertified_loops_exception if the answer fails its certificate; that
   is a defect of the package, and nothing has been written
-\throws Handle_tunnel_loops::Literal_failure_exception if a rule among `literal_rules` leads nowhere
+\throws Handle_tunnel_loops::Literal_failure_exception if a literal rule leads nowhere
 \throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
 \throws std::invalid_argument if the seed vertex, the constants of the field or those of literal
   rules are not valid

@@ -12,10 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Device_options.h>
-#include <CGAL/Handle_tunnel_loops/Field_constants.h>
-#include <CGAL/Handle_tunnel_loops/Literal_rules.h>
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
@@ -38,7 +36,8 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes the Reeb graph of a diffusion on a surface, or that of any function on its vertices.
+computes the Reeb graph of a diffusion on a surface; `CGAL::reeb_graph_of_function()` does that of
+any function on its vertices.
 
 The Reeb graph of a function has a point for each contour, that is, for each connected component of
 a level set. Its nodes are the critical points, where contours begin, meet, part and end; its arcs
@@ -49,7 +48,7 @@ function is: the graph has one component for each component of the surface, the 
 connected surface of genus g has g independent cycles, there are 2 - 2g more minima and maxima than
 saddles, and each vertex of the mesh belongs to one arc.
 
-By default the function is the arrival time of a front (\cgalCite{weinrauch2023variational}, section
+The function is the arrival time of a front (\cgalCite{weinrauch2023variational}, section
 6): on components with handles it starts at both sides of all handle loops, which puts the junctions
 where the handles branch off; on components of genus 0 it starts at one vertex, the one that a first
 front from the vertex of smallest index reaches last. Each arc is drawn along the means of the
@@ -67,13 +66,12 @@ halfedges it is \f$ O(n \log n) \f$ from there on. The memory is about 80 bytes 
 100 to 180 where a third of the vertices are critical points.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
-  `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`; for a diffusion
-  also `Cuda_tag`, `Cuda_if_available_tag` and `Reference_tag`. With the CUDA tags all fields, those
-  that find the handle loops and the diffusion itself, run on the device, and the rest on the
-  processor, in parallel if TBB is linked. With `Reference_tag` all fields are those of the
-  reference solver, in one thread. The result does not depend on the tag, but for `Reference_tag`,
-  which finds handle loops and arrival times of its own. With `vertex_function_map`, and in
-  `CGAL::reeb_graph_of_function()`, there is no field, and only the first three tags compile.
+  `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag`,
+  `Cuda_if_available_tag` and `Reference_tag`. With the CUDA tags all fields, those that find the
+  handle loops and the diffusion itself, run on the device, and the rest on the processor, in
+  parallel if TBB is linked. With `Reference_tag` all fields are those of the reference solver, in
+  one thread. The result does not depend on the tag, but for `Reference_tag`, which finds handle
+  loops and arrival times of its own.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex
   point map
@@ -86,13 +84,6 @@ that it is fit for `CGAL::split_graph_into_polylines()`; this takes some nodes o
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_function_map}
-    \cgalParamDescription{the function; equal values are ordered by the indices of their vertices}
-    \cgalParamType{a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and
-      numbers that `CGAL::to_double()` takes as values; they are compared as `double`, integers as
-      they are}
-    \cgalParamDefault{the arrival time of a diffusion}
-  \cgalParamNEnd
   \cgalParamNBegin{seed_vertex}
     \cgalParamDescription{the vertex at which the diffusion starts, in its component}
     \cgalParamType{`boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
@@ -104,18 +95,10 @@ that it is fit for `CGAL::split_graph_into_polylines()`; this takes some nodes o
     \cgalParamDefault{see above}
     \cgalParamExtra{Components without a source are treated as those of genus 0.}
   \cgalParamNEnd
-  \cgalParamNBegin{simplification_threshold}
-    \cgalParamDescription{leaves are taken off whose size is at most this part of the whole, in the
-measure given by `reeb_measure`}
-    \cgalParamType{`double`, in [0, 1]}
-    \cgalParamDefault{0.03}
-    \cgalParamExtra{0 gives the full Reeb graph.}
-  \cgalParamNEnd
-  \cgalParamNBegin{reeb_measure}
-    \cgalParamDescription{how the size of a leaf is measured}
-    \cgalParamType{`Reeb_measure`}
-    \cgalParamDefault{`Reeb_measure::LIMBS` for a diffusion, `Reeb_measure::PERSISTENCE` for a given
-function}
+  \cgalParamNBegin{reeb_options}
+    \cgalParamDescription{what the graph is to be like}
+    \cgalParamType{`Handle_tunnel_loops::Reeb_options`}
+    \cgalParamDefault{as that says}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_arc_map}
     \cgalParamDescription{is given, for each vertex that is not isolated, the index of its arc}
@@ -129,12 +112,6 @@ function}
     \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
       `double` as values}
     \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{allow_parallel_arcs}
-    \cgalParamDescription{whether several arcs may join the same two nodes, or one a node to itself;
-if so there are no regular nodes}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
@@ -158,22 +135,12 @@ returning `false`}
     \cgalParamDefault{an empty function}
     \cgalParamExtra{After a stop the graph is as it was.}
   \cgalParamNEnd
-  \cgalParamNBegin{device_options}
-    \cgalParamDescription{the device and the stream to use with `Cuda_tag` and
-      `Cuda_if_available_tag`}
-    \cgalParamType{`Handle_tunnel_loops::Device_options`}
-    \cgalParamDefault{the current device, and a stream of its own}
-  \cgalParamNEnd
-  \cgalParamNBegin{field_constants}
-    \cgalParamDescription{the constants of the phase field}
-    \cgalParamType{`Handle_tunnel_loops::Field_constants`}
-    \cgalParamDefault{those of the paper}
-  \cgalParamNEnd
-  \cgalParamNBegin{literal_rules}
-    \cgalParamDescription{which rules of the paper `Reference_tag` is to follow to the letter, for
-the handle loops and, those of the Laplacian and of its coefficient, for the diffusion}
-    \cgalParamType{`Handle_tunnel_loops::Literal_rules`}
-    \cgalParamDefault{none}
+  \cgalParamNBegin{solver_options}
+    \cgalParamDescription{how the fields are computed: of the options, the constants of the field,
+the device and the literal rules are looked at, of which those of the Laplacian and of its
+      coefficient are followed in the diffusion, too}
+    \cgalParamType{`Handle_tunnel_loops::Solver_options`}
+    \cgalParamDefault{as that says}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -181,10 +148,8 @@ the handle loops and, those of the Laplacian and of its coefficient, for the dif
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates
-\throws Handle_tunnel_loops::Invalid_function_exception if the function is infinite or not a number
-  at a vertex
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
-\throws Handle_tunnel_loops::Literal_failure_exception if a rule among `literal_rules` leads nowhere
+\throws Handle_tunnel_loops::Literal_failure_exception if a literal rule leads nowhere
 \throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
 \throws std::invalid_argument if a source is not a vertex with faces, or the threshold is not in [0,
 1]
@@ -204,39 +169,30 @@ reeb_graph(const TriangleMesh& tm,
   namespace impl = Handle_tunnel_loops::internal;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  if constexpr(parameters::is_default_parameter<NamedParameters,
-                                                internal_np::vertex_function_map_t>::value)
-  {
-    const auto device_options =
-        choose_parameter(get_parameter(np, internal_np::device_options), Device_options());
-    auto computation = [&] {
-      const typename impl::Passes_of_tag<ConcurrencyTag>::Head_start head_start(device_options,
-                                                                                num_vertices(tm));
-      return impl::Reeb_computation<TriangleMesh, NamedParameters>(
-          impl::execution_of<ConcurrencyTag>(), tm, np);
-    }();
-    const auto diffusion = [&](const impl::Flat_mesh& mesh, Statistics& statistics) {
-      impl::Pass_options options;
-      options.constants =
-          choose_parameter(get_parameter(np, internal_np::field_constants), Field_constants());
-      impl::check_constants(options.constants);
-      options.literal_rules =
-          choose_parameter(get_parameter(np, internal_np::literal_rules), Literal_rules());
-      options.do_tighten = false; // a front forgets where exactly it started
-      const auto nothing = [](Stage) {};
-      impl::Progress progress(
-          choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-          nothing, nothing, statistics, impl::Progress::stages_of_diffusion());
-      const auto passes =
-          impl::Passes_of_tag<ConcurrencyTag>::make(mesh, mesh.seeds, options, device_options);
-      return impl::diffusion_times(*passes, options, mesh, computation.sources(), progress,
-                                   statistics);
-    };
-    return computation.run_on_times(diffusion, graph);
-  } else {
-    return reeb_graph_of_function<ConcurrencyTag>(
-        tm, get_parameter(np, internal_np::vertex_function_map), graph, np);
-  }
+  const auto given =
+      choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options());
+  auto computation = [&] {
+    const typename impl::Passes_of_tag<ConcurrencyTag>::Head_start head_start(given.device,
+                                                                              num_vertices(tm));
+    return impl::Reeb_computation<TriangleMesh, NamedParameters>(
+        impl::execution_of<ConcurrencyTag>(), tm, np);
+  }();
+  const auto diffusion = [&](const impl::Flat_mesh& mesh, Statistics& statistics) {
+    impl::check_constants(given.field_constants);
+    impl::Pass_options options;
+    options.field_constants = given.field_constants;
+    options.literal_rules = given.literal_rules;
+    options.device = given.device;
+    options.do_tighten = false; // a front forgets where exactly it started
+    const auto nothing = [](Stage) {};
+    impl::Progress progress(
+        choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
+        nothing, nothing, statistics, impl::Progress::stages_of_diffusion());
+    const auto passes = impl::Passes_of_tag<ConcurrencyTag>::make(mesh, mesh.seeds, options);
+    return impl::diffusion_times(*passes, options, mesh, computation.sources(), progress,
+                                 statistics);
+  };
+  return computation.run_on_times(diffusion, graph);
 }
 
 } // namespace CGAL

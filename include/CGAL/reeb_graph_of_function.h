@@ -30,9 +30,8 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes the Reeb graph of a function on the vertices of a surface: what
-`CGAL::reeb_graph()` does with the named parameter `vertex_function_map`, with the same result. This
-header compiles in less time, as it includes nothing that finds loops.
+computes the Reeb graph of a function on the vertices of a surface, as `CGAL::reeb_graph()` does
+with a diffusion. This header compiles in less time, as it includes nothing that finds loops.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
@@ -49,9 +48,8 @@ header compiles in less time, as it includes nothing that finds loops.
 \param tm the mesh
 \param function the function; equal values are ordered by the indices of their vertices
 \param graph the graph that the result is assigned to
-\param np named parameters: `simplification_threshold`, `reeb_measure`, `vertex_arc_map`,
-  `vertex_value_map`, `allow_parallel_arcs`, `vertex_point_map`, `vertex_index_map` and
-`geom_traits` of `CGAL::reeb_graph()`
+\param np named parameters: `reeb_options`, `vertex_arc_map`, `vertex_value_map`,
+  `vertex_point_map`, `vertex_index_map` and `geom_traits` of `CGAL::reeb_graph()`
 
 \return what the computation did
 

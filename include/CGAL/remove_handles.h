@@ -81,60 +81,33 @@ are refined and plane otherwise.
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{target_genus}
-    \cgalParamDescription{the genus to be left, summed over the components}
-    \cgalParamType{`std::size_t`}
-    \cgalParamDefault{0}
+  \cgalParamNBegin{removal_options}
+    \cgalParamDescription{which handles and necks are removed, and how}
+    \cgalParamType{`Handle_tunnel_loops::Removal_options`}
+    \cgalParamDefault{all handles, and no necks}
   \cgalParamNEnd
-  \cgalParamNBegin{maximal_length}
-    \cgalParamDescription{only handles of a smaller size are removed; in the unit of the
-      coordinates}
-    \cgalParamType{`double`}
-    \cgalParamDefault{no limit, or that of necks}
-  \cgalParamNEnd
-  \cgalParamNBegin{removal_box}
-    \cgalParamDescription{only handles are removed whose loop that is tried first lies in this box}
-    \cgalParamType{`Bbox_3`}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-  \cgalParamNBegin{handle_filter}
+  \cgalParamNBegin{filter}
     \cgalParamDescription{only handles are removed of which this is true}
     \cgalParamType{a function that takes a `Handle_tunnel_pair` and returns a `bool`}
     \cgalParamDefault{none}
   \cgalParamNEnd
-  \cgalParamNBegin{known_pairs}
+  \cgalParamNBegin{known_loops}
     \cgalParamDescription{the loops of all handles, or of some, if they have been found already:
       these are the handles there are to choose from}
     \cgalParamType{a range of `Handle_tunnel_pair`}
     \cgalParamDefault{they are found}
   \cgalParamNEnd
-  \cgalParamNBegin{removal_method}
-    \cgalParamDescription{along which loops handles are removed}
-    \cgalParamType{`Handle_tunnel_loops::Removal_method`}
-    \cgalParamDefault{`Handle_tunnel_loops::Removal_method::CHEAPEST`}
-  \cgalParamNEnd
-  \cgalParamNBegin{maximal_neck_length}
-    \cgalParamDescription{necks shorter than this are removed; 0 for none}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0}
-  \cgalParamNEnd
-  \cgalParamNBegin{minimal_piece_share}
-    \cgalParamDescription{the share of the area of its component that each piece has at least that
-      comes off at a neck; from 0 to 0.5}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.01}
-  \cgalParamNEnd
-  \cgalParamNBegin{do_dry_run}
+  \cgalParamNBegin{dry_run}
     \cgalParamDescription{whether all is computed and nothing is written to the mesh}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
-  \cgalParamNBegin{added_faces}
+  \cgalParamNBegin{face_output_iterator}
     \cgalParamDescription{is told the faces that the mesh did not have before}
     \cgalParamType{a model of `OutputIterator` that accepts face descriptors}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
-  \cgalParamNBegin{added_vertices}
+  \cgalParamNBegin{vertex_output_iterator}
     \cgalParamDescription{is told the vertices that the mesh did not have before}
     \cgalParamType{a model of `OutputIterator` that accepts vertex descriptors}
     \cgalParamDefault{`Emptyset_iterator`}
@@ -148,7 +121,7 @@ are refined and plane otherwise.
       number as value type, that takes faces that are new}
     \cgalParamDefault{none}
   \cgalParamNEnd
-  \cgalParamNBegin{remaining_pairs}
+  \cgalParamNBegin{output_iterator}
     \cgalParamDescription{is told the loops of the handles that are left, as `handle_tunnel_loops()`
       finds them on the mesh once handles are removed, in the time that this takes and without
       asking the callback. That is not done in a dry run}

@@ -47,7 +47,7 @@ htloops::Removal_options options_of(const py::dict& options) {
   if(const auto length = chosen<double>(options, "shorter_than"))
     result.maximal_length = *length;
   if(const auto length = chosen<double>(options, "necks"))
-    result.maximal_neck_length = result.maximal_length = *length;
+    result.maximal_length = result.maximal_neck_length = *length;
   if(const auto box = chosen<std::array<double, 6>>(options, "box"))
     result.box = CGAL::Bbox_3((*box)[0], (*box)[1], (*box)[2], (*box)[3], (*box)[4], (*box)[5]);
   result.method = methods.at(py::cast<std::string>(options["by"]));

@@ -11,7 +11,7 @@ is the same for all models. In the package it is the abstract class
 of it may change.
 
 A model is made by `Passes_of_tag<ConcurrencyTag>::%make()` from a `Flat_mesh`, the vertices to
-start from (one in each component), the options, and the options of a device. The mesh outlives it.
+start from (one in each component), and the options. The mesh outlives it.
 
 Every pass reports its progress, and throws `CGAL::Handle_tunnel_loops::Interrupted_exception` when
 somebody wants to stop. The answer may depend on the mesh, the seeds and the options, but not on the

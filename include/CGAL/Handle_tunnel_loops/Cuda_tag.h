@@ -35,16 +35,17 @@ As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()`, of
 `CGAL::Handle_tunnel_loops_solver::find_loops()` and of `CGAL::reeb_graph()`, it asks for a CUDA
 device: the fields of all passes and the contours run there, and contours and closed walks come
 back; arrival times only where no dual loop of a handle was found in the tunnel pass, for the
-tunnels that are found by one field from all loops, with `vertex_time_map`, and, with
+tunnels that are found by one field from all loops, with `vertex_value_map`, and, with
 `do_log_fronts` or `vertex_layer_map`, as layers. For a Reeb graph of a diffusion its field runs
 there too, and its arrival times come back. The preparation of the mesh, the tightening of the loops
 and the certificate run on the processor, in parallel if TBB is linked. The loops are those of
 `Sequential_tag` and `Parallel_tag`.
 
-Which device and which stream is said by the named parameter `device_options`. At least about
-90 bytes per face of the device's memory are asked for: some 50 for the mesh and one field, the
-rest for one loop pass. Where there is more, the loop passes take more, and run the more at a time.
-Some of it is kept for the next computation, see `Handle_tunnel_loops::release_device_memory()`.
+Which device and which stream is said by `Handle_tunnel_loops::Solver_options::device`. At least
+about 90 bytes per face of the device's memory are asked for: some 50 for the mesh and one field,
+the rest for one loop pass. Where there is more, the loop passes take more, and run the more at a
+time. Some of it is kept for the next computation, see
+`Handle_tunnel_loops::release_device_memory()`.
 
 The program must be linked with the target `Handle_tunnel_loops::cuda`, which defines the macro
 `CGAL_LINKED_WITH_CUDA`; without, the use of this tag does not compile.
@@ -97,10 +98,8 @@ template <> struct Passes_of_tag<Cuda_tag> : Passes_without_cuda<Cuda_tag>
 
 template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Parallel_if_available_tag>
 {
-  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
-                                      std::vector<Index> seeds,
-                                      const Pass_options& options,
-                                      const Device_options&) {
+  static std::unique_ptr<Passes>
+  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return make_host_passes(execution_of<Cuda_if_available_tag>(), mesh, std::move(seeds), options,
                             "the program is not linked with Handle_tunnel_loops::cuda");
   }

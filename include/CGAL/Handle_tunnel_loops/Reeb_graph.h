@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,23 @@ namespace Handle_tunnel_loops {
 /// \ingroup PkgHandleTunnelLoopsRef
 /// The part of the whole up to which leaves of a Reeb graph are taken off, if no other is given.
 constexpr double default_simplification_threshold = 0.03;
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// What a Reeb graph is to be like: the value of the named parameter `reeb_options`.
+struct Reeb_options
+{
+  /// how the size of a leaf is measured; by default by `Reeb_measure::LIMBS` for a diffusion, and
+  /// by `Reeb_measure::PERSISTENCE` for a given function.
+  std::optional<Reeb_measure> measure;
+
+  /// leaves are taken off whose size is at most this part of the whole, in [0, 1]; 0 gives the full
+  /// Reeb graph.
+  double threshold = default_simplification_threshold;
+
+  /// whether several arcs may join the same two nodes, or one a node to itself; if so there are no
+  /// regular nodes.
+  bool allow_parallel_arcs = false;
+};
 
 /// \ingroup PkgHandleTunnelLoopsRef
 /// What a computation of a Reeb graph did.

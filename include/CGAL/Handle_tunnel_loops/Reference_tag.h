@@ -35,11 +35,11 @@ and share no algorithm that finds loops with the other solvers; they share with 
 its arrays, the sequences of crossed edges that loops are, the order of the passes, the conversion
 of the answer, the linking numbers and the offset criterion that tell handles from tunnels, and the
 certificate. The stage `CLASSES` that follows is that of the other solvers too: it replaces loops
-that do not bound, unless `do_compute_linking` is switched off, and looks for shorter ones, which
-are tightened, unless `do_tighten` is. `Handle_tunnel_loops::Statistics::front_events` holds the
-splits, merges and closings of the initial pass afterwards, and
-`Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for what the paper takes
-for granted.
+that do not bound, unless `Solver_options::do_compute_linking` is switched off, and looks for
+shorter ones, which are tightened, unless `do_tighten` is.
+`Handle_tunnel_loops::Statistics::front_events` holds the splits, merges and closings of the initial
+pass afterwards, and `Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for
+what the paper takes for granted.
 
 A Reeb graph starts from the handle loops of these passes, and its diffusion is one more field over
 the whole mesh, section 6 of the paper; the sweep through the arrival times is that of the other

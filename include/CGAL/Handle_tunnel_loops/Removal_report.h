@@ -12,7 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,26 @@ enum class Removal_method {
   FILL,    ///< cut along the tunnel loop, and its hole closed on both sides
   CHEAPEST ///< whole if it is like a knob on the surface; or else along the shorter of the two, or
            ///< along the other one if that cannot be
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// Which handles are removed, and how: the value of the named parameter `removal_options`. Lengths
+/// are in the unit of the coordinates.
+struct Removal_options
+{
+  /// along which loops handles are removed.
+  Removal_method method = Removal_method::CHEAPEST;
+  /// the genus to be left, summed over the components; by default none.
+  std::optional<std::size_t> target_genus;
+  /// only handles of a smaller size are removed; by default there is no limit, or that of necks.
+  std::optional<double> maximal_length;
+  /// only handles are removed whose loop that is tried first lies in this box.
+  std::optional<Bbox_3> box;
+  /// necks shorter than this are removed; 0 for none.
+  double maximal_neck_length = 0.;
+  /// the share of the area of its component that each piece has at least that comes off at a neck;
+  /// from 0 to 0.5.
+  double minimal_piece_share = 0.01;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Capped_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
@@ -98,10 +99,11 @@ loops to bound in.
     \cgalParamType{a class model of `ReadablePropertyMap`}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
-  \cgalParamNBegin{do_compute_linking}
-    \cgalParamDescription{whether to compute linking numbers}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`true`}
+  \cgalParamNBegin{solver_options}
+    \cgalParamDescription{of which `do_compute_linking` is looked at: whether to compute linking
+      numbers}
+    \cgalParamType{`Handle_tunnel_loops::Solver_options`}
+    \cgalParamDefault{they are computed}
   \cgalParamNEnd
   \cgalParamNBegin{basis_kind}
     \cgalParamDescription{what the loops are meant to be: of the shortest basis it is reported, and
@@ -134,7 +136,9 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
                                       get_const_property_map(vertex_point, tm));
   const Handle_tunnel_loops::Basis_kind kind = choose_parameter(
       get_parameter(np, internal_np::basis_kind), Handle_tunnel_loops::Basis_kind::PURE);
-  const bool do_link = choose_parameter(get_parameter(np, internal_np::do_compute_linking), true);
+  const bool do_link = choose_parameter(get_parameter(np, internal_np::solver_options),
+                                        Handle_tunnel_loops::Solver_options())
+                           .do_compute_linking;
   const bool is_closed = impl::is_closed_after_check(execution, tm, vertex_index);
   CGAL_expensive_precondition(impl::are_loops_of(tm, pairs));
   if(is_closed)

@@ -179,7 +179,7 @@ passed at once.
       as value type}
     \cgalParamDefault{unused}
   \cgalParamNEnd
-  \cgalParamNBegin{face_origin_map}
+  \cgalParamNBegin{face_to_face_map}
     \cgalParamDescription{is given, for each part of a face that was divided, that face, which is
       one of the parts}
     \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as keys and as
@@ -219,8 +219,8 @@ OutputIterator imprint_loops(const LoopRange& loops,
       for(const auto h : walk)
         put(marks, edge(h, tm), true);
   }
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_origin_map_t>::value) {
-    auto origins = get_parameter(np, internal_np::face_origin_map);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_to_face_map_t>::value) {
+    auto origins = get_parameter(np, internal_np::face_to_face_map);
     imprint.for_each_part(
         [&](const auto& part, const auto& origin) { put(origins, part, origin); });
   }

@@ -80,8 +80,8 @@ struct Statistics
   std::size_t swept_handles = 0;
   std::size_t traced_tunnels = 0;  ///< tunnels that the tunnel pass found
   std::size_t refined_handles = 0; ///< handles that the refinement pass replaced
-  /// of the initial pass, if `do_log_fronts` asks for them; always by `Reference_tag`, where there
-  /// are handles.
+  /// of the initial pass, if `Solver_options::do_log_fronts` asks for them; always by
+  /// `Reference_tag`, where there are handles.
   std::vector<Front_event> front_events;
   Field_resolution resolution; ///< of the initial pass; by `Reference_tag` only
   /// what computed the fields, if any: "host", "cuda" or "reference"; "cuda, then host" where a

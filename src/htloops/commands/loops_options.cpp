@@ -201,7 +201,8 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   if(options.seed)
     solve_options.seed = vertex_of_mesh(mesh, *options.seed);
   solve_options.do_refine_handles = !options.do_not_refine;
-  solve_options.is_literal = options.is_literal;
+  if(options.is_literal)
+    solve_options.literal_rules = CGAL::Handle_tunnel_loops::Literal_rules::all();
   solve_options.do_tighten = !options.do_not_tighten && !options.is_literal;
   solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
   using CGAL::Handle_tunnel_loops::Basis_kind;

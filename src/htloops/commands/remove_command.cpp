@@ -128,7 +128,7 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
     removal.pairs = options.pairs;
   removal.box = box_of(options.box);
   if(!options.necks.empty())
-    removal.maximal_neck_length = removal.maximal_length =
+    removal.maximal_length = removal.maximal_neck_length =
         length_on(mesh, parse_length("--necks", options.necks));
   removal.method = methods.at(options.method);
   removal.number_of_threads = options.number_of_threads;

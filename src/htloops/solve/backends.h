@@ -15,20 +15,17 @@
 #include "solve/progress.h"
 #include "solve/reeb_solver.h"
 
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace htloops {
 
-struct Solve_options
+struct Solve_options : CGAL::Handle_tunnel_loops::Solver_options
 {
   std::optional<Mesh::Vertex_index> seed;
-  bool is_literal = false; ///< of the reference
-  bool do_refine_handles = true;
-  bool do_tighten = true;
-  bool do_compute_linking = true;
-  bool do_log_fronts = false;
   bool do_find_layers = false; ///< and arrival times
   CGAL::Handle_tunnel_loops::Basis_kind basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::PURE;
   int number_of_threads = 0; ///< 0: as many as the machine has

@@ -17,9 +17,11 @@ CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
                                                const Pairs& pairs,
                                                CGAL::Handle_tunnel_loops::Basis_kind basis_kind,
                                                bool with_sides) {
+  CGAL::Handle_tunnel_loops::Solver_options options;
+  options.do_compute_linking = with_sides;
   return CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
       mesh, pairs,
-      CGAL::parameters::basis_kind(basis_kind, CGAL::parameters::do_compute_linking(with_sides)));
+      CGAL::parameters::basis_kind(basis_kind, CGAL::parameters::solver_options(options)));
 }
 
 } // namespace htloops

@@ -54,11 +54,16 @@ Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& prog
   Cut_answer answer;
   answer.number_of_threads = limit.number_of_threads();
   const Stopwatch stopwatch;
+  std::vector<char> is_cone(mesh.number_of_vertices(), 0);
+  for(const Mesh::Vertex_index v : options.cones)
+    is_cone[v.idx()] = 1;
+  const auto cones =
+      boost::make_iterator_property_map(is_cone.begin(), get(CGAL::vertex_index, mesh));
   CGAL::cut_to_disk<CGAL::Parallel_if_available_tag>(
       mesh, std::back_inserter(answer.edges),
-      parameters::cone_vertices(
-          options.cones, parameters::do_cut_spheres(options.do_cut_spheres,
-                                                    parameters::callback(progress.callback()))));
+      parameters::do_cut_spheres(
+          options.do_cut_spheres,
+          parameters::callback(progress.callback()).vertex_is_constrained_map(cones)));
   answer.total_seconds = stopwatch.seconds();
   progress.end();
   answer.genus = genus_of(mesh);

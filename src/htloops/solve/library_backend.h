@@ -45,14 +45,9 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
   namespace parameters = CGAL::parameters;
   Show_stages visitor(progress);
   const auto watched = parameters::callback(progress.callback()).visitor(std::ref(visitor));
-  const auto logged = parameters::do_log_fronts(options.do_log_fronts, watched);
-  const auto kind = parameters::basis_kind(options.basis_kind, logged);
-  const auto linked = parameters::do_compute_linking(options.do_compute_linking, kind);
-  const auto tightened = parameters::do_tighten(options.do_tighten, linked);
-  using CGAL::Handle_tunnel_loops::Literal_rules;
-  const auto literal = parameters::literal_rules(
-      options.is_literal ? Literal_rules::all() : Literal_rules(), tightened);
-  const auto np = parameters::do_refine_handles(options.do_refine_handles, literal);
+  const auto kind = parameters::basis_kind(options.basis_kind, watched);
+  const CGAL::Handle_tunnel_loops::Solver_options& how = options;
+  const auto np = parameters::solver_options(how, kind);
 
   Answer answer;
   const Stopwatch stopwatch;
@@ -69,7 +64,7 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
     told.times.assign(mesh.number_of_vertices(), -1.);
     find(parameters::vertex_layer_map(
         Vertex_map<std::size_t>{&told.layers},
-        parameters::vertex_time_map(Vertex_map<double>{&told.times}, from_seed)));
+        parameters::vertex_value_map(Vertex_map<double>{&told.times}, from_seed)));
   } else
     find(from_seed);
   answer.statistics = solver.statistics();

@@ -20,20 +20,14 @@
 namespace htloops {
 
 /// what all computations of Reeb graphs are told.
-inline auto reeb_parameters(const Reeb_options& options,
-                            CGAL::Reeb_measure default_measure,
-                            Progress& progress,
-                            Reeb_answer& answer) {
+inline auto reeb_parameters(const Reeb_options& options, Progress& progress, Reeb_answer& answer) {
   namespace parameters = CGAL::parameters;
-  return parameters::simplification_threshold(
-      options.threshold.value_or(CGAL::Handle_tunnel_loops::default_simplification_threshold),
-      parameters::reeb_measure(
-          options.measure.value_or(default_measure),
-          parameters::vertex_arc_map(
-              Vertex_map<std::size_t>{&answer.vertex_arc},
-              parameters::vertex_value_map(Vertex_map<double>{&answer.values},
-                                           parameters::allow_parallel_arcs(
-                                               true, parameters::callback(progress.callback()))))));
+  CGAL::Handle_tunnel_loops::Reeb_options wanted = options;
+  wanted.allow_parallel_arcs = true;
+  const auto values = parameters::vertex_value_map(Vertex_map<double>{&answer.values},
+                                                   parameters::callback(progress.callback()));
+  return parameters::reeb_options(
+      wanted, parameters::vertex_arc_map(Vertex_map<std::size_t>{&answer.vertex_arc}, values));
 }
 
 /// the graph of a diffusion, with fields by whom the tag stands for.
@@ -44,8 +38,8 @@ void diffuse_with_library(const Mesh& mesh,
                           Reeb_answer& answer) {
   answer.statistics = CGAL::reeb_graph<ConcurrencyTag>(
       mesh, answer.graph,
-      CGAL::parameters::source_vertices(
-          options.sources, reeb_parameters(options, CGAL::Reeb_measure::LIMBS, progress, answer)));
+      CGAL::parameters::source_vertices(options.sources,
+                                        reeb_parameters(options, progress, answer)));
   answer.backend = answer.statistics.backend;
 }
 

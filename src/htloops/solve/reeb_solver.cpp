@@ -28,7 +28,7 @@ void solve_for_function(const Mesh& mesh,
   const auto value = [&options](Mesh::Vertex_index v) { return options.values[v.idx()]; };
   answer.statistics = CGAL::reeb_graph_of_function<CGAL::Parallel_if_available_tag>(
       mesh, boost::make_function_property_map<Mesh::Vertex_index, double>(value), answer.graph,
-      reeb_parameters(options, CGAL::Reeb_measure::PERSISTENCE, progress, answer));
+      reeb_parameters(options, progress, answer));
   answer.backend = "host";
 }
 

@@ -14,20 +14,17 @@
 #include "solve/reeb_answer.h"
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace htloops {
 
-struct Reeb_options
+struct Reeb_options : CGAL::Handle_tunnel_loops::Reeb_options
 {
   std::vector<Mesh::Vertex_index> sources; ///< of the diffusion; none: as the library chooses
   std::vector<double> values;              ///< by vertex, a function; none: a diffusion
-  std::optional<CGAL::Reeb_measure> measure;
-  std::optional<double> threshold;
-  std::string backend = "auto"; ///< of the diffusion, see `choose_backend()`
-  int number_of_threads = 0;    ///< 0: as many as the machine has
+  std::string backend = "auto";            ///< of the diffusion, see `choose_backend()`
+  int number_of_threads = 0;               ///< 0: as many as the machine has
 };
 
 /// the measures by their names.

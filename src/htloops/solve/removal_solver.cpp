@@ -63,19 +63,15 @@ Removal_answer
 remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
   progress.start("remove");
-  const auto known = parameters::known_pairs(pairs, parameters::callback(progress.callback()));
-  const auto filtered = parameters::handle_filter(filter_of(options, pairs.size()), known);
-  const auto selected = parameters::target_genus(
-      options.target_genus, parameters::maximal_length(options.maximal_length, filtered));
-  const auto np =
-      parameters::maximal_neck_length(options.maximal_neck_length.value_or(0.),
-                                      parameters::removal_method(options.method, selected));
+  const CGAL::Handle_tunnel_loops::Removal_options& wanted = options;
+  const auto filtered =
+      parameters::callback(progress.callback()).filter(filter_of(options, pairs.size()));
 
   Removal_answer answer;
   answer.number_of_threads = limit.number_of_threads();
   const Stopwatch stopwatch;
-  answer.report = options.box ? remove_as_wanted(mesh, parameters::removal_box(*options.box, np))
-                              : remove_as_wanted(mesh, np);
+  answer.report = remove_as_wanted(
+      mesh, parameters::removal_options(wanted, parameters::known_loops(pairs, filtered)));
   answer.total_seconds = stopwatch.seconds();
   progress.end();
   return answer;

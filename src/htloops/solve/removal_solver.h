@@ -15,26 +15,17 @@
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
-#include <CGAL/Bbox_3.h>
-
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
 namespace htloops {
 
 /// Which handles are to be removed, and how. What is not given selects all handles.
-struct Removal_options
+struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options
 {
-  std::size_t target_genus = 0;
-  double maximal_length = std::numeric_limits<double>::infinity();
-  std::optional<CGAL::Bbox_3> box;
   std::optional<std::vector<std::size_t>> pairs; ///< by number
-  std::optional<double> maximal_neck_length;     ///< then necks are cut, too
-  CGAL::Handle_tunnel_loops::Removal_method method =
-      CGAL::Handle_tunnel_loops::Removal_method::CHEAPEST;
-  int number_of_threads = 0; ///< 0: as many as the machine has
+  int number_of_threads = 0;                     ///< 0: as many as the machine has
 };
 
 struct Removal_answer

@@ -6,6 +6,7 @@
 #include "Pass_answers.h"
 #include "Same_loops.h"
 #include "Same_reeb_graphs.h"
+#include "with.h"
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
 
@@ -24,11 +25,16 @@ using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Device_options;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
 using CGAL::Handle_tunnel_loops::least_vertices_for_device;
+using CGAL::Handle_tunnel_loops::Solver_options;
 using CGAL::Handle_tunnel_loops::Statistics;
 using cuda_stand_in::all_later;
 namespace parameters = CGAL::parameters;
 
 constexpr std::size_t any_size = 0;
+
+Solver_options on_device_from(std::size_t least_vertices) {
+  return with(&Solver_options::device, Device_options{1, nullptr, least_vertices});
+}
 
 Answers answers_of(Backend& backend, const Flat_mesh& mesh) {
   const Step_coefficients k = step_coefficients({}), searching = coefficients_for_searching(k);
@@ -100,8 +106,9 @@ TEST_F(Cuda_fallback, TheLoopsAreThoseOfTheHost) {
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
   const auto find = [&](Pairs& pairs) {
     solver.find_loops<CGAL::Cuda_if_available_tag>(
-        std::back_inserter(pairs), parameters::device_options(Device_options{1, nullptr, any_size},
-                                                              parameters::do_log_fronts(true)));
+        std::back_inserter(pairs),
+        parameters::solver_options(
+            with(&Solver_options::do_log_fronts, true, on_device_from(any_size))));
   };
   const Pairs expected_pairs = find_loops(mesh);
   for(const unsigned number : {1u, all_later})
@@ -127,8 +134,7 @@ TEST_F(Cuda_fallback, MemoryMayEndInAnyPass) {
     machine.calls.restart({first, all_later, cudaErrorMemoryAllocation});
     Pairs pairs;
     solver.find_loops<CGAL::Cuda_if_available_tag>(
-        std::back_inserter(pairs),
-        parameters::device_options(Device_options{1, nullptr, any_size}));
+        std::back_inserter(pairs), parameters::solver_options(on_device_from(any_size)));
     machine.calls.restart();
     expect_same(pairs, expected_pairs);
     number_of_fallbacks += solver.statistics().backend == "cuda, then host";
@@ -146,8 +152,8 @@ TEST_F(Cuda_fallback, StopsWhenItIsAskedToAfterAFailure) {
       unsigned calls = 0;
       EXPECT_THROW(solver.find_loops<CGAL::Cuda_if_available_tag>(
                        CGAL::Emptyset_iterator(),
-                       parameters::device_options(
-                           Device_options{1, nullptr, any_size},
+                       parameters::solver_options(
+                           on_device_from(any_size),
                            parameters::callback([&](double) { return ++calls < stop; }))),
                    Interrupted_exception);
       machine.calls.restart();
@@ -165,7 +171,7 @@ TEST_F(Cuda_fallback, TheReebGraphIsThatOfTheHost) {
     expect_survived({1, number, cudaErrorLaunchFailure}, 5, [&] {
       Reeb_graph_of_mesh graph;
       const auto statistics = CGAL::reeb_graph<CGAL::Cuda_if_available_tag>(
-          mesh, graph, parameters::device_options(Device_options{1, nullptr, any_size}));
+          mesh, graph, parameters::solver_options(on_device_from(any_size)));
       expect_same(graph, expected_graph);
       EXPECT_EQ(statistics.backend == "cuda", statistics.fallback.empty());
       on_both += statistics.backend == "cuda, then host";
@@ -176,7 +182,7 @@ TEST_F(Cuda_fallback, TheReebGraphIsThatOfTheHost) {
 TEST_F(Cuda_fallback, TheReebGraphOfASmallMeshStaysOnTheHost) {
   Reeb_graph_of_mesh graph;
   const auto statistics = CGAL::reeb_graph<CGAL::Cuda_if_available_tag>(
-      mesh_of(recipe), graph, parameters::device_options(Device_options{1, nullptr, 1000}));
+      mesh_of(recipe), graph, parameters::solver_options(on_device_from(1000)));
   EXPECT_EQ(statistics.backend, "host");
   EXPECT_NE(statistics.fallback, "");
   EXPECT_EQ(machine.calls.number(), 0u) << "a device is woken";
@@ -191,18 +197,18 @@ TEST_F(Cuda_fallback, SmallMeshesStayOnTheHost) {
   ASSERT_LT(n, least_vertices_for_device);
   for(const std::size_t least : {least_vertices_for_device, n + 1}) {
     solver.find_loops<CGAL::Cuda_if_available_tag>(
-        CGAL::Emptyset_iterator(), parameters::device_options(Device_options{1, nullptr, least}));
+        CGAL::Emptyset_iterator(), parameters::solver_options(on_device_from(least)));
     EXPECT_EQ(solver.statistics().backend, "host");
     EXPECT_NE(solver.statistics().fallback.find(std::to_string(n)), std::string::npos);
     EXPECT_EQ(machine.calls.number(), 0u) << "a device is woken";
   }
-  solver.find_loops<CGAL::Cuda_if_available_tag>(
-      CGAL::Emptyset_iterator(), parameters::device_options(Device_options{1, nullptr, n}));
+  solver.find_loops<CGAL::Cuda_if_available_tag>(CGAL::Emptyset_iterator(),
+                                                 parameters::solver_options(on_device_from(n)));
   EXPECT_EQ(solver.statistics().backend, "cuda");
   EXPECT_EQ(solver.statistics().fallback, "");
   const std::size_t largest = std::numeric_limits<std::size_t>::max();
-  solver.find_loops<CGAL::Cuda_tag>(
-      CGAL::Emptyset_iterator(), parameters::device_options(Device_options{1, nullptr, largest}));
+  solver.find_loops<CGAL::Cuda_tag>(CGAL::Emptyset_iterator(),
+                                    parameters::solver_options(on_device_from(largest)));
   EXPECT_EQ(solver.statistics().backend, "cuda") << "who asks for a device gets one";
 }
 

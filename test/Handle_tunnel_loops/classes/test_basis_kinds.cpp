@@ -4,6 +4,7 @@
 #include "Number_of_cases.h"
 #include "Pure_bases.h"
 #include "Same_loops.h"
+#include "with.h"
 
 #include "generators/Random.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 namespace params = CGAL::parameters;
 using CGAL::Handle_tunnel_loops::name_of;
+using CGAL::Handle_tunnel_loops::Solver_options;
 
 // What is left of the promises: a basis in pairs that cross an odd number of times.
 void expect_basis_in_odd_pairs(const Mesh& mesh, const Pairs& pairs, std::size_t genus) {
@@ -93,7 +95,8 @@ TEST_P(Shortest_bases, AreFoundByAnyNumberOfThreads) {
 // Nothing shortens them then.
 TEST_P(Shortest_bases, AreBasesWithoutTightening) {
   const Certified_pairs answer =
-      certified_pairs(mesh, params::do_tighten(false, params::basis_kind(Basis_kind::SHORTEST)));
+      certified_pairs(mesh, params::solver_options(with(&Solver_options::do_tighten, false),
+                                                   params::basis_kind(Basis_kind::SHORTEST)));
   expect_basis_in_odd_pairs(mesh, answer.pairs, genus);
   expect_certified(mesh, answer);
 }
@@ -102,8 +105,9 @@ TEST_P(Shortest_bases, AreBasesWithoutTightening) {
 TEST_P(Shortest_bases, AreBasesWithoutLinkingNumbers) {
   for(const Basis_kind kind : {Basis_kind::PURE, Basis_kind::SHORTEST}) {
     SCOPED_TRACE(name_of(kind));
-    const Certified_pairs answer =
-        certified_pairs(mesh, params::do_compute_linking(false, params::basis_kind(kind)));
+    const auto np = params::solver_options(with(&Solver_options::do_compute_linking, false),
+                                           params::basis_kind(kind));
+    const Certified_pairs answer = certified_pairs(mesh, np);
     expect_basis_in_odd_pairs(mesh, answer.pairs, genus);
     const Certificate& c = answer.certificate;
     EXPECT_TRUE(bool(c)) << c.failure;
@@ -111,9 +115,7 @@ TEST_P(Shortest_bases, AreBasesWithoutLinkingNumbers) {
     EXPECT_TRUE(c.linking.empty());
     EXPECT_FALSE(c.handles_bound_inside || c.tunnels_bound_outside);
     EXPECT_FALSE(c.handles_bound_inside_alone || c.tunnels_bound_outside_alone);
-    expect_same_certificates(
-        c, certify_handle_tunnel_loops(
-               mesh, answer.pairs, params::do_compute_linking(false, params::basis_kind(kind))));
+    expect_same_certificates(c, certify_handle_tunnel_loops(mesh, answer.pairs, np));
   }
 }
 

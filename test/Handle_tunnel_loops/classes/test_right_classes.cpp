@@ -5,6 +5,7 @@
 #include "Pure_bases.h"
 #include "Quiet_progress.h"
 #include "Same_loops.h"
+#include "with.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/classes/Purification.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/find_right_classes.h>
@@ -24,6 +25,7 @@ namespace {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 namespace params = CGAL::parameters;
+using CGAL::Handle_tunnel_loops::Solver_options;
 
 class Embedded_surfaces : public testing::TestWithParam<Recipe>
 {
@@ -50,7 +52,9 @@ TEST_P(Embedded_surfaces, HaveThemForAnyNumberOfThreads) {
 }
 
 TEST_P(Embedded_surfaces, HaveThemWithoutTightening) {
-  expect_pure_answer(mesh, certified_pairs(mesh, params::do_tighten(false)), genus);
+  expect_pure_answer(
+      mesh, certified_pairs(mesh, params::solver_options(with(&Solver_options::do_tighten, false))),
+      genus);
 }
 
 TEST_P(Embedded_surfaces, HaveThemFromEverySeed) {

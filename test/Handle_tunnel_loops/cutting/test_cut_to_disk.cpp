@@ -10,10 +10,13 @@
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/cut_to_disk.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -53,6 +56,19 @@ std::vector<Mesh::Vertex_index> random_vertices(Random& random, const Mesh& mesh
   while(vertices.size() < n)
     vertices.emplace_back(static_cast<unsigned>(random.below(mesh.number_of_vertices())));
   return vertices;
+}
+
+auto marks_of(const std::vector<Mesh::Vertex_index>& cones) {
+  return boost::make_function_property_map<Mesh::Vertex_index, bool>(
+      [cones](Mesh::Vertex_index v) { return std::count(cones.begin(), cones.end(), v) > 0; });
+}
+
+// Lengths, infinite of marked edges.
+auto weights_by(const Mesh& mesh, const Marks& avoided) {
+  return boost::make_function_property_map<Mesh::Edge_index, double>(
+      [&mesh, avoided](Mesh::Edge_index e) {
+        return avoided[e] ? (std::numeric_limits<double>::infinity)() : length_of(mesh, {e});
+      });
 }
 
 Marks marks_of(Mesh& mesh, const char* name) {
@@ -135,7 +151,8 @@ TEST(Cut_to_disk, PassesCones) {
   for(int round = 0; round < 100; ++round) {
     const Mesh mesh = random_mesh(random, 4);
     const auto cones = random_vertices(random, mesh, 1 + random.below(6));
-    const Opened_surface<Mesh> opened(mesh, cut_of(mesh, CGAL::parameters::cone_vertices(cones)));
+    const Opened_surface<Mesh> opened(
+        mesh, cut_of(mesh, CGAL::parameters::vertex_is_constrained_map(marks_of(cones))));
     EXPECT_TRUE(opened.are_disks());
     for(const auto v : cones)
       EXPECT_TRUE(opened.is_on_boundary(v));
@@ -152,7 +169,7 @@ TEST(Cut_to_disk, AvoidsEdges) {
     for(const auto e : mesh.edges())
       avoided[e] = random.below(one_in) == 0;
     try {
-      const Edges cut = cut_of(mesh, CGAL::parameters::edge_is_avoided_map(avoided));
+      const Edges cut = cut_of(mesh, CGAL::parameters::edge_weight_map(weights_by(mesh, avoided)));
       const Opened_surface<Mesh> opened(mesh, cut);
       EXPECT_TRUE(cut.empty() ? opened.is_sphere(0) : opened.are_disks());
       for(const auto e : cut)
@@ -214,34 +231,32 @@ TEST(Cut_to_disk, IsShortByWeights) {
 TEST(Cut_to_disk, BeginsWithAnyLoops) {
   const Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 1}});
   const Pairs pairs = find_loops(mesh);
-  const Edges all = cut_of(mesh, CGAL::parameters::cut_loops(pairs));
+  const Edges all = cut_of(mesh, CGAL::parameters::known_loops(pairs));
   EXPECT_TRUE(Opened_surface<Mesh>(mesh, all).are_disks());
   const Edges by_one =
-      cut_of(mesh, CGAL::parameters::cut_loops(std::vector{pairs.front().handle()}));
+      cut_of(mesh, CGAL::parameters::known_loops(std::vector{pairs.front().handle()}));
   EXPECT_TRUE(Opened_surface<Mesh>(mesh, by_one).are_disks());
-  const Edges by_none = cut_of(mesh, CGAL::parameters::cut_loops(Pairs()));
+  const Edges by_none = cut_of(mesh, CGAL::parameters::known_loops(Pairs()));
   EXPECT_TRUE(Opened_surface<Mesh>(mesh, by_none).are_disks());
   EXPECT_LE(length_of(mesh, all), 1.2 * length_of(mesh, by_none));
 }
 
 TEST(Cut_to_disk, RefusesWhatCannotBe) {
   Mesh mesh = mesh_of(Recipe{"torus", {400, 1, 0}});
-  const auto bad_vertex = Mesh::Vertex_index(static_cast<unsigned>(mesh.number_of_vertices()));
-  EXPECT_THROW(cut_of(mesh, CGAL::parameters::cone_vertices(std::vector{bad_vertex})),
-               std::invalid_argument);
   const auto isolated = mesh.add_vertex(CGAL::ORIGIN);
-  EXPECT_THROW(cut_of(mesh, CGAL::parameters::cone_vertices(std::vector{isolated})),
+  EXPECT_THROW(cut_of(mesh, CGAL::parameters::vertex_is_constrained_map(marks_of({isolated}))),
                std::invalid_argument);
   const Marks all = marks_of(mesh, "e:all"), some = marks_of(mesh, "e:some");
   for(const auto e : mesh.edges())
     all[e] = true;
   for(const auto h : CGAL::halfedges_around_face(*mesh.halfedges().begin(), mesh))
     some[mesh.edge(h)] = true;
-  EXPECT_THROW(cut_of(mesh, CGAL::parameters::edge_is_avoided_map(all)), No_cut_exception);
+  EXPECT_THROW(cut_of(mesh, CGAL::parameters::edge_weight_map(weights_by(mesh, all))),
+               No_cut_exception);
   EXPECT_THROW(cut_of(mesh, CGAL::parameters::edge_is_constrained_map(some)), No_cut_exception);
-  EXPECT_THROW(
-      cut_of(mesh, CGAL::parameters::edge_is_avoided_map(some).edge_is_constrained_map(some)),
-      No_cut_exception);
+  EXPECT_THROW(cut_of(mesh, CGAL::parameters::edge_weight_map(weights_by(mesh, some))
+                                .edge_is_constrained_map(some)),
+               No_cut_exception);
   const auto weights = mesh.add_property_map<Mesh::Edge_index, double>("e:weight", 1.).first;
   weights[Mesh::Edge_index(5)] = -1.;
   EXPECT_THROW(cut_of(mesh, CGAL::parameters::edge_weight_map(weights)), std::invalid_argument);

@@ -8,6 +8,7 @@
 #include "Same_reeb_graphs.h"
 
 #include "Host_executor.h"
+#include "with.h"
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
 
@@ -63,12 +64,15 @@ using CGAL::Handle_tunnel_loops::Device_options;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
 using CGAL::Handle_tunnel_loops::No_device_exception;
 using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
+using CGAL::Handle_tunnel_loops::Solver_options;
 namespace parameters = CGAL::parameters;
 using Statistics_of_reeb = CGAL::Handle_tunnel_loops::Reeb_statistics;
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
 // For meshes of any size.
 Device_options device_with(std::size_t kib) { return {static_cast<int>(kib), nullptr, 0}; }
+
+Solver_options on(const Device_options& device) { return with(&Solver_options::device, device); }
 
 const Device_options no_device = {-1, nullptr, 0}, large_device = device_with(1 << 20);
 
@@ -77,12 +81,12 @@ class Cuda : public testing::TestWithParam<Recipe>
 protected:
   template <typename Tag> Pairs find(const Device_options& options) {
     Pairs pairs;
-    solver.find_loops<Tag>(std::back_inserter(pairs), parameters::device_options(options));
+    solver.find_loops<Tag>(std::back_inserter(pairs), parameters::solver_options(on(options)));
     return pairs;
   }
 
   template <typename Tag> Statistics_of_reeb find_reeb_graph(const Device_options& options) {
-    return CGAL::reeb_graph<Tag>(mesh, graph, parameters::device_options(options));
+    return CGAL::reeb_graph<Tag>(mesh, graph, parameters::solver_options(on(options)));
   }
 
   std::size_t needed_kib() {
@@ -123,15 +127,15 @@ TEST_P(Cuda, FindsTheLoopsOfTheHost) {
 
 // In no more memory than the loops take.
 TEST_P(Cuda, LogsTheFrontsOfTheHost) {
-  const auto log = parameters::do_log_fronts(true);
-  solver.find_loops(CGAL::Emptyset_iterator(), log);
+  const auto log_on = [](const Device_options& device) {
+    return parameters::solver_options(with(&Solver_options::do_log_fronts, true, on(device)));
+  };
+  solver.find_loops(CGAL::Emptyset_iterator(), log_on(no_device));
   const auto expected = solver.statistics().front_events;
-  solver.find_loops<CGAL::Cuda_tag>(CGAL::Emptyset_iterator(),
-                                    parameters::device_options(device_with(needed_kib()), log));
+  solver.find_loops<CGAL::Cuda_tag>(CGAL::Emptyset_iterator(), log_on(device_with(needed_kib())));
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(solver.statistics().front_events, expected);
-  solver.find_loops<CGAL::Cuda_if_available_tag>(CGAL::Emptyset_iterator(),
-                                                 parameters::device_options(no_device, log));
+  solver.find_loops<CGAL::Cuda_if_available_tag>(CGAL::Emptyset_iterator(), log_on(no_device));
   EXPECT_EQ(solver.statistics().front_events, expected);
   find<CGAL::Cuda_tag>(large_device);
   EXPECT_TRUE(solver.statistics().front_events.empty()) << "nobody asked for them";
@@ -143,7 +147,7 @@ TEST_P(Cuda, TellsTheLayersAndTimesOfTheHost) {
   const auto times = told.add_property_map<Mesh::Vertex_index, double>("v:time", -1.).first;
   const auto maps = [&](const Device_options& options) {
     return parameters::vertex_layer_map(
-        layers, parameters::vertex_time_map(times, parameters::device_options(options)));
+        layers, parameters::vertex_value_map(times, parameters::solver_options(on(options))));
   };
   solver.find_loops(CGAL::Emptyset_iterator(), maps({}));
   const std::vector<std::size_t> expected_layers(layers.begin(), layers.end());
@@ -230,10 +234,10 @@ TEST_P(Cuda, FindsNoReebGraphWithoutADevice) {
   EXPECT_THROW(find_reeb_graph<CGAL::Cuda_tag>(no_device), No_device_exception);
   EXPECT_THROW(find_reeb_graph<CGAL::Cuda_tag>(device_with(8)), Out_of_device_memory_exception);
   const std::vector<Mesh::Vertex_index> sources = {Mesh::Vertex_index(0)}; // and so no loops
-  EXPECT_THROW(
-      CGAL::reeb_graph<CGAL::Cuda_tag>(
-          mesh, graph, parameters::device_options(no_device, parameters::source_vertices(sources))),
-      No_device_exception);
+  EXPECT_THROW(CGAL::reeb_graph<CGAL::Cuda_tag>(
+                   mesh, graph,
+                   parameters::solver_options(on(no_device), parameters::source_vertices(sources))),
+               No_device_exception);
   EXPECT_EQ(num_vertices(graph), 5u);
 }
 
@@ -241,7 +245,7 @@ TEST_P(Cuda, StopsWhenItIsAskedTo) {
   std::size_t number_of_calls = 0;
   solver.find_loops<CGAL::Cuda_tag>(
       CGAL::Emptyset_iterator(),
-      parameters::device_options(large_device, parameters::callback([&](double) {
+      parameters::solver_options(on(large_device), parameters::callback([&](double) {
                                    ++number_of_calls;
                                    return true;
                                  })));
@@ -249,7 +253,7 @@ TEST_P(Cuda, StopsWhenItIsAskedTo) {
     std::size_t calls = 0;
     EXPECT_THROW(solver.find_loops<CGAL::Cuda_tag>(
                      CGAL::Emptyset_iterator(),
-                     parameters::device_options(large_device, parameters::callback([&](double) {
+                     parameters::solver_options(on(large_device), parameters::callback([&](double) {
                                                   return ++calls < stop;
                                                 }))),
                  Interrupted_exception);

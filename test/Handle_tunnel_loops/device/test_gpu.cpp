@@ -6,6 +6,7 @@
 #include "Solver_agreement_tests.h"
 #include "label_front_on_device.h"
 #include "random_input.h"
+#include "with.h"
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
 #ifdef CGAL_EIGEN3_ENABLED
@@ -30,6 +31,7 @@ using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Device_options;
 using CGAL::Handle_tunnel_loops::No_device_exception;
 using CGAL::Handle_tunnel_loops::Out_of_device_memory_exception;
+using CGAL::Handle_tunnel_loops::Solver_options;
 using device::make_cuda_solver;
 namespace parameters = CGAL::parameters;
 
@@ -54,8 +56,9 @@ protected:
 
   static Pairs find(const Mesh& mesh, const Device_options& options = {}) {
     Pairs pairs;
-    CGAL::handle_tunnel_loops<CGAL::Cuda_tag>(mesh, std::back_inserter(pairs),
-                                              parameters::device_options(options));
+    CGAL::handle_tunnel_loops<CGAL::Cuda_tag>(
+        mesh, std::back_inserter(pairs),
+        parameters::solver_options(with(&Solver_options::device, options)));
     return pairs;
   }
 };

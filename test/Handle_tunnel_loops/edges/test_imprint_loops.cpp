@@ -107,9 +107,8 @@ TEST(Imprint_loops, TellsEdgesAndFaces) {
     origin[f] = f;
   const auto old_faces = mesh.number_of_faces();
   std::vector<Edge_walk<Mesh>> walks;
-  CGAL::imprint_loops(
-      pairs, mesh, std::back_inserter(walks),
-      CGAL::parameters::face_origin_map(origin, CGAL::parameters::edge_is_constrained_map(marks)));
+  CGAL::imprint_loops(pairs, mesh, std::back_inserter(walks),
+                      CGAL::parameters::face_to_face_map(origin).edge_is_constrained_map(marks));
   std::set<Mesh::Edge_index> on_loops;
   for(const auto& walk : walks)
     for(const auto h : walk)

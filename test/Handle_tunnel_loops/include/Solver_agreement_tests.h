@@ -5,6 +5,7 @@
 #include "Mesh_corpus.h"
 #include "Number_of_cases.h"
 #include "Solver_agreement.h"
+#include "with.h"
 
 #include "generators/Random.h"
 
@@ -124,7 +125,9 @@ TYPED_TEST_P(Solver, TakesOtherConstantsOfTheField) {
   for(const auto& constants : variants) {
     Pairs pairs;
     CGAL::handle_tunnel_loops<typename TypeParam::Tested>(
-        mesh, std::back_inserter(pairs), CGAL::parameters::field_constants(constants));
+        mesh, std::back_inserter(pairs),
+        CGAL::parameters::solver_options(
+            with(&CGAL::Handle_tunnel_loops::Solver_options::field_constants, constants)));
     expect_handle_tunnel_pairs(mesh, pairs, 2);
   }
 }
@@ -132,8 +135,10 @@ TYPED_TEST_P(Solver, TakesOtherConstantsOfTheField) {
 TYPED_TEST_P(Solver, MayLeaveOutTheRefinement) {
   const Mesh mesh = mesh_of({"gyroid", {3000, 5, 0}});
   Pairs pairs;
-  CGAL::handle_tunnel_loops<typename TypeParam::Tested>(mesh, std::back_inserter(pairs),
-                                                        CGAL::parameters::do_refine_handles(false));
+  CGAL::handle_tunnel_loops<typename TypeParam::Tested>(
+      mesh, std::back_inserter(pairs),
+      CGAL::parameters::solver_options(
+          with(&CGAL::Handle_tunnel_loops::Solver_options::do_refine_handles, false)));
   expect_handle_tunnel_pairs(mesh, pairs, 5);
 }
 

@@ -5,7 +5,7 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 
 #include <cmath>
 #include <cstddef>

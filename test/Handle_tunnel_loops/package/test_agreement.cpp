@@ -54,7 +54,9 @@ TEST(Front_events, HaveAsManyMergesInBothSolvers) {
     CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
     solver.find_loops<Reference_tag>(CGAL::Emptyset_iterator());
     expect_log(mesh, solver);
-    solver.find_loops(CGAL::Emptyset_iterator(), CGAL::parameters::do_log_fronts(true));
+    solver.find_loops(CGAL::Emptyset_iterator(),
+                      CGAL::parameters::solver_options(
+                          with(&CGAL::Handle_tunnel_loops::Solver_options::do_log_fronts, true)));
     expect_log(mesh, solver);
   }
 }

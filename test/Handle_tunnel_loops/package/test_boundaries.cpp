@@ -134,7 +134,7 @@ TEST(Boundaries, StayWhereHandlesAreRemoved) {
       holes.faces = size;
       Mesh mesh = mesh_of(generators::with_holes(soup_of(recipe), holes));
       const auto walks = boundary_walks(mesh);
-      const auto report = CGAL::remove_handles(mesh, CGAL::parameters::target_genus(0));
+      const auto report = CGAL::remove_handles(mesh);
       EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
       EXPECT_EQ(boundary_walks(mesh).size(), walks.size());
       for(const auto& walk : walks)
@@ -214,7 +214,9 @@ TEST(Boundary_loops, FollowTheBoundary) {
   const Mesh mesh = mesh_with_holes({"multi-torus", {3000, 2, 0}}, 6, 40, random);
   std::vector<CGAL::Loop_on_surface<Mesh>> curves, tight;
   CGAL::boundary_loops(mesh, std::back_inserter(curves));
-  CGAL::boundary_loops(mesh, std::back_inserter(tight), CGAL::parameters::do_tighten(true));
+  CGAL::boundary_loops(
+      mesh, std::back_inserter(tight),
+      CGAL::parameters::basis_kind(CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST));
   ASSERT_EQ(curves.size(), 6u);
   ASSERT_EQ(tight.size(), 6u);
   const Homology_by_collapse<Mesh> homology(mesh);
@@ -251,7 +253,9 @@ template <typename Radius> Mesh tube(const Radius& radius) {
 
 std::vector<CGAL::Loop_on_surface<Mesh>> waists_of(const Mesh& mesh) {
   std::vector<CGAL::Loop_on_surface<Mesh>> waists;
-  CGAL::boundary_loops(mesh, std::back_inserter(waists), CGAL::parameters::do_tighten(true));
+  CGAL::boundary_loops(
+      mesh, std::back_inserter(waists),
+      CGAL::parameters::basis_kind(CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST));
   return waists;
 }
 

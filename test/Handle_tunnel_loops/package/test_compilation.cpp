@@ -99,14 +99,16 @@ TEST(Output, GoesToAnyIterator) {
 
 template <typename ConcurrencyTag> void use_tag() {
   const Mesh mesh = torus();
+  CGAL::Handle_tunnel_loops::Solver_options options;
+  options.do_tighten = options.do_refine_handles = false;
   std::vector<Pair> pairs;
   CGAL::handle_tunnel_loops<ConcurrencyTag>(mesh, std::back_inserter(pairs));
   CGAL::handle_tunnel_loops<ConcurrencyTag>(mesh, std::back_inserter(pairs),
-                                            CGAL::parameters::do_tighten(false));
+                                            CGAL::parameters::solver_options(options));
   Solver solver(ConcurrencyTag(), mesh, CGAL::parameters::default_values());
   solver.find_loops<ConcurrencyTag>(std::back_inserter(pairs));
   solver.find_loops<ConcurrencyTag>(std::back_inserter(pairs),
-                                    CGAL::parameters::do_refine_handles(false));
+                                    CGAL::parameters::solver_options(options));
   EXPECT_EQ(pairs.size(), 4u);
   EXPECT_EQ(solver.statistics().backend, "host");
 }

@@ -4,6 +4,7 @@
 #include "Number_of_cases.h"
 #include "Same_events.h"
 #include "Same_loops.h"
+#include "with.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -49,7 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Surfaces,
 TEST_P(Loops, AreTheSameAgain) { expect_same(find_loops(mesh), expected); }
 
 TEST_P(Loops, AreTheSameWhenFrontsAreLoggedAndSoIsTheLog) {
-  const auto log = CGAL::parameters::do_log_fronts(true);
+  const auto log = CGAL::parameters::solver_options(
+      with(&CGAL::Handle_tunnel_loops::Solver_options::do_log_fronts, true));
   Solver solver(mesh);
   Pairs pairs;
   solver.find_loops(std::back_inserter(pairs), log);

@@ -2,6 +2,7 @@
 
 #include "Loop_definitions.h"
 #include "Meshes_of_soups.h"
+#include "with.h"
 
 #include <CGAL/boost/graph/generators.h>
 
@@ -376,7 +377,10 @@ TEST_P(Invalid_parameters, AreFieldConstantsWithoutSense) {
   for(const Field_constants& c : bad) {
     SCOPED_TRACE(testing::Message() << c.mobility << ' ' << c.driving_force << ' '
                                     << c.gradient_coefficient << ' ' << c.penalty << ' ' << c.step);
-    EXPECT_THROW(find_loops(mesh, CGAL::parameters::field_constants(c)), std::invalid_argument);
+    EXPECT_THROW(
+        find_loops(mesh, CGAL::parameters::solver_options(
+                             with(&CGAL::Handle_tunnel_loops::Solver_options::field_constants, c))),
+        std::invalid_argument);
   }
 }
 

@@ -68,14 +68,16 @@ template <typename Tag> Told told_by(const Mesh& mesh, Vertex seed = Mesh::null_
   Told told;
   told.layer.assign(mesh.number_of_vertices(), no_layer);
   told.time.assign(mesh.number_of_vertices(), no_time);
+  Solver_options options;
+  options.do_log_fronts = true;
+  options.do_tighten = false;
   Solver solver(mesh);
   solver.find_loops<Tag>(
       CGAL::Emptyset_iterator(),
       params::vertex_layer_map(
           Vector_map<std::size_t>{&told.layer},
-          params::vertex_time_map(
-              Vector_map<double>{&told.time},
-              params::do_log_fronts(true, params::seed_vertex(seed, params::do_tighten(false))))));
+          params::vertex_value_map(Vector_map<double>{&told.time},
+                                   params::solver_options(options, params::seed_vertex(seed)))));
   told.events = solver.statistics().front_events;
   told.genus = solver.genus();
   told.components = solver.number_of_components();
@@ -365,13 +367,13 @@ TEST(Layers_of_solvers, AreThereByTheLetterOfThePaper) {
   Mesh mesh = mesh_of({"torus", {8000, 1, 0}});
   const auto layers = mesh.add_property_map<Vertex, std::size_t>("v:layer", 0).first;
   const auto times = mesh.add_property_map<Vertex, double>("v:time", no_time).first;
-  Literal_rules rules;
-  rules.bands = true;
+  Solver_options options;
+  options.literal_rules.bands = true;
   Solver solver(mesh);
   solver.find_loops<CGAL::Reference_tag>(
       CGAL::Emptyset_iterator(),
       params::vertex_layer_map(layers,
-                               params::vertex_time_map(times, params::literal_rules(rules))));
+                               params::vertex_value_map(times, params::solver_options(options))));
   std::set<std::size_t> present;
   for(const Vertex v : mesh.vertices()) {
     present.insert(layers[v]);
@@ -389,7 +391,7 @@ TEST(Layers_of_solvers, AreFoundIfAskedFor) {
   EXPECT_EQ(of_sphere.statistics().backend, "") << "no field without handles";
   std::vector<double> times(sphere.number_of_vertices(), no_time);
   of_sphere.find_loops(CGAL::Emptyset_iterator(),
-                       params::vertex_time_map(Vector_map<double>{&times}));
+                       params::vertex_value_map(Vector_map<double>{&times}));
   EXPECT_EQ(of_sphere.statistics().backend, "host");
   EXPECT_EQ(of_sphere.statistics().front_events.size(), 0u);
   EXPECT_EQ(std::count(times.begin(), times.end(), no_time), 0);

@@ -19,7 +19,22 @@ namespace {
 namespace HTL = CGAL::Handle_tunnel_loops;
 namespace params = CGAL::parameters;
 using HTL::Stage;
+using Options = HTL::Solver_options;
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
+
+auto with_passes(bool refine, bool tighten) {
+  Options options;
+  options.do_refine_handles = refine;
+  options.do_tighten = tighten;
+  return params::solver_options(options);
+}
+
+auto with_constants(const HTL::Field_constants& constants, bool tighten = true) {
+  Options options;
+  options.field_constants = constants;
+  options.do_tighten = tighten;
+  return params::solver_options(options);
+}
 
 const Recipe small_recipe = {"lattice", {3000, 6, 0}};
 constexpr std::size_t small_genus = 6;
@@ -154,7 +169,7 @@ TEST(Visitor, IsToldOfTheStagesInOrder) {
 TEST(Visitor, IsNotToldOfWhatIsLeftOut) {
   const Mesh mesh = mesh_of(small_recipe);
   Logging_visitor visitor;
-  find_loops(mesh, params::do_refine_handles(false).visitor(std::ref(visitor)));
+  find_loops(mesh, with_passes(false, true).visitor(std::ref(visitor)));
   EXPECT_EQ(visitor.log, log_of({Stage::INITIAL, Stage::TUNNEL, Stage::SHORTEN, Stage::CLASSES,
                                  Stage::CONVERT, Stage::CERTIFICATE, Stage::CLASSIFY}));
 }
@@ -205,9 +220,8 @@ TEST(Every_choice_of_passes, GivesPairedBases) {
       for(const bool tighten : {false, true}) {
         SCOPED_TRACE(testing::Message()
                      << recipe << ", refine " << refine << ", tighten " << tighten);
-        expect_handle_tunnel_pairs(
-            mesh, find_loops(mesh, params::do_refine_handles(refine, params::do_tighten(tighten))),
-            recipe.request.genus);
+        expect_handle_tunnel_pairs(mesh, find_loops(mesh, with_passes(refine, tighten)),
+                                   recipe.request.genus);
       }
   }
 }
@@ -219,7 +233,7 @@ TEST(Every_pass, MakesTheLoopsShorter) {
     const Mesh mesh = mesh_of(recipe);
     const double unit = total_length(find_loops(mesh));
     const auto relative_length = [&](bool refine, bool tighten) {
-      const auto np = params::do_refine_handles(refine, params::do_tighten(tighten));
+      const auto np = with_passes(refine, tighten);
       return total_length(find_loops(mesh, np)) / unit;
     };
     none += relative_length(false, false);
@@ -257,7 +271,7 @@ TEST(Field_constants, AreThoseOfThePaperByDefault) {
   EXPECT_DOUBLE_EQ(c.gradient_coefficient, 1. / 25.);
   EXPECT_DOUBLE_EQ(c.penalty, c.gradient_coefficient / 5.);
   const Mesh mesh = mesh_of(small_recipe);
-  expect_same(find_loops(mesh, params::field_constants(c)), find_loops(mesh));
+  expect_same(find_loops(mesh, with_constants(c)), find_loops(mesh));
 }
 
 // How the field moves is a matter of quality, never of the count.
@@ -278,8 +292,7 @@ TEST(Field_constants, MayBeAnythingThatIsValid) {
     for(const Recipe& recipe : {Recipe{"multi-torus", {1200, 4, 0}}, Recipe{"random", {200, 8, 1}}})
     {
       const Mesh mesh = mesh_of(recipe);
-      expect_handle_tunnel_pairs(mesh, find_loops(mesh, params::field_constants(c)),
-                                 recipe.request.genus);
+      expect_handle_tunnel_pairs(mesh, find_loops(mesh, with_constants(c)), recipe.request.genus);
     }
   }
 }
@@ -288,9 +301,7 @@ TEST(Field_constants, MayBeAnythingThatIsValid) {
 TEST(Field_constants, MayHaveSmallSteps) {
   const Mesh mesh = mesh_of({"multi-torus", {20000, 4, 0}});
   HTL::Field_constants c;
-  const auto length = [&] {
-    return total_length(find_loops(mesh, params::field_constants(c, params::do_tighten(false))));
-  };
+  const auto length = [&] { return total_length(find_loops(mesh, with_constants(c, false))); };
   const double expected = length();
   c.step = 1. / 64.;
   EXPECT_LT(length(), 1.1 * expected);
@@ -301,10 +312,10 @@ TEST(Field_constants, AreRefusedIfTheStepIsTooSmall) {
   HTL::Field_constants c;
   for(const double step : {-1., 0., 1e-9, 0.99 / 1024., 1.01}) {
     c.step = step;
-    EXPECT_THROW(find_loops(mesh, params::field_constants(c)), std::invalid_argument) << step;
+    EXPECT_THROW(find_loops(mesh, with_constants(c)), std::invalid_argument) << step;
   }
   c.step = 1. / 1024.;
-  EXPECT_EQ(find_loops(mesh, params::field_constants(c)).size(), 1u);
+  EXPECT_EQ(find_loops(mesh, with_constants(c)).size(), 1u);
 }
 
 // ---- index maps
@@ -382,7 +393,7 @@ TEST(Statistics, AreThoseOfTheLastRun) {
   const Mesh mesh = mesh_of(small_recipe);
   Solver solver(mesh);
   solver.find_loops(CGAL::Emptyset_iterator());
-  solver.find_loops(CGAL::Emptyset_iterator(), params::do_refine_handles(false));
+  solver.find_loops(CGAL::Emptyset_iterator(), with_passes(false, true));
   EXPECT_EQ(solver.statistics().seconds_of(Stage::REFINE), 0.);
   EXPECT_EQ(solver.statistics().kept_sweep_handles, 0u);
   EXPECT_EQ(solver.statistics().refined_handles, 0u);
@@ -394,7 +405,7 @@ TEST(Statistics, AreThoseOfTheLastRun) {
 TEST(Parameters, MayBeCombined) {
   const Mesh mesh = mesh_of(small_recipe);
   const Mesh::Vertex_index v(7);
-  const HTL::Field_constants constants;
+  const Options options;
   const auto proceed = [](double) { return true; };
   const HTL::Default_visitor visitor;
   const Pairs expected = find_loops(mesh, params::seed_vertex(v));
@@ -403,11 +414,8 @@ TEST(Parameters, MayBeCombined) {
   expect_same(find_loops(mesh, params::seed_vertex(v).callback(proceed)), expected);
   expect_same(find_loops(mesh, params::seed_vertex(v).visitor(visitor).callback(proceed)),
               expected);
-  expect_same(find_loops(mesh, params::seed_vertex(v, params::field_constants(constants))),
-              expected);
-  expect_same(find_loops(mesh, params::do_tighten(
-                                   true, params::do_refine_handles(true, params::seed_vertex(v)))),
-              expected);
+  expect_same(find_loops(mesh, params::seed_vertex(v, params::solver_options(options))), expected);
+  expect_same(find_loops(mesh, params::solver_options(options, params::seed_vertex(v))), expected);
   expect_same(
       find_loops(mesh, params::seed_vertex(v, params::callback(proceed)
                                                   .vertex_point_map(point)
@@ -415,11 +423,10 @@ TEST(Parameters, MayBeCombined) {
                                                   .visitor(visitor))),
       expected);
   expect_same(
-      find_loops(mesh,
-                 params::field_constants(
-                     constants,
-                     params::seed_vertex(
-                         v, params::do_tighten(true).vertex_point_map(point).callback(proceed)))),
+      find_loops(mesh, params::basis_kind(HTL::Basis_kind::PURE,
+                                          params::seed_vertex(v, params::solver_options(options)
+                                                                     .vertex_point_map(point)
+                                                                     .callback(proceed)))),
       expected);
 }
 

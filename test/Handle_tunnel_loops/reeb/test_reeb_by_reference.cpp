@@ -2,6 +2,7 @@
 // that share no field come to the same limbs and cycles, at the same places and times.
 
 #include "Meshes_of_soups.h"
+#include "with.h"
 
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -55,8 +56,8 @@ Diffusion diffused(const Mesh& mesh, const std::vector<Vertex>& sources = {}) {
   diffusion.times.resize(mesh.number_of_vertices());
   diffusion.statistics = CGAL::reeb_graph<Tag>(
       mesh, diffusion.graph,
-      parameters::allow_parallel_arcs(
-          true,
+      parameters::reeb_options(
+          with(&CGAL::Handle_tunnel_loops::Reeb_options::allow_parallel_arcs, true),
           parameters::vertex_value_map(
               Times_map{&diffusion.times},
               parameters::source_vertices(sources, parameters::geom_traits(Mesh::Point::R())))));

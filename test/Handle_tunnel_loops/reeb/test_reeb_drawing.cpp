@@ -3,6 +3,7 @@
 
 #include "Flat_mesh_of_soup.h"
 #include "Meshes_of_soups.h"
+#include "with.h"
 
 #include "generators/Random.h"
 
@@ -105,7 +106,9 @@ struct Inside
 Inside inside_of(const Soup& soup) {
   const Solid_mesh mesh = mesh_of<Solid_mesh>(soup);
   CGAL::Reeb_graph<Solid_mesh> graph;
-  CGAL::reeb_graph(mesh, graph, CGAL::parameters::allow_parallel_arcs(true));
+  CGAL::reeb_graph(mesh, graph,
+                   CGAL::parameters::reeb_options(
+                       with(&CGAL::Handle_tunnel_loops::Reeb_options::allow_parallel_arcs, true)));
   const Side side(mesh);
   const auto is_inside = [&side](const Kernel::Point_3& p) {
     return side(p) != CGAL::ON_UNBOUNDED_SIDE;

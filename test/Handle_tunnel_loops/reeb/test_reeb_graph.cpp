@@ -41,11 +41,12 @@ template <typename T> struct Vector_map
   friend void put(const Vector_map& map, Vertex v, T value) { (*map.values)[v.idx()] = value; }
 };
 
-struct Options
+struct Options : CGAL::Handle_tunnel_loops::Reeb_options
 {
-  double threshold = 0.;
-  CGAL::Reeb_measure measure = CGAL::Reeb_measure::PERSISTENCE;
-  bool allow_parallel_arcs = false;
+  Options() {
+    threshold = 0.;
+    measure = CGAL::Reeb_measure::PERSISTENCE;
+  }
 };
 
 struct Reeb
@@ -55,32 +56,30 @@ struct Reeb
   std::vector<std::size_t> vertex_arc;
 };
 
-template <typename NamedParameters>
-Reeb found(const Mesh& mesh, const Options& options, const NamedParameters& np) {
+template <typename FindGraph>
+Reeb found(const Mesh& mesh, const Options& options, const FindGraph& find_graph) {
   Reeb reeb;
   reeb.vertex_arc.assign(mesh.number_of_vertices(), std::size_t(-1));
-  reeb.statistics = CGAL::reeb_graph(
-      mesh, reeb.graph,
-      parameters::simplification_threshold(
-          options.threshold,
-          parameters::reeb_measure(
-              options.measure, parameters::vertex_arc_map(Vector_map<std::size_t>{&reeb.vertex_arc},
-                                                          parameters::allow_parallel_arcs(
-                                                              options.allow_parallel_arcs, np)))));
+  const Vector_map<std::size_t> arcs{&reeb.vertex_arc};
+  reeb.statistics = find_graph(
+      reeb.graph,
+      parameters::reeb_options(
+          options, parameters::vertex_arc_map(arcs, parameters::geom_traits(Mesh::Point::R()))));
   return reeb;
 }
 
 Reeb reeb_of(const Mesh& mesh, Function function, const Options& options = {}) {
-  return found(mesh, options,
-               parameters::vertex_function_map(Vector_map<double>{&function},
-                                               parameters::geom_traits(Mesh::Point::R())));
+  return found(mesh, options, [&](Graph& graph, const auto& np) {
+    return CGAL::reeb_graph_of_function(mesh, Vector_map<double>{&function}, graph, np);
+  });
 }
 
 Reeb reeb_of_diffusion(const Mesh& mesh,
                        const Options& options = {},
                        const std::vector<Vertex>& sources = {}) {
-  return found(mesh, options,
-               parameters::source_vertices(sources, parameters::geom_traits(Mesh::Point::R())));
+  return found(mesh, options, [&](Graph& graph, const auto& np) {
+    return CGAL::reeb_graph(mesh, graph, parameters::source_vertices(sources, np));
+  });
 }
 
 Function random_function(const Mesh& mesh, Random& random, std::size_t number_of_values) {
@@ -393,7 +392,7 @@ TEST(Reeb_graph, ComparesIntegersExactly) {
   for(std::size_t i = 0; i < order.size(); ++i)
     numbers[order[i]] = (std::size_t(1) << 60) + i;
   Graph graph;
-  CGAL::reeb_graph(mesh, graph, parameters::vertex_function_map(Vector_map<std::size_t>{&numbers}));
+  CGAL::reeb_graph_of_function(mesh, Vector_map<std::size_t>{&numbers}, graph);
   EXPECT_EQ(num_edges(graph), 1u);
   EXPECT_GT(num_edges(reeb_of(mesh, same).graph), 1u);
 }

@@ -100,11 +100,13 @@ struct Answer
 };
 
 Answer answer_to(const Mesh& mesh, const Literal_rules& rules) {
+  Solver_options options;
+  options.literal_rules = rules;
+  options.do_tighten = options.do_compute_linking = false;
   Answer answer;
   try {
-    CGAL::handle_tunnel_loops<CGAL::Reference_tag>(
-        mesh, std::back_inserter(answer.pairs),
-        params::literal_rules(rules, params::do_tighten(false, params::do_compute_linking(false))));
+    CGAL::handle_tunnel_loops<CGAL::Reference_tag>(mesh, std::back_inserter(answer.pairs),
+                                                   params::solver_options(options));
   } catch(const Literal_failure_exception& failure) {
     answer.failure = failure.what();
   } catch(const Uncertified_loops_exception& failure) {
@@ -179,10 +181,10 @@ TEST(Literal_rules, TellHowFarTheyCame) {
   EXPECT_EQ(s.swept_handles, 1u);
   EXPECT_EQ(s.traced_tunnels + s.kept_sweep_tunnels, 1u);
   EXPECT_EQ(s.refined_handles + s.kept_sweep_handles, 1u);
-  Literal_rules rules;
-  rules.bands = true;
+  Solver_options options;
+  options.literal_rules.bands = true;
   EXPECT_THROW(solver.find_loops<CGAL::Reference_tag>(CGAL::Emptyset_iterator(),
-                                                      params::literal_rules(rules)),
+                                                      params::solver_options(options)),
                Literal_failure_exception);
   EXPECT_NE(s.swept_handles, 1u);
   EXPECT_EQ(s.traced_tunnels, 0u);

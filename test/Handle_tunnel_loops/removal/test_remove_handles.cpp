@@ -1,5 +1,6 @@
 #include "Meshes_of_soups.h"
 #include "random_input.h"
+#include "with.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,12 +27,17 @@
 
 namespace htl = CGAL::Handle_tunnel_loops;
 namespace params = CGAL::parameters;
+using Options = htl::Removal_options;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
 using Exact_predicates_mesh =
     CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+template <typename Member, typename Value> auto wish(Member Options::*member, const Value& value) {
+  return params::removal_options(with(member, value));
+}
 
 Recipe recipe(const char* kind, std::size_t faces, std::size_t genus, unsigned seed = 0) {
   Recipe recipe;
@@ -109,7 +115,7 @@ TEST_P(Removal, LeavesASphere) {
   {
     Mesh mesh = mesh_of(GetParam());
     const std::size_t genus = GetParam().request.genus;
-    const htl::Removal_report report = CGAL::remove_handles(mesh, params::removal_method(method));
+    const htl::Removal_report report = CGAL::remove_handles(mesh, wish(&Options::method, method));
     EXPECT_EQ(report.genus_before, genus);
     EXPECT_EQ(report.removed.size() + report.refused.size(), genus);
     // Between plates of triangles as long as they are, the caps of several holes may have no room
@@ -152,11 +158,11 @@ TEST(Handle_removal, SaysWhatIsTakenAwayAndWhatIsPutIn) {
     if(is_reversed)
       PMP::reverse_face_orientations(torus);
     Mesh copy = torus;
-    EXPECT_GT(CGAL::remove_handles(torus, params::removal_method(htl::Removal_method::CUT))
+    EXPECT_GT(CGAL::remove_handles(torus, wish(&Options::method, htl::Removal_method::CUT))
                   .removed.front()
                   .volume,
               0.);
-    EXPECT_LT(CGAL::remove_handles(copy, params::removal_method(htl::Removal_method::FILL))
+    EXPECT_LT(CGAL::remove_handles(copy, wish(&Options::method, htl::Removal_method::FILL))
                   .removed.front()
                   .volume,
               0.);
@@ -199,7 +205,7 @@ TEST(Handle_removal, FillsTheHoleOfAPlateFlat) {
   Mesh mesh = plate_with_a_hole(1., 20., 3.);
   const double volume = PMP::volume(mesh), hole = PMP::volume(plate_with_a_hole(1e-9, 1., 3.));
   const htl::Removal_report report =
-      CGAL::remove_handles(mesh, params::removal_method(htl::Removal_method::FILL));
+      CGAL::remove_handles(mesh, wish(&Options::method, htl::Removal_method::FILL));
   EXPECT_EQ(report.genus_after, 0u);
   expect_solid(mesh, 0);
   EXPECT_NEAR(PMP::volume(mesh), volume + hole, 1e-6);
@@ -212,8 +218,8 @@ TEST(Handle_removal, StopsAtTheTargetSmallestFirst) {
   for(std::size_t target : {0, 3, 4, 7, 8}) {
     Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
     const Pairs pairs = find_loops(mesh);
-    const htl::Removal_report report =
-        CGAL::remove_handles(mesh, params::target_genus(target, params::known_pairs(pairs)));
+    const htl::Removal_report report = CGAL::remove_handles(
+        mesh, params::known_loops(pairs, wish(&Options::target_genus, target)));
     EXPECT_EQ(report.genus_after, target + report.refused.size());
     expect_solid(mesh, report.genus_after);
     std::set<std::size_t> chosen;
@@ -237,7 +243,8 @@ TEST(Handle_removal, TakesTheNoiseOffAScan) {
     scan.request.bridges = 20;
     scan.request.tunnels = 12;
     Mesh mesh = mesh_of(scan);
-    const htl::Removal_report report = CGAL::remove_handles(mesh, params::maximal_length(0.95));
+    const htl::Removal_report report =
+        CGAL::remove_handles(mesh, wish(&Options::maximal_length, 0.95));
     EXPECT_EQ(report.genus_before, 34u);
     EXPECT_EQ(report.removed.size(), 32u);
     EXPECT_EQ(report.genus_after, 2u);
@@ -254,10 +261,10 @@ TEST(Handle_removal, TouchesNothingElse) {
   const std::size_t number_of_vertices = mesh.num_vertices();
   std::vector<Mesh::Face_index> faces;
   std::vector<Mesh::Vertex_index> vertices;
-  CGAL::remove_handles(mesh,
-                       params::added_faces(std::back_inserter(faces),
-                                           params::added_vertices(std::back_inserter(vertices),
-                                                                  params::target_genus(6))));
+  CGAL::remove_handles(mesh, params::face_output_iterator(
+                                 std::back_inserter(faces),
+                                 params::vertex_output_iterator(std::back_inserter(vertices),
+                                                                wish(&Options::target_genus, 6))));
   const std::set<Mesh::Face_index> new_faces(faces.begin(), faces.end());
   const std::set<Mesh::Vertex_index> new_vertices(vertices.begin(), vertices.end());
   EXPECT_FALSE(new_faces.empty());
@@ -279,7 +286,7 @@ TEST(Handle_removal, SaysWhichHandleAFaceCloses) {
   auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch", none).first;
   std::vector<Mesh::Face_index> faces;
   const htl::Removal_report report = CGAL::remove_handles(
-      mesh, params::added_faces(std::back_inserter(faces), params::face_patch_map(patch)));
+      mesh, params::face_output_iterator(std::back_inserter(faces), params::face_patch_map(patch)));
   EXPECT_EQ(std::count(patch.begin(), patch.end(), none) + std::ptrdiff_t(faces.size()),
             patch.end() - patch.begin());
   std::vector<double> area(report.removed.size(), 0.);
@@ -296,7 +303,7 @@ TEST(Handle_removal, FindsTheLoopsThatAreLeft) {
     Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));
     std::vector<CGAL::Handle_tunnel_pair<Mesh>> pairs;
     CGAL::remove_handles(
-        mesh, params::target_genus(genus, params::remaining_pairs(std::back_inserter(pairs))));
+        mesh, wish(&Options::target_genus, genus).output_iterator(std::back_inserter(pairs)));
     EXPECT_EQ(pairs.size(), genus);
     EXPECT_TRUE(CGAL::certify_handle_tunnel_loops(mesh, pairs));
   }
@@ -311,7 +318,7 @@ TEST(Handle_removal, RemovesAHandleOnce) {
     const std::size_t genus = pairs.size();
     Pairs twice = pairs;
     twice.insert(twice.end(), pairs.begin(), pairs.end());
-    const htl::Removal_report report = CGAL::remove_handles(mesh, params::known_pairs(twice));
+    const htl::Removal_report report = CGAL::remove_handles(mesh, params::known_loops(twice));
     EXPECT_EQ(report.removed.size(), genus);
     EXPECT_EQ(report.refused.size(), genus);
     expect_solid(mesh, 0);
@@ -321,7 +328,7 @@ TEST(Handle_removal, RemovesAHandleOnce) {
 TEST(Handle_removal, ChangesNothingInADryRun) {
   Mesh mesh = mesh_of(recipe("multi-torus", 3000, 3));
   const auto before = faces_by_points(mesh);
-  const htl::Removal_report report = CGAL::remove_handles(mesh, params::do_dry_run(true));
+  const htl::Removal_report report = CGAL::remove_handles(mesh, params::dry_run(true));
   EXPECT_EQ(report.genus_after, 0u);
   EXPECT_EQ(report.removed.size(), 3u);
   EXPECT_EQ(faces_by_points(mesh), before);
@@ -331,17 +338,19 @@ TEST(Handle_removal, TakesThePairsOfAFilterOrABox) {
   Mesh mesh = mesh_of(recipe("multi-torus", 3000, 3));
   const Pairs pairs = find_loops(mesh);
   Mesh copy = mesh;
-  const htl::Removal_report by_filter = CGAL::remove_handles(
-      copy, params::handle_filter([](const auto& pair) { return pair.handle().pair_index() == 1; },
-                                  params::known_pairs(pairs)));
+  const auto is_second = [](const auto& pair) { return pair.handle().pair_index() == 1; };
+  const htl::Removal_report by_filter =
+      CGAL::remove_handles(copy, params::known_loops(pairs).filter(is_second));
   ASSERT_EQ(by_filter.removed.size(), 1u);
   EXPECT_EQ(by_filter.removed.front().pair, 1u);
   CGAL::Bbox_3 box;
   for(const auto& p : pairs[2].handle().points())
     box += p.bbox();
-  const htl::Removal_report in_box = CGAL::remove_handles(
-      mesh, params::removal_box(
-                box, params::removal_method(htl::Removal_method::CUT, params::known_pairs(pairs))));
+  Options options;
+  options.box = box;
+  options.method = htl::Removal_method::CUT;
+  const htl::Removal_report in_box =
+      CGAL::remove_handles(mesh, params::removal_options(options, params::known_loops(pairs)));
   ASSERT_EQ(in_box.removed.size(), 1u);
   EXPECT_EQ(in_box.removed.front().pair, 2u);
 }
@@ -390,7 +399,7 @@ TEST(Handle_removal, CutsAKnottedTube) {
   Mesh mesh = mesh_of(recipe("knot", 4000, 1));
   Mesh copy = mesh;
   const htl::Removal_report filled =
-      CGAL::remove_handles(copy, params::removal_method(htl::Removal_method::FILL));
+      CGAL::remove_handles(copy, wish(&Options::method, htl::Removal_method::FILL));
   ASSERT_EQ(filled.refused.size(), 1u);
   EXPECT_EQ(filled.refused.front().reason.substr(0, 6), "fill: ");
   EXPECT_EQ(faces_by_points(copy), faces_by_points(mesh));
@@ -408,7 +417,8 @@ TEST_P(Necks_removal, LetsShellsComeApart) {
     Recipe twins = recipe(GetParam(), 60000, 0);
     twins.request.necks = necks;
     Mesh mesh = mesh_of(twins);
-    const htl::Removal_report report = CGAL::remove_handles(mesh, params::maximal_neck_length(0.5));
+    const htl::Removal_report report =
+        CGAL::remove_handles(mesh, wish(&Options::maximal_neck_length, 0.5));
     EXPECT_EQ(report.genus_before, necks - 1);
     EXPECT_EQ(report.genus_after, 0u);
     EXPECT_EQ(report.removed.size(), necks - 1);
@@ -422,15 +432,15 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Necks_removal, testing::Values("twins", "hollow"
 
 TEST(Handle_removal, RefusesWhatMakesNoSense) {
   Mesh mesh = mesh_of(recipe("torus", 600, 1));
-  expect_refusal(mesh, params::target_genus(2), "target genus is 2");
-  expect_refusal(mesh, params::removal_box(CGAL::Bbox_3(9, 9, 9, 10, 10, 10)), "in the box");
-  expect_refusal(mesh, params::maximal_length(-1.), "not positive");
-  expect_refusal(mesh, params::minimal_piece_share(0.7), "share");
+  expect_refusal(mesh, wish(&Options::target_genus, 2), "target genus is 2");
+  expect_refusal(mesh, wish(&Options::box, CGAL::Bbox_3(9, 9, 9, 10, 10, 10)), "in the box");
+  expect_refusal(mesh, wish(&Options::maximal_length, -1.), "not positive");
+  expect_refusal(mesh, wish(&Options::minimal_piece_share, 0.7), "share");
   Pairs pairs = find_loops(mesh);
   auto steps = pairs.front().handle().steps();
   steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
   pairs = {{{steps, {}, 1., CGAL::Loop_type::HANDLE, 0}, pairs.front().tunnel()}};
-  expect_refusal(mesh, params::known_pairs(pairs), "not of this mesh");
+  expect_refusal(mesh, params::known_loops(pairs), "not of this mesh");
   CGAL::Euler::join_face(halfedge(*faces(mesh).begin(), mesh), mesh);
   EXPECT_THROW(CGAL::remove_handles(mesh), htl::Invalid_mesh_exception);
 }

@@ -73,33 +73,35 @@ public:
     for(const edge_descriptor e : edges(tm_)) {
       const Index h = halfedge_of(e);
       const double weight = CGAL::to_double(get(weights, e));
-      if(!(weight >= 0. && std::isfinite(weight)))
-        throw std::invalid_argument("the weight of an edge is negative or not finite: " +
+      if(!(weight >= 0.))
+        throw std::invalid_argument("the weight of an edge is negative or not a number: " +
                                     name_of(e));
       problem_.weight[h] = problem_.weight[problem_.halfedges.twin(h)] = weight;
+      if(std::isinf(weight))
+        set_rule(h, Edge_rule::AVOID);
     }
   }
 
-  template <typename EdgeMarkMap> void set_rule(const EdgeMarkMap& marks, Edge_rule rule) {
-    problem_.has_rules_of_caller = true;
-    problem_.rules.resize(problem_.halfedges.size(), Edge_rule::FREE);
+  /// after the weights.
+  template <typename EdgeMarkMap> void keep_edges(const EdgeMarkMap& marks) {
     for(const edge_descriptor e : edges(tm_))
       if(get(marks, e)) {
         const Index h = halfedge_of(e);
-        if(problem_.rules[h] != Edge_rule::FREE && problem_.rules[h] != rule)
+        if(problem_.is_avoided(h))
           throw No_cut_exception("an edge is to be kept and to be avoided: " + name_of(e));
-        problem_.rules[h] = problem_.rules[problem_.halfedges.twin(h)] = rule;
+        set_rule(h, Edge_rule::KEEP);
       }
   }
 
-  template <typename VertexRange> void add_cones(const VertexRange& cones) {
-    for(const vertex_descriptor v : cones) {
-      const Index i = index_of(v);
-      if(i == no_index || vertices_[i] != v)
-        throw std::invalid_argument("a cone is no vertex of the mesh, or belongs to no face");
-      problem_.cones.resize(problem_.mesh.number_of_vertices(), 0);
-      problem_.cones[i] = 1;
-    }
+  template <typename VertexMarkMap> void add_cones(const VertexMarkMap& marks) {
+    problem_.cones.resize(problem_.mesh.number_of_vertices(), 0);
+    for(const vertex_descriptor v : vertices(tm_))
+      if(get(marks, v)) {
+        const Index i = index_of(v);
+        if(i == no_index || vertices_[i] != v)
+          throw std::invalid_argument("a cone belongs to no face");
+        problem_.cones[i] = 1;
+      }
   }
 
   /// to be called last. The boundary is open, whatever the rules say of its edges.
@@ -155,6 +157,12 @@ private:
   Index index_of(vertex_descriptor v) const {
     const std::size_t i = static_cast<std::size_t>(get(index_, v));
     return i < flat_index_.size() ? flat_index_[i] : no_index;
+  }
+
+  void set_rule(Index h, Edge_rule rule) {
+    problem_.has_rules_of_caller = true;
+    problem_.rules.resize(problem_.halfedges.size(), Edge_rule::FREE);
+    problem_.rules[h] = problem_.rules[problem_.halfedges.twin(h)] = rule;
   }
 
   Index halfedge_of(edge_descriptor e) const {

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Device_options.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/backends/Fallback_backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_start.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
@@ -40,13 +40,11 @@ struct Passes_on_device
         : Device_start(options) {}
   };
 
-  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
-                                      std::vector<Index> seeds,
-                                      const Pass_options& options,
-                                      const Device_options& device_options) {
+  static std::unique_ptr<Passes>
+  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return std::make_unique<Field_passes>(
         execution_of<Parallel_if_available_tag>(), mesh, std::move(seeds), options,
-        [&mesh, device_options] { return make_cuda_solver(mesh, device_options); });
+        [&mesh, where = options.device] { return make_cuda_solver(mesh, where); });
   }
 };
 
@@ -64,14 +62,12 @@ struct Passes_if_there_is_a_device
     std::optional<Device_start> start_;
   };
 
-  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
-                                      std::vector<Index> seeds,
-                                      const Pass_options& options,
-                                      const Device_options& device_options) {
+  static std::unique_ptr<Passes>
+  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     const Execution execution = execution_of<Parallel_if_available_tag>();
     return std::make_unique<Field_passes>(
         execution, mesh, std::move(seeds), options,
-        [execution, &mesh, device_options] { return backend(execution, mesh, device_options); });
+        [execution, &mesh, where = options.device] { return backend(execution, mesh, where); });
   }
 
 private:

@@ -50,7 +50,7 @@ public:
       , mesh_(mesh)
       , seeds_(std::move(seeds))
       , options_(options)
-      , coefficients_(step_coefficients(options.constants))
+      , coefficients_(step_coefficients(options.field_constants))
       , make_backend_(std::move(make_backend)) {}
 
   void initial_pass(Progress& progress, Statistics& statistics) override {

@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Field_constants.h>
-#include <CGAL/Handle_tunnel_loops/Literal_rules.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/fronts/Swept_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Flat_pair.h>
@@ -26,15 +25,10 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// What the passes are to do, whoever does them.
-struct Pass_options
+struct Pass_options : Solver_options
 {
-  Field_constants constants;
-  bool do_refine_handles = true;
-  bool do_tighten = true; ///< the reference knows no tightening
-  bool do_log_fronts = false;
   bool do_keep_layers = false; ///< of the vertices, in the initial pass
   bool do_keep_times = false;
-  Literal_rules literal_rules; ///< of the reference
 
   /// whether more is asked for than loops, so that the initial pass is run without handles, too.
   bool asks_for_fronts() const { return do_log_fronts || do_keep_layers || do_keep_times; }

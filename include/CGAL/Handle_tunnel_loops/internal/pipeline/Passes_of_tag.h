@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Device_options.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/make_host_passes.h>
 
 #include <cstddef>
@@ -35,10 +35,8 @@ template <typename ConcurrencyTag> struct Passes_of_tag
   };
 
   /// \p seeds are the vertices to start from, one in each component.
-  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
-                                      std::vector<Index> seeds,
-                                      const Pass_options& options,
-                                      const Device_options&) {
+  static std::unique_ptr<Passes>
+  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return make_host_passes(execution_of<ConcurrencyTag>(), mesh, std::move(seeds), options);
   }
 };

@@ -58,10 +58,9 @@ public:
                                          get_const_property_map(vertex_point, tm)))
       , traits_(parameters::choose_parameter<Geom_traits>(
             parameters::get_parameter(np, internal_np::geom_traits)))
-      , threshold_(parameters::choose_parameter(
-            parameters::get_parameter(np, internal_np::simplification_threshold),
-            default_simplification_threshold)) {
-    if(!(threshold_ >= 0. && threshold_ <= 1.))
+      , options_(parameters::choose_parameter(
+            parameters::get_parameter(np, internal_np::reeb_options), Reeb_options())) {
+    if(!(options_.threshold >= 0. && options_.threshold <= 1.))
       throw std::invalid_argument("the threshold of the simplification must be in [0, 1]");
     const auto began = Clock::now();
     Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index_)>, Vertex_point_map>
@@ -135,15 +134,12 @@ private:
   template <typename Key, typename Value, typename Graph>
   Reeb_statistics
   find(const Key& key, const Value& value, Reeb_measure default_measure, Graph& graph) {
-    const auto measure = parameters::choose_parameter(
-        parameters::get_parameter(np_, internal_np::reeb_measure), default_measure);
-    const bool allows_parallel_arcs = parameters::choose_parameter(
-        parameters::get_parameter(np_, internal_np::allow_parallel_arcs), false);
     Embedded_reeb_graph flat =
-        find_reeb_graph(execution_, mesh_, key, value, measure, threshold_, statistics_);
+        find_reeb_graph(execution_, mesh_, key, value, options_.measure.value_or(default_measure),
+                        options_.threshold, statistics_);
     const auto began = Clock::now();
     name_hubs(key);
-    if(!allows_parallel_arcs)
+    if(!options_.allow_parallel_arcs)
       make_simple(flat);
     leave_out_hubs(flat);
     if constexpr(is_given<internal_np::vertex_arc_map_t>) {
@@ -184,7 +180,7 @@ private:
       std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>())) vertex_index_;
   Vertex_point_map point_;
   Geom_traits traits_;
-  double threshold_;
+  Reeb_options options_;
   Flat_mesh mesh_;
   std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
   Reeb_statistics statistics_;

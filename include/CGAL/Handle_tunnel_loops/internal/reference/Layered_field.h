@@ -14,7 +14,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-#include <CGAL/Handle_tunnel_loops/Field_constants.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/laplacian.h>
 
 #include <CGAL/assertions.h>

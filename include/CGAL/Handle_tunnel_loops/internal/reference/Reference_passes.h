@@ -14,7 +14,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-#include <CGAL/Handle_tunnel_loops/Device_options.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes.h>
@@ -56,7 +56,7 @@ public:
       , options_(options)
       , rules_(options.literal_rules)
       , seeds_(seeds)
-      , constants_(literal_constants(options.constants, rules_))
+      , constants_(literal_constants(options.field_constants, rules_))
       , dual_loop_pass_(mesh, constants_, rules_) {
     check_rules(rules_);
   }
@@ -294,10 +294,8 @@ struct Passes_of_reference
     Head_start(const Device_options&, std::size_t) {}
   };
 
-  static std::unique_ptr<Passes> make(const Flat_mesh& mesh,
-                                      const std::vector<Index>& seeds,
-                                      const Pass_options& options,
-                                      const Device_options&) {
+  static std::unique_ptr<Passes>
+  make(const Flat_mesh& mesh, const std::vector<Index>& seeds, const Pass_options& options) {
     return std::make_unique<Reference_passes>(mesh, seeds, options);
   }
 };

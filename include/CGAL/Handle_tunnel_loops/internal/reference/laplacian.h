@@ -14,8 +14,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-#include <CGAL/Handle_tunnel_loops/Field_constants.h>
-#include <CGAL/Handle_tunnel_loops/Literal_rules.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 
 #include <Eigen/SparseCore>

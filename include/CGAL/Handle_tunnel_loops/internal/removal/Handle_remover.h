@@ -59,6 +59,7 @@ public:
   Handle_remover(TriangleMesh& tm, const NamedParameters& np)
       : tm_(tm)
       , np_(np)
+      , options_(get(internal_np::removal_options, Removal_options()))
       , ask_(get(internal_np::callback, Ask())) {}
 
   Removal_report operator()() {
@@ -74,11 +75,11 @@ public:
     Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
     remove_from(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.2 * done); });
     describe(tasks);
-    if(const Neck_selection wanted = necks(); wanted.maximal_length > 0.)
-      describe_necks(remove_necks_from(execution, mesh, wanted));
+    if(options_.maximal_neck_length > 0.)
+      describe_necks(remove_necks_from(execution, mesh, options_));
     check(mesh);
     ask(1.);
-    if(!get(internal_np::do_dry_run, false)) {
+    if(!get(internal_np::dry_run, false)) {
       write_back(mesh, link);
       find_remaining_pairs();
     }
@@ -108,8 +109,8 @@ private:
     Solver solver(ConcurrencyTag(), tm_, np_);
     report_.genus_before = solver.genus();
     report_.components_before = solver.number_of_components();
-    if constexpr(is_given<internal_np::known_pairs_t>) {
-      const auto& known = parameters::get_parameter(np_, internal_np::known_pairs);
+    if constexpr(is_given<internal_np::known_loops_t>) {
+      const auto& known = parameters::get_parameter(np_, internal_np::known_loops);
       pairs_.assign(known.begin(), known.end());
       check_pairs(vertex_index, face_index);
     } else
@@ -132,31 +133,19 @@ private:
                                   certifier.failures().front());
   }
 
+  // The size of a neck is a limit for handles, too, unless these have one of their own.
   Handle_selection<Pair> selection() const {
-    Handle_selection<Pair> wanted;
-    wanted.method = get(internal_np::removal_method, Removal_method::CHEAPEST);
-    if(const double length = necks().maximal_length; length > 0.)
-      wanted.maximal_length = length;
-    wanted.maximal_length = get(internal_np::maximal_length, wanted.maximal_length);
-    if(!(wanted.maximal_length > 0.))
-      throw std::invalid_argument("the maximal length is not positive");
-    if constexpr(is_given<internal_np::target_genus_t>)
-      wanted.target_genus = parameters::get_parameter(np_, internal_np::target_genus);
-    if constexpr(is_given<internal_np::removal_box_t>)
-      wanted.box = parameters::get_parameter(np_, internal_np::removal_box);
-    if constexpr(is_given<internal_np::handle_filter_t>)
-      wanted.filter = parameters::get_parameter(np_, internal_np::handle_filter);
-    return wanted;
-  }
-
-  Neck_selection necks() const {
-    Neck_selection wanted;
-    wanted.maximal_length = get(internal_np::maximal_neck_length, 0.);
-    if(!(wanted.maximal_length >= 0.))
+    if(!(options_.maximal_neck_length >= 0.))
       throw std::invalid_argument("the maximal length of a neck is negative");
-    wanted.minimal_share = get(internal_np::minimal_piece_share, 0.01);
-    if(!(wanted.minimal_share >= 0. && wanted.minimal_share <= 0.5))
+    if(!(options_.minimal_piece_share >= 0. && options_.minimal_piece_share <= 0.5))
       throw std::invalid_argument("the share of a piece is not in [0, 0.5]");
+    if(options_.maximal_length && !(*options_.maximal_length > 0.))
+      throw std::invalid_argument("the maximal length is not positive");
+    Handle_selection<Pair> wanted{options_, {}};
+    if(!wanted.maximal_length && options_.maximal_neck_length > 0.)
+      wanted.maximal_length = options_.maximal_neck_length;
+    if constexpr(is_given<internal_np::filter_t>)
+      wanted.filter = parameters::get_parameter(np_, internal_np::filter);
     return wanted;
   }
 
@@ -225,8 +214,8 @@ private:
   }
 
   void write_back(const Surgery_mesh& mesh, Mesh_link<TriangleMesh, Vertex_point_map>& link) {
-    auto vertices = get(internal_np::added_vertices, Emptyset_iterator());
-    auto faces = get(internal_np::added_faces, Emptyset_iterator());
+    auto vertices = get(internal_np::vertex_output_iterator, Emptyset_iterator());
+    auto faces = get(internal_np::face_output_iterator, Emptyset_iterator());
     std::sort(patches_.begin(), patches_.end());
     link.write_back(
         mesh, [&](Index, auto v) { *vertices++ = v; },
@@ -239,8 +228,8 @@ private:
 
   // With no index maps of the caller, which know the mesh as it was.
   void find_remaining_pairs() {
-    if constexpr(is_given<internal_np::remaining_pairs_t>) {
-      auto pairs = parameters::get_parameter(np_, internal_np::remaining_pairs);
+    if constexpr(is_given<internal_np::output_iterator_t>) {
+      auto pairs = parameters::get_parameter(np_, internal_np::output_iterator);
       const auto traits = parameters::choose_parameter<Geom_traits>(
           parameters::get_parameter(np_, internal_np::geom_traits));
       const auto point =
@@ -253,6 +242,7 @@ private:
 
   TriangleMesh& tm_;
   const NamedParameters& np_;
+  const Removal_options options_;
   Ask ask_;
   std::vector<Pair> pairs_;
   Removal_report report_;

@@ -22,8 +22,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -36,12 +34,8 @@ namespace internal {
 /// Which handles are to be removed: those that fulfil all conditions, and of these, smallest first,
 /// as many as the target genus asks for. The size of a handle is the length of the loop that it
 /// would be removed along.
-template <typename Pair> struct Handle_selection
+template <typename Pair> struct Handle_selection : Removal_options
 {
-  Removal_method method = Removal_method::CHEAPEST;
-  std::optional<std::size_t> target_genus;
-  double maximal_length = (std::numeric_limits<double>::infinity)();
-  std::optional<Bbox_3> box;
   std::function<bool(const Pair&)> filter;
 };
 
@@ -95,8 +89,8 @@ private:
 
   bool is_wanted(const Pair& pair) const {
     const Loop& loop = pair.loop(first_type(pair));
-    return loop.length() < wanted_.maximal_length && (!wanted_.box || lies_in_box(loop)) &&
-           (!wanted_.filter || wanted_.filter(pair));
+    return (!wanted_.maximal_length || loop.length() < *wanted_.maximal_length) &&
+           (!wanted_.box || lies_in_box(loop)) && (!wanted_.filter || wanted_.filter(pair));
   }
 
   bool lies_in_box(const Loop& loop) const {

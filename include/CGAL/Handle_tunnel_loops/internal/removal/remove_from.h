@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/core.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -33,16 +34,9 @@ CGAL_HTL_CORE void remove_from(Execution execution,
                                std::vector<Removal_task>& tasks,
                                const std::function<void(double)>& ask);
 
-/// Which necks are removed.
-struct Neck_selection
-{
-  double maximal_length = 0.; ///< in the unit of the mesh
-  double minimal_share = 0.;  ///< of the area of its component, for each piece
-};
-
 /// cuts a mesh apart at its necks, as far as that can be; what becomes of each is in its task.
 CGAL_HTL_CORE std::vector<Removal_task>
-remove_necks_from(Execution execution, Surgery_mesh& mesh, const Neck_selection& wanted);
+remove_necks_from(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted);
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

@@ -75,12 +75,12 @@ CGAL_HTL_CORE void remove_from(Execution execution,
 }
 
 CGAL_HTL_CORE std::vector<Removal_task>
-remove_necks_from(Execution execution, Surgery_mesh& mesh, const Neck_selection& wanted) {
+remove_necks_from(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted) {
   const Surface_copy copy(mesh);
   std::vector<Removal_task> tasks;
   for(const auto& neck :
       find_necks(execution, copy.mesh(), copy.mesh().points(), get(vertex_index, copy.mesh()),
-                 Surgery_mesh::Kernel(), wanted.maximal_length, wanted.minimal_share))
+                 Surgery_mesh::Kernel(), wanted.maximal_neck_length, wanted.minimal_piece_share))
   {
     tasks.emplace_back();
     tasks.back().are_types_known = false;

@@ -7,13 +7,35 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_LITERAL_RULES_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_LITERAL_RULES_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_SOLVER_OPTIONS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_SOLVER_OPTIONS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Handle_tunnel_loops {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+The constants of the phase field; the defaults are those of the paper, section 3. Times are in the
+unit of the paper's equation, lengths in local edge lengths.
+
+The front is a cosine about \f$ \pi\,a/\sqrt{2w} \f$ edges wide and moves
+\f$ \mu e a / (2 \sqrt{2 w}) \f$ edges per unit of time. It needs `driving_force > 0` to move and a
+width of a few edges to be smooth: the defaults give five. A smaller step takes as many more of
+them, and as much more time.
+*/
+struct Field_constants
+{
+  double mobility = 1. / 4.;              ///< \f$ \mu > 0 \f$
+  double driving_force = 1. / 30.;        ///< \f$ e > 0 \f$
+  double gradient_coefficient = 1. / 25.; ///< \f$ a^2 > 0 \f$
+  double penalty = 1. / 125.;             ///< \f$ w > 0 \f$, with \f$ e > w \f$
+  double step = 1.0; ///< time step, in [1/1024, 1], as a fraction of the largest stable one
+};
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -31,7 +53,7 @@ struct Literal_rules
 
   /// section 3, "gradient energy coefficients are set to 1/25": \f$ a = 1/25 \f$, so that
   /// \f$ a^2 = 1/625 \f$, and a front is one edge wide. By default \f$ a^2 = 1/25 \f$, and it is
-  /// five edges wide. `field_constants` are as they are given otherwise.
+  /// five edges wide. `Field_constants` are as they are given otherwise.
   bool gradient_coefficient = false;
 
   /// sections 4.1 and 5: fronts are components of the triangles of a band, a front has split where
@@ -54,7 +76,7 @@ struct Literal_rules
   /// section 4.5: loops are told apart by "slightly offsetting" them along the normals and
   /// "checking the changes" of their lengths. By default linking numbers name them, or, without
   /// these, the derivative of the length by the offset, which name them before this rule does: it
-  /// is for `do_compute_linking(false)`.
+  /// is for use without `Solver_options::do_compute_linking`.
   bool finite_offset = false;
 
   /// the mean edge length in the unit of the paper, which it does not tell, for
@@ -83,7 +105,64 @@ struct Literal_rules
   }
 };
 
+/// \ingroup PkgHandleTunnelLoopsRef
+/// From so many vertices on (200,000 faces) a device pays: to start one takes some tenths of a
+/// second, in which the processor is done with a smaller mesh.
+constexpr std::size_t least_vertices_for_device = 100000;
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+Where on which CUDA device a computation with `Cuda_tag` or `Cuda_if_available_tag` runs.
+*/
+struct Device_options
+{
+  /// the number of the device; negative for the current one of the calling thread.
+  int device = -1;
+  /// the `cudaStream_t` on which all work of the device is done, and which belongs to that device;
+  /// null for a stream of its own.
+  void* stream = nullptr;
+  /// a mesh with fewer vertices is left to the processor by `Cuda_if_available_tag`; `Cuda_tag`
+  /// does not look at it.
+  std::size_t least_vertices = least_vertices_for_device;
+};
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+How loops are found, and the fields of Reeb graphs: the value of the named parameter
+`solver_options`. Each function says which of the options it looks at.
+*/
+struct Solver_options
+{
+  /// the constants of the phase field; by default those of the paper.
+  Field_constants field_constants;
+
+  /// which rules of the paper `Reference_tag` is to follow to the letter; other tags do not look at
+  /// them, but for `Literal_rules::finite_offset`.
+  Literal_rules literal_rules;
+
+  /// the device and the stream to use with `Cuda_tag` and `Cuda_if_available_tag`; by default the
+  /// current device, and a stream of its own.
+  Device_options device;
+
+  /// whether to run the refinement pass.
+  bool do_refine_handles = true;
+
+  /// whether to tighten the loops in their homotopy classes, and to look for shorter ones.
+  bool do_tighten = true;
+
+  /// whether linking numbers tell handles from tunnels; otherwise the growth along the normals
+  /// does, it is not known which loops bound inside and outside, and none are replaced by others
+  /// that do.
+  bool do_compute_linking = true;
+
+  /// whether `Statistics::front_events` is filled, which `Handle_tunnel_loops_solver::statistics()`
+  /// returns; `Reference_tag` always does, where there are handles.
+  bool do_log_fronts = false;
+};
+
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_LITERAL_RULES_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_SOLVER_OPTIONS_H
