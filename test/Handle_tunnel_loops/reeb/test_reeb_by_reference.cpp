@@ -15,7 +15,7 @@
 #include <map>
 #include <vector>
 
-namespace {
+namespace test_reeb_by_reference {
 
 namespace parameters = CGAL::parameters;
 using CGAL::Reference_tag;
@@ -176,4 +176,4 @@ TEST(Reeb_by_reference, CanBeStopped) {
   }
 }
 
-} // namespace
+} // namespace test_reeb_by_reference

@@ -24,11 +24,11 @@
 #include <string>
 #include <vector>
 
+namespace test_remove_handles {
+
 namespace htl = CGAL::Handle_tunnel_loops;
 namespace params = CGAL::parameters;
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-namespace {
 
 using Exact_predicates_mesh =
     CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
@@ -98,8 +98,6 @@ void expect_refusal(Mesh& mesh, const NamedParameters& np, const std::string& wo
   EXPECT_EQ(faces_by_points(mesh), before);
 }
 
-} // namespace
-
 class Removal : public testing::TestWithParam<Recipe>
 {};
 
@@ -163,8 +161,6 @@ TEST(Handle_removal, SaysWhatIsTakenAwayAndWhatIsPutIn) {
   }
 }
 
-namespace {
-
 // A round plate with a round hole, and no vertices but those of the four circles.
 Mesh plate_with_a_hole(double hole_radius, double plate_radius, double thickness) {
   constexpr std::uint32_t n = 24;
@@ -191,8 +187,6 @@ Mesh plate_with_a_hole(double hole_radius, double plate_radius, double thickness
     PMP::reverse_face_orientations(mesh);
   return mesh;
 }
-
-} // namespace
 
 // Whatever direction the walls have at whose edges the plate ends.
 TEST(Handle_removal, FillsTheHoleOfAPlateFlat) {
@@ -450,3 +444,5 @@ TEST(Handle_removal, StopsWhenAsked) {
     EXPECT_EQ(faces_by_points(mesh), before);
   }
 }
+
+} // namespace test_remove_handles

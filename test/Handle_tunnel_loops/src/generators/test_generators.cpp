@@ -21,12 +21,12 @@
 #include <utility>
 #include <vector>
 
+namespace test_generators {
+
 namespace generators = CGAL::Handle_tunnel_loops::generators;
 using generators::Request;
 using generators::Soup;
 using Index = std::uint32_t;
-
-namespace {
 
 const generators::Kind& kind(const std::string& name) {
   for(const generators::Kind& k : generators::kinds())
@@ -405,7 +405,8 @@ TEST(Generators, HaveDefaultsThatCanBeMade) {
     Request request;
     request.faces = k.default_faces;
     request.genus = k.default_genus;
-    EXPECT_NO_THROW(k.make(request)) << k.name;
+    SCOPED_TRACE(k.name);
+    expect_closed_surface(k.make(request), k.default_genus, components_of({k.name, request}));
   }
 }
 
@@ -457,4 +458,4 @@ TEST(Euler_characteristic, IgnoresIsolatedVertices) {
   EXPECT_EQ(generators::euler_characteristic(soup), 2);
 }
 
-} // namespace
+} // namespace test_generators
