@@ -34,7 +34,7 @@ inline bool are_all_cases_tried() {
 #ifdef HTL_TEST_FEWER_CASES
 inline int part_of_cases() { return 10; }
 #else
-inline int part_of_cases() { return are_all_cases_tried() ? 1 : 4; }
+inline int part_of_cases() { return are_all_cases_tried() ? 1 : 8; }
 #endif
 
 // Of a property that is tested with random input.
@@ -43,7 +43,7 @@ inline int number_of_cases(int n) { return (std::max)(1, n / part_of_cases()); }
 // Of a list: the first and others, spread over all of it.
 template <typename Case> std::vector<Case> enough_of(const std::vector<Case>& all) {
   // Odd, and so for lists with two or four variants of each kind they are of all variants.
-  const std::size_t step = part_of_cases() == 1 ? 1 : part_of_cases() == 4 ? 3 : 7;
+  const std::size_t step = part_of_cases() == 1 ? 1 : part_of_cases() == 8 ? 5 : 7;
   std::vector<Case> cases;
   for(std::size_t i = 0; i < all.size(); i += step)
     cases.push_back(all[i]);
