@@ -20,6 +20,7 @@
 namespace test_htloops_mending {
 
 using namespace htloops;
+using htloops::Soup;
 
 using Faces = std::vector<Corners>;
 

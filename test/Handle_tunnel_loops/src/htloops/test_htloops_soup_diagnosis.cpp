@@ -11,6 +11,7 @@
 namespace test_htloops_soup_diagnosis {
 
 using namespace htloops;
+using htloops::Soup;
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 

@@ -22,6 +22,7 @@ namespace test_htloops_soup_reader {
 
 namespace fs = std::filesystem;
 using namespace htloops;
+using htloops::Soup;
 
 const char byte_order_mark[] = "\xEF\xBB\xBF";
 const char points[] = "0 0 0\n1 0 0\n0 1.5 0\n0 0 -2e-1\n";
