@@ -1,6 +1,6 @@
 # The targets headers_alone_public and headers_alone_internal: one source file per header that
 # includes nothing else, so that each header proves to include what it uses. Built by the tests of
-# the same names, not by default; headers_alone is both.
+# the same names, not by default; headers_alone is both. That of the internal ones has the label "long".
 file(GLOB_RECURSE _htl_headers
   RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}/include/*.h")
 set(_htl_internal_headers ${_htl_headers})
@@ -31,6 +31,7 @@ endfunction()
 
 _htl_add_headers_alone(headers_alone_public ${_htl_headers})
 _htl_add_headers_alone(headers_alone_internal ${_htl_internal_headers})
+set_tests_properties(headers_alone_internal PROPERTIES LABELS "package;long")
 # Parsing these again for each of hundreds of headers took more than all else that is compiled. What
 # programs include are the public headers, for which nothing is prepared.
 target_precompile_headers(headers_alone_internal PRIVATE

@@ -75,7 +75,7 @@ check_cgal() {
     -DHTL_BUILD_BENCHMARKS=OFF -DHTL_WARNINGS_AS_ERRORS=ON
   cmake --build "$build" --parallel "$jobs" --target headers_alone "${@:-all}"
   if [ "$#" -eq 0 ]; then
-    ctest --test-dir "$build" --output-on-failure --timeout 600 --parallel "$jobs"
+    ctest --test-dir "$build" --output-on-failure --timeout 600 --parallel "$jobs" --label-exclude '^long$'
   else
     for target; do
       ctest --test-dir "$build" --output-on-failure --timeout 600 --tests-regex "^$target\$" \

@@ -83,7 +83,7 @@ void solve_if_sound(const Soup& soup) {
 
 } // namespace
 
-void fuzz(const std::string& input) {
+void fuzz_complexes(const std::string& input) {
   const Soup soup = soup_of(input);
   solve_if_sound(soup);
   solve_if_sound(mend(soup, {false, true}).soup);

@@ -13,6 +13,6 @@
 #include <cstdint>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz(std::string(reinterpret_cast<const char*>(data), size));
+  fuzz(HTL_FUZZ_TARGET, std::string(reinterpret_cast<const char*>(data), size));
   return 0;
 }

@@ -41,7 +41,7 @@ htloops::Mesh make_torus() {
 
 } // namespace
 
-void fuzz(const std::string& input) {
+void fuzz_loops_json(const std::string& input) {
   static const htloops::Mesh mesh = make_torus();
   try {
     const htloops::Bound_loops loops = htloops::bind_loops(

@@ -7,8 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 //
-// A file of a mesh, of the format HTL_FUZZED_FORMAT: read, mended, and made a mesh. All that may
-// happen is that it is refused.
+// A file of a mesh: read, mended, and made a mesh. All that may happen is that it is refused.
 
 #include "fuzz_target.h"
 
@@ -30,9 +29,9 @@ void build_if_sound(const Soup& soup) {
 
 } // namespace
 
-void fuzz(const std::string& input) {
+void fuzz_mesh_file(const std::string& format, const std::string& input) {
   try {
-    const Soup soup = read_soup(Input_file::in_memory("mesh." HTL_FUZZED_FORMAT, input));
+    const Soup soup = read_soup(Input_file::in_memory("mesh." + format, input));
     build_if_sound(soup);
     for(const Remedies& remedies :
         {Remedies{true, false}, Remedies{false, true}, Remedies{true, true}})

@@ -7,7 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 //
-// replay FOLDER...: hands all files of these folders to a target, as a test, without a fuzzer.
+// replay FOLDER...: hands all files of these folders, which have the names of targets, to these, as
+// a test, without a fuzzer.
 
 #include "fuzz_target.h"
 
@@ -26,7 +27,8 @@ int main(int argc, char** argv) {
   for(const std::filesystem::path& file : files) {
     std::fprintf(stderr, "%s\n", file.string().c_str());
     std::ifstream in(file, std::ios::binary);
-    fuzz(std::string(std::istreambuf_iterator<char>(in), {}));
+    fuzz(file.parent_path().filename().string(),
+         std::string(std::istreambuf_iterator<char>(in), {}));
   }
   std::printf("%zu inputs\n", files.size());
   return files.empty() ? 1 : 0;

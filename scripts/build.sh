@@ -14,6 +14,10 @@ shift
 if [ ! -f build/CMakeCache.txt ] && command -v ninja >/dev/null; then
   set -- -G Ninja "$@"
 fi
+# ... and nothing for devices where there is none, unless that is asked for.
+if [ ! -f build/CMakeCache.txt ] && [ ! -e /dev/nvidiactl ] && [ ! -e /dev/dxg ]; then
+  set -- -DHTL_CUDA=OFF "$@"
+fi
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "$@"
 jobs=$(nproc)
 if [ -r /proc/meminfo ]; then

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: for the tool, for the tests too, for all checks, or
-# for the benchmarks beside other programs, which want VTK (large, and needed for nothing else).
+# Installs the Debian packages that are missing: for the tool, for the tests too, for the checks, for all
+# tests (some skip without what brings many packages: with valijson comes Qt), or for the benchmarks
+# beside other programs, which want VTK.
 #
-#   scripts/install_dependencies.sh [tool|tests|checks|benchmarks]
+#   scripts/install_dependencies.sh [tool|tests|checks|all|benchmarks]
 #
 # Touches nothing, and needs no network, where all is there. Where there is no apt-get it names the
 # libraries and goes on: the build then says itself what it lacks.
@@ -10,19 +11,21 @@ set -euo pipefail
 
 tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
   libpng-dev libstb-dev fonts-dejavu-core libeigen3-dev)
-python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-scipy python3-networkx
-  python3-meshio python3-matplotlib python3-tqdm python3-distributed)
-tests=("${tool[@]}" "${python[@]}" libgtest-dev libbenchmark-dev libvalijson-dev assimp-utils)
+python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-networkx python3-tqdm)
+tests=("${tool[@]}" "${python[@]}" libgtest-dev assimp-utils)
 checks=("${tests[@]}" clang-format)
-benchmarks=("${tests[@]}" libvtk9-dev)
+all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshio python3-matplotlib
+  python3-distributed)
+benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
 
 case "${1:-tool}" in
   tool) wanted=("${tool[@]}") ;;
   tests) wanted=("${tests[@]}") ;;
   checks) wanted=("${checks[@]}") ;;
+  all) wanted=("${all[@]}") ;;
   benchmarks) wanted=("${benchmarks[@]}") ;;
   *)
-    echo "usage: $0 [tool|tests|checks|benchmarks]" >&2
+    echo "usage: $0 [tool|tests|checks|all|benchmarks]" >&2
     exit 2
     ;;
 esac

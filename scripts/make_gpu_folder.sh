@@ -15,7 +15,7 @@ folder=${1:-htloops-gpu}
 shift || true
 
 programs=(bin/htloops test/Handle_tunnel_loops/test_gpu
-  test/Handle_tunnel_loops/test_device_passes benchmark/Handle_tunnel_loops/benchmark_device)
+  test/Handle_tunnel_loops/test_fronts benchmark/Handle_tunnel_loops/benchmark_device)
 cmake -S . -B build-gpu -DCMAKE_BUILD_TYPE=Release -DCMAKE_CUDA_FLAGS=-lineinfo \
   -DCMAKE_EXE_LINKER_FLAGS=-Wl,--disable-new-dtags -DCMAKE_BUILD_RPATH='$ORIGIN/../lib' "$@"
 cmake --build build-gpu --parallel "$(nproc)" --target "${programs[@]##*/}"
@@ -77,7 +77,7 @@ few='Gpu_smoke.*:Gpu.AgreesWithTheHostOnRandomSurfaces:Gpu.LabelsFronts*'
 for what in "$@"; do
   case "$what" in
     tests)
-      run test_device_passes 120 bin/test_device_passes
+      run test_device_passes 120 bin/test_fronts --gtest_filter='*Device_backend.*'
       for name in 'Gpu_smoke.*' 'Gpu.Labels*' 'Gpu.*RandomSurfaces' 'Gpu.*SmoothSurfaces' \
         'Gpu.FindsTheLoops*' 'On_a_device*' 'Gpu.*Reference' 'Gpu.*Thread*:Gpu.*Stream:Gpu.*Memory'; do
         run "test_gpu_${name//[^A-Za-z]/}" 120 bin/test_gpu --gtest_filter="$name"

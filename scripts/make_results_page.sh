@@ -26,7 +26,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-scripts/build.sh experiments >&2
+scripts/build.sh experiments -DHTL_BUILD_BENCHMARKS=ON >&2
 build=build/benchmark/Handle_tunnel_loops
 figures=$(dirname "$page")
 mkdir -p "$figures"

@@ -6,12 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/install_dependencies.sh tool
-# A new build folder gets what it needs here: nothing for devices where there is none.
-options=()
-if [ ! -f build/CMakeCache.txt ] && [ ! -e /dev/nvidiactl ] && [ ! -e /dev/dxg ]; then
-  options=(-DHTL_CUDA=OFF)
-fi
-scripts/build.sh htloops "${options[@]}"
+scripts/build.sh htloops
 
 htloops=build/bin/htloops
 picture=()

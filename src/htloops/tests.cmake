@@ -8,15 +8,18 @@ foreach(script IN ITEMS end_to_end files_end_to_end remove_end_to_end
   set_tests_properties(htloops_${script} PROPERTIES LABELS tool TIMEOUT 300)
 endforeach()
 
-# All meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one.
-set(_htl_parts 4)
-foreach(part RANGE 1 ${_htl_parts})
-  set(name htloops_corpus_${part}_of_${_htl_parts})
+# The meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one: an
+# eighth of them, and with the label "long" all.
+function(_htl_add_corpus_test name part parts)
   add_test(NAME ${name}
     COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
-      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/${name}" -DPART=${part} -DPARTS=${_htl_parts}
+      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/${name}" -DPART=${part} -DPARTS=${parts}
       -P "${CMAKE_CURRENT_LIST_DIR}/corpus.cmake")
   set_tests_properties(${name} PROPERTIES
-    LABELS "tool;corpus" TIMEOUT 300 SKIP_REGULAR_EXPRESSION "SKIPPED")
+    LABELS "tool;corpus;${ARGN}" TIMEOUT 600 SKIP_REGULAR_EXPRESSION "SKIPPED")
+endfunction()
+
+_htl_add_corpus_test(htloops_corpus 1 8)
+foreach(part RANGE 1 4)
+  _htl_add_corpus_test(htloops_corpus_${part}_of_4 ${part} 4 long)
 endforeach()
-unset(_htl_parts)

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_cuda_fallback {
 
 using namespace cuda_runtime_test;
 using namespace device_agreement;
@@ -212,4 +212,4 @@ TEST_F(Cuda_fallback, SmallMeshesStayOnTheHost) {
   EXPECT_EQ(solver.statistics().backend, "cuda") << "who asks for a device gets one";
 }
 
-} // namespace
+} // namespace test_cuda_fallback

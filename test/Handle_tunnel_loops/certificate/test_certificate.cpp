@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_certificate {
 
 using CGAL::certify_handle_tunnel_loops;
 using CGAL::Handle_tunnel_loops::Certificate;
@@ -437,4 +437,4 @@ TEST(Certificate, NeedsTheLoopsOfEveryComponent) {
   EXPECT_NE(c.failure.find("determinant 0"), std::string::npos) << c.failure;
 }
 
-} // namespace
+} // namespace test_certificate

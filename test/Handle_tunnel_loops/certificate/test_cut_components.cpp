@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_cut_components {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::generators::Random;
@@ -210,4 +210,4 @@ TEST_P(Pieces, TakeNoNoticeOfVerticesWithoutFaces) {
   EXPECT_EQ(pieces.pieces(), std::vector<Index>(1, 0));
 }
 
-} // namespace
+} // namespace test_cut_components

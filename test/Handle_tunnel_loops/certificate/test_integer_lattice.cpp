@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace {
+namespace test_integer_lattice {
 
 using CGAL::Handle_tunnel_loops::generators::Random;
 using CGAL::Handle_tunnel_loops::internal::Integer_lattice;
@@ -129,4 +129,4 @@ TEST(Integer_lattice, IsFullForUnimodularVectors) {
   }
 }
 
-} // namespace
+} // namespace test_integer_lattice

@@ -14,7 +14,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace test_basis_kinds {
 
 namespace params = CGAL::parameters;
 using CGAL::Handle_tunnel_loops::name_of;
@@ -169,4 +169,4 @@ TEST(Solver, FindsBasesOfEitherKind) {
   }
 }
 
-} // namespace
+} // namespace test_basis_kinds

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_class_search {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
@@ -527,4 +527,4 @@ TEST(Class_search, StopsAfterSoManyVisits) {
     Searched_surface(recipe, recipe.kind != "random", 0).expect_visits(7, 0);
 }
 
-} // namespace
+} // namespace test_class_search

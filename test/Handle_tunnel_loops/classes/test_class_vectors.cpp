@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_class_vectors {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::generators::Random;
@@ -391,4 +391,4 @@ TEST(Lattice_basis, IsNothingIfNumbersAreTooLarge) {
   EXPECT_FALSE(Lattice_basis({{{0, 1}, {1, most}}, {{0, most}, {1, 3}}}).take_basis());
 }
 
-} // namespace
+} // namespace test_class_vectors

@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_matchings {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
@@ -253,4 +253,4 @@ TEST(Match_loops, CrossAnOddNumberOfTimesAndOnceIfTheyCan) {
   EXPECT_GT(not_once, 10);
 }
 
-} // namespace
+} // namespace test_matchings

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_right_classes {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 namespace params = CGAL::parameters;
@@ -289,4 +289,4 @@ TEST(Right_classes, AreFoundBesideSurfacesThatCrossThemselves) {
   EXPECT_GE(answer.certificate.tunnels_bound_outside_alone, 2u);
 }
 
-} // namespace
+} // namespace test_right_classes

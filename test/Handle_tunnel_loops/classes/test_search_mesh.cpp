@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_search_mesh {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
@@ -290,4 +290,4 @@ TEST(Search_mesh, HandsOnLoopsOfTheSameClass) {
   }
 }
 
-} // namespace
+} // namespace test_search_mesh

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_offset_classifier {
 
 using Vertex_point_map = boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
 using Classifier = CGAL::Handle_tunnel_loops::internal::Offset_classifier<Mesh, Vertex_point_map>;
@@ -119,4 +119,4 @@ TEST(Offset_classification, AgreesOnRoundHandles) {
   }
 }
 
-} // namespace
+} // namespace test_offset_classifier

@@ -24,7 +24,7 @@
 #include <tbb/global_control.h>
 #endif
 
-namespace {
+namespace test_cut_to_disk {
 
 using CGAL::Handle_tunnel_loops::No_cut_exception;
 using generators::Random;
@@ -317,4 +317,4 @@ TEST(Seams_of_a_cut, AreCounted) {
   EXPECT_EQ(boundary, 2 * cut.size());
 }
 
-} // namespace
+} // namespace test_cut_to_disk

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_dual_cuts {
 
 using generators::Random;
 using Halfedge = Mesh::Halfedge_index;
@@ -123,4 +123,4 @@ TEST(Dual_cuts, AskForABasis) {
   EXPECT_THROW(cuts_of(mesh, pairs), std::invalid_argument);
 }
 
-} // namespace
+} // namespace test_dual_cuts

@@ -13,7 +13,7 @@
 
 #include <iterator>
 
-namespace {
+namespace test_cuda_agreement {
 
 using namespace cuda_runtime_test;
 
@@ -46,4 +46,4 @@ TEST_F(Cuda_agreement, TheLoopsAreThoseOfTheHost) {
   EXPECT_GT(machine.devices[0]->number_of_kernels, unsigned(number_of_cases(1000)));
 }
 
-} // namespace
+} // namespace test_cuda_agreement

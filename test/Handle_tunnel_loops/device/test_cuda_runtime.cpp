@@ -22,7 +22,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace test_cuda_runtime {
 
 using namespace cuda_runtime_test;
 using namespace device_agreement;
@@ -458,4 +458,4 @@ TEST_F(Cuda_runtime, MeasuringMayFail) {
   expect_survived({1, 1, cudaErrorLaunchFailure}, 3, [] { measure_ceilings(1); });
 }
 
-} // namespace
+} // namespace test_cuda_runtime

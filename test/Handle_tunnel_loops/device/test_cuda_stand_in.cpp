@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_cuda_stand_in {
 
 using cuda_stand_in::Device_kind;
 using cuda_stand_in::machine;
@@ -155,4 +155,4 @@ TEST_F(Cuda_stand_in, LaunchesOnlyWhatADeviceLaunches) {
   expect_one_complaint("a launch that is not cooperative");
 }
 
-} // namespace
+} // namespace test_cuda_stand_in

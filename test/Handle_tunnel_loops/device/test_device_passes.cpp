@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_device_passes {
 
 using namespace device_agreement;
 using CGAL::Handle_tunnel_loops::Interrupted_exception;
@@ -215,4 +215,4 @@ TEST_P(Device_backend, GiveBackAllMemory) {
   EXPECT_EQ(executor.bytes_in_use(), 0u);
 }
 
-} // namespace
+} // namespace test_device_passes

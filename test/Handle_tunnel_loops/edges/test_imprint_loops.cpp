@@ -14,7 +14,7 @@
 #include <cmath>
 #include <set>
 
-namespace {
+namespace test_imprint_loops {
 
 using generators::Random;
 using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
@@ -119,4 +119,4 @@ TEST(Imprint_loops, TellsEdgesAndFaces) {
     EXPECT_LT(origin[f].idx(), old_faces);
 }
 
-} // namespace
+} // namespace test_imprint_loops

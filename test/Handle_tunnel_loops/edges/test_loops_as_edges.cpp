@@ -18,7 +18,7 @@
 #include <limits>
 #include <set>
 
-namespace {
+namespace test_loops_as_edges {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using generators::Random;
@@ -232,4 +232,4 @@ TEST(Loop_edges, CanBeMarkedAsWalls) {
     EXPECT_EQ(marks[e], others[e]);
 }
 
-} // namespace
+} // namespace test_loops_as_edges

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace test_narrow_band {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::Field_constants;
@@ -310,4 +310,4 @@ TEST(Narrow_band, KnowsWhereItsFrontsComeFrom) {
   }
 }
 
-} // namespace
+} // namespace test_narrow_band

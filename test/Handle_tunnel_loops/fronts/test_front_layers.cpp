@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_front_layers {
 
 using namespace layer_definitions;
 using generators::Random;
@@ -136,4 +136,4 @@ TEST_P(Layers, AreTheArcsOfTheHost) {
       << "the meshes are too harmless";
 }
 
-} // namespace
+} // namespace test_front_layers

@@ -13,9 +13,6 @@ numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::Flat_mesh& mesh);
 
 __attribute__((visibility("default"))) Numbers_of_answers numbers_of_answers(const Soup& soup);
 
-// a * b + c, rounded once where there is an instruction for it.
-__attribute__((visibility("default"))) double product_and_sum(double a, double b, double c);
-
 } // namespace contracted
 
 #endif // HTL_TEST_CONTRACTED_H

@@ -13,7 +13,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_edge_walker {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using generators::Random;
@@ -250,4 +250,4 @@ TEST(Edge_walker, LooksAtAClusterThatIsNoDiscOnce) {
   EXPECT_LT(number_of_calls, mesh.number_of_vertices());
 }
 
-} // namespace
+} // namespace test_edge_walker

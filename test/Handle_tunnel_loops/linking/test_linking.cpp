@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_linking {
 
 using CGAL::certify_handle_tunnel_loops;
 using CGAL::Handle_tunnel_loops::Certificate;
@@ -381,4 +381,4 @@ TEST(Surface, MayCrossItselfEverywhere) {
   }
 }
 
-} // namespace
+} // namespace test_linking

@@ -20,11 +20,12 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_projected_points {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Exact_rational;
 using CGAL::Handle_tunnel_loops::generators::Random;
+using CGAL::Handle_tunnel_loops::internal::Vector;
 
 using Rational_vector = Vector_of_numbers<Exact_rational>;
 
@@ -514,4 +515,4 @@ TEST(Matrix, AddsUpWhatIsAtOnePlace) {
   EXPECT_TRUE(matrix[2].row == 1 && matrix[2].column == 2 && matrix[2].value == 2);
 }
 
-} // namespace
+} // namespace test_projected_points

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_compare_lengths {
 
 using CGAL::Comparison_result;
 using CGAL::Handle_tunnel_loops::internal::Edge_place;
@@ -265,4 +265,4 @@ TEST(Length_interval, HoldsWhatLoopsSay) {
     }
 }
 
-} // namespace
+} // namespace test_compare_lengths

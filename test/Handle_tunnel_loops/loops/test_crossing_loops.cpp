@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_crossing_loops {
 
 using CGAL::Handle_tunnel_loops::internal::for_each_left_edge;
 using CGAL::Handle_tunnel_loops::internal::Loop_walls;
@@ -183,4 +183,4 @@ TEST(Empty_loop, MeetsNothing) {
   EXPECT_TRUE(empty.empty());
 }
 
-} // namespace
+} // namespace test_crossing_loops

@@ -16,7 +16,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_flat_mesh_builder {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using generators::Random;
@@ -202,4 +202,4 @@ TEST(Flat_mesh_builder, LeavesOutWhatIsRemovedOrIsolated) {
   expect_flat_mesh_of(mesh, 3);
 }
 
-} // namespace
+} // namespace test_flat_mesh_builder

@@ -19,12 +19,12 @@
 #include <utility>
 #include <vector>
 
+namespace test_necks {
+
 namespace impl = CGAL::Handle_tunnel_loops::internal;
 using impl::Crossing;
 using impl::Crossing_loop;
 using impl::Flat_neck;
-
-namespace {
 
 std::vector<Flat_neck> flat_necks(const Flat_mesh& mesh, double length, double share) {
   return impl::find_flat_necks(impl::Execution(), mesh, {length, share});
@@ -286,4 +286,4 @@ TEST(Necks, AreFoundOnAnyMeshInItsUnitAndInEachComponent) {
       0.01);
 }
 
-} // namespace
+} // namespace test_necks

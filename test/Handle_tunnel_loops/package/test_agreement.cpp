@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace test_agreement {
 
 using Solvers = testing::Types<Comparison<CGAL::Parallel_if_available_tag>
 #ifdef CGAL_EIGEN3_ENABLED
@@ -74,4 +74,4 @@ TEST(Reference_tag, KnowsWhatIsTooCoarse) {
 
 #endif
 
-} // namespace
+} // namespace test_agreement

@@ -30,7 +30,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_boundaries {
 
 using generators::Random;
 
@@ -302,4 +302,4 @@ TEST(Boundary_loops, ShrinkInTheirClass) {
     }
 }
 
-} // namespace
+} // namespace test_boundaries

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_corpus {
 
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
@@ -88,4 +88,4 @@ TEST_P(Mesh_of_corpus, HasAsManyPairsAsHandles) {
   }
 }
 
-} // namespace
+} // namespace test_corpus

@@ -23,7 +23,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace test_determinism {
 
 using Solver = CGAL::Handle_tunnel_loops_solver<Mesh>;
 
@@ -236,4 +236,4 @@ TEST_P(Numbering, ChangesTheLengthsLittle) {
   }
 }
 
-} // namespace
+} // namespace test_determinism

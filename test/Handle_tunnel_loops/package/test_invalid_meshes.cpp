@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_invalid_meshes {
 
 using CGAL::Handle_tunnel_loops::Field_constants;
 using CGAL::Handle_tunnel_loops::Invalid_mesh_exception;
@@ -391,4 +391,4 @@ TEST(Exceptions, TellWhatTheyAreAbout) {
   EXPECT_STREQ(e.what(), "words");
 }
 
-} // namespace
+} // namespace test_invalid_meshes

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_layers {
 
 namespace params = CGAL::parameters;
 using namespace CGAL::Handle_tunnel_loops;
@@ -402,4 +402,4 @@ TEST(Layers_of_solvers, AreFoundIfAskedFor) {
   EXPECT_EQ(std::count(layers.begin(), layers.end(), no_layer), 0);
 }
 
-} // namespace
+} // namespace test_layers

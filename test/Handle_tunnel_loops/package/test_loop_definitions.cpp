@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-namespace {
+namespace test_loop_definitions {
 
 constexpr double pi = 3.14159265358979;
 
@@ -150,4 +150,4 @@ TEST(Loops_of_slab, GoAroundAndThroughItsHoles) {
     }
 }
 
-} // namespace
+} // namespace test_loop_definitions

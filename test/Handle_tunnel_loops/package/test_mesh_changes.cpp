@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace test_mesh_changes {
 
 using generators::Random;
 using Exact_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
@@ -92,4 +92,4 @@ TEST_F(Changed_mesh, HasTheSameHandlesWithOtherFaces) {
   });
 }
 
-} // namespace
+} // namespace test_mesh_changes

@@ -19,7 +19,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace {
+namespace test_meshes {
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -199,4 +199,4 @@ TEST(Index_maps, NameTheElementsInMessages) {
   }
 }
 
-} // namespace
+} // namespace test_meshes

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_options {
 
 namespace HTL = CGAL::Handle_tunnel_loops;
 namespace params = CGAL::parameters;
@@ -430,4 +430,4 @@ TEST(Parameters, MayBeCombined) {
       expected);
 }
 
-} // namespace
+} // namespace test_options

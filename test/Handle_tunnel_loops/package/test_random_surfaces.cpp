@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace test_random_surfaces {
 
 using CGAL::Handle_tunnel_loops::internal::Index;
 using generators::Random;
@@ -142,4 +142,4 @@ TEST(Vertices_with_many_edges, AreLikeOthers) {
   }
 }
 
-} // namespace
+} // namespace test_random_surfaces

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_short_bases {
 
 // ---- the oracle
 
@@ -350,4 +350,4 @@ TEST(Lengths, AreThoseOfShortBasesOnMeshesOfFiles) {
   }
 }
 
-} // namespace
+} // namespace test_short_bases

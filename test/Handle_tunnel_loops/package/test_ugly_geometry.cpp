@@ -20,7 +20,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace test_ugly_geometry {
 
 using generators::Random;
 
@@ -111,4 +111,4 @@ TEST(Ugly_geometry, ChangesNoDefinition) {
               time.seconds, time.number, silence.seconds, silence.number);
 }
 
-} // namespace
+} // namespace test_ugly_geometry

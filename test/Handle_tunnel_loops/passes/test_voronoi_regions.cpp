@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace {
+namespace test_voronoi_regions {
 
 using namespace CGAL::Handle_tunnel_loops;
 using namespace CGAL::Handle_tunnel_loops::internal;
@@ -180,4 +180,4 @@ TEST(Bidirectional_front, GivesUpWhenItIsToldTo) {
   EXPECT_EQ(fronts.dual_walks(query, 0).walks, found.walks);
 }
 
-} // namespace
+} // namespace test_voronoi_regions

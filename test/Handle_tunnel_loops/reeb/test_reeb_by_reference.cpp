@@ -16,7 +16,7 @@
 #include <map>
 #include <vector>
 
-namespace {
+namespace test_reeb_by_reference {
 
 namespace parameters = CGAL::parameters;
 using CGAL::Reference_tag;
@@ -177,4 +177,4 @@ TEST(Reeb_by_reference, CanBeStopped) {
   }
 }
 
-} // namespace
+} // namespace test_reeb_by_reference

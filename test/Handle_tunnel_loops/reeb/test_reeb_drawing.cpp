@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_reeb_drawing {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using generators::Random;
@@ -168,4 +168,4 @@ TEST(Reeb_drawing, LeavesWhatIsInside) {
   EXPECT_EQ(lines[0], expected);
 }
 
-} // namespace
+} // namespace test_reeb_drawing

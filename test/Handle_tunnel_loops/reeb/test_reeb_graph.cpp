@@ -18,7 +18,7 @@
 #include <set>
 #include <tuple>
 
-namespace {
+namespace test_reeb_graph {
 
 namespace parameters = CGAL::parameters;
 using generators::Random;
@@ -466,4 +466,4 @@ TEST_P(Reeb_graph_of_corpus, HasAsManyCyclesAsHandles) {
   expect_reeb_graph(mesh, reeb_of(mesh, random_function(mesh, random, 5)));
 }
 
-} // namespace
+} // namespace test_reeb_graph

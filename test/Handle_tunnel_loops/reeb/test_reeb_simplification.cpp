@@ -20,7 +20,7 @@
 #include <tuple>
 #include <vector>
 
-namespace {
+namespace test_reeb_simplification {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Reeb_measure;
@@ -172,4 +172,4 @@ TEST_P(Simplification, OfRoughHeightsIsLeafByLeaf) {
   EXPECT_GT(left, 10u);
 }
 
-} // namespace
+} // namespace test_reeb_simplification

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_reeb_sweep {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using generators::Random;
@@ -244,4 +244,4 @@ TEST(Ordering_key, OrdersAsTheNumbers) {
             ordering_key((std::numeric_limits<std::uint64_t>::max)()));
 }
 
-} // namespace
+} // namespace test_reeb_sweep

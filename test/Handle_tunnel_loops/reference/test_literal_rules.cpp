@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_literal_rules {
 
 using namespace CGAL::Handle_tunnel_loops;
 using namespace CGAL::Handle_tunnel_loops::internal;
@@ -277,4 +277,4 @@ TEST(Band_components, AreRingsAroundALayer) {
   EXPECT_EQ(bands.find(values), 2u);
 }
 
-} // namespace
+} // namespace test_literal_rules

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_reference_parts {
 
 using namespace CGAL::Handle_tunnel_loops;
 using namespace CGAL::Handle_tunnel_loops::internal;
@@ -538,4 +538,4 @@ TEST(Handle_exchange, AcceptsWhatLeavesABasis) {
   EXPECT_GT(number_of_exchanges, 100);
 }
 
-} // namespace
+} // namespace test_reference_parts

@@ -25,12 +25,12 @@
 #include <string>
 #include <vector>
 
+namespace test_remove_handles {
+
 namespace htl = CGAL::Handle_tunnel_loops;
 namespace params = CGAL::parameters;
 using Options = htl::Removal_options;
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-namespace {
 
 using Exact_predicates_mesh =
     CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
@@ -104,8 +104,6 @@ void expect_refusal(Mesh& mesh, const NamedParameters& np, const std::string& wo
   EXPECT_EQ(faces_by_points(mesh), before);
 }
 
-} // namespace
-
 class Removal : public testing::TestWithParam<Recipe>
 {};
 
@@ -169,8 +167,6 @@ TEST(Handle_removal, SaysWhatIsTakenAwayAndWhatIsPutIn) {
   }
 }
 
-namespace {
-
 // A round plate with a round hole, and no vertices but those of the four circles.
 Mesh plate_with_a_hole(double hole_radius, double plate_radius, double thickness) {
   constexpr std::uint32_t n = 24;
@@ -197,8 +193,6 @@ Mesh plate_with_a_hole(double hole_radius, double plate_radius, double thickness
     PMP::reverse_face_orientations(mesh);
   return mesh;
 }
-
-} // namespace
 
 // Whatever direction the walls have at whose edges the plate ends.
 TEST(Handle_removal, FillsTheHoleOfAPlateFlat) {
@@ -460,3 +454,5 @@ TEST(Handle_removal, StopsWhenAsked) {
     EXPECT_EQ(faces_by_points(mesh), before);
   }
 }
+
+} // namespace test_remove_handles

@@ -15,7 +15,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_handle_candidates {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
@@ -188,4 +188,4 @@ TEST(Descent, EndsAtTheSource) {
   }
 }
 
-} // namespace
+} // namespace test_handle_candidates

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace {
+namespace test_dual_loop_improvement {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 using CGAL::Handle_tunnel_loops::Statistics;
@@ -250,4 +250,4 @@ TEST(Bidirectional_dijkstra, FindsAShortWay) {
   EXPECT_GT(number_found, 40);
 }
 
-} // namespace
+} // namespace test_dual_loop_improvement

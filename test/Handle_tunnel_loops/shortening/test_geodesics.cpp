@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_geodesics {
 
 using CGAL::Handle_tunnel_loops::internal::length;
 using CGAL::Handle_tunnel_loops::internal::Loop_tightening;
@@ -163,4 +163,4 @@ TEST(Gauss_reduction, TakesTheTwistOutOfAPair) {
   }
 }
 
-} // namespace
+} // namespace test_geodesics

@@ -8,6 +8,4 @@ Numbers_of_passes numbers_of_passes(const CGAL::Handle_tunnel_loops::internal::F
 
 Numbers_of_answers numbers_of_answers(const Soup& soup) { return ::numbers_of_answers(soup); }
 
-double product_and_sum(double a, double b, double c) { return a * b + c; }
-
 } // namespace contracted

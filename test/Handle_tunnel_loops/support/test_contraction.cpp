@@ -47,10 +47,4 @@ TEST(Contraction, ChangesNoAnswer) {
   }
 }
 
-TEST(Contraction, IsTested) {
-  const double a = 1. + 0x1p-30;
-  if(contracted::product_and_sum(a, a, -(a * a)) == 0.)
-    GTEST_SKIP() << "this processor has no multiply-add, or the compiler makes none";
-}
-
 } // namespace

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_square_root_sum {
 
 using CGAL::Exact_rational;
 using CGAL::Handle_tunnel_loops::generators::Random;
@@ -101,4 +101,4 @@ TEST(Square_roots, CancelInClasses) {
   }
 }
 
-} // namespace
+} // namespace test_square_root_sum

@@ -21,14 +21,14 @@
 #include <utility>
 #include <vector>
 
+namespace test_surgery {
+
 namespace impl = CGAL::Handle_tunnel_loops::internal;
 using impl::Closed_walk;
 using impl::Cut_region;
 using impl::Index;
 using impl::no_index;
 using impl::Surgery_mesh;
-
-namespace {
 
 Recipe recipe(const char* kind, std::size_t faces, std::size_t genus) {
   Recipe recipe;
@@ -196,8 +196,6 @@ std::vector<Cut_region> disjoint_strips(const Surgery_mesh& mesh,
   return strips;
 }
 
-} // namespace
-
 TEST(Surgery, TellsWhichWalksSeparate) {
   for(const Recipe& recipe : surfaces()) {
     const Surface_with_walks surface(recipe);
@@ -325,3 +323,5 @@ TEST(Surgery, SubdividesAPartAsTheWhole) {
     EXPECT_EQ(strip->faces().size(), Cut_region::around(whole, walk)->faces().size());
   }
 }
+
+} // namespace test_surgery

@@ -12,9 +12,9 @@
 #include <string>
 #include <utility>
 
-using namespace CGAL::Handle_tunnel_loops::generators;
+namespace test_shape {
 
-namespace {
+using namespace CGAL::Handle_tunnel_loops::generators;
 
 Vector normal(const Soup& soup, const std::array<std::uint32_t, 3>& triangle) {
   std::array<Vector, 3> p;
@@ -36,8 +36,6 @@ double largest_turn(const Soup& soup) {
     least = (std::min)(least, n * left.at({edge.second, edge.first}));
   return std::acos(least);
 }
-
-} // namespace
 
 TEST(Shape, IsWhatItsTextSays) {
   for(const Kind& kind : kinds_of_shapes()) {
@@ -185,3 +183,5 @@ TEST(Shape, EdgesAreNoSaws) {
   EXPECT_EQ(genus(soup), 0u);
   EXPECT_LT(largest_turn(soup), 1.);
 }
+
+} // namespace test_shape

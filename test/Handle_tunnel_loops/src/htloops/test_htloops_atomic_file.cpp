@@ -9,10 +9,10 @@
 
 #include <cstdlib>
 
+namespace test_htloops_atomic_file {
+
 namespace fs = std::filesystem;
 using namespace htloops;
-
-namespace {
 
 void write(const std::string& file, const std::string& text) {
   Text_writer out(file);
@@ -28,8 +28,6 @@ Exit_code code_of_failure(const std::string& file) {
   }
   return Exit_code::DONE;
 }
-
-} // namespace
 
 TEST(Atomic_file, appears_when_it_is_committed) {
   const Temporary_folder folder;
@@ -138,3 +136,5 @@ TEST(Append_number, reads_back_as_itself) {
     EXPECT_EQ(std::strtod(text.c_str(), nullptr), value) << text;
   }
 }
+
+} // namespace test_htloops_atomic_file

@@ -18,10 +18,10 @@
 
 // Pages as a person sees them who opens them: in a browser. Skipped where there is none.
 
+namespace test_htloops_browser {
+
 using htl_window::Colour;
 using Json = Browser::Json;
-
-namespace {
 
 constexpr int width = 1200, height = 800;
 
@@ -158,8 +158,6 @@ const Colour tunnel_colour = htloops::colour_of(CGAL::Loop_type::TUNNEL);
 
 class Pages : public Page, public testing::WithParamInterface<Recipe>
 {};
-
-} // namespace
 
 TEST_P(Pages, ShowLoopsWhereTheyAre) {
   const Mesh mesh = mesh_of(GetParam());
@@ -416,3 +414,5 @@ TEST_F(Page, the_table_is_sorted_by_a_column) {
   EXPECT_TRUE(std::is_sorted(down.rbegin(), down.rend()));
   expect_quiet();
 }
+
+} // namespace test_htloops_browser

@@ -25,9 +25,9 @@
 
 #include <utility>
 
-using namespace htloops;
+namespace test_htloops_check {
 
-namespace {
+using namespace htloops;
 
 bool touches_itself_by_cgal(const Soup& soup) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -39,8 +39,6 @@ Mesh mesh_with_holes(std::size_t genus, std::size_t holes, unsigned seed) {
   return ::mesh_of(generators::with_holes(soup_of(Recipe{"multi-torus", {2000, genus, seed}}),
                                           {holes, 12, seed % 2 == 0}));
 }
-
-} // namespace
 
 TEST(Self_contact, is_what_cgal_says) {
   std::size_t number_that_touch = 0;
@@ -114,3 +112,5 @@ TEST(Boundaries_to_check, may_bound) {
   EXPECT_TRUE(are_different(loops[0].handle(), loops[0].tunnel()));
   EXPECT_FALSE(are_different(loops[0].handle(), loops[0].handle()));
 }
+
+} // namespace test_htloops_check

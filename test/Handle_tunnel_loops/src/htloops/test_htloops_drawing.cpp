@@ -30,13 +30,13 @@
 #include <utility>
 #include <vector>
 
+namespace test_htloops_drawing {
+
 using htloops::Arc_surface;
 using htloops::cross;
 using htloops::dot;
 using htloops::Reeb_answer;
 using htloops::Vector;
-
-namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -118,8 +118,6 @@ protected:
   const Mesh mesh_ = mesh_of(GetParam());
 };
 
-} // namespace
-
 TEST_P(Arc_surfaces, are_the_surface_itself_cut) {
   for(const double threshold : {0., 0.05}) {
     const Arc_surface surface = arc_surface(mesh_, reeb_graph_of_height(mesh_, threshold));
@@ -155,8 +153,6 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"multi-torus", {6000, 4, 0}},
                                          Recipe{"gyroid", {9000, 9, 1}},
                                          Recipe{"chair", {20000, 7, 0}}));
-
-namespace {
 
 using Colour = std::array<unsigned char, 3>;
 
@@ -208,8 +204,6 @@ double length_of(const htloops::Exported_line& line) {
         CGAL::squared_distance(line.points[i], line.points[(i + 1) % line.points.size()]));
   return length;
 }
-
-} // namespace
 
 TEST_P(Grown, layers_are_the_surface_up_to_their_fronts) {
   const Colour rest = grown_layers(mesh_, answer_, 0.).surface.colours.front();
@@ -264,8 +258,6 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"multi-torus", {6000, 4, 0}},
                                          Recipe{"gyroid", {9000, 9, 1}}));
 
-namespace {
-
 std::vector<Vector> circle(int count) {
   std::vector<Vector> line;
   for(int i = 0; i < count; ++i) {
@@ -274,8 +266,6 @@ std::vector<Vector> circle(int count) {
   }
   return line;
 }
-
-} // namespace
 
 TEST(Tube, of_a_closed_line_is_closed_and_as_thick_as_asked_for) {
   const std::vector<Vector> line = circle(200);
@@ -310,8 +300,6 @@ TEST(Tube, of_points_at_one_place_is_that_of_one_of_them) {
   EXPECT_TRUE(htloops::tube_around({{1., 2., 3.}, {1., 2., 3.}}, true, 0.05).triangles.empty());
 }
 
-namespace {
-
 const htloops::Drawn_surface& sphere() {
   static const htloops::Drawn_surface surface =
       htloops::drawn_surface(mesh_of(Recipe{"sphere", {5000, 0, 0}}));
@@ -338,8 +326,6 @@ std::vector<Vector> directions() {
           all.push_back({x, y, z});
   return all;
 }
-
-} // namespace
 
 TEST(View, is_from_where_the_chosen_lines_are) {
   for(const Vector& direction : directions()) {
@@ -370,3 +356,5 @@ TEST(View, is_the_one_that_was_given_whatever_is_chosen) {
   EXPECT_EQ(whole_view(view, sphere()).from, (Vector{1., 2., 3.}));
   EXPECT_EQ(whole_view(view, sphere()).up, (Vector{0., 1., 0.}));
 }
+
+} // namespace test_htloops_drawing

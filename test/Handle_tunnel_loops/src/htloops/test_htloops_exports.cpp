@@ -12,9 +12,10 @@
 
 #include <sstream>
 
-using namespace htloops;
+namespace test_htloops_exports {
 
-namespace {
+using namespace htloops;
+using htloops::Soup;
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -35,8 +36,6 @@ protected:
   const Mesh mesh_ = small_mesh();
   const Answer answer_ = small_answer(mesh_); // two pairs of loops of three points
 };
-
-} // namespace
 
 TEST_F(Exports, ply_has_a_vertex_and_an_edge_for_each_point) {
   const std::string text = exported("a.ply");
@@ -138,3 +137,5 @@ TEST_F(Exports, a_long_table_is_abbreviated) {
   EXPECT_EQ(count_of(table_of_pairs(pairs, all), "\n"), 101u);
   EXPECT_EQ(count_of(abbreviated, "\033"), 0u);
 }
+
+} // namespace test_htloops_exports

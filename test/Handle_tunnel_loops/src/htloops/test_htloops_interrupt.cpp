@@ -22,9 +22,9 @@
 #include <sys/stat.h>
 #endif
 
-using namespace htloops;
+namespace test_htloops_interrupt {
 
-namespace {
+using namespace htloops;
 
 // A shell ignores Ctrl-C for what it runs in the background, and so would these programs.
 [[maybe_unused]] const auto ignored_before = std::signal(SIGINT, SIG_DFL);
@@ -40,8 +40,6 @@ template <typename Do_something> [[noreturn]] void end_after(Do_something do_som
   }
   std::_Exit(0);
 }
-
-} // namespace
 
 // Without a program of its own one test only: that a signal came is not forgotten as long as the
 // program runs.
@@ -129,3 +127,5 @@ TEST(Interrupt_DeathTest, stops_what_draws_a_picture) {
               testing::ExitedWithCode(128 + SIGTERM), "");
   EXPECT_EQ(folder.number_of_files(), 0u);
 }
+
+} // namespace test_htloops_interrupt

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
+namespace test_htloops_loops_json {
+
 using namespace htloops;
 using nlohmann::json;
-
-namespace {
 
 class Loops_json : public testing::Test
 {
@@ -67,8 +67,6 @@ protected:
   const Answer answer_ = small_answer(mesh_);
   json document_;
 };
-
-} // namespace
 
 TEST_F(Loops_json, has_the_fields_of_the_format) {
   EXPECT_EQ(document_["format"], "htloops/1");
@@ -219,3 +217,5 @@ TEST_F(Loops_json, says_which_place_is_not_on_the_mesh) {
   expect_problem("pair 1, tunnel: the length is given as 7",
                  [](json& d) { d["pairs"][1]["tunnel"]["length"] = 7; });
 }
+
+} // namespace test_htloops_loops_json

@@ -17,9 +17,10 @@
 #include <random>
 #include <set>
 
-using namespace htloops;
+namespace test_htloops_mending {
 
-namespace {
+using namespace htloops;
+using htloops::Soup;
 
 using Faces = std::vector<Corners>;
 
@@ -97,8 +98,6 @@ void expect_manifold(const Soup& soup) {
     EXPECT_EQ(defect.kind, Mesh_defect::BOUNDARY_EDGE) << defect.message;
 }
 
-} // namespace
-
 // ---- triangulation
 
 TEST(Triangulation, cuts_all_faces_of_a_cube) {
@@ -129,8 +128,6 @@ TEST(Triangulation, takes_the_diagonal_that_lies_inside) {
     }
 }
 
-namespace {
-
 // In the plane of the first two coordinates, without sign.
 double area(const std::vector<Point>& points, const Triangles& triangles) {
   double sum = 0.;
@@ -140,8 +137,6 @@ double area(const std::vector<Point>& points, const Triangles& triangles) {
   }
   return sum;
 }
-
-} // namespace
 
 TEST(Triangulation, covers_polygons_that_are_not_convex) {
   const auto is_free = [](std::uint32_t, std::uint32_t) { return true; };
@@ -281,8 +276,6 @@ TEST(Repair, welds_quadrangles_before_they_are_cut) {
   expect_sound(mend(soup, both).soup);
 }
 
-namespace {
-
 // Each face gets vertices of its own.
 Soup unwelded(const std::vector<Point>& points, const Faces& faces) {
   Soup soup;
@@ -295,8 +288,6 @@ Soup unwelded(const std::vector<Point>& points, const Faces& faces) {
   }
   return soup;
 }
-
-} // namespace
 
 // Its edges have two faces each, but only one that will stay.
 TEST(Repair, welds_faces_that_are_there_twice) {
@@ -531,8 +522,6 @@ TEST(Repair, does_nothing_about_points_that_are_nowhere) {
 
 // ---- damage that is undone
 
-namespace {
-
 class Vandal
 {
 public:
@@ -613,8 +602,6 @@ private:
   Faces faces_;
 };
 
-} // namespace
-
 TEST(Repair, undoes_random_damage) {
   const std::pair<const char*, std::size_t> kinds[] = {
       {"torus", 1}, {"multi-torus", 3}, {"lattice", 4}};
@@ -692,3 +679,5 @@ TEST(Repair, takes_no_quadratic_time) {
     corners.push_back(i);
   EXPECT_EQ(mend(soup_of(points, {corners}), triangulation).soup.faces.size(), corners.size() - 2);
 }
+
+} // namespace test_htloops_mending

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_htloops_opened_mesh {
 
 using Vertex_number = std::size_t;
 using Side = std::pair<Vertex_number, Vertex_number>;
@@ -110,8 +110,6 @@ htloops::Mesh holed_mesh(const Recipe& recipe, std::size_t number, bool is_ragge
   return mesh_of<htloops::Mesh>(generators::with_holes(soup_of(recipe), holes));
 }
 
-} // namespace
-
 TEST_F(Opened_mesh, is_a_disk_where_there_is_no_boundary) {
   for(const Recipe& recipe : recipes_of_all_kinds({1, 3}, 1)) {
     SCOPED_TRACE(testing::Message() << recipe);
@@ -156,3 +154,5 @@ TEST_F(Opened_mesh, is_a_disk_on_scans_with_boundary) {
     expect_disks(written(htloops::read_mesh(file.string()), "open.obj"));
   }
 }
+
+} // namespace test_htloops_opened_mesh

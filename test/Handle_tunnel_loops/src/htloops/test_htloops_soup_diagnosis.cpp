@@ -8,9 +8,10 @@
 
 #include <limits>
 
-using namespace htloops;
+namespace test_htloops_soup_diagnosis {
 
-namespace {
+using namespace htloops;
+using htloops::Soup;
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
@@ -73,8 +74,6 @@ void expect_defects(const Faces& faces,
   }
   EXPECT_EQ(diagnosis.edges.empty(), !expected.empty());
 }
-
-} // namespace
 
 TEST(Soup_diagnosis, accepts_closed_manifolds) {
   expect_defects(tetrahedron, 4, {});
@@ -224,3 +223,5 @@ TEST(Mesh_builder, keeps_the_numbers_of_vertices_and_faces) {
     EXPECT_EQ(mesh.target(mesh.next(h)).idx(), soup.faces[f][2]);
   }
 }
+
+} // namespace test_htloops_soup_diagnosis

@@ -18,10 +18,11 @@
 #include <set>
 #include <utility>
 
+namespace test_htloops_soup_reader {
+
 namespace fs = std::filesystem;
 using namespace htloops;
-
-namespace {
+using htloops::Soup;
 
 const char byte_order_mark[] = "\xEF\xBB\xBF";
 const char points[] = "0 0 0\n1 0 0\n0 1.5 0\n0 0 -2e-1\n";
@@ -149,8 +150,6 @@ std::string in_utf16(const std::string& text, bool is_big_endian) {
     result += is_big_endian ? std::string({'\0', c}) : std::string({c, '\0'});
   return result;
 }
-
-} // namespace
 
 TEST_F(Soup_reader, reads_lines_that_end_with_carriage_returns) {
   const std::string continued = replaced(obj_file(), "f 1 2 4", "# comment\nf 1 \\\n2 4");
@@ -503,3 +502,5 @@ TEST_F(Soup_reader, agrees_with_cgal) {
                              expected_faces[i].end()));
   }
 }
+
+} // namespace test_htloops_soup_reader

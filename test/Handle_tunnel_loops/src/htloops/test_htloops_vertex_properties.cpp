@@ -13,9 +13,9 @@
 #include <cstdint>
 #include <cstring>
 
-using namespace htloops;
+namespace test_htloops_vertex_properties {
 
-namespace {
+using namespace htloops;
 
 using Values = std::vector<double>;
 
@@ -149,4 +149,4 @@ TEST_F(Vertex_properties_test, WhatIsNotKeptIsNamed) {
   EXPECT_EQ(unread_data(lines, {}), (Words{"vertex colours", "lines", "points"}));
 }
 
-} // namespace
+} // namespace test_htloops_vertex_properties

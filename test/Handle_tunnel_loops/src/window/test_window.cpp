@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-using namespace htl_window;
+namespace test_window {
 
-namespace {
+using namespace htl_window;
 
 std::string inflated(const std::string& bytes, std::size_t size) {
   z_stream stream{};
@@ -156,8 +156,6 @@ Surface random_surface(unsigned seed) {
   return surface;
 }
 
-} // namespace
-
 TEST(Encoded_surface, IsTheSurface) {
   for(unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
@@ -259,3 +257,5 @@ TEST(Page, HasLittleCode) {
     size += script.size();
   EXPECT_LT(size, 40000u);
 }
+
+} // namespace test_window

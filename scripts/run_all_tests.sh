@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything in build/, warnings being errors, and runs all tests: of each
+# property all cases, each header alone, the package in all uses. That takes hours.
+#
+#   scripts/run_all_tests.sh [CMake option...]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/install_dependencies.sh all
+scripts/build.sh all -DHTL_CUDA=ON -DHTL_BUILD_BENCHMARKS=ON -DHTL_WARNINGS_AS_ERRORS=ON "$@"
+exec ctest --test-dir build --output-on-failure --timeout 3600 --parallel "$(nproc)"
