@@ -73,13 +73,6 @@ TEST(Loop_classes, HaveCoordinatesThatAddUp) {
   }
 }
 
-std::int64_t product_sum(const Class_vector& a, const Class_vector& b) {
-  std::int64_t sum = 0;
-  for(const auto& [i, value] : a)
-    sum += value * coordinate(b, i);
-  return sum;
-}
-
 // The class with intersection number 1 with one loop and 0 with the others gives coordinates.
 TEST(Loop_classes, HaveDuals) {
   Random random(2);

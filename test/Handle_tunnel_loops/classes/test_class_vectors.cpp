@@ -42,7 +42,7 @@ TEST(Residues, AreARing) {
   Random random(1);
   const std::vector<Residue> residues = some_residues(random);
   for(const Residue a : residues) {
-    EXPECT_EQ(Integer(negated(a)), (field_size_of_test - a) % field_size_of_test);
+    EXPECT_EQ(Integer(difference(0, a)), (field_size_of_test - a) % field_size_of_test);
     for(const Residue b : residues) {
       ASSERT_EQ(Integer(sum(a, b)), (Integer(a) + b) % field_size_of_test);
       ASSERT_EQ(Integer(difference(a, b)), (field_size_of_test + a - b) % field_size_of_test);

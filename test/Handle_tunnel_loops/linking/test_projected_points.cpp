@@ -71,15 +71,15 @@ protected:
   void expect_definitions(const std::vector<Vector>& vertices, Random& random) const {
     const auto multiple = [&] { return (static_cast<int>(random.below(9)) - 4) / 4.; };
     const Projected_points::Direction direction = {multiple(), multiple()};
-    Projected_points points(vertices, {0.5, -0.25});
-    points.see_along(direction);
+    Projected_points points(Execution(), vertices, {0.5, -0.25}, number_of_points);
+    points.see_along(Execution(), direction);
     By_definition expected{{}, direction};
     for(const Vector& v : vertices)
       expected.points.push_back(rational(v) + rational(v));
     while(expected.points.size() < number_of_points) {
       const Index u = static_cast<Index>(random.below(number_of_vertices));
       const Index v = static_cast<Index>(random.below(number_of_vertices));
-      points.add_midpoint(u, v);
+      points.add_midpoints(Execution(), 1, [&](std::size_t) { return std::make_pair(u, v); });
       expected.points.push_back(rational(vertices[u]) + rational(vertices[v]));
     }
     const auto any = [&] { return static_cast<Index>(random.below(number_of_points)); };

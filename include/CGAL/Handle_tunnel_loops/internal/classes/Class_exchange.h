@@ -76,10 +76,7 @@ public:
 
   /// the intersection number of a class, given by its numbers with the first basis, with a member.
   std::int64_t crossing(const Class_vector& numbers, Index member) const {
-    std::int64_t sum = 0;
-    for(const auto& [i, value] : members_[member])
-      sum += value * coordinate(numbers, i);
-    return sum;
+    return product_sum(numbers, members_[member]);
   }
 
   /// the pairs whose tunnel a class crosses once, given by its numbers with the first basis.

@@ -17,16 +17,14 @@
 #include <CGAL/Handle_tunnel_loops/internal/classes/Partner_distances.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Search_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Search_targets.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -79,18 +77,15 @@ public:
       offset_ = partner_->distance(root);
     }
     reach(root, first);
-    while(!queue_.empty() && visits > 0) {
-      const auto [distance, l] = queue_.top();
-      queue_.pop();
-      if(labels_[l].is_settled || distance > labels_[l].distance)
-        continue;
-      if(2. * distance >= targets.limit())
-        break;
+    const auto goes_on = [&](float distance) {
+      return visits > 0 && 2. * distance < targets.limit();
+    };
+    queue_.run(labels_, goes_on, [&](Index l) {
       if(is_too_far(labels_[l]))
-        continue;
+        return;
       --visits;
       visit(l);
-    }
+    });
     reset(visits > 0 && !is_cut_off_);
   }
 
@@ -113,14 +108,6 @@ private:
     Class_sums sums;
   };
 
-  using Entry = std::pair<float, Index>;
-
-  // A priority queue that keeps its memory.
-  struct Queue : std::priority_queue<Entry, std::vector<Entry>, std::greater<>>
-  {
-    void clear() { c.clear(); }
-  };
-
   std::uint64_t wall(const Class_sums& s) const { return are_walls_along_ ? s.along : s.across; }
   std::uint64_t kind(const Class_sums& s) const { return are_walls_along_ ? s.across : s.along; }
 
@@ -136,7 +123,7 @@ private:
     label.next = first_[v];
     first_[v] = static_cast<Index>(labels_.size());
     labels_.push_back(label);
-    queue_.push({label.distance, first_[v]});
+    queue_.push(label.distance, first_[v]);
   }
 
   void visit(Index l) {
@@ -171,7 +158,7 @@ private:
         const Index next = other.next;
         other = way;
         other.next = next;
-        queue_.push({way.distance, m});
+        queue_.push(way.distance, m);
       }
       return;
     }
@@ -257,7 +244,7 @@ private:
   std::vector<Label> labels_;
   std::vector<Index> reached_, bounded_;
   std::vector<float> lower_bounds_; // by vertex
-  Queue queue_;
+  Distance_queue<float> queue_;
   bool are_walls_along_ = false;
   bool is_cut_off_ = false; // at a vertex that has been reached with too many sums
   double shortest_ = 0.;

@@ -43,6 +43,14 @@ inline std::int64_t coordinate(const Class_vector& v, Index i) {
   return it != v.end() && it->first == i ? it->second : 0;
 }
 
+/// the sum of the products of coordinates at the same index.
+inline std::int64_t product_sum(const Class_vector& v, const Class_vector& w) {
+  std::int64_t sum = 0;
+  for(const auto& [i, value] : w)
+    sum += value * coordinate(v, i);
+  return sum;
+}
+
 /// sums coordinates at the same index and leaves out zeros.
 inline void normalize(Class_vector& v) {
   std::sort(v.begin(), v.end());

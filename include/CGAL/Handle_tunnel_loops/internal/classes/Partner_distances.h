@@ -15,15 +15,13 @@
 #include <CGAL/Handle_tunnel_loops/internal/classes/Edge_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/classes/Search_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,24 +43,22 @@ class Partner_distances
 public:
   Partner_distances(const Search_mesh& mesh, const Edge_classes& classes)
       : mesh_(mesh)
-      , classes_(classes) {
-    for(Side& side : sides_)
-      side.distances.assign(mesh.number_of_vertices(), infinity);
-  }
+      , classes_(classes)
+      , sides_{Side(mesh), Side(mesh)} {}
 
   /// measures the distances to loop \p number, for walks shorter than `limit`. Takes a visit for
   /// two vertices; what has not been reached when there are none left is known to be no nearer.
   void compute(const Crossing_loop& partner, Index number, double limit, std::size_t& visits) {
     number_ = number;
     for(Side& side : sides_)
-      reset(side);
+      side.paths.clear();
     mesh_.for_each_step_across(partner, number, [&](Index v, Index step) { add_step(v, step); });
     // Halfway from both sides; and on only where both together are short enough.
     const float whole = static_cast<float>(limit), half = 0.5f * whole;
     for(std::size_t i : {0, 1})
       grow(sides_[i], half, visits, [](Index, float) { return true; });
     around_ = whole;
-    for(Index v : sides_[0].reached)
+    for(Index v : sides_[0].paths.reached())
       around_ = (std::min)(around_, after(v) + before(v));
     for(std::size_t i : {0, 1})
       if(sides_[i].radius == half)
@@ -92,20 +88,18 @@ public:
 private:
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
-  using Entry = std::pair<float, Index>;
-
-  // A priority queue that keeps its memory.
-  struct Queue : std::priority_queue<Entry, std::vector<Entry>, std::greater<>>
+  struct Label
   {
-    void clear() { c.clear(); }
+    float distance = infinity;
   };
 
   struct Side
   {
-    std::vector<float> distances; // by vertex
-    std::vector<Index> reached;
-    Queue queue;
-    float radius = 0.f; // so far they are known
+    explicit Side(const Search_mesh& mesh)
+        : paths(mesh.number_of_vertices()) {}
+
+    Shortest_paths<Label> paths; // by vertex
+    float radius = 0.f;          // so far they are known
   };
 
   // The distances to the partners at the ends of a copy.
@@ -113,23 +107,12 @@ private:
   float before(Index v) const { return value(sides_[1], v); }
 
   static float value(const Side& side, Index v) {
-    return (std::min)(side.distances[v], side.radius);
-  }
-
-  static void reset(Side& side) {
-    for(Index v : side.reached)
-      side.distances[v] = infinity;
-    side.reached.clear();
-    side.queue.clear();
+    return (std::min)(side.paths[v].distance, side.radius);
   }
 
   static void reach(Side& side, Index v, float distance) {
-    if(!(distance < side.distances[v]))
-      return;
-    if(side.distances[v] == infinity)
-      side.reached.push_back(v);
-    side.distances[v] = distance;
-    side.queue.push({distance, v});
+    if(distance < side.paths[v].distance)
+      side.paths.reach(v, {distance});
   }
 
   // The partner is in the middle of each step that crosses it.
@@ -146,26 +129,22 @@ private:
   template <typename Predicate>
   void grow(Side& side, float radius, std::size_t& visits, const Predicate& is_wanted) {
     side.radius = radius;
-    for(std::size_t settled = 0; !side.queue.empty();) {
-      const auto [distance, v] = side.queue.top();
-      if(distance >= radius)
-        return;
-      if(visits == 0) {
-        side.radius = distance;
-        return;
-      }
-      side.queue.pop();
-      if(distance > side.distances[v])
-        continue;
+    std::size_t settled = 0;
+    const auto goes_on = [&](float distance) {
+      if(visits == 0)
+        side.radius = (std::min)(radius, distance);
+      return distance < side.radius;
+    };
+    side.paths.grow(goes_on, [&](Index v) {
       visits -= ++settled % 2;
       for(Index step = mesh_.begin(v); step != mesh_.end(v); ++step) {
-        const float there = distance + mesh_.length(v, step);
+        const float there = side.paths[v].distance + mesh_.length(v, step);
         const Index head = mesh_.head(step);
-        if(there < side.distances[head] && is_wanted(head, there) &&
+        if(there < side.paths[head].distance && is_wanted(head, there) &&
            (mesh_.sums(v, step, classes_).is_zero() || number(v, step) == 0))
-          reach(side, head, there);
+          side.paths.reach(head, {there});
       }
-    }
+    });
   }
 
   const Search_mesh& mesh_;

@@ -238,13 +238,6 @@ private:
     return loop;
   }
 
-  static std::int64_t product_sum(const Class_vector& v, const Class_vector& w) {
-    std::int64_t sum = 0;
-    for(const auto& [i, value] : w)
-      sum += value * coordinate(v, i);
-    return sum;
-  }
-
   Execution execution_;
   const Flat_mesh& mesh_;
   bool do_tighten_;

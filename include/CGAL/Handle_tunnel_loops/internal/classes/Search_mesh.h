@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -33,35 +34,39 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// A graph to search for loops on: the edges of the mesh, or of a better triangulation of the same
-/// surface. Its steps from a vertex have consecutive numbers; for each stands a walk on the edges
-/// of the mesh, or of a subdivision of it. Steps to hubs of caps are infinitely long.
+/// surface, or steps between some of the vertices of one of these. Its steps from a vertex have
+/// consecutive numbers; for each stands a walk on the edges of the surface, which is the mesh or a
+/// subdivision of it. Steps to hubs of caps are infinitely long.
 class Search_mesh
 {
 public:
   explicit Search_mesh(const Flat_mesh& mesh)
-      : mesh_(mesh) {}
+      : mesh_(mesh)
+      , surface_(&mesh)
+      , number_of_vertices_(mesh.number_of_vertices())
+      , begin_(mesh.row_begin.data())
+      , heads_(mesh.neighbor.data()) {}
 
   /// places of another such mesh that are nowhere nearer to each other than \p spacing, and steps
   /// between them of each class; see `Step_coarsening`. Their walks are those of the other mesh,
   /// which has been counted.
   Search_mesh(const Search_mesh& finer, const Edge_classes& classes, double spacing)
       : mesh_(finer.mesh_)
-      , finer_(&finer) {
+      , finer_(&finer)
+      , surface_(finer.surface_)
+      , subdivision_(finer.subdivision_) {
     const Step_coarsening<Search_mesh> coarsening(finer, classes, spacing);
     nodes_ = coarsening.nodes();
     for(Index v = 0; v < finer.number_of_vertices(); ++v)
       node_of_.push_back(coarsening.node(v));
     for(Index node = 0; node < nodes_.size(); ++node) {
-      begin_.push_back(static_cast<Index>(heads_.size()));
+      add_vertex();
       for(const auto& step : coarsening.steps(node)) {
-        heads_.push_back(step.head);
-        lengths_.push_back(step.length);
-        walk_begin_.push_back(static_cast<Index>(walks_.size()));
+        add_step(step.head, step.length);
         coarsening.append_walk(step, walks_);
       }
     }
-    begin_.push_back(static_cast<Index>(heads_.size()));
-    walk_begin_.push_back(static_cast<Index>(walks_.size()));
+    take_steps();
   }
 
   Search_mesh(const Search_mesh&) = delete;
@@ -76,16 +81,17 @@ public:
     const double longest = std::sqrt(1.5 * 2.31 * area() / double(2 * n));
     Intrinsic_triangulation triangulation(mesh_);
     triangulation.split(longest, n + number_of_vertices);
-    subdivision_ = triangulation.subdivision();
-    corners_ = triangulation.corners();
-    places_ = triangulation.places();
+    subdivision_ = std::make_shared<const Subdivision>(
+        Subdivision{triangulation.subdivision(), triangulation.places(), triangulation.corners()});
+    surface_ = &subdivision_->mesh;
     triangulation.make_delaunay();
-    take_steps(triangulation);
+    add_edges(triangulation);
+    take_steps();
   }
 
   /// computes the lengths of all edges once: it pays if many searches follow.
   void measure() {
-    if(is_refined())
+    if(has_walks())
       return;
     lengths_.resize(mesh_.neighbor.size());
     for(Index v = 0; v < number_of_vertices(); ++v)
@@ -95,7 +101,7 @@ public:
 
   /// counts what the steps cross.
   void count(const Edge_classes& classes) {
-    sums_.assign(heads_.size(), {});
+    sums_.assign(own_heads_.size(), {});
     steps_.clear();
     for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
@@ -137,27 +143,19 @@ public:
       f(s->vertex, s->step);
   }
 
-  std::size_t number_of_vertices() const {
-    return finer_ != nullptr ? nodes_.size()
-           : is_refined()    ? subdivision_.number_of_vertices()
-                             : mesh_.number_of_vertices();
-  }
-  const Vector& point(Index v) const {
-    return finer_ != nullptr ? finer_->point(nodes_[v])
-           : is_refined()    ? subdivision_.points[v]
-                             : mesh_.points[v];
-  }
+  std::size_t number_of_vertices() const { return number_of_vertices_; }
+  const Vector& point(Index v) const { return surface_->points[vertex_of_walks(v)]; }
 
   /// not of a coarse mesh.
   bool is_hub(Index v) const { return mesh_.is_hub(v); }
 
   /// the vertex on the edges along which steps lead.
-  Index vertex_of_walks(Index v) const { return finer_ != nullptr ? nodes_[v] : v; }
+  Index vertex_of_walks(Index v) const { return nodes_.empty() ? v : nodes_[v]; }
 
   /// the steps from a vertex are those from `begin()` to `end()`.
-  Index begin(Index v) const { return has_walks() ? begin_[v] : mesh_.row_begin[v]; }
-  Index end(Index v) const { return has_walks() ? begin_[v + 1] : mesh_.row_begin[v + 1]; }
-  Index head(Index step) const { return has_walks() ? heads_[step] : mesh_.neighbor[step]; }
+  Index begin(Index v) const { return begin_[v]; }
+  Index end(Index v) const { return begin_[v + 1]; }
+  Index head(Index step) const { return heads_[step]; }
 
   float length(Index v, Index step) const {
     return lengths_.empty() ? length_of_edge(v, head(step)) : lengths_[step];
@@ -171,9 +169,7 @@ public:
   }
 
   /// the corner of the mesh that stands for a vertex on the edges along which steps lead.
-  Index corner(Index v) const {
-    return finer_ != nullptr ? finer_->corner(v) : is_refined() ? corners_[v] : v;
-  }
+  Index corner(Index v) const { return subdivision_ == nullptr ? v : subdivision_->corners[v]; }
 
   /// calls `f(from, to)` for the edges along which a step from `v` leads.
   template <typename Function> void for_each_edge(Index v, Index step, const Function& f) const {
@@ -189,13 +185,11 @@ public:
   /// the loop on the mesh along a closed walk on these edges without spurs. It crosses the edges of
   /// the mesh where it crosses those of the subdivision that lie on them.
   Crossing_loop loop_along(const std::vector<Index>& walk) const {
-    if(finer_ != nullptr)
-      return finer_->loop_along(walk);
-    if(!is_refined())
+    if(subdivision_ == nullptr)
       return pushed_left(mesh_, walk);
     Crossing_loop loop;
-    for(const Crossing& c : pushed_left(subdivision_, walk)) {
-      const auto &left = places_[c.left], &right = places_[c.right];
+    for(const Crossing& c : pushed_left(*surface_, walk)) {
+      const Place &left = subdivision_->places[c.left], &right = subdivision_->places[c.right];
       if(const std::optional<Crossing> crossing = crossing_between(left, right, c.ratio))
         loop.push_back(*crossing);
     }
@@ -238,6 +232,13 @@ public:
 private:
   using Place = Intrinsic_triangulation::Place;
 
+  struct Subdivision
+  {
+    Flat_mesh mesh; // points and rings
+    std::vector<Place> places;
+    std::vector<Index> corners;
+  };
+
   // A step that crosses a loop.
   struct Step
   {
@@ -254,8 +255,7 @@ private:
     });
   }
 
-  bool is_refined() const { return !corners_.empty(); }
-  bool has_walks() const { return is_refined() || finer_ != nullptr; }
+  bool has_walks() const { return !walk_begin_.empty(); }
 
   float length_of_edge(Index u, Index v) const {
     return mesh_.is_spoke(u, v) ? std::numeric_limits<float>::infinity()
@@ -287,29 +287,38 @@ private:
     return dot(to, to);
   }
 
-  void take_steps(const Intrinsic_triangulation& triangulation) {
-    const Index n = static_cast<Index>(triangulation.number_of_halfedges());
-    const std::size_t number_of_vertices = triangulation.number_of_vertices();
-    begin_.assign(number_of_vertices + 1, 0);
-    for(Index h = 0; h < n; ++h)
-      ++begin_[triangulation.source(h) + 1];
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
-      begin_[v + 1] += begin_[v];
-    std::vector<Index> halfedges(n), place(begin_.begin(), begin_.end() - 1);
-    for(Index h = 0; h < n; ++h)
-      halfedges[place[triangulation.source(h)]++] = h;
-    heads_.reserve(n);
-    lengths_.reserve(n);
-    walk_begin_.reserve(n + 1);
-    walks_.reserve(n);
-    for(Index h : halfedges) {
-      heads_.push_back(triangulation.target(h));
-      lengths_.push_back(static_cast<float>(triangulation.length(h)));
-      walk_begin_.push_back(static_cast<Index>(walks_.size()));
-      const std::vector<Index> walk = triangulation.walk(h);
-      walks_.insert(walks_.end(), walk.begin(), walk.end());
-    }
+  // ---- steps with walks
+
+  // The steps that are added next are from the next vertex.
+  void add_vertex() { own_begin_.push_back(static_cast<Index>(own_heads_.size())); }
+
+  // Its walk is to be appended.
+  void add_step(Index head, float length) {
+    own_heads_.push_back(head);
+    lengths_.push_back(length);
     walk_begin_.push_back(static_cast<Index>(walks_.size()));
+  }
+
+  void add_edges(const Intrinsic_triangulation& triangulation) {
+    std::vector<std::vector<Index>> halfedges(triangulation.number_of_vertices()); // by source
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      halfedges[triangulation.source(h)].push_back(h);
+    for(const std::vector<Index>& of_vertex : halfedges) {
+      add_vertex();
+      for(const Index h : of_vertex) {
+        add_step(triangulation.target(h), static_cast<float>(triangulation.length(h)));
+        const std::vector<Index> walk = triangulation.walk(h);
+        walks_.insert(walks_.end(), walk.begin(), walk.end());
+      }
+    }
+  }
+
+  void take_steps() {
+    number_of_vertices_ = own_begin_.size();
+    add_vertex();
+    walk_begin_.push_back(static_cast<Index>(walks_.size()));
+    begin_ = own_begin_.data();
+    heads_ = own_heads_.data();
   }
 
   const Flat_mesh& mesh_;
@@ -317,14 +326,15 @@ private:
   // the nearest of them.
   const Search_mesh* finer_ = nullptr;
   std::vector<Index> nodes_, node_of_;
-  // Of the finer triangulation, if there is one.
-  Flat_mesh subdivision_;                         // points and rings
-  std::vector<Place> places_;                     // by vertex
-  std::vector<Index> corners_, begin_;            // by vertex
-  std::vector<Index> heads_, walk_begin_, walks_; // by step, and what the walks lead to
-  std::vector<Class_sums> sums_;                  // by step
-  std::vector<Step> steps_;                       // that cross loops, by loop
-  std::vector<float> lengths_;                    // by step, of the mesh as well if measured
+  const Flat_mesh* surface_;
+  std::shared_ptr<const Subdivision> subdivision_; // unless the mesh is the surface
+  std::size_t number_of_vertices_ = 0;
+  const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
+  std::vector<Index> own_begin_, own_heads_;
+  std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
+  std::vector<Class_sums> sums_;          // by step
+  std::vector<Step> steps_;               // that cross loops, by loop
+  std::vector<float> lengths_;            // by step, of the mesh as well if measured
 };
 
 } // namespace internal

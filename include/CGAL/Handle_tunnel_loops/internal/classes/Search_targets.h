@@ -72,9 +72,7 @@ public:
   void add_class(std::uint64_t key, const Class_vector& numbers) {
     Class& found = classes_[key];
     for(Index t = 0; t < targets_.size(); ++t) {
-      std::int64_t x = 0;
-      for(const auto& [loop, factor] : *targets_[t].dual)
-        x += factor * coordinate(numbers, loop);
+      const std::int64_t x = product_sum(numbers, *targets_[t].dual);
       if(x == 1 || x == -1)
         found.targets.push_back(t);
     }

@@ -13,14 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/classes/Edge_classes.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -97,30 +94,22 @@ private:
     Class_sums sums;
   };
 
-  using Entry = std::pair<float, Index>;
-
   // Takes over what is nearer to the new node than to those before.
   void add_node(Index v) {
-    ways_[v] = {0.f, static_cast<Index>(nodes_.size()), no_index, no_index, {}};
+    ways_.reach(v, {0.f, static_cast<Index>(nodes_.size()), no_index, no_index, {}});
     nodes_.push_back(v);
-    queue_.push({0.f, v});
-    while(!queue_.empty()) {
-      const auto [distance, u] = queue_.top();
-      queue_.pop();
-      if(distance > ways_[u].distance)
-        continue;
+    ways_.grow([&](Index u) {
       const Way here = ways_[u];
       for(Index step = mesh_.begin(u); step != mesh_.end(u); ++step) {
-        const float there = distance + mesh_.length(u, step);
-        Way& way = ways_[mesh_.head(step)];
+        const float there = here.distance + mesh_.length(u, step);
+        const Way& way = ways_[mesh_.head(step)];
         // What is reached through u follows it, also where rounding hides that it is nearer.
         const bool follows = way.parent == u && way.step == step && way.node != here.node;
-        if(!follows && !(there < (std::min)(way.distance, spacing_)))
-          continue;
-        way = {there, here.node, u, step, here.sums + mesh_.sums(u, step, classes_)};
-        queue_.push({there, mesh_.head(step)});
+        if(follows || there < (std::min)(way.distance, spacing_))
+          ways_.reach(mesh_.head(step),
+                      {there, here.node, u, step, here.sums + mesh_.sums(u, step, classes_)});
       }
-    }
+    });
   }
 
   void add_steps(Index v) {
@@ -167,10 +156,9 @@ private:
   const Mesh& mesh_;
   const Edge_classes& classes_;
   float spacing_;
-  std::vector<Way> ways_; // by vertex
+  Shortest_paths<Way> ways_; // by vertex
   std::vector<Index> nodes_;
   std::vector<std::vector<Step>> steps_; // by node
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
 } // namespace internal

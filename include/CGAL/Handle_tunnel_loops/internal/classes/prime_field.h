@@ -29,8 +29,6 @@ inline Residue sum(Residue a, Residue b) {
 
 inline Residue difference(Residue a, Residue b) { return a >= b ? a - b : a + field_size - b; }
 
-inline Residue negated(Residue a) { return difference(0, a); }
-
 /// by halves, for not all compilers have integers of 128 bits.
 inline Residue product(Residue a, Residue b) {
   // (a1 2^31 + a0) (b1 2^31 + b0), and 2^62 = 2

@@ -13,12 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Disk_boundary.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -59,8 +58,6 @@ class Arc_exchange
     Index halfedge;
     Index from, to; // places
   };
-  using Entry = std::pair<double, Index>;
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
 public:
   explicit Arc_exchange(const Cut_problem& problem, const Cut_graph& cut)
@@ -137,31 +134,24 @@ private:
   bool is_on_cut(Index v) const { return cut_.degree(v) != 0; }
 
   void label_vertices() {
-    Queue queue;
     for(Index k = 0; k < boundary_->size(); ++k)
       boundary_->for_each_in_corner(k, [&](Index h) {
-        if(!cut_.contains(h))
-          relax(h, 0., k, queue);
+        if(!cut_.contains(h) && !is_on_cut(halfedges_.target(h)))
+          relax(labels_, h, {0., k}, most_);
       });
-    while(!queue.empty()) {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if(d > labels_[v].distance)
-        continue;
+    labels_.grow([&](Index v) {
       for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
-        relax(h, d, labels_[v].place, queue);
-    }
+        if(!is_on_cut(halfedges_.target(h)))
+          relax(labels_, h, labels_[v], most_);
+    });
   }
 
-  void relax(Index h, double distance, Index place, Queue& queue) {
+  // Passes on the nearest place along a halfedge.
+  void relax(Shortest_paths<Label>& labels, Index h, const Label& from, double most) {
     const Index v = halfedges_.target(h);
-    const double d = distance + problem_.weight[h];
-    if(is_on_cut(v) || problem_.is_avoided(h) || 2. * d >= most_ || d >= labels_[v].distance)
-      return;
-    if(labels_[v].place == no_index)
-      labelled_.push_back(v);
-    labels_[v] = {d, place, h};
-    queue.push({d, v});
+    const double d = from.distance + problem_.weight[h];
+    if(!problem_.is_avoided(h) && 2. * d < most && d < labels[v].distance)
+      labels.reach(v, {d, from.place, h});
   }
 
   // By arc, the vertices that are nearest to it, and those on it.
@@ -169,7 +159,7 @@ private:
     cells_.resize(arcs_.size());
     for(std::vector<Index>& cell : cells_)
       cell.clear();
-    for(const Index v : labelled_)
+    for(const Index v : labels_.reached())
       if(arc_of_place_[labels_[v].place] != no_index)
         cells_[arc_of_place_[labels_[v].place]].push_back(v);
     for(std::size_t a = 0; a < arcs_.size(); ++a) {
@@ -188,7 +178,7 @@ private:
 
   void collect_chords() {
     chords_.clear();
-    for(const Index v : labelled_)
+    for(const Index v : labels_.reached())
       for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
         if(is_on_cut(halfedges_.target(h)) || v < halfedges_.target(h))
           add_chord(h);
@@ -249,8 +239,7 @@ private:
       trace(a, halfedges_.source(way), proposals.back().path);
       trace(a, halfedges_.target(way), proposals.back().path);
     }
-    for(const Index v : cells_[a])
-      cell_labels_[v] = Label();
+    cell_labels_.clear();
   }
 
   bool is_in_cell(std::size_t a, Index v) const { return cell_of_[v] == a; }
@@ -262,31 +251,18 @@ private:
   }
 
   void label_cell(std::size_t a, double most) {
-    Queue queue;
-    const auto relax_cell = [&](Index h, double distance, Index place) {
-      const Index v = halfedges_.target(h);
-      const double d = distance + problem_.weight[h];
-      if(2. * d >= most || d >= cell_labels_[v].distance || problem_.is_avoided(h))
-        return;
-      cell_labels_[v] = {d, place, h};
-      queue.push({d, v});
-    };
     for(const Index v : cells_[a])
       for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
         if(!is_in_cell(a, halfedges_.target(h))) {
           const Label label = label_at_end(h);
           if(label.place != no_index)
-            relax_cell(halfedges_.twin(h), label.distance, label.place);
+            relax(cell_labels_, halfedges_.twin(h), label, most);
         }
-    while(!queue.empty()) {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if(d > cell_labels_[v].distance)
-        continue;
+    cell_labels_.grow([&](Index v) {
       for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
         if(is_in_cell(a, halfedges_.target(h)))
-          relax_cell(h, d, cell_labels_[v].place);
-    }
+          relax(cell_labels_, h, cell_labels_[v], most);
+    });
   }
 
   void find_way(std::size_t a, Index h, double& best, Index& way) const {
@@ -309,9 +285,7 @@ private:
   }
 
   void clear() {
-    for(const Index v : labelled_)
-      labels_[v] = Label();
-    labelled_.clear();
+    labels_.clear();
     for(const std::vector<Index>& cell : cells_)
       for(const Index v : cell)
         cell_of_[v] = no_index;
@@ -322,13 +296,12 @@ private:
   const Cut_graph& cut_;
   const Disk_boundary* boundary_ = nullptr;
   std::vector<Cut_arc> arcs_;
-  std::vector<Index> group_, arc_of_place_; // by place
-  double most_ = 0.;                        // no way is longer
-  std::vector<Label> labels_, cell_labels_; // by vertex
-  std::vector<Index> labelled_;
-  std::vector<std::vector<Index>> cells_; // by arc
-  std::vector<Index> cell_of_;            // by vertex
-  std::vector<Index> places_;             // by halfedge that leaves a vertex of the cut
+  std::vector<Index> group_, arc_of_place_;    // by place
+  double most_ = 0.;                           // no way is longer
+  Shortest_paths<Label> labels_, cell_labels_; // by vertex
+  std::vector<std::vector<Index>> cells_;      // by arc
+  std::vector<Index> cell_of_;                 // by vertex
+  std::vector<Index> places_;                  // by halfedge that leaves a vertex of the cut
   std::vector<Chord> chords_;
 };
 

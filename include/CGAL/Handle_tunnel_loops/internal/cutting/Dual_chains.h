@@ -50,9 +50,13 @@ public:
   Dual_chains(const Cut_problem& problem, const std::vector<Index>& cut)
       : problem_(problem)
       , cut_(cut)
+      , edges_(problem.mesh.number_of_vertices())
       , way_(problem.mesh.number_of_vertices(), no_index)
       , is_reached_(problem.mesh.number_of_vertices(), 0) {
-    list_edges();
+    for(const Index h : cut) {
+      edges_[halfedges().source(h)].push_back(h);
+      edges_[halfedges().target(h)].push_back(halfedges().twin(h));
+    }
     grow_trees();
     find_cycles();
   }
@@ -85,22 +89,6 @@ public:
 private:
   const Flat_halfedges& halfedges() const { return problem_.halfedges; }
 
-  // By the vertices at which they begin, both ways.
-  void list_edges() {
-    begin_.assign(problem_.mesh.number_of_vertices() + 1, 0);
-    std::vector<Index> both;
-    for(const Index h : cut_)
-      both.insert(both.end(), {h, halfedges().twin(h)});
-    for(const Index h : both)
-      ++begin_[halfedges().source(h) + 1];
-    for(std::size_t v = 1; v < begin_.size(); ++v)
-      begin_[v] += begin_[v - 1];
-    edges_.resize(both.size());
-    std::vector<Index> place(begin_.begin(), begin_.end() - 1);
-    for(const Index h : both)
-      edges_[place[halfedges().source(h)]++] = h;
-  }
-
   // From the hubs of each component, or else from any vertex of its cut.
   void grow_trees() {
     const Flat_mesh& mesh = problem_.mesh;
@@ -111,9 +99,9 @@ private:
     };
     const auto grow = [&] {
       for(std::size_t i = 0; i < queue.size(); ++i)
-        for(Index e = begin_[queue[i]]; e < begin_[queue[i] + 1]; ++e)
-          if(const Index v = halfedges().target(edges_[e]); !is_reached_[v]) {
-            way_[v] = edges_[e];
+        for(const Index h : edges_[queue[i]])
+          if(const Index v = halfedges().target(h); !is_reached_[v]) {
+            way_[v] = h;
             start(v);
           }
       queue.clear();
@@ -122,7 +110,7 @@ private:
       start(mesh.first_hub + i);
     grow();
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      if(!is_reached_[v] && begin_[v] != begin_[v + 1]) {
+      if(!is_reached_[v] && !edges_[v].empty()) {
         start(v);
         grow();
       }
@@ -165,8 +153,8 @@ private:
 
   const Cut_problem& problem_;
   const std::vector<Index>& cut_;
-  std::vector<Index> begin_, edges_; // of the cut, by vertex
-  std::vector<Index> way_;           // the halfedge by which a tree comes to a vertex
+  std::vector<std::vector<Index>> edges_; // of the cut, by vertex at which they begin, both ways
+  std::vector<Index> way_;                // the halfedge by which a tree comes to a vertex
   std::vector<char> is_reached_;
   std::vector<Chain> cycles_;
 };

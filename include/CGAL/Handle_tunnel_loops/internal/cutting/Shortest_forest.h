@@ -13,12 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -32,49 +29,39 @@ public:
 
   explicit Shortest_forest(const Cut_problem& problem)
       : problem_(problem)
-      , distance_(problem.mesh.number_of_vertices(), never)
-      , previous_(problem.mesh.number_of_vertices(), no_index) {}
+      , paths_(problem.mesh.number_of_vertices()) {}
 
-  void add_source(Index v) {
-    distance_[v] = 0.;
-    queue_.push({0., v});
-  }
+  void add_source(Index v) { paths_.reach(v, {0., no_index}); }
 
   void grow() {
     const Flat_halfedges& halfedges = problem_.halfedges;
-    while(!queue_.empty()) {
-      const auto [d, v] = queue_.top();
-      queue_.pop();
-      if(d > distance_[v])
-        continue;
+    paths_.grow([&](Index v) {
       for(Index h = halfedges.begin(v); h < halfedges.end(v); ++h) {
-        const Index u = halfedges.target(h);
-        const double sum = d + problem_.weight[h];
-        if(sum < distance_[u] && !problem_.is_avoided(h)) {
-          distance_[u] = sum;
-          previous_[u] = h;
-          queue_.push({sum, u});
-        }
+        const double sum = distance(v) + problem_.weight[h];
+        if(sum < distance(halfedges.target(h)) && !problem_.is_avoided(h))
+          paths_.reach(halfedges.target(h), {sum, h});
       }
-    }
+    });
   }
 
   /// from the nearest source; `never` where no path leads.
-  double distance(Index v) const { return distance_[v]; }
+  double distance(Index v) const { return paths_[v].distance; }
 
   /// whether a halfedge or its twin is on the path to one of its ends.
   bool is_on_path(Index h) const {
-    return previous_[problem_.halfedges.target(h)] == h ||
-           previous_[problem_.halfedges.source(h)] == problem_.halfedges.twin(h);
+    return paths_[problem_.halfedges.target(h)].previous == h ||
+           paths_[problem_.halfedges.source(h)].previous == problem_.halfedges.twin(h);
   }
 
 private:
-  using Entry = std::pair<double, Index>;
+  struct Label
+  {
+    double distance = never;
+    Index previous = no_index; // the halfedge that leads to the vertex
+  };
 
   const Cut_problem& problem_;
-  std::vector<double> distance_;
-  std::vector<Index> previous_; // the halfedge that leads to the vertex
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
+  Shortest_paths<Label> paths_; // by vertex
 };
 
 } // namespace internal

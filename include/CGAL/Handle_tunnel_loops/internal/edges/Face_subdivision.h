@@ -12,12 +12,11 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -107,10 +106,7 @@ public:
 private:
   using Edge_ends = std::pair<vertex_descriptor, vertex_descriptor>;
 
-  Vector position(vertex_descriptor v) const {
-    const auto& p = get(point_, v);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  }
+  Vector position(vertex_descriptor v) const { return coordinates(point_, v); }
 
   int sides(vertex_descriptor v) const {
     const auto it = sides_.find(v);

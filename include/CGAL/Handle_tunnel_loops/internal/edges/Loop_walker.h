@@ -15,11 +15,10 @@
 #include <CGAL/Handle_tunnel_loops/internal/edges/Walk_improvement.h>
 #include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -58,10 +57,7 @@ public:
   }
 
 private:
-  Vector position(vertex_descriptor v) const {
-    const auto& p = get(point_, v);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  }
+  Vector position(vertex_descriptor v) const { return coordinates(point_, v); }
 
   // The best walk by ends of the edges that the loop passes.
   template <typename Loop> Walk nearest_walk(const Loop& loop) const {

@@ -57,13 +57,13 @@ public:
                    const std::vector<Vector>& vertices,
                    const Direction& direction,
                    std::size_t number_of_midpoints)
-      : vertices_(vertices) {
+      : vertices_(vertices)
+      , points_(new Point[vertices.size() + number_of_midpoints]) {
     double largest = 0.;
     for(const Vector& p : vertices)
       for(double x : p)
         largest = (std::max)(largest, std::abs(x));
     scale_ = scale_for(largest);
-    reserve(execution, vertices.size() + number_of_midpoints);
     see_along(execution, direction);
   }
 
@@ -75,18 +75,10 @@ public:
       return std::make_pair(static_cast<Index>(v), static_cast<Index>(v));
     });
   }
-  void see_along(const Direction& direction) { see_along(Execution(), direction); }
-
-  /// adds the midpoint of two vertices as the next point.
-  void add_midpoint(Index u, Index v) {
-    add_midpoints(Execution(), 1, [&](std::size_t) { return std::make_pair(u, v); });
-  }
 
   /// adds n points, the midpoints of the pairs `ends(i)` of vertices.
   template <typename Ends>
   void add_midpoints(Execution execution, std::size_t n, const Ends& ends) {
-    if(number_of_points_ + n > capacity_)
-      reserve(execution, (std::max)(number_of_points_ + n, 2 * capacity_));
     for_each_index(execution, n, [&](std::size_t i) {
       const auto [u, v] = ends(i);
       CGAL_precondition(u < vertices_.size() && v < vertices_.size());
@@ -220,14 +212,6 @@ private:
     return midpoint(points_[p].u, points_[p].v, scales);
   }
 
-  // The memory is left as it is, so that the threads that fill it are the first to touch it.
-  void reserve(Execution execution, std::size_t capacity) {
-    std::unique_ptr<Point[]> points(new Point[capacity]);
-    for_each_index(execution, number_of_points_, [&](std::size_t i) { points[i] = points_[i]; });
-    points_ = std::move(points);
-    capacity_ = capacity;
-  }
-
   Exact_vector exact_difference(Index p, Index q) const {
     const Point &a = points_[p], &b = points_[q];
     return (exact(vertices_[b.u]) + exact(vertices_[b.v])) -
@@ -274,8 +258,9 @@ private:
   const std::vector<Vector>& vertices_;
   Direction direction_;
   double scale_; // a power of two that makes the coordinates smaller than 1/2
+  // Not initialized, so that the threads that fill it are the first to touch it.
   std::unique_ptr<Point[]> points_;
-  std::size_t number_of_points_ = 0, capacity_ = 0;
+  std::size_t number_of_points_ = 0;
 };
 
 } // namespace internal

@@ -16,8 +16,10 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -51,19 +53,21 @@ public:
 
   /// adds up what was added to one element for one loop. To be called once, after the last `add()`.
   void finish(std::size_t number_of_elements) {
+    std::stable_sort(entries_.begin(), entries_.end(),
+                     [](const Entry& a, const Entry& b) { return a.element < b.element; });
     begin_.assign(number_of_elements + 1, 0);
-    for(const Entry& e : entries_)
-      ++begin_[e.element];
-    std::size_t sum = 0;
-    for(std::size_t& b : begin_) {
-      sum += b;
-      b = sum;
+    for(auto e = entries_.begin(); e != entries_.end();) {
+      Entry sum = *e;
+      for(++e; e != entries_.end() && e->element == sum.element && e->term.loop == sum.term.loop;
+          ++e)
+        sum.term.value += e->term.value;
+      if(sum.term.value != 0) {
+        terms_.push_back(sum.term);
+        ++begin_[sum.element + 1];
+      }
     }
-    terms_.resize(entries_.size());
-    for(auto e = entries_.rbegin(); e != entries_.rend(); ++e)
-      terms_[--begin_[e->element]] = e->term;
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     std::vector<Entry>().swap(entries_);
-    add_up();
   }
 
   /// the terms of an element, in the order of the loops; none is zero.
@@ -78,23 +82,6 @@ private:
     Index element;
     Term term;
   };
-
-  void add_up() {
-    std::size_t kept = 0, first = 0;
-    for(std::size_t element = 0; element + 1 < begin_.size(); ++element) {
-      const std::size_t last = begin_[element + 1];
-      begin_[element] = kept;
-      while(first < last) {
-        Term sum = terms_[first];
-        for(++first; first < last && terms_[first].loop == sum.loop; ++first)
-          sum.value += terms_[first].value;
-        if(sum.value != 0)
-          terms_[kept++] = sum;
-      }
-    }
-    begin_.back() = kept;
-    terms_.resize(kept);
-  }
 
   std::vector<Entry> entries_;
   std::vector<Term> terms_;

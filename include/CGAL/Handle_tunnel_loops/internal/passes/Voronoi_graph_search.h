@@ -13,12 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_regions.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <CGAL/assertions.h>
 
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -46,8 +45,7 @@ public:
       , loops_(loops)
       , index_(index)
       , regions_(regions)
-      , best_(regions.number_of_regions(), infinite)
-      , last_step_(regions.number_of_regions(), across) {}
+      , paths_(regions.number_of_regions()) {}
 
   /// returns a closed walk that crosses loop `k` once, and no loop after it. Empty if there is
   /// none: where loops run close beside each other, the way along one may cross another.
@@ -59,9 +57,7 @@ public:
       if(!is_dual(index_.intersections(walk), k, barred))
         walk.clear();
     }
-    for(Region r : touched_)
-      best_[r] = infinite;
-    touched_.clear();
+    paths_.clear();
     return walk;
   }
 
@@ -70,48 +66,47 @@ private:
   using Gate = Voronoi_regions::Gate;
   using Step = Index; // the number of a gate, or:
   static constexpr Step across = no_index;
-  static constexpr float infinite = std::numeric_limits<float>::infinity();
 
-  using Entry = std::pair<float, Region>;
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+  struct Label
+  {
+    float distance = std::numeric_limits<float>::infinity();
+    Step last_step = across;
+  };
 
   static Region left_of(Index loop) { return 2 * loop; }
   static Region right_of(Index loop) { return 2 * loop + 1; }
   static Region other_side(Region r) { return r ^ 1; }
 
   bool find_path(Index k) {
-    Queue queue;
-    relax(right_of(k), 0.f, across, queue);
-    while(!queue.empty()) {
-      const auto [length, r] = queue.top();
-      queue.pop();
-      if(r == left_of(k))
-        return true;
-      if(length > best_[r])
-        continue;
-      for(Index i = regions_.gates_begin(r); i < regions_.gates_begin(r + 1); ++i)
-        relax(regions_.gate(i).to, length + regions_.gate(i).length, i, queue);
-      if(r < left_of(k))
-        relax(other_side(r), length, across, queue);
-    }
-    return false;
+    bool is_found = false;
+    relax(right_of(k), 0.f, across);
+    paths_.grow([&](float) { return !is_found; },
+                [&](Region r) {
+                  is_found = r == left_of(k);
+                  if(!is_found)
+                    leave(r, k);
+                });
+    return is_found;
   }
 
-  void relax(Region r, float length, Step step, Queue& queue) {
-    if(length >= best_[r])
-      return;
-    if(best_[r] == infinite)
-      touched_.push_back(r);
-    best_[r] = length;
-    last_step_[r] = step;
-    queue.push({length, r});
+  void leave(Region r, Index k) {
+    const float length = paths_[r].distance;
+    for(Index i = regions_.gates_begin(r); i < regions_.gates_begin(r + 1); ++i)
+      relax(regions_.gate(i).to, length + regions_.gate(i).length, i);
+    if(r < left_of(k))
+      relax(other_side(r), length, across);
+  }
+
+  void relax(Region r, float length, Step step) {
+    if(length < paths_[r].distance)
+      paths_.reach(r, {length, step});
   }
 
   std::vector<Step> path(Index k) const {
     std::vector<Step> steps;
     for(Region r = left_of(k); r != right_of(k);) {
-      const Step step = last_step_[r];
-      CGAL_assertion_msg(best_[r] != infinite, "the path leads through regions that were reached");
+      const Step step = paths_[r].last_step;
+      CGAL_assertion_msg(paths_.is_reached(r), "the path leads through regions that were reached");
       CGAL_assertion(step == across || regions_.gate(step).to == r);
       steps.push_back(step);
       r = step == across ? other_side(r) : regions_.gate(step).from;
@@ -169,9 +164,7 @@ private:
   const std::vector<Crossing_loop>& loops_;
   const Crossing_index& index_;
   const Voronoi_regions& regions_;
-  std::vector<float> best_;     // by region: length of the path to it
-  std::vector<Step> last_step_; // by region: on that path
-  std::vector<Region> touched_;
+  Shortest_paths<Label> paths_; // by region
   Parallel_paths parallel_paths_;
 };
 

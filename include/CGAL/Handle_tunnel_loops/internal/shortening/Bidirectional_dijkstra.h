@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Parallel_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,10 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,7 +43,7 @@ class Bidirectional_dijkstra
 public:
   explicit Bidirectional_dijkstra(const Flat_mesh& mesh)
       : mesh_(mesh)
-      , labels_(mesh.number_of_vertices()) {}
+      , paths_(mesh.number_of_vertices()) {}
 
   /// returns a closed walk on the edges that crosses `loop`, number `k` in the index, once. Empty
   /// if there is none shorter than `limit`, or if one has not been found with `number_of_visits`
@@ -67,7 +65,7 @@ public:
       walk = parallel_paths_.closed_walk(path_back(best_.right), path_back(best_.left));
     if(!is_dual(index.intersections(walk), k, only))
       walk.clear();
-    reset();
+    paths_.clear();
     return walk;
   }
 
@@ -84,14 +82,6 @@ private:
     std::uint8_t state = 0;
   };
 
-  using Entry = std::pair<float, Index>;
-
-  // A priority queue that keeps its memory.
-  struct Queue : std::priority_queue<Entry, std::vector<Entry>, std::greater<>>
-  {
-    void clear() { c.clear(); }
-  };
-
   // Where what is reached from the left meets what is reached from the right.
   struct Meeting
   {
@@ -103,51 +93,40 @@ private:
     for(const std::uint8_t side : {std::uint8_t(0), right})
       for(Index i = 0; i < loop.size(); ++i) {
         const Index v = side == right ? loop[i].right : loop[i].left;
-        if(labels_[v].distance == infinite)
-          reach(v, {0.f, no_index, i, static_cast<std::uint8_t>(beside_loop | side)});
+        if(!paths_.is_reached(v))
+          paths_.reach(v, {0.f, no_index, i, static_cast<std::uint8_t>(beside_loop | side)});
       }
-  }
-
-  void reach(Index v, const Label& label) {
-    if(labels_[v].distance == infinite)
-      reached_.push_back(v);
-    labels_[v] = label;
-    queue_.push({label.distance, v});
   }
 
   // Returns whether it came to an end.
   template <typename Walls> bool search(const Walls& walls, std::size_t number_of_visits) {
-    while(!queue_.empty()) {
-      const auto [distance, v] = queue_.top();
-      queue_.pop();
-      if(distance > labels_[v].distance || (labels_[v].state & visited) != 0)
-        continue;
-      if(2. * distance >= best_.length)
-        return true;
-      if(number_of_visits-- == 0)
-        return false;
-      visit(v, walls);
-    }
-    return true;
+    bool is_done = true;
+    paths_.grow([&](float distance) { return is_done && 2. * distance < best_.length; },
+                [&](Index v) {
+                  is_done = number_of_visits-- > 0;
+                  if(is_done)
+                    visit(v, walls);
+                });
+    return is_done;
   }
 
   template <typename Walls> void visit(Index v, const Walls& walls) {
-    labels_[v].state |= visited;
-    const Label here = labels_[v];
+    paths_[v].state |= visited;
+    const Label here = paths_[v];
     for(Index u : mesh_.ring(v)) {
-      const Label& there = labels_[u];
+      const Label& there = paths_[u];
       if((here.state & there.state & beside_loop) != 0 && walls.is_wall(v, u))
         continue;
       const float distance = here.distance + static_cast<float>(mesh_.edge_length(u, v));
       if((there.state & visited) != 0)
         note_meeting(v, u, distance);
       else if(distance < there.distance)
-        reach(u, {distance, v, here.source, static_cast<std::uint8_t>(here.state & right)});
+        paths_.reach(u, {distance, v, here.source, static_cast<std::uint8_t>(here.state & right)});
     }
   }
 
   void note_meeting(Index v, Index u, float distance) {
-    const Label &here = labels_[v], &there = labels_[u];
+    const Label &here = paths_[v], &there = paths_[u];
     if(((here.state ^ there.state) & right) == 0)
       return;
     const double length = double(distance) + there.distance + along(here.source, there.source);
@@ -164,27 +143,17 @@ private:
   // From `v` to a source.
   std::vector<Index> path_back(Index v) const {
     std::vector<Index> way;
-    for(; v != no_index; v = labels_[v].parent) {
-      CGAL_assertion(way.empty() || labels_[v].distance <= labels_[way.back()].distance);
-      CGAL_assertion(way.empty() || ((labels_[v].state ^ labels_[way.back()].state) & right) == 0);
+    for(; v != no_index; v = paths_[v].parent) {
+      CGAL_assertion(way.empty() || paths_[v].distance <= paths_[way.back()].distance);
+      CGAL_assertion(way.empty() || ((paths_[v].state ^ paths_[way.back()].state) & right) == 0);
       way.push_back(v);
     }
-    CGAL_assertion_msg((labels_[way.back()].state & beside_loop) != 0,
-                       "a way ends beside the loop");
+    CGAL_assertion_msg((paths_[way.back()].state & beside_loop) != 0, "a way ends beside the loop");
     return way;
   }
 
-  void reset() {
-    for(Index v : reached_)
-      labels_[v] = Label();
-    reached_.clear();
-    queue_.clear();
-  }
-
   const Flat_mesh& mesh_;
-  std::vector<Label> labels_; // by vertex
-  std::vector<Index> reached_;
-  Queue queue_;
+  Shortest_paths<Label> paths_; // by vertex
   Meeting best_{};
   Parallel_paths parallel_paths_;
 };

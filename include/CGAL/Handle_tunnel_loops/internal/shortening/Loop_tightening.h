@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -244,14 +245,25 @@ private:
       next_.push_back(portal);
   }
 
+  Index end_of(std::size_t i, bool at_left) const {
+    return at_left ? strip_[i].left : strip_[i].right;
+  }
+
+  // The positions, in the ring of the corner, of the vertices that the strip passes before and
+  // after the fan: those on its other side are from the one to the other.
+  std::pair<Index, Index> other_side(const Fan& fan, const Ring& ring) const {
+    const Index first = ring.position(end_of(fan.first - 1, fan.at_left)),
+                last = ring.position(end_of(fan.last + 1, fan.at_left));
+    CGAL_assertion(first < ring.size() && last < ring.size());
+    return {first, last};
+  }
+
   Fan fan_of(const Bend& bend) const {
     const bool at_left = strip_.left()[bend.portal] == bend.point;
-    const Index corner = at_left ? strip_[bend.portal].left : strip_[bend.portal].right;
+    const Index corner = end_of(bend.portal, at_left);
     CGAL_assertion_msg(at_left || strip_.right()[bend.portal] == bend.point,
                        "a path bends at an end of a portal");
-    const auto ends_there = [&](std::size_t i) {
-      return (at_left ? strip_[i].left : strip_[i].right) == corner;
-    };
+    const auto ends_there = [&](std::size_t i) { return end_of(i, at_left) == corner; };
     Fan fan = {bend.portal, bend.portal, at_left};
     while(fan.first > 0 && ends_there(fan.first - 1))
       --fan.first;
@@ -262,8 +274,7 @@ private:
 
   // Whole turns around the corner: the path goes through it, and does not need them.
   std::size_t portals_of_turns(const Fan& fan) const {
-    const Portal& portal = strip_[fan.first];
-    const std::size_t turn = mesh_.ring(fan.at_left ? portal.left : portal.right).size();
+    const std::size_t turn = mesh_.ring(end_of(fan.first, fan.at_left)).size();
     return (fan.last + 1 - fan.first) / turn * turn;
   }
 
@@ -304,13 +315,10 @@ private:
     Angle_sum sum;
     if(!add_angle(minus(before, corner), minus(ends[fan.first - 1], corner), sum))
       return false;
-    const Index v = fan.at_left ? strip_[fan.first].left : strip_[fan.first].right;
-    const Index from = fan.at_left ? strip_[fan.first - 1].left : strip_[fan.first - 1].right;
-    const Index to = fan.at_left ? strip_[fan.last + 1].left : strip_[fan.last + 1].right;
+    const Index v = end_of(fan.first, fan.at_left);
     const Ring ring = mesh_.ring(v);
-    const Index end = ring.position(to);
-    CGAL_assertion(end < ring.size() && ring.position(from) < ring.size());
-    for(Index p = ring.position(from); p != end;) {
+    const auto [first, last] = other_side(fan, ring);
+    for(Index p = first; p != last;) {
       const Index q = fan.at_left ? ring.previous(p) : ring.next(p);
       if(mesh_.is_hub(ring[q]) || !add_corner(v, ring[p], ring[q], sum))
         return false;
@@ -322,27 +330,14 @@ private:
   // The strip comes from the triangle before the fan and goes to the one after it; between them it
   // now passes the spokes that it did not pass.
   void append_other_side(const Fan& fan) {
-    const Portal &before = strip_[fan.first - 1], &after = strip_[fan.last + 1];
-    if(fan.at_left) {
-      const Index corner = strip_[fan.first].left;
-      const Ring ring = mesh_.ring(corner);
-      const Index end = ring.position(after.left);
-      CGAL_assertion(end < ring.size() && ring.position(before.left) < ring.size());
-      for(Index p = ring.position(before.left);; p = ring.previous(p)) {
-        append({ring[p], corner, Strip::new_at_right});
-        if(p == end)
-          break;
-      }
-    } else {
-      const Index corner = strip_[fan.first].right;
-      const Ring ring = mesh_.ring(corner);
-      const Index end = ring.position(after.right);
-      CGAL_assertion(end < ring.size() && ring.position(before.right) < ring.size());
-      for(Index p = ring.position(before.right);; p = ring.next(p)) {
-        append({corner, ring[p], Strip::new_at_left});
-        if(p == end)
-          break;
-      }
+    const Index corner = end_of(fan.first, fan.at_left);
+    const Ring ring = mesh_.ring(corner);
+    const auto [first, last] = other_side(fan, ring);
+    for(Index p = first;; p = fan.at_left ? ring.previous(p) : ring.next(p)) {
+      append(fan.at_left ? Portal{ring[p], corner, Strip::new_at_right}
+                         : Portal{corner, ring[p], Strip::new_at_left});
+      if(p == last)
+        break;
     }
   }
 

@@ -48,7 +48,7 @@ public:
   std::vector<char> source_side(Index number_of_nodes) {
     sort_arcs();
     find_reverses(number_of_nodes);
-    return reached(number_of_nodes, residuals(number_of_nodes));
+    return tree_of_source(number_of_nodes);
   }
 
 private:
@@ -90,7 +90,8 @@ private:
       reverse_[place[arcs_[a].to]++] = a;
   }
 
-  std::vector<double> residuals(Index number_of_nodes) const {
+  // What can be reached from the source when no more flow fits.
+  std::vector<char> tree_of_source(Index number_of_nodes) const {
     std::vector<std::pair<Index, Index>> ends(arcs_.size());
     std::vector<double> weight(arcs_.size()), residual(arcs_.size());
     for(std::size_t a = 0; a < arcs_.size(); ++a) {
@@ -112,28 +113,10 @@ private:
         boost::make_iterator_property_map(previous.begin(), node_index),
         boost::make_iterator_property_map(color.begin(), node_index),
         boost::make_iterator_property_map(distance.begin(), node_index), node_index, source, sink);
-    return residual;
-  }
-
-  std::vector<char> reached(Index number_of_nodes, const std::vector<double>& residual) const {
-    std::vector<Index> begin(number_of_nodes + 1, 0);
-    for(const Arc& arc : arcs_)
-      ++begin[arc.from + 1];
-    for(std::size_t v = 1; v < begin.size(); ++v)
-      begin[v] += begin[v - 1];
-    std::vector<char> is_reached(number_of_nodes, 0);
-    is_reached[source] = 1;
-    std::vector<Index> stack = {source};
-    while(!stack.empty()) {
-      const Index u = stack.back();
-      stack.pop_back();
-      for(Index a = begin[u]; a < begin[u + 1]; ++a)
-        if(residual[a] > 0. && !is_reached[arcs_[a].to]) {
-          is_reached[arcs_[a].to] = 1;
-          stack.push_back(arcs_[a].to);
-        }
-    }
-    return is_reached;
+    std::vector<char> is_in_tree(number_of_nodes);
+    for(Index v = 0; v < number_of_nodes; ++v)
+      is_in_tree[v] = color[v] == boost::black_color;
+    return is_in_tree;
   }
 
   std::vector<Arc> arcs_;

@@ -14,14 +14,13 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Minimum_cut.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -47,8 +46,7 @@ public:
   explicit Waist_search(const Flat_mesh& mesh)
       : mesh_(mesh)
       , hub_beside_(mesh.number_of_vertices(), no_index)
-      , distance_(mesh.number_of_vertices(), never)
-      , previous_(mesh.number_of_vertices())
+      , paths_(mesh.number_of_vertices())
       , node_(mesh.number_of_vertices(), no_index) {
     for(Index hub = mesh.first_hub; hub < mesh.first_hub + mesh.number_of_hubs; ++hub)
       for(Index v : mesh.ring(hub))
@@ -75,11 +73,15 @@ public:
   }
 
 private:
-  using Entry = std::pair<double, Index>;
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
   static constexpr double never = (std::numeric_limits<double>::max)();
 
-  bool is_near(Index v) const { return distance_[v] < never; }
+  struct Label
+  {
+    double distance = never;
+    Index previous = no_index; // on the way to the vertex
+  };
+
+  bool is_near(Index v) const { return paths_.is_reached(v); }
 
   template <typename Function> void for_each_surface_edge(Index u, const Function& f) const {
     for(const Index v : mesh_.ring(u))
@@ -98,51 +100,40 @@ private:
 
   // ---- distances along edges
 
-  void clear_distances() {
-    for(const Index v : region_)
-      distance_[v] = never;
-    region_.clear();
+  // From some vertices up to a distance, or to the first vertex that is an end. Returns that, if
+  // there is one.
+  template <typename Vertices, typename Predicate>
+  Index grow(const Vertices& from, double radius, const Predicate& is_end) {
+    paths_.clear();
+    for(const Index v : from)
+      paths_.reach(v, {0.});
+    Index end = no_index;
+    paths_.grow([&](double) { return end == no_index; },
+                [&](Index v) {
+                  if(is_end(v))
+                    end = v;
+                  else
+                    relax_edges(v, radius);
+                });
+    return end;
   }
 
-  void reach(Index v, double distance, Index previous, Queue& queue) {
-    if(!is_near(v))
-      region_.push_back(v);
-    distance_[v] = distance;
-    previous_[v] = previous;
-    queue.push({distance, v});
-  }
-
-  // Up to a distance, or to the first vertex that is an end. Returns that, if there is one.
-  template <typename Predicate> Index grow(Queue& queue, double radius, const Predicate& is_end) {
-    while(!queue.empty()) {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if(d > distance_[v])
-        continue;
-      if(is_end(v))
-        return v;
-      const Index from = v;
-      const double done = d;
-      for_each_surface_edge(from, [&](Index u) {
-        const double sum = done + mesh_.edge_length(from, u);
-        if(sum < distance_[u] && sum <= radius)
-          reach(u, sum, from, queue);
-      });
-    }
-    return no_index;
+  void relax_edges(Index v, double radius) {
+    for_each_surface_edge(v, [&](Index u) {
+      const double sum = paths_[v].distance + mesh_.edge_length(v, u);
+      if(sum < paths_[u].distance && sum <= radius)
+        paths_.reach(u, {sum, v});
+    });
   }
 
   // From the curve around a hub to the nearest other one.
   std::vector<Index> way_to_another(Index hub) {
-    clear_distances();
-    Queue queue;
-    for(const Index v : mesh_.ring(hub))
-      reach(v, 0., no_index, queue);
     const auto is_at_another = [&](Index v) {
       return hub_beside_[v] != no_index && hub_beside_[v] != hub;
     };
     std::vector<Index> way;
-    for(Index v = grow(queue, never, is_at_another); v != no_index; v = previous_[v])
+    for(Index v = grow(mesh_.ring(hub), never, is_at_another); v != no_index;
+        v = paths_[v].previous)
       way.push_back(v);
     return way;
   }
@@ -150,11 +141,8 @@ private:
   void find_region(const std::vector<Index>& way, double longest) {
     // One half, and what ways along edges are longer than straight ones.
     constexpr double share_of_length = 0.6;
-    clear_distances();
-    Queue queue;
-    for(const Index v : way)
-      reach(v, 0., no_index, queue);
-    grow(queue, share_of_length * longest, [](Index) { return false; });
+    grow(way, share_of_length * longest, [](Index) { return false; });
+    region_ = paths_.reached();
     std::sort(region_.begin(), region_.end()); // neighbours are near in memory
   }
 
@@ -257,9 +245,8 @@ private:
 
   const Flat_mesh& mesh_;
   std::vector<Index> hub_beside_; // of vertices on boundary curves
-  std::vector<double> distance_;  // by vertex
-  std::vector<Index> previous_;   // by vertex, on the way to it
-  std::vector<Index> region_;     // vertices that have a distance
+  Shortest_paths<Label> paths_;   // by vertex
+  std::vector<Index> region_;     // vertices that are reached
   std::vector<Index> node_;       // by vertex
   std::vector<Index> numbered_;   // vertices that have a node
   Index number_of_nodes_ = 0;
