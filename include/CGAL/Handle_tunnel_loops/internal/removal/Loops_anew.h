@@ -13,23 +13,56 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/loop_distance.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_copy.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
+
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// A mesh under surgery as a `Surface_mesh`, for what finds loops on such a one.
+class Surface_copy
+{
+public:
+  using Mesh = Surface_mesh<Surgery_mesh::Point>;
+
+  explicit Surface_copy(const Surgery_mesh& original) {
+    Mesh_link<Mesh, std::decay_t<decltype(mesh_.points())>> link(mesh_, mesh_.points());
+    link.write_back(
+        original, [this](Index number, Mesh::Vertex_index) { numbers_.push_back(number); },
+        [](Index, Mesh::Face_index) {});
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+
+  /// where a loop on the copy lies on the original.
+  template <typename Loop> std::vector<Place_on_edge> places(const Loop& loop) const {
+    std::vector<Place_on_edge> places;
+    for(const auto& step : loop.steps())
+      places.push_back({numbers_[source(step.halfedge, mesh_)],
+                        numbers_[target(step.halfedge, mesh_)], step.ratio});
+    return places;
+  }
+
+private:
+  Mesh mesh_;
+  std::vector<Index> numbers_; // by vertex
+};
 
 /// Finds the loops of a surface from which some handles were removed, and which of them are those
 /// of handles that are still there: they lie where these had theirs.
@@ -49,7 +82,7 @@ public:
   void give_to(std::vector<Removal_task>& tasks) const {
     std::vector<std::size_t> old;
     for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(tasks[i].state != Removal_task::State::REMOVED && tasks[i].pair != Removal_task::is_neck)
+      if(tasks[i].state != Removal_task::State::REMOVED && !tasks[i].is_of_neck())
         old.push_back(i);
     // If all handles are known, the last ones have nothing else left.
     const bool are_all_known = old.size() == pairs_.size();
@@ -73,13 +106,10 @@ public:
 private:
   void find(Execution execution) {
     Handle_tunnel_loops_solver<Mesh> solver(copy_.mesh());
-#ifdef CGAL_LINKED_WITH_TBB
-    if(execution.is_parallel()) {
-      solver.find_loops<Parallel_tag>(std::back_inserter(pairs_));
-      return;
-    }
-#endif
-    solver.find_loops(std::back_inserter(pairs_));
+    if(execution.is_parallel())
+      solver.find_loops<Parallel_if_available_tag>(std::back_inserter(pairs_));
+    else
+      solver.find_loops(std::back_inserter(pairs_));
   }
 
   // How far a loop of a pair is from where a task has one of the same kind.

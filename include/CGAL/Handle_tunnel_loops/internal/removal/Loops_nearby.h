@@ -13,7 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/loop_distance.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -21,7 +20,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/shortened.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -54,7 +52,7 @@ public:
     lost_.resize(tasks.size());
     std::vector<std::size_t> lost;
     for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(is_lost(tasks[i]) && !lost_[i].is_hopeless) {
+      if(is_lost(tasks[i]) && lost_[i].number_found < most_loops) {
         lost_[i].loops = tasks[i].choices;
         lost.push_back(i);
       }
@@ -66,8 +64,7 @@ public:
     for(Removal_task& task : nearby)
       task.state = Removal_task::State::KEPT;
     for(std::size_t i = 0; i < lost.size(); ++i) {
-      lost_[lost[i]].number_found += walks[i].size();
-      lost_[lost[i]].is_hopeless = walks[i].empty() || lost_[lost[i]].number_found >= most_loops;
+      lost_[lost[i]].number_found += walks[i].empty() ? most_loops : walks[i].size();
       give(walks[i], tasks[lost[i]], nearby[lost[i]]);
     }
     return nearby;
@@ -90,8 +87,7 @@ private:
   struct Lost
   {
     std::vector<Loop_choice> loops; // empty if it never was
-    std::size_t number_found = 0;
-    bool is_hopeless = false; // nothing more is found for it
+    std::size_t number_found = 0;   // of new ones; most_loops if nothing more is found
   };
 
   // If it may be cut or filled, whatever its new loop is.

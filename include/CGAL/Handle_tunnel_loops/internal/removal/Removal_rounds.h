@@ -7,11 +7,12 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_ROUNDS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_ROUNDS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/necks/find_necks.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/core.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -28,28 +29,21 @@ namespace internal {
 /// none is open at the end. Loops that cross where another handle was removed are led around it, or
 /// found anew on the surface as it is by then. \p ask is told what part is done, and throws to
 /// stop.
-CGAL_HTL_CORE void remove_from(Execution execution,
-                               Surgery_mesh& mesh,
-                               std::vector<Removal_task>& tasks,
-                               const std::function<void(double)>& ask);
-
-/// Which necks are removed.
-struct Neck_selection
-{
-  double maximal_length = 0.; ///< in the unit of the mesh
-  double minimal_share = 0.;  ///< of the area of its component, for each piece
-};
+CGAL_HTL_CORE void remove_handles(Execution execution,
+                                  Surgery_mesh& mesh,
+                                  std::vector<Removal_task>& tasks,
+                                  const std::function<void(double)>& ask);
 
 /// cuts a mesh apart at its necks, as far as that can be; what becomes of each is in its task.
 CGAL_HTL_CORE std::vector<Removal_task>
-remove_necks_from(Execution execution, Surgery_mesh& mesh, const Neck_selection& wanted);
+remove_necks(Execution execution, Surgery_mesh& mesh, const Neck_limits& limits);
 
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_rounds_impl.h>
 #endif
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_ROUNDS_H
