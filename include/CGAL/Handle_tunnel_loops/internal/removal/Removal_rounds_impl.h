@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/patches/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Handle_surgery.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Loops_anew.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Loops_nearby.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_candidate.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
