@@ -6,10 +6,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Subdivision_along_walk.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/separating_strips.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/shortened.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/surface_count.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <gtest/gtest.h>
 
@@ -308,16 +305,15 @@ TEST(Surgery, SubdividesAPartAsTheWhole) {
   Surface_with_walks surface(recipe("gyroid", 3000, 4));
   for(const Closed_walk& walk : surface.walks) {
     impl::Part_of_mesh part(surface.mesh, walk);
-    const Closed_walk walk_of_part = part.walk_of_part(walk);
     for(std::size_t i = 0; i < walk.size(); ++i)
-      EXPECT_EQ(part.vertex(walk_of_part[i]), walk[i]);
-    for(Index f = 0; f < part.face_bound(); ++f)
+      EXPECT_EQ(part.vertices[part.walk[i]], walk[i]);
+    for(Index f = 0; f < part.faces.size(); ++f)
       for(std::size_t k = 0; k < 3; ++k)
-        EXPECT_EQ(part.vertex(part.mesh().corners(f)[k]), surface.mesh.corners(part.face(f))[k]);
+        EXPECT_EQ(part.vertices[part.mesh.corners(f)[k]], surface.mesh.corners(part.faces[f])[k]);
     Surgery_mesh whole = surface.mesh;
-    const impl::Subdivision_along_walk of_whole(whole, walk), of_part(part.mesh(), walk_of_part);
-    EXPECT_EQ(of_whole.parents().size(), of_part.parents().size());
-    const std::optional<Cut_region> strip = Cut_region::around(part.mesh(), walk_of_part);
+    EXPECT_EQ(impl::split_edges_beside(whole, walk).size(),
+              impl::split_edges_beside(part.mesh, part.walk).size());
+    const std::optional<Cut_region> strip = Cut_region::around(part.mesh, part.walk);
     ASSERT_TRUE(strip);
     EXPECT_EQ(strip->number_of_borders(), 2u);
     EXPECT_EQ(strip->faces().size(), Cut_region::around(whole, walk)->faces().size());

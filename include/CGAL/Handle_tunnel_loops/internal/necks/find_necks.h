@@ -13,9 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/necks/find_flat_necks.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/core.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <utility>
@@ -25,13 +26,23 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// A short loop that separates its component into two pieces.
-template <typename TriangleMesh, typename Point> struct Neck
+/// A neck of a flat mesh, in its unit.
+struct Flat_neck
 {
-  Loop_on_surface<TriangleMesh, Point> loop; ///< of type HANDLE; its pair index is its position
-  double length;                             ///< in the unit of the mesh
-  double smaller_area_share;                 ///< of the area of its component
+  Crossing_loop loop;
+  double length;
 };
+
+/// What a neck is.
+struct Neck_limits
+{
+  double maximal_length; ///< in the unit of the mesh
+  double minimal_share;  ///< of the area of the component, for each of the pieces
+};
+
+/// finds necks: see `find_necks()`.
+CGAL_HTL_CORE std::vector<Flat_neck>
+find_flat_necks(Execution execution, const Flat_mesh& mesh, const Neck_limits& limits);
 
 /*!
 finds necks of a closed surface: loops shorter than `maximal_length`, in the mesh's unit, that
@@ -41,7 +52,8 @@ The necks are simple and disjoint: each passes an edge at most once, and no two 
 with a common end. The walk along the left ends of the edges that a neck passes, or the one along
 the right ends, visits no vertex twice. Cut along all of them, each component falls into one piece
 more than it has necks, and each piece has at least `minimal_share` of the area of the component.
-Necks are ordered by their lengths. The result does not depend on the number of threads.
+Necks are of type HANDLE and ordered by their lengths; their pair indices are their positions. The
+result does not depend on the number of threads.
 
 That a neck separates is certain, as it is counted. That all necks are found is not: a neck whose
 surroundings branch within its own length may be missed, and so may one on a side of which, of no
@@ -54,7 +66,8 @@ template <typename TriangleMesh,
           typename VertexPointMap,
           typename VertexIndexMap,
           typename GeomTraits>
-std::vector<Neck<TriangleMesh, typename boost::property_traits<VertexPointMap>::value_type>>
+std::vector<
+    Loop_on_surface<TriangleMesh, typename boost::property_traits<VertexPointMap>::value_type>>
 find_necks(Execution execution,
            const TriangleMesh& tm,
            VertexPointMap point,
@@ -68,20 +81,21 @@ find_necks(Execution execution,
   const auto vertices = builder.take_vertices();
   const Loop_converter<TriangleMesh, VertexPointMap, GeomTraits> convert(tm, point, traits,
                                                                          vertices);
-  std::vector<Neck<TriangleMesh, typename boost::property_traits<VertexPointMap>::value_type>>
+  std::vector<
+      Loop_on_surface<TriangleMesh, typename boost::property_traits<VertexPointMap>::value_type>>
       necks;
   for(const Flat_neck& neck :
       find_flat_necks(execution, mesh, {maximal_length / 2. / mesh.half_scale, minimal_share}))
-  {
-    auto loop = convert(neck.loop, Loop_type::HANDLE, necks.size());
-    const double length = loop.length();
-    necks.push_back({std::move(loop), length, neck.smaller_area_share});
-  }
+    necks.push_back(convert(neck.loop, Loop_type::HANDLE, necks.size()));
   return necks;
 }
 
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/necks/find_necks_impl.h>
+#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_NECKS_FIND_NECKS_H

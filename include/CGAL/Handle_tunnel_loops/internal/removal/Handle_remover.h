@@ -12,19 +12,21 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Handle_selection.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/removal/Removal_task.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/surface_count.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/iterator.h>
 #include <CGAL/tags.h>
@@ -33,7 +35,6 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -43,6 +44,83 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// Which handles are to be removed: those that fulfil all conditions, and of these, smallest first,
+/// as many as the target genus asks for. The size of a handle is the length of the loop that it
+/// would be removed along.
+template <typename Pair> struct Handle_selection : Removal_options
+{
+  std::function<bool(const Pair&)> filter;
+
+  /// turns pairs of loops into tasks: first the handles that are to be removed, smallest first,
+  /// then those that are kept. Throws `std::invalid_argument` if the selection makes no sense.
+  template <typename TriangleMesh, typename VertexIndexMap>
+  std::vector<Removal_task> tasks(const TriangleMesh& tm,
+                                  VertexIndexMap vertex_index,
+                                  const std::vector<Pair>& pairs,
+                                  std::size_t genus) const {
+    if(target_genus && *target_genus > genus)
+      throw std::invalid_argument("the target genus is " + std::to_string(*target_genus) +
+                                  ", but the surface has genus " + std::to_string(genus));
+    std::vector<Removal_task> selected, kept;
+    for(std::size_t i = 0; i < pairs.size(); ++i) {
+      const Loop& first = pairs[i].loop(first_type(pairs[i]));
+      Removal_task task;
+      task.pair = i;
+      task.choices = {choice(first, tm, vertex_index),
+                      choice(pairs[i].partner(first), tm, vertex_index)};
+      task.choices.back().is_allowed = method == Removal_method::CHEAPEST;
+      (is_wanted(pairs[i], first) ? selected : kept).push_back(std::move(task));
+    }
+    if(box && selected.empty())
+      throw std::invalid_argument("no loop that a handle could be removed along lies in the box");
+    std::stable_sort(selected.begin(), selected.end(),
+                     [](const Removal_task& a, const Removal_task& b) {
+                       return a.choices.front().length < b.choices.front().length;
+                     });
+    const std::size_t number =
+        target_genus ? (std::min)(selected.size(), genus - *target_genus) : selected.size();
+    selected.insert(selected.end(), kept.begin(), kept.end());
+    for(std::size_t i = number; i < selected.size(); ++i)
+      selected[i].state = Removal_task::State::KEPT;
+    return selected;
+  }
+
+private:
+  using Loop = typename Pair::Loop;
+
+  // The one that is tried first.
+  Loop_type first_type(const Pair& pair) const {
+    if(method == Removal_method::CUT)
+      return Loop_type::HANDLE;
+    if(method == Removal_method::FILL)
+      return Loop_type::TUNNEL;
+    return pair.tunnel().length() < pair.handle().length() ? Loop_type::TUNNEL : Loop_type::HANDLE;
+  }
+
+  bool is_wanted(const Pair& pair, const Loop& first) const {
+    return (!maximal_length || first.length() < *maximal_length) && (!box || lies_in_box(first)) &&
+           (!filter || filter(pair));
+  }
+
+  bool lies_in_box(const Loop& loop) const {
+    return std::all_of(loop.points().begin(), loop.points().end(), [&](const auto& p) {
+      const Bbox_3 b = p.bbox();
+      return box->xmin() <= b.xmin() && b.xmax() <= box->xmax() && box->ymin() <= b.ymin() &&
+             b.ymax() <= box->ymax() && box->zmin() <= b.zmin() && b.zmax() <= box->zmax();
+    });
+  }
+
+  template <typename TriangleMesh, typename VertexIndexMap>
+  static Loop_choice choice(const Loop& loop, const TriangleMesh& tm, VertexIndexMap vertex_index) {
+    Loop_choice choice{loop.type(), loop.length(), {}};
+    for(const typename Loop::Step& step : loop.steps())
+      choice.places.push_back({static_cast<Index>(get(vertex_index, source(step.halfedge, tm))),
+                               static_cast<Index>(get(vertex_index, target(step.halfedge, tm))),
+                               step.ratio});
+    return choice;
+  }
+};
 
 /// `CGAL::remove_handles()`, step by step.
 template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
@@ -67,16 +145,16 @@ public:
     const auto face_index = CGAL::get_initialized_face_index_map(tm_, np_);
     find_pairs(vertex_index, face_index);
     std::vector<Removal_task> tasks =
-        Task_list<TriangleMesh, Pair, std::decay_t<decltype(vertex_index)>>(
-            tm_, vertex_index, selection())(pairs_, report_.genus_before);
+        selection().tasks(tm_, vertex_index, pairs_, report_.genus_before);
     Mesh_link<TriangleMesh, Vertex_point_map> link(
         tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
                                           get_property_map(vertex_point, tm_)));
     Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
-    remove_from(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.2 * done); });
-    describe(tasks);
+    remove_handles(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.2 * done); });
+    describe(tasks, report_.removed, report_.refused);
     if(options_.maximal_neck_length > 0.)
-      describe_necks(remove_necks_from(execution, mesh, options_));
+      describe(remove_necks(execution, mesh, options_), report_.removed_necks,
+               report_.refused_necks);
     check(mesh);
     ask(1.);
     if(!get(internal_np::dry_run, false)) {
@@ -159,51 +237,16 @@ private:
       throw std::logic_error("handles were removed, but the genus does not say so");
   }
 
-  void describe(const std::vector<Removal_task>& tasks) {
+  // Patches are numbered as handles are described.
+  void describe(const std::vector<Removal_task>& tasks,
+                std::vector<Removed_handle>& removed,
+                std::vector<Refused_handle>& refused) {
     for(const Removal_task& task : tasks)
       if(task.state == Removal_task::State::REMOVED) {
-        note_patch(task);
-        report_.removed.push_back(removed(task));
+        patches_.push_back({task.end_of_faces, patches_.size()});
+        removed.push_back(task.removed());
       } else if(task.state == Removal_task::State::REFUSED)
-        report_.refused.push_back(refused(task));
-  }
-
-  void describe_necks(const std::vector<Removal_task>& tasks) {
-    for(const Removal_task& task : tasks)
-      if(task.state == Removal_task::State::REMOVED) {
-        note_patch(task);
-        report_.removed_necks.push_back(removed(task));
-      } else
-        report_.refused_necks.push_back(refused(task));
-  }
-
-  static Removed_handle removed(const Removal_task& task) {
-    return {task.pair, way(task), task.choices[task.choice].length, task.area, task.volume};
-  }
-
-  static Refused_handle refused(const Removal_task& task) {
-    return {task.pair, task.choices.front().length, why_refused(task)};
-  }
-
-  static Removal_way way(const Removal_task& task) {
-    if(task.is_whole)
-      return Removal_way::WHOLE;
-    return task.choices[task.choice].type == Loop_type::HANDLE ? Removal_way::CUT
-                                                               : Removal_way::FILL;
-  }
-
-  static std::string why_refused(const Removal_task& task) {
-    std::string why;
-    for(std::size_t i = 0; i < task.choices.size(); ++i)
-      if(task.choices[i].is_allowed)
-        why += std::string(i == 0 ? "" : "; ") +
-               (task.choices[i].type == Loop_type::HANDLE ? "cut: " : "fill: ") + task.reasons[i];
-    return why;
-  }
-
-  // Of the next one that is described.
-  void note_patch(const Removal_task& task) {
-    patches_.push_back({task.end_of_faces, report_.removed.size() + report_.removed_necks.size()});
+        refused.push_back(task.refused());
   }
 
   // Patches follow each other without gaps.

@@ -44,19 +44,28 @@ public:
   /// the faces at some vertices, if they are such a region that removes one handle.
   static std::optional<Cut_region> around(const Surgery_mesh& mesh,
                                           const std::vector<Index>& vertices) {
-    return of_one_handle(mesh, faces_at(mesh, vertices, {}));
+    std::optional<Cut_region> region = of(mesh, faces_at(mesh, vertices));
+    return region && region->number_of_handles_ == 1 ? region : std::nullopt;
   }
 
-  /// the faces at some vertices, in ascending order.
-  static std::vector<Index> faces_at(const Surgery_mesh& mesh, const std::vector<Index>& vertices) {
-    return faces_at(mesh, vertices, {});
+  /// some faces and those at some vertices, in ascending order.
+  static std::vector<Index> faces_at(const Surgery_mesh& mesh,
+                                     const std::vector<Index>& vertices,
+                                     std::vector<Index> faces = {}) {
+    for(Index v : vertices)
+      mesh.for_each_outgoing(v, [&](Index h) { faces.push_back(mesh.face(h)); });
+    make_set(faces);
+    return faces;
   }
 
   /// the same faces and a ring around them.
   static std::vector<Index> with_ring(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
     Cut_region region;
     region.faces_ = faces;
-    return faces_at(mesh, sources(region.border_halfedges(mesh)), faces);
+    std::vector<Index> border;
+    for(const Sourced_halfedge& h : region.border_halfedges(mesh))
+      border.push_back(h.first);
+    return faces_at(mesh, border, faces);
   }
 
   /// the given faces, and what is cut off by them but for the rest of the surface, if that holds
@@ -73,7 +82,7 @@ public:
   /// the region with one more ring of faces beyond one of its borders, if it is such a one still:
   /// if these faces are an annulus that touches the region there only.
   std::optional<Cut_region> wider(const Surgery_mesh& mesh, std::size_t border) const {
-    std::vector<Index> beyond = faces_at(mesh, vertices_of(mesh, border), {});
+    std::vector<Index> beyond = faces_at(mesh, vertices_of(mesh, border));
     beyond.erase(
         std::remove_if(beyond.begin(), beyond.end(), [this](Index f) { return contains(f); }),
         beyond.end());
@@ -119,14 +128,6 @@ public:
 private:
   using Sourced_halfedge = std::pair<Index, Index>;
 
-  static std::vector<Index>
-  faces_at(const Surgery_mesh& mesh, const std::vector<Index>& vertices, std::vector<Index> faces) {
-    for(Index v : vertices)
-      mesh.for_each_outgoing(v, [&](Index h) { faces.push_back(mesh.face(h)); });
-    make_set(faces);
-    return faces;
-  }
-
   static std::optional<Cut_region> of(const Surgery_mesh& mesh, std::vector<Index> faces) {
     Cut_region region;
     region.faces_ = std::move(faces);
@@ -138,7 +139,10 @@ private:
   // Whether the faces with this border are such a region; finds all else then.
   bool is_of_handles(const Surgery_mesh& mesh, const std::vector<Sourced_halfedge>& border) {
     if(std::any_of(faces_.begin(), faces_.end(), [&](Index f) { return mesh.is_in_cap(f); }) ||
-       !find_borders(mesh, border))
+       !pinches(border).empty())
+      return false;
+    borders_ = curves(mesh, border);
+    if(std::any_of(borders_.begin(), borders_.end(), [](const auto& b) { return b.size() < 3; }))
       return false;
     // 2 - 2 g - b.
     const std::ptrdiff_t chi = euler_characteristic(mesh);
@@ -146,12 +150,6 @@ private:
     const bool has_handles = borders_.size() == 1 && chi < 0;
     number_of_handles_ = is_strip ? 1 : static_cast<std::size_t>((1 - chi) / 2);
     return is_strip || has_handles;
-  }
-
-  static std::optional<Cut_region> of_one_handle(const Surgery_mesh& mesh,
-                                                 std::vector<Index> faces) {
-    std::optional<Cut_region> region = of(mesh, std::move(faces));
-    return region && region->number_of_handles_ == 1 ? region : std::nullopt;
   }
 
   // With their sources, by which they are sorted, the halfedges with no face of the region on their
@@ -165,13 +163,6 @@ private:
           all.push_back({mesh.source(h), h});
     std::sort(all.begin(), all.end());
     return all;
-  }
-
-  static std::vector<Index> sources(const std::vector<Sourced_halfedge>& halfedges) {
-    std::vector<Index> vertices;
-    for(const Sourced_halfedge& h : halfedges)
-      vertices.push_back(h.first);
-    return vertices;
   }
 
   // Vertices where the border touches itself.
@@ -190,16 +181,21 @@ private:
     return std::lower_bound(border.begin(), border.end(), next) - border.begin();
   }
 
-  // Or none.
-  static bool is_one_curve(const Surgery_mesh& mesh, const std::vector<Sourced_halfedge>& border) {
-    std::size_t number = 0, i = 0;
-    while(number < border.size()) {
-      ++number;
-      i = following(mesh, border, i);
-      if(i == 0)
-        break;
+  // The curves of a border that does not touch itself.
+  static std::vector<std::vector<Index>> curves(const Surgery_mesh& mesh,
+                                                const std::vector<Sourced_halfedge>& border) {
+    std::vector<std::vector<Index>> curves;
+    std::vector<char> is_used(border.size(), 0);
+    for(std::size_t begin = 0; begin < border.size(); ++begin) {
+      if(is_used[begin])
+        continue;
+      curves.emplace_back();
+      for(std::size_t i = begin; !is_used[i]; i = following(mesh, border, i)) {
+        is_used[i] = 1;
+        curves.back().push_back(border[i].second);
+      }
     }
-    return number == border.size();
+    return curves;
   }
 
   // Adds what makes the border touch itself, and islands. Returns what the border is then.
@@ -208,7 +204,7 @@ private:
       std::vector<Sourced_halfedge> border = border_halfedges(mesh);
       const std::vector<Index> vertices = pinches(border);
       std::vector<Index> more;
-      if(vertices.empty() && !is_one_curve(mesh, border))
+      if(vertices.empty() && curves(mesh, border).size() > 1)
         more = islands(mesh, border);
       if(vertices.empty() && more.empty())
         return border;
@@ -246,26 +242,6 @@ private:
           is_island[f] = false;
     }
     return all;
-  }
-
-  // Whether there are any, all simple.
-  bool find_borders(const Surgery_mesh& mesh, const std::vector<Sourced_halfedge>& all) {
-    if(!pinches(all).empty())
-      return false;
-    std::vector<char> is_used(all.size(), 0);
-    for(std::size_t begin = 0; begin < all.size(); ++begin) {
-      if(is_used[begin])
-        continue;
-      borders_.emplace_back();
-      for(std::size_t i = begin; !is_used[i];) {
-        is_used[i] = 1;
-        borders_.back().push_back(all[i].second);
-        i = following(mesh, all, i);
-      }
-      if(borders_.back().size() < 3)
-        return false;
-    }
-    return !borders_.empty();
   }
 
   // Whether a border comes to one of some vertices.

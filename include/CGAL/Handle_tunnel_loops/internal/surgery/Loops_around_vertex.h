@@ -69,13 +69,7 @@ private:
     bool is_settled = false;
   };
 
-  // Of a face, those that are open.
-  struct Sides
-  {
-    std::array<bool, 3> are_open = {};
-
-    int count() const { return are_open[0] + are_open[1] + are_open[2]; }
-  };
+  using Sides = std::array<bool, 3>;             // of a face, which are open
   using Closing_edge = std::pair<double, Index>; // the length of its walk to the root, a halfedge
 
   void find_ball(Index root, double radius, std::size_t most_vertices) {
@@ -112,11 +106,13 @@ private:
            reached_[mesh_.source(h)].halfedge == mesh_.twin(h);
   }
 
-  bool is_open(Index h) const { return sides_[mesh_.face(h)].are_open[h % 3]; }
+  int number_open(Index f) const { return sides_[f][0] + sides_[f][1] + sides_[f][2]; }
+
+  bool is_open(Index h) const { return sides_[mesh_.face(h)][h % 3]; }
 
   void close(Index h) {
     for(Index side : {h, mesh_.twin(h)})
-      sides_[mesh_.face(side)].are_open[side % 3] = false;
+      sides_[mesh_.face(side)][side % 3] = false;
   }
 
   // Those with all corners in the ball. All sides are open then that are not in the tree.
@@ -130,7 +126,7 @@ private:
       });
     for(Index f : faces_)
       for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
-        sides_[f].are_open[h % 3] = !is_in_tree(h);
+        sides_[f][h % 3] = !is_in_tree(h);
   }
 
   // What is around the ball is never closed.
@@ -139,7 +135,7 @@ private:
     while(!faces.empty()) {
       const Index f = faces.back();
       faces.pop_back();
-      if(sides_[f].count() != 1)
+      if(number_open(f) != 1)
         continue;
       const Index h = open_side(f);
       close(h);
@@ -147,9 +143,7 @@ private:
     }
   }
 
-  Index open_side(Index f) const {
-    return 3 * f + (sides_[f].are_open[0] ? 0 : sides_[f].are_open[1] ? 1 : 2);
-  }
+  Index open_side(Index f) const { return 3 * f + (sides_[f][0] ? 0 : sides_[f][1] ? 1 : 2); }
 
   // The shortest one of each.
   std::vector<Closing_edge> chains() const {
@@ -166,7 +160,7 @@ private:
   Closing_edge shortest_of_chain(Index h, std::unordered_set<Index>& seen) const {
     Closing_edge shortest = closing_edge(h);
     for(Index side : {h, mesh_.twin(h)})
-      while(sides_[mesh_.face(side)].count() == 2) {
+      while(number_open(mesh_.face(side)) == 2) {
         const Index across = is_open(Surgery_mesh::next(side)) ? Surgery_mesh::next(side)
                                                                : Surgery_mesh::previous(side);
         side = mesh_.twin(across);

@@ -63,7 +63,6 @@ public:
         put_at(vertices_, get(vertex_index, v), v, Graph_traits::null_vertex());
     for(face_descriptor f : faces(tm_))
       put_at(faces_, get(face_index, f), f, Graph_traits::null_face());
-    number_of_faces_ = static_cast<Index>(faces_.size());
     // With room for caps: numbers are not given twice, and to make room later takes twice as much.
     const auto with_room = [](std::size_t n) { return n + n / 4; };
     std::vector<Surgery_mesh::Point> points;
@@ -90,11 +89,11 @@ public:
           twins[3 * f + i] = number(opposite(h, tm_), face_index);
       }
     });
-    const Index first_hub = static_cast<Index>(points.size());
-    add_caps(vertex_index, face_index, points, corners, twins);
-    const Index number_of_hubs = static_cast<Index>(points.size()) - first_hub;
     Surgery_mesh mesh(std::move(points), std::move(corners), std::move(twins));
-    mesh.set_hubs(first_hub, number_of_hubs);
+    mesh.add_caps();
+    number_of_faces_ = mesh.face_bound();
+    for(Index f = static_cast<Index>(faces_.size()); f < number_of_faces_; ++f)
+      borders_.push_back(opposite(halfedge_of(mesh.twin(3 * f)), tm_));
     return mesh;
   }
 
@@ -117,46 +116,6 @@ public:
   }
 
 private:
-  template <typename VertexIndexMap, typename FaceIndexMap>
-  void add_caps(VertexIndexMap vertex_index,
-                FaceIndexMap face_index,
-                std::vector<Surgery_mesh::Point>& points,
-                std::vector<Surgery_mesh::Face>& corners,
-                std::vector<Index>& twins) {
-    for(face_descriptor f : faces(tm_))
-      for(halfedge_descriptor inner : halfedges_around_face(halfedge(f, tm_), tm_))
-        if(is_border(opposite(inner, tm_), tm_) && twins[number(inner, face_index)] == no_index)
-          add_cap(opposite(inner, tm_), vertex_index, face_index, points, corners, twins);
-  }
-
-  // The first halfedge of each face of a cap is the border.
-  template <typename VertexIndexMap, typename FaceIndexMap>
-  void add_cap(halfedge_descriptor border,
-               VertexIndexMap vertex_index,
-               FaceIndexMap face_index,
-               std::vector<Surgery_mesh::Point>& points,
-               std::vector<Surgery_mesh::Face>& corners,
-               std::vector<Index>& twins) {
-    const Index hub = static_cast<Index>(points.size()), begin = 3 * number_of_faces_;
-    Surgery_mesh::Kernel::Vector_3 sum(0., 0., 0.);
-    halfedge_descriptor h = border;
-    do {
-      const Index side = number(opposite(h, tm_), face_index), own = 3 * number_of_faces_++;
-      const Index u = static_cast<Index>(get(vertex_index, source(h, tm_)));
-      const Index v = static_cast<Index>(get(vertex_index, target(h, tm_)));
-      twins[side] = own;
-      twins.insert(twins.end(), {side, own + 5, own - 2}); // of the faces after and before
-      corners.push_back({u, v, hub});
-      borders_.push_back(h);
-      sum = sum + (points[u] - CGAL::ORIGIN);
-      h = next(h, tm_);
-    } while(h != border);
-    const Index end = 3 * number_of_faces_;
-    twins[end - 2] = begin + 2;
-    twins[begin + 2] = end - 2;
-    points.push_back(CGAL::ORIGIN + sum / ((end - begin) / 3));
-  }
-
   // Elements that belong to nothing yet; they go again if that remains so.
   struct Additions
   {

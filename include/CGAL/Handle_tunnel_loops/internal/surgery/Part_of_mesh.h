@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -31,50 +33,40 @@ The faces near a closed walk as a mesh of their own: those at the walk, and two 
 It may be changed as far as the faces at the walk go: there, and around their vertices, all is as in
 the whole mesh. At its end, faces have no twins.
 */
-class Part_of_mesh
+struct Part_of_mesh
 {
-public:
-  Part_of_mesh(const Surgery_mesh& whole, const Closed_walk& walk)
-      : vertices_(walk) {
-    make_set(vertices_);
-    for(int ring = 0; ring < 3; ++ring)
-      widen(whole);
+  Part_of_mesh(const Surgery_mesh& whole, const Closed_walk& walk_of_whole)
+      : vertices(walk_of_whole)
+      , walk(walk_of_whole) {
+    for(int ring = 0; ring < 3; ++ring) {
+      make_set(vertices);
+      for(Index v : vertices)
+        whole.for_each_outgoing(v, [&](Index h) { faces.push_back(Surgery_mesh::face(h)); });
+      make_set(faces);
+      vertices = vertices_of(whole, faces);
+    }
+    for(Index& v : walk)
+      v = position(v, vertices);
     std::vector<Surgery_mesh::Point> points;
-    for(Index v : vertices_)
+    for(Index v : vertices)
       points.push_back(whole.point(v));
     std::vector<Surgery_mesh::Face> corners;
     std::vector<Index> twins;
-    for(Index f : faces_) {
+    for(Index f : faces) {
       corners.push_back(whole.corners(f));
       for(Index& v : corners.back())
-        v = vertex_of_part(v);
+        v = position(v, vertices);
       for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
         twins.push_back(halfedge_of_part(whole.twin(h)));
     }
-    mesh_ = Surgery_mesh(std::move(points), std::move(corners), std::move(twins));
-    const auto number_below = [this](Index v) {
-      return static_cast<Index>(std::lower_bound(vertices_.begin(), vertices_.end(), v) -
-                                vertices_.begin());
-    };
+    mesh = Surgery_mesh(std::move(points), std::move(corners), std::move(twins));
     const Index first_hub = number_below(whole.first_hub());
-    mesh_.set_hubs(first_hub, number_below(whole.first_hub() + whole.number_of_hubs()) - first_hub);
+    mesh.set_hubs(first_hub, number_below(whole.first_hub() + whole.number_of_hubs()) - first_hub);
   }
 
-  Surgery_mesh& mesh() { return mesh_; }
-  const Surgery_mesh& mesh() const { return mesh_; }
-
-  // ---- what is of the whole mesh
-
-  Index vertex_bound() const { return static_cast<Index>(vertices_.size()); }
-  Index face_bound() const { return static_cast<Index>(faces_.size()); }
-  Index vertex(Index v) const { return vertices_[v]; }
-  Index face(Index f) const { return faces_[f]; }
-
-  Closed_walk walk_of_part(Closed_walk walk) const {
-    for(Index& v : walk)
-      v = vertex_of_part(v);
-    return walk;
-  }
+  std::vector<Index> vertices, faces; ///< of the whole mesh by number, in ascending order
+  Closed_walk walk;                   ///< on the part
+  Surgery_mesh mesh;
 
 private:
   static Index position(Index i, const std::vector<Index>& set) {
@@ -82,23 +74,64 @@ private:
     return it != set.end() && *it == i ? static_cast<Index>(it - set.begin()) : no_index;
   }
 
-  Index vertex_of_part(Index v) const { return position(v, vertices_); }
-
   Index halfedge_of_part(Index h) const {
-    const Index f = position(Surgery_mesh::face(h), faces_);
+    const Index f = position(Surgery_mesh::face(h), faces);
     return f == no_index ? no_index : 3 * f + h % 3;
   }
 
-  void widen(const Surgery_mesh& whole) {
-    for(Index v : vertices_)
-      whole.for_each_outgoing(v, [&](Index h) { faces_.push_back(Surgery_mesh::face(h)); });
-    make_set(faces_);
-    vertices_ = vertices_of(whole, faces_);
+  Index number_below(Index v) const {
+    return static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                              vertices.begin());
   }
-
-  std::vector<Index> vertices_, faces_; // of the whole mesh, in ascending order
-  Surgery_mesh mesh_;
 };
+
+/// splits an edge at its midpoint. Its two faces become four, which follow each other: the first
+/// two are parts of the face to the left of the halfedge.
+inline void split_edge(Surgery_mesh& mesh, Index h) {
+  CGAL_precondition(h != no_index);
+  const Index g = mesh.twin(h), u = mesh.source(h), v = mesh.target(h);
+  const Index left = mesh.target(mesh.next(h)), right = mesh.target(mesh.next(g));
+  const Index m = mesh.add_vertex(CGAL::midpoint(mesh.point(u), mesh.point(v)));
+  const auto [first, second] = std::minmax({mesh.face(h), mesh.face(g)});
+  mesh.replace({first, second}, {{u, m, left}, {m, v, left}, {v, m, right}, {m, u, right}});
+}
+
+/*!
+splits, at their midpoints, the edges that begin on a simple closed walk and are not part of it. The
+faces at the walk are an annulus then, whatever they were: no other edge joins two vertices of the
+walk, and the edges to its neighbours end at vertices of their own. Returns of which faces those
+that are new are parts.
+*/
+inline std::vector<Index> split_edges_beside(Surgery_mesh& mesh, const Closed_walk& walk) {
+  using Ends = std::pair<Index, Index>;
+  CGAL_precondition(is_simple(walk));
+  const Index first_face = mesh.face_bound();
+  std::vector<Index> on_walk = walk, parents;
+  make_set(on_walk);
+  std::vector<Ends> steps;
+  for(std::size_t i = 0; i < walk.size(); ++i)
+    steps.push_back(std::minmax(walk[i], after(walk, i)));
+  make_set(steps);
+  const auto parent = [&](Index f) { return f < first_face ? f : parents[f - first_face]; };
+  // Those between two vertices of the walk come first.
+  for(bool is_between : {true, false}) {
+    std::vector<Ends> edges;
+    for(Index u : on_walk)
+      mesh.for_each_outgoing(u, [&](Index h) {
+        const Ends ends = std::minmax(u, mesh.target(h));
+        if(is_in(mesh.target(h), on_walk) == is_between && !is_in(ends, steps))
+          edges.push_back(ends);
+      });
+    make_set(edges);
+    for(const Ends& e : edges) {
+      const Index h = mesh.halfedge(e.first, e.second);
+      const Index left = parent(mesh.face(h)), right = parent(mesh.face(mesh.twin(h)));
+      parents.insert(parents.end(), {left, left, right, right});
+      split_edge(mesh, h);
+    }
+  }
+  return parents;
+}
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

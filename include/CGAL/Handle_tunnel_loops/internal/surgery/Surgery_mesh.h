@@ -61,6 +61,17 @@ public:
       }
   }
 
+  /// closes each boundary curve, along halfedges without a twin, by a cap. The caps follow the
+  /// vertices and faces, and the first halfedge of each of their faces is at the curve.
+  void add_caps() {
+    const Index end = 3 * face_bound();
+    first_hub_ = vertex_bound();
+    for(Index h = 0; h < end; ++h)
+      if(is_alive(face(h)) && twins_[h] == no_index)
+        add_cap(h);
+    number_of_hubs_ = vertex_bound() - first_hub_;
+  }
+
   /// says which vertices are hubs.
   void set_hubs(Index first, Index number) {
     first_hub_ = first;
@@ -159,6 +170,29 @@ public:
   }
 
 private:
+  // Along the boundary from one of its halfedges on.
+  void add_cap(Index first) {
+    const Index hub = add_vertex(Point(CGAL::ORIGIN)), begin = 3 * face_bound();
+    Kernel::Vector_3 sum(0., 0., 0.);
+    Index h = first;
+    do {
+      const Index own = 3 * face_bound();
+      sum = sum + (points_[target(h)] - CGAL::ORIGIN);
+      faces_.push_back({target(h), source(h), hub});
+      twins_.insert(twins_.end(), {h, own + 5, own - 2}); // of the faces after and before
+      twins_[h] = own;
+      for(Index g : {own, own + 1, own + 2})
+        first_[source(g)] = g;
+      ++number_of_faces_;
+      for(h = previous(h); h != first && twins_[h] != no_index;)
+        h = previous(twins_[h]);
+    } while(h != first);
+    const Index end = 3 * face_bound();
+    twins_[end - 2] = begin + 2;
+    twins_[begin + 2] = end - 2;
+    points_[hub] = CGAL::ORIGIN + sum / ((end - begin) / 3);
+  }
+
   // A side of a patch, or of what is around it.
   struct Open_side
   {

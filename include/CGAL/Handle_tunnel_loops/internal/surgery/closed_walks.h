@@ -12,18 +12,34 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/edges/Walk_improvement.h>
 #include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
+
+namespace boost {
+
+/// As much of a graph as closed walks need.
+template <> struct graph_traits<CGAL::Handle_tunnel_loops::internal::Surgery_mesh>
+{
+  using vertex_descriptor = CGAL::Handle_tunnel_loops::internal::Index;
+  using halfedge_descriptor = CGAL::Handle_tunnel_loops::internal::Index;
+};
+
+} // namespace boost
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -122,6 +138,82 @@ inline Closed_walk simple_part(Closed_walk walk) {
     i = 0;
   }
   return walk;
+}
+
+// ---- a walk beside the boundary
+
+/// the neighbours of a vertex on the boundary, from one on the boundary to the other.
+inline std::vector<Index> neighbors_on_surface(const Surgery_mesh& mesh, Index v) {
+  CGAL_precondition(mesh.is_on_boundary(v));
+  std::vector<Index> neighbors;
+  mesh.for_each_outgoing(v, [&](Index h) { neighbors.push_back(mesh.target(h)); });
+  const auto hub =
+      std::find_if(neighbors.begin(), neighbors.end(), [&](Index u) { return mesh.is_hub(u); });
+  std::rotate(neighbors.begin(), hub, neighbors.end());
+  neighbors.erase(neighbors.begin());
+  return neighbors;
+}
+
+/// leads a closed walk around its vertices on the boundary, from neighbour to neighbour.
+inline Closed_walk around_boundary(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  Closed_walk around;
+  for(std::size_t i = 0; i < walk.size(); ++i) {
+    if(!mesh.is_on_boundary(walk[i])) {
+      around.push_back(walk[i]);
+      continue;
+    }
+    const std::vector<Index> neighbors = neighbors_on_surface(mesh, walk[i]);
+    const Index before = walk[i == 0 ? walk.size() - 1 : i - 1];
+    const auto from = std::find(neighbors.begin(), neighbors.end(), before),
+               to = std::find(neighbors.begin(), neighbors.end(), after(walk, i));
+    if(from < to)
+      around.insert(around.end(), from + 1, to);
+    else if(to < from)
+      around.insert(around.end(), std::make_reverse_iterator(from),
+                    std::make_reverse_iterator(to + 1));
+  }
+  remove_spurs(around);
+  return around;
+}
+
+/// a homotopic walk beside the boundary where the given one comes to it; or that one, where the
+/// surface is too narrow.
+inline Closed_walk led_off_boundary(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  constexpr int most_rounds = 4; // where faces have all their corners on the boundary
+  Closed_walk inner = walk;
+  for(int round = 0; round < most_rounds && is_on_boundary(mesh, inner); ++round) {
+    inner = around_boundary(mesh, inner);
+    if(inner.size() < 3 || !is_intact(mesh, inner))
+      return walk;
+  }
+  return inner;
+}
+
+// ---- a shorter walk
+
+inline Index next(Index h, const Surgery_mesh&) { return Surgery_mesh::next(h); }
+inline Index prev(Index h, const Surgery_mesh&) { return Surgery_mesh::previous(h); }
+inline Index opposite(Index h, const Surgery_mesh& mesh) { return mesh.twin(h); }
+inline Index target(Index h, const Surgery_mesh& mesh) { return mesh.target(h); }
+inline bool is_border(Index h, const Surgery_mesh& mesh) {
+  return mesh.is_in_cap(Surgery_mesh::face(h));
+}
+
+/// a shorter closed walk in the homotopy class of another one, that comes to no vertex twice where
+/// that can be.
+inline Closed_walk shortened(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  std::vector<Index> halfedges;
+  if(walk.size() > 1)
+    halfedges = halfedges_of(mesh, walk);
+  const auto length_of = [&](Index h) { return distance(mesh, mesh.source(h), mesh.target(h)); };
+  Walk_improvement<Surgery_mesh, decltype(length_of)> improvement(mesh, length_of,
+                                                                  std::move(halfedges));
+  improvement.shorten();
+  improvement.separate();
+  Closed_walk shorter;
+  for(Index h : improvement.walk())
+    shorter.push_back(mesh.source(h));
+  return shorter;
 }
 
 } // namespace internal

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_ROUNDS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_ROUNDS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -29,21 +29,21 @@ namespace internal {
 /// none is open at the end. Loops that cross where another handle was removed are led around it, or
 /// found anew on the surface as it is by then. \p ask is told what part is done, and throws to
 /// stop.
-CGAL_HTL_CORE void remove_from(Execution execution,
-                               Surgery_mesh& mesh,
-                               std::vector<Removal_task>& tasks,
-                               const std::function<void(double)>& ask);
+CGAL_HTL_CORE void remove_handles(Execution execution,
+                                  Surgery_mesh& mesh,
+                                  std::vector<Removal_task>& tasks,
+                                  const std::function<void(double)>& ask);
 
 /// cuts a mesh apart at its necks, as far as that can be; what becomes of each is in its task.
 CGAL_HTL_CORE std::vector<Removal_task>
-remove_necks_from(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted);
+remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted);
 
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/removal/remove_from_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_rounds_impl.h>
 #endif
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVE_FROM_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REMOVAL_REMOVAL_ROUNDS_H
