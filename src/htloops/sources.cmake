@@ -1,18 +1,13 @@
 set(HTLOOPS_SOLVE_SOURCES
-  solve/arc_shapes.cpp
   solve/backends.cpp
-  solve/border_levels.cpp
   solve/boundaries.cpp
   solve/certification.cpp
   solve/cut_solver.cpp
   solve/dual_cut_solver.cpp
-  solve/face_arcs.cpp
-  solve/girths.cpp
   solve/host_backend.cpp
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
   solve/removal_solver.cpp
-  solve/same_class.cpp
   solve/self_contact.cpp
   solve/spread_properties.cpp
   solve/thread_limit.cpp)

@@ -10,15 +10,21 @@
 #include "draw/arc_surface.h"
 
 #include "draw/level_cutter.h"
-#include "solve/face_arcs.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Face_arcs.h>
 
 #include <cstddef>
 
 namespace htloops {
 
+namespace internal = CGAL::Handle_tunnel_loops::internal;
+
 Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer) {
   Arc_surface result;
-  Face_arcs arcs(mesh, answer);
+  const internal::Vertices_on_arcs vertices(mesh, get(boost::vertex_index, mesh),
+                                            map_of_vertices(mesh, answer.vertex_arc),
+                                            map_of_vertices(mesh, answer.values));
+  internal::Face_arcs arcs(vertices, answer.graph);
   Level_cutter cutter(mesh, answer.values);
   const auto add = [&](const Level_cutter::Triangle& triangle, std::size_t arc) {
     result.triangles.push_back(triangle);

@@ -45,7 +45,7 @@ std::vector<double> ends_of_layers(const Answer& answer) {
 class Layer_parts
 {
   using Vertex = Mesh::Vertex_index;
-  using Parts = std::vector<Face_part>;
+  using Parts = std::vector<Level_cutter::Face_part>;
 
 public:
   Layer_parts(const Answer& answer, double now)

@@ -12,7 +12,8 @@
 
 #include "draw/mesh_arrays.h"
 #include "mesh_types.h"
-#include "solve/face_arcs.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Face_arcs.h>
 
 #include <array>
 #include <cstddef>
@@ -33,6 +34,7 @@ class Level_cutter
   using Polygon = std::vector<std::uint32_t>;
 
 public:
+  using Face_part = CGAL::Handle_tunnel_loops::internal::Face_part;
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// \p values are by vertex. Both must outlive the object.

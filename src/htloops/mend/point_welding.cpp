@@ -51,7 +51,7 @@ struct Side
 std::uint64_t hash_of(const Corners& corners) {
   std::uint64_t sum = 0;
   for_each_side(corners, [&sum](std::uint32_t u, std::uint32_t v) {
-    const std::uint64_t product = (key_of_edge(u, v) + 1) * 0x9E3779B97F4A7C15u;
+    const std::uint64_t product = (edge_key(u, v) + 1) * 0x9E3779B97F4A7C15u;
     sum += (product ^ product >> 32) * 0xC2B2AE3D27D4EB4Fu;
   });
   return sum;
@@ -108,7 +108,7 @@ private:
     if(corners.size() == 3 && corners[0] != corners[1] && corners[1] != corners[2] &&
        corners[2] != corners[0])
       for(std::size_t i = 0; i < 3; ++i)
-        sides_.push_back({key_of_edge(corners[i], corners[(i + 1) % 3]), corners[(i + 2) % 3]});
+        sides_.push_back({edge_key(corners[i], corners[(i + 1) % 3]), corners[(i + 2) % 3]});
     else
       add_polygon(f, corners);
   }
@@ -118,7 +118,7 @@ private:
     const auto before = static_cast<std::ptrdiff_t>(sides_.size());
     for_each_side(corners, [&](std::uint32_t u, std::uint32_t v) {
       if(u != v)
-        sides_.push_back({key_of_edge(u, v), face});
+        sides_.push_back({edge_key(u, v), face});
     });
     drop_slits(before);
   }
@@ -177,7 +177,7 @@ public:
 
 private:
   std::uint64_t place_of(const Counted_edge& edge) const {
-    return key_of_edge(places_[edge.first()], places_[edge.second()]);
+    return edge_key(places_[edge.first()], places_[edge.second()]);
   }
 
   bool has_no_length(const Counted_edge& edge) const {

@@ -150,7 +150,7 @@ private:
       const Delaunay::Vertex_handle next = handles[i + 1 == handles.size() ? 0 : i + 1];
       if(handles[i] == next)
         return false;
-      if(++sides_[key_of_edge(handles[i]->info(), next->info())] == 1)
+      if(++sides_[edge_key(handles[i]->info(), next->info())] == 1)
         delaunay_.insert_constraint(handles[i], next);
     }
     return true;
@@ -177,7 +177,7 @@ private:
     if(!f->is_constrained(i))
       return false;
     const auto side = sides_.find(
-        key_of_edge(f->vertex(Delaunay::cw(i))->info(), f->vertex(Delaunay::ccw(i))->info()));
+        edge_key(f->vertex(Delaunay::cw(i))->info(), f->vertex(Delaunay::ccw(i))->info()));
     return side == sides_.end() || side->second % 2 == 1;
   }
 
@@ -188,12 +188,12 @@ private:
 bool are_all_free(const Triangles& triangles, const Corners& corners, const Is_free& is_free) {
   std::vector<std::uint64_t> sides;
   for_each_side(corners,
-                [&](std::uint32_t u, std::uint32_t v) { sides.push_back(key_of_edge(u, v)); });
+                [&](std::uint32_t u, std::uint32_t v) { sides.push_back(edge_key(u, v)); });
   std::sort(sides.begin(), sides.end());
   for(const auto& t : triangles)
     for(int i = 0; i < 3; ++i) {
       const std::uint32_t u = t[i], v = t[(i + 1) % 3];
-      if(!std::binary_search(sides.begin(), sides.end(), key_of_edge(u, v)) && !is_free(u, v))
+      if(!std::binary_search(sides.begin(), sides.end(), edge_key(u, v)) && !is_free(u, v))
         return false;
     }
   return true;

@@ -12,6 +12,8 @@
 
 #include "read/soup.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -61,9 +63,7 @@ inline void add_face(Soup& soup, const Corners& corners) {
 }
 
 /// one number for an edge, whatever its direction; the smaller vertex counts first.
-inline std::uint64_t key_of_edge(std::uint32_t u, std::uint32_t v) {
-  return u < v ? std::uint64_t(u) << 32 | v : std::uint64_t(v) << 32 | u;
-}
+using CGAL::Handle_tunnel_loops::internal::edge_key;
 
 } // namespace htloops
 

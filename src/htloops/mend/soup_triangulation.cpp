@@ -29,7 +29,7 @@ std::vector<std::uint64_t> edges_of_polygons(const Soup& soup) {
   edges.reserve(3 * soup.faces.size() + soup.further_corners.size());
   for_each_polygon(soup, [&](std::size_t, const Corners& corners) {
     for_each_side(corners,
-                  [&](std::uint32_t u, std::uint32_t v) { edges.push_back(key_of_edge(u, v)); });
+                  [&](std::uint32_t u, std::uint32_t v) { edges.push_back(edge_key(u, v)); });
   });
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -67,7 +67,7 @@ public:
 
 private:
   bool is_edge(std::uint32_t u, std::uint32_t v) const {
-    return std::binary_search(edges_.begin(), edges_.end(), key_of_edge(u, v));
+    return std::binary_search(edges_.begin(), edges_.end(), edge_key(u, v));
   }
 
   // A duplicate is cut as the first of its kind, so that its triangles are duplicates, too.
@@ -91,7 +91,7 @@ private:
   bool has_crowded_side(const Corners& corners) const {
     bool is_crowded = false;
     for_each_side(corners, [&](std::uint32_t u, std::uint32_t v) {
-      const auto [begin, end] = std::equal_range(edges_.begin(), edges_.end(), key_of_edge(u, v));
+      const auto [begin, end] = std::equal_range(edges_.begin(), edges_.end(), edge_key(u, v));
       is_crowded = is_crowded || end - begin > 2;
     });
     return is_crowded;
@@ -100,12 +100,12 @@ private:
   Triangles cut(const Corners& corners) {
     const Triangles triangles =
         triangulate_polygon(mended_.soup.points, corners, [this](std::uint32_t u, std::uint32_t v) {
-          return !is_edge(u, v) && diagonals_.count(key_of_edge(u, v)) == 0;
+          return !is_edge(u, v) && diagonals_.count(edge_key(u, v)) == 0;
         });
     for(const auto& t : triangles)
       for(int i = 0; i < 3; ++i)
         if(!is_edge(t[i], t[(i + 1) % 3]))
-          diagonals_.insert(key_of_edge(t[i], t[(i + 1) % 3]));
+          diagonals_.insert(edge_key(t[i], t[(i + 1) % 3]));
     return triangles;
   }
 

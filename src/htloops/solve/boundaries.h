@@ -15,7 +15,6 @@
 #include "mesh_types.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace htloops {
@@ -27,13 +26,6 @@ struct Boundaries
 };
 
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists);
-
-/// what is wrong with boundary curves and waists that were found elsewhere, in words: the curves
-/// have to be those of the mesh, all of them, and waists closed curves on it that are homologous to
-/// them.
-std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
-                                                const std::vector<Loop>& curves,
-                                                const std::vector<Loop>& waists);
 
 /// by vertex, the number of its component, of so many: in the order of their smallest vertices.
 std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t number);

@@ -15,6 +15,9 @@
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 
+#include <string>
+#include <vector>
+
 namespace htloops {
 
 /// what loops that were found elsewhere are; on what sides they bound only `with_sides`.
@@ -22,6 +25,11 @@ CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
                                                const Pairs& pairs,
                                                CGAL::Handle_tunnel_loops::Basis_kind basis_kind,
                                                bool with_sides);
+
+/// what is wrong with boundary curves and waists that were found elsewhere, in words.
+std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
+                                                const std::vector<Loop>& curves,
+                                                const std::vector<Loop>& waists);
 
 } // namespace htloops
 

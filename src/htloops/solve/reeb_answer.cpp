@@ -27,6 +27,16 @@ const char* name_of(CGAL::Reeb_node_type type) {
   }
 }
 
+std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer) {
+  return CGAL::reeb_arc_girths(mesh, answer.graph, map_of_vertices(mesh, answer.vertex_arc),
+                               map_of_vertices(mesh, answer.values));
+}
+
+CGAL::Reeb_arc_shapes shapes_of_arcs(const Mesh& mesh, const Reeb_answer& answer) {
+  return CGAL::reeb_arc_shapes(mesh, answer.graph, map_of_vertices(mesh, answer.vertex_arc),
+                               map_of_vertices(mesh, answer.values));
+}
+
 std::size_t number_of_cycles(const Reeb_answer& answer) {
   return num_edges(answer.graph) + answer.statistics.number_of_components -
          num_vertices(answer.graph);

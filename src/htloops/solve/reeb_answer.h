@@ -13,6 +13,9 @@
 #include "mesh_types.h"
 
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/reeb_arc_shapes.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -40,6 +43,16 @@ struct Reeb_answer
 
 /// the word for a type of nodes, as it stands in files and messages.
 const char* name_of(CGAL::Reeb_node_type type);
+
+/// what is given by vertex, as a property map.
+template <typename T> auto map_of_vertices(const Mesh& mesh, const std::vector<T>& values) {
+  return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh));
+}
+
+/// see `CGAL::reeb_arc_girths()`.
+std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer);
+
+CGAL::Reeb_arc_shapes shapes_of_arcs(const Mesh& mesh, const Reeb_answer& answer);
 
 /// the number of independent cycles.
 std::size_t number_of_cycles(const Reeb_answer& answer);

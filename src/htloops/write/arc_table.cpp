@@ -9,7 +9,6 @@
 
 #include "write/arc_table.h"
 
-#include "solve/girths.h"
 #include "write/text_writer.h"
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 
 #include "write/reeb_json_writer.h"
 
-#include "solve/girths.h"
 #include "write/json_writer.h"
 
 namespace htloops {

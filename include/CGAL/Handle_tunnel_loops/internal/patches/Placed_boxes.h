@@ -12,13 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -52,24 +51,35 @@ public:
   void for_each_meeting(const Placed_boxes& others,
                         const Box_of& box,
                         const Box_of_other& other_box,
-                        const Function& f) const {
-    for(std::size_t other = 0; other < others.tree_.size(); ++other) {
-      const Box<3>& around = others.tree_.box(other);
-      tree_.for_each_meeting(around, [&](Index group, const Box<3>&) {
-        for_each_of(group, [&](Index i) {
-          const Box<3> b = box(i);
-          if(b.meets(around))
-            others.for_each_of(other, [&](Index j) {
-              if(b.meets(other_box(j)))
-                f(i, j);
-            });
-        });
-      });
-    }
+                        const Function& f,
+                        Execution execution = Execution()) const {
+    constexpr std::size_t grain = 32;
+    for_each_index(
+        execution, others.tree_.size(),
+        [&](std::size_t other) { meet_group(others, other, box, other_box, f); }, grain);
   }
 
 private:
   static constexpr std::size_t group_size = 8;
+
+  template <typename Box_of, typename Box_of_other, typename Function>
+  void meet_group(const Placed_boxes& others,
+                  std::size_t other,
+                  const Box_of& box,
+                  const Box_of_other& other_box,
+                  const Function& f) const {
+    const Box<3>& around = others.tree_.box(other);
+    tree_.for_each_meeting(around, [&](Index group, const Box<3>&) {
+      for_each_of(group, [&](Index i) {
+        const Box<3> b = box(i);
+        if(b.meets(around))
+          others.for_each_of(other, [&](Index j) {
+            if(b.meets(other_box(j)))
+              f(i, j);
+          });
+      });
+    });
+  }
 
   template <typename Function> void for_each_of(std::size_t group, const Function& f) const {
     const std::size_t begin = group * group_size;
@@ -77,30 +87,42 @@ private:
       f(order_[i]);
   }
 
+  // Those near each other follow each other: they are halved again and again where they extend
+  // farthest, so that one far away makes no neighbours of others that are none.
   template <typename Function>
   static std::vector<Index> order(Execution execution, std::size_t n, const Function& box) {
-    constexpr std::size_t grain = 16384;
-    std::vector<Box<3>> parts((n + grain - 1) / grain, Box<3>::empty());
-    execution.for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-        parts[begin / grain].extend(box(i));
+    std::vector<Index> order(n);
+    std::vector<std::array<double, 3>> corners(n);
+    for_each_index(execution, n, [&](std::size_t i) {
+      order[i] = static_cast<Index>(i);
+      corners[i] = box(i).low;
     });
-    Box<3> all = Box<3>::empty();
-    for(const Box<3>& part : parts)
-      all.extend(part);
-    // The same for all directions, so that neighbours on a flat patch are neighbours in the order.
-    double size = 0.;
-    for(std::size_t d = 0; d < 3; ++d)
-      size = (std::max)(size, all.high[d] - all.low[d]);
-    return space_filling_order(execution, n, [&](std::size_t i) {
-      const Box<3> b = box(i);
-      Vector place;
-      for(std::size_t d = 0; d < 3; ++d) {
-        const bool is_empty = b.low[d] > b.high[d];
-        place[d] = size > 0. && !is_empty ? (b.low[d] - all.low[d]) / size : 0.;
-      }
-      return place;
-    });
+    for(std::size_t parts = 1; parts * group_size < n; parts *= 2)
+      for_each_index(
+          execution, parts,
+          [&](std::size_t i) {
+            const auto at = [&](std::size_t part) { return order.begin() + part * n / parts / 2; };
+            halve(at(2 * i), at(2 * i + 1), at(2 * i + 2), corners);
+          },
+          1);
+    return order;
+  }
+
+  // What is empty has infinite corners.
+  template <typename Iterator>
+  static void halve(Iterator begin,
+                    Iterator middle,
+                    Iterator end,
+                    const std::vector<std::array<double, 3>>& corners) {
+    Box<3> extent = Box<3>::empty();
+    for(Iterator i = begin; i != end; ++i)
+      extent.extend({corners[*i], corners[*i]});
+    std::size_t axis = 0;
+    for(std::size_t d = 1; d < 3; ++d)
+      if(extent.high[d] - extent.low[d] > extent.high[axis] - extent.low[axis])
+        axis = d;
+    std::nth_element(begin, middle, end,
+                     [&](Index a, Index b) { return corners[a][axis] < corners[b][axis]; });
   }
 
   std::vector<Index> order_;

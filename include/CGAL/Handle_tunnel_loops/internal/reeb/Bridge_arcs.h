@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_NECKS_BRIDGE_ARCS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_NECKS_BRIDGE_ARCS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_BRIDGE_ARCS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_BRIDGE_ARCS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -144,4 +144,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_NECKS_BRIDGE_ARCS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_BRIDGE_ARCS_H
