@@ -11,7 +11,7 @@
 #include "functions.h"
 #include "watch.h"
 
-#include "htloops/solve/reeb_solver.h"
+#include "app/solve/reeb_solver.h"
 
 #include <pybind11/stl.h>
 

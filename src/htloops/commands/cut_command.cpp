@@ -7,21 +7,19 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/draw/lines.h"
+#include "app/draw/meshes.h"
+#include "app/failure.h"
+#include "app/solve/cut_solver.h"
+#include "app/solve/dual_cut_solver.h"
+#include "app/solve/stopwatch.h"
+#include "app/words.h"
+#include "app/write/documents.h"
+#include "app/write/mesh_writer.h"
 #include "commands/command.h"
-#include "commands/common_options.h"
-#include "commands/file_options.h"
-#include "commands/help_style.h"
-#include "draw/cut_exports.h"
-#include "draw/export_lines.h"
-#include "failure.h"
-#include "solve/cut_solver.h"
-#include "solve/dual_cut_solver.h"
-#include "solve/stopwatch.h"
-#include "terminal/progress_bar.h"
+#include "commands/help.h"
+#include "commands/options.h"
 #include "terminal/terminal.h"
-#include "words.h"
-#include "write/dual_cuts_json_writer.h"
-#include "write/mesh_writer.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 

@@ -13,10 +13,10 @@
 #include "Meshes_of_soups.h"
 #include "Number_of_cases.h"
 
-#include "generators/holes.h"
-#include "htloops/solve/boundaries.h"
-#include "htloops/solve/certification.h"
-#include "htloops/solve/self_contact.h"
+#include "app/solve/boundaries.h"
+#include "app/solve/certification.h"
+#include "app/solve/self_contact.h"
+#include "generators/generators.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 
