@@ -172,11 +172,29 @@ choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, Random& 
   return corners;
 }
 
+/// numbers of corners, of the bores of a part.
+using Corners = std::vector<std::size_t>;
+
+/// the parts that `make_part(corners, place, random)` makes beside each other; it moves the place.
+template <typename MakePart>
+Soup make_parts(const Request& request, const char* kind, const MakePart& make_part) {
+  require_parts(request, kind);
+  require_faces(request, kind,
+                faces_of_bored_boxes(request.parts, request.genus, 3 * request.genus));
+  Random random(request.seed);
+  const Corners corners = choose_corners(request.parts, request.genus, request.faces, random);
+  std::vector<Soup> parts;
+  double place = 0.;
+  for(std::size_t i = 0; i < request.parts; ++i) {
+    const auto first = corners.begin() + i * request.genus / request.parts;
+    const auto end = corners.begin() + (i + 1) * request.genus / request.parts;
+    parts.push_back(make_part({first, end}, place, random));
+  }
+  return joined(parts);
+}
+
 /// a bar along the x axis with a bore for each number of corners, along the y or the z axis.
-Soup make_bar(const std::vector<std::size_t>& corners,
-              double depth,
-              double height,
-              Random& random) {
+Soup make_bar(const Corners& corners, double depth, double height, Random& random) {
   constexpr double least = 0.1, most = 0.46; // of the bar's width, or a bore's part of its length
   const Vector size(double(corners.size()), depth, height);
   std::vector<Bore> bores;
@@ -191,22 +209,12 @@ Soup make_bar(const std::vector<std::size_t>& corners,
 }
 
 Soup make_bars(const Request& request) {
-  require_parts(request, "bars");
-  require_faces(request, "bars",
-                faces_of_bored_boxes(request.parts, request.genus, 3 * request.genus));
-  Random random(request.seed);
-  const std::vector<std::size_t> corners =
-      choose_corners(request.parts, request.genus, request.faces, random);
-  std::vector<Soup> bars;
-  double y = 0.;
-  for(std::size_t i = 0; i < request.parts; ++i) {
-    const auto first = corners.begin() + i * request.genus / request.parts;
-    const auto end = corners.begin() + (i + 1) * request.genus / request.parts;
+  return make_parts(request, "bars", [](const Corners& corners, double& y, Random& random) {
     const double depth = random.uniform(0.4, 1.5), height = random.uniform(0.4, 1.5);
-    bars.push_back(translated(make_bar({first, end}, depth, height, random), {0., y, 0.}));
+    const Soup bar = translated(make_bar(corners, depth, height, random), {0., y, 0.});
     y += depth + random.uniform(0.05, 0.3);
-  }
-  return joined(bars);
+    return bar;
+  });
 }
 
 /// a bore along the z axis somewhere in a square of side one.
@@ -219,7 +227,7 @@ Bore bore_in_square(double x, double y, std::size_t corners, Random& random) {
 }
 
 /// a plate, or block, with a bore for each number of corners, in rows.
-Soup make_plate(const std::vector<std::size_t>& corners, double thickness, Random& random) {
+Soup make_plate(const Corners& corners, double thickness, Random& random) {
   const auto square_root = static_cast<std::size_t>(std::sqrt(double(corners.size())));
   const std::size_t rows = 1 + random.below(square_root);
   const std::size_t columns = (corners.size() + rows - 1) / rows;
@@ -230,23 +238,13 @@ Soup make_plate(const std::vector<std::size_t>& corners, double thickness, Rando
 }
 
 Soup make_plates(const Request& request) {
-  require_parts(request, "plates");
-  require_faces(request, "plates",
-                faces_of_bored_boxes(request.parts, request.genus, 3 * request.genus));
-  Random random(request.seed);
-  const std::vector<std::size_t> corners =
-      choose_corners(request.parts, request.genus, request.faces, random);
-  std::vector<Soup> plates;
-  double height = 0.;
-  for(std::size_t i = 0; i < request.parts; ++i) {
-    const auto first = corners.begin() + i * request.genus / request.parts;
-    const auto end = corners.begin() + (i + 1) * request.genus / request.parts;
+  return make_parts(request, "plates", [](const Corners& corners, double& height, Random& random) {
     // From sheets to blocks.
     const double thickness = std::exp(random.uniform(std::log(0.05), std::log(3.)));
-    plates.push_back(translated(make_plate({first, end}, thickness, random), {0., 0., height}));
+    const Soup plate = translated(make_plate(corners, thickness, random), {0., 0., height});
     height += thickness + random.uniform(0.05, 0.5);
-  }
-  return joined(plates);
+    return plate;
+  });
 }
 
 } // namespace

@@ -39,29 +39,16 @@ void add_meshes_argument(CLI::App& command, Loops_options& options) {
 void add_output_options(CLI::App& command, Loops_options& options) {
   const char group[] = "What to write";
   add_json_option(command, options, "the loops", group);
-  command.add_option("--csv", options.csv_file, "a row of numbers for each pair")
-      ->option_text("FILE.csv")
-      ->type_name(output_file)
-      ->group(group);
-  command
-      .add_option("--jsonl", options.jsonl_file,
-                  "an object of JSON for each mesh, on a line: genus, sizes, times, error")
-      ->option_text("FILE.jsonl")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--csv", options.csv_file, "FILE.csv",
+                    "a row of numbers for each pair", group);
+  add_output_option(command, "--jsonl", options.jsonl_file, "FILE.jsonl",
+                    "an object of JSON for each mesh, on a line: genus, sizes, times, error",
+                    group);
   add_lines_option(command, options, "the loops", group);
-  command
-      .add_option("--events", options.events_file,
-                  "what happens to the fronts of the first pass, as JSON")
-      ->option_text("FILE.json")
-      ->type_name(output_file)
-      ->group(group);
-  command
-      .add_option("--layers", options.layers_file,
-                  "the mesh with the layers of the first pass, and when its fronts came")
-      ->option_text("FILE.ply")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--events", options.events_file, "FILE.json",
+                    "what happens to the fronts of the first pass, as JSON", group);
+  add_output_option(command, "--layers", options.layers_file, "FILE.ply",
+                    "the mesh with the layers of the first pass, and when its fronts came", group);
   add_picture_options(command, options, "the loops", group);
   add_page_option(command, options, "the mesh and the loops", group);
   add_gltf_option(command, options, "the loops", group);

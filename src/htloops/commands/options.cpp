@@ -157,12 +157,9 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
                 "weld points, drop degenerate and duplicate faces, split edges and\n"
                 "vertices with too many faces, turn faces over; says what it did")
       ->group(group);
-  command
-      .add_option("--write-mesh", options.written_mesh_file,
-                  "the mesh as it is then, which the answer is about: .off .obj .ply .stl")
-      ->option_text("FILE")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--write-mesh", options.written_mesh_file, "FILE",
+                    "the mesh as it is then, which the answer is about: .off .obj .ply .stl",
+                    group);
 }
 
 void check_mesh_options(const Mesh_options& options) {
@@ -193,27 +190,45 @@ void write_read_mesh(const Mesh_options& options, const Mesh& mesh) {
     write_mesh(options.written_mesh_file, mesh);
 }
 
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::string& file,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group) {
+  command.add_option(name, file, what)
+      ->option_text(what_to_give)
+      ->type_name(output_file)
+      ->group(group);
+}
+
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::vector<std::string>& files,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group) {
+  command.add_option(name, files, what)
+      ->option_text(what_to_give)
+      ->type_name(output_file)
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
 void add_json_option(CLI::App& command,
                      Common_options& options,
                      const std::string& what,
                      const std::string& group) {
-  command.add_option("-o,--output", options.json_file, what + " as JSON; - is standard output")
-      ->option_text("FILE.json")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "-o,--output", options.json_file, "FILE.json",
+                    what + " as JSON; - is standard output", group);
 }
 
 void add_lines_option(CLI::App& command,
                       Common_options& options,
                       const std::string& what,
                       const std::string& group) {
-  command
-      .add_option("--lines", options.lines_files,
-                  what + " as lines: .ply .obj .vtp .polylines.txt; repeatable")
-      ->option_text("FILE")
-      ->type_name(output_file)
-      ->allow_extra_args(false)
-      ->group(group);
+  add_output_option(command, "--lines", options.lines_files, "FILE",
+                    what + " as lines: .ply .obj .vtp .polylines.txt; repeatable", group);
 }
 
 void add_picture_options(CLI::App& command,
@@ -223,10 +238,8 @@ void add_picture_options(CLI::App& command,
                          bool has_words) {
   if(!has_pictures)
     return;
-  command.add_option("--picture", options.picture.file, "a picture of the mesh and " + what)
-      ->option_text("FILE.png")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--picture", options.picture.file, "FILE.png",
+                    "a picture of the mesh and " + what, group);
   command
       .add_option("--size", options.picture.size, "of the picture, in pixels; default: 1600,1200")
       ->option_text("W,H")
@@ -253,20 +266,16 @@ void add_page_option(CLI::App& command,
                      Common_options& options,
                      const std::string& what,
                      const std::string& group) {
-  command.add_option("--html", options.page_file, "a page for a browser, to turn " + what + " in")
-      ->option_text("FILE.html")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--html", options.page_file, "FILE.html",
+                    "a page for a browser, to turn " + what + " in", group);
 }
 
 void add_gltf_option(CLI::App& command,
                      Common_options& options,
                      const std::string& what,
                      const std::string& group) {
-  command.add_option("--gltf", options.gltf_file, what + " as tubes, with the mesh, as glTF")
-      ->option_text("FILE.glb")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--gltf", options.gltf_file, "FILE.glb",
+                    what + " as tubes, with the mesh, as glTF", group);
 }
 
 void add_view_options(CLI::App& command, Common_options& options, const std::string& group) {

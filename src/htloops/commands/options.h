@@ -86,6 +86,20 @@ struct Common_options : Mesh_options
   int number_of_threads = 0;
 };
 
+/// declares that `what` may be written to a file, or to several.
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::string& file,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group);
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::vector<std::string>& files,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group);
+
 // Each declares some of them; `what` is "the loops", say.
 void add_json_option(CLI::App& command,
                      Common_options& options,

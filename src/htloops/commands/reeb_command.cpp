@@ -177,19 +177,12 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   const char group[] = "What to write";
   add_json_option(command, options, "the graph", group);
   add_lines_option(command, options, "the arcs", group);
-  command.add_option("--graph", options.graph_files, "nodes and arcs: .graphml .dot; repeatable")
-      ->option_text("FILE")
-      ->type_name(output_file)
-      ->allow_extra_args(false)
-      ->group(group);
-  command.add_option("--parts", options.parts_file, "the mesh with vertices coloured by arc")
-      ->option_text("FILE.ply")
-      ->type_name(output_file)
-      ->group(group);
-  command.add_option("--csv", options.csv_file, "a row of numbers for each arc")
-      ->option_text("FILE.csv")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--graph", options.graph_files, "FILE",
+                    "nodes and arcs: .graphml .dot; repeatable", group);
+  add_output_option(command, "--parts", options.parts_file, "FILE.ply",
+                    "the mesh with vertices coloured by arc", group);
+  add_output_option(command, "--csv", options.csv_file, "FILE.csv", "a row of numbers for each arc",
+                    group);
   add_picture_options(command, options, "the graph", group);
   add_page_option(command, options, "the mesh and the graph", group);
   add_gltf_option(command, options, "the arcs", group);

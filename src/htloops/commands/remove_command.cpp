@@ -239,17 +239,11 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
 
 void add_output_options(CLI::App& command, Remove_options& options) {
   const char group[] = "What to write";
-  command
-      .add_option("-o,--output", options.result_file,
-                  "the mesh: .off .obj .ply .stl; - is standard output, OFF")
-      ->option_text("OUT")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "-o,--output", options.result_file, "OUT",
+                    "the mesh: .off .obj .ply .stl; - is standard output, OFF", group);
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh")->group(group);
-  command.add_option("--report", options.json_file, "what was done, as JSON")
-      ->option_text("FILE.json")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--report", options.json_file, "FILE.json", "what was done, as JSON",
+                    group);
   add_picture_options(command, options, "the loops of what is removed", group);
   add_page_option(command, options, "the mesh before and after", group);
   add_view_options(command, options, group);
