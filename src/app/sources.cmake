@@ -50,7 +50,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/vertex_data.cpp
   write/documents.cpp
   write/files.cpp
-  write/lines.cpp
+  write/rows.cpp
   write/mesh_writer.cpp
   write/pair_listing.cpp
   write/tables.cpp)

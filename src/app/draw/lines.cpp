@@ -77,18 +77,6 @@ void write_lines_polylines(Text_writer& out, const Exported_lines& lines) {
   }
 }
 
-/// the lines as lines of a VTK PolyData with their kind, index and length.
-void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
-  Vtp_writer(out, lines).write();
-}
-
-constexpr File_format<void(Text_writer&, const Exported_lines&)> line_formats[] = {
-    {".ply", write_lines_ply},
-    {".obj", write_lines_obj},
-    {".polylines.txt", write_lines_polylines},
-    {".vtp", write_lines_vtp},
-};
-
 class Vtp_writer
 {
 public:
@@ -162,6 +150,18 @@ private:
 
   Text_writer& out_;
   const Exported_lines& lines_;
+};
+
+/// the lines as lines of a VTK PolyData with their kind, index and length.
+void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
+  Vtp_writer(out, lines).write();
+}
+
+constexpr File_format<void(Text_writer&, const Exported_lines&)> line_formats[] = {
+    {".ply", write_lines_ply},
+    {".obj", write_lines_obj},
+    {".polylines.txt", write_lines_polylines},
+    {".vtp", write_lines_vtp},
 };
 
 } // namespace

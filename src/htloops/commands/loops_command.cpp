@@ -17,7 +17,7 @@
 #include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
-#include "app/write/lines.h"
+#include "app/write/rows.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/help.h"

@@ -13,7 +13,7 @@
 #include "app/interrupt.h"
 #include "app/solve/stopwatch.h"
 #include "app/solve/thread_limit.h"
-#include "app/write/lines.h"
+#include "app/write/rows.h"
 #include "commands/command.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "app/write/documents.h"
-#include "app/write/lines.h"
+#include "app/write/rows.h"
 
 #include "Meshes_of_soups.h"
 #include "Small_answer.h"

@@ -17,9 +17,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Face_arcs.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 
-#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <array>

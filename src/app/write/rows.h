@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef HTLOOPS_LINES_H
-#define HTLOOPS_LINES_H
+#ifndef HTLOOPS_ROWS_H
+#define HTLOOPS_ROWS_H
 
 #include "mesh_types.h"
 #include "solve/answer.h"
@@ -84,4 +84,4 @@ std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_f
 
 } // namespace htloops
 
-#endif // HTLOOPS_LINES_H
+#endif // HTLOOPS_ROWS_H

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/lines.h"
+#include "write/rows.h"
 
 #include "write/json_writer.h"
 #include "write/tables.h"
