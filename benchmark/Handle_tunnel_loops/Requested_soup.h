@@ -11,7 +11,6 @@
 #define BENCHMARK_REQUESTED_SOUP_H
 
 #include "generators/generators.h"
-#include "generators/holes.h"
 
 #include <sstream>
 #include <stdexcept>

@@ -9,7 +9,7 @@
 
 #include "Corpus_answer.h"
 #include "Random_surfaces.h"
-#include "generators/crosses_itself.h"
+#include "generators/mesh_of_field.h"
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 

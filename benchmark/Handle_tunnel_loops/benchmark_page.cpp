@@ -7,8 +7,8 @@
 #include "Benchmark_meshes.h"
 #include "Browser.h"
 
-#include "htloops/draw/loops_page.h"
-#include "htloops/solve/solvers.h"
+#include "app/draw/pages.h"
+#include "app/solve/solvers.h"
 
 #include <algorithm>
 #include <cstdio>

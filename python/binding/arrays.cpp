@@ -9,8 +9,8 @@
 
 #include "arrays.h"
 
-#include "htloops/mend/mending.h"
-#include "htloops/read/mesh_builder.h"
+#include "app/mend/mending.h"
+#include "app/read/soup_diagnosis.h"
 
 #include <algorithm>
 #include <string>

@@ -10,9 +10,9 @@
 #ifndef HTL_PYTHON_ARRAYS_H
 #define HTL_PYTHON_ARRAYS_H
 
-#include "htloops/mesh_types.h"
-#include "htloops/read/soup.h"
-#include "htloops/read/soup_diagnosis.h"
+#include "app/mesh_types.h"
+#include "app/read/soup.h"
+#include "app/read/soup_diagnosis.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

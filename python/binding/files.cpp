@@ -11,8 +11,8 @@
 #include "functions.h"
 #include "watch.h"
 
-#include "htloops/mend/mending.h"
-#include "htloops/mend/mesh_reader.h"
+#include "app/mend/mending.h"
+#include "app/mend/mesh_reader.h"
 
 #include <pybind11/stl.h>
 

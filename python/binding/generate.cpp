@@ -12,7 +12,6 @@
 #include "watch.h"
 
 #include "generators/generators.h"
-#include "generators/holes.h"
 
 #include <map>
 #include <string>

@@ -9,10 +9,10 @@
 
 #include "loop_records.h"
 
-#include "htloops/read/loops_binding.h"
-#include "htloops/solve/boundaries.h"
-#include "htloops/write/linking_words.h"
-#include "htloops/write/pair_listing.h"
+#include "app/read/loops_reader.h"
+#include "app/solve/boundaries.h"
+#include "app/write/pair_listing.h"
+#include "app/write/tables.h"
 
 #include <pybind11/stl.h>
 

@@ -14,7 +14,7 @@
 
 #include "arrays.h"
 
-#include "htloops/solve/answer.h"
+#include "app/solve/answer.h"
 
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 

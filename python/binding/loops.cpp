@@ -12,11 +12,11 @@
 #include "loop_records.h"
 #include "watch.h"
 
-#include "htloops/draw/loops_page.h"
-#include "htloops/solve/backends.h"
-#include "htloops/solve/boundaries.h"
-#include "htloops/solve/certification.h"
-#include "htloops/write/pair_table.h"
+#include "app/draw/pages.h"
+#include "app/solve/backends.h"
+#include "app/solve/boundaries.h"
+#include "app/solve/certification.h"
+#include "app/write/tables.h"
 
 #include <pybind11/stl.h>
 

@@ -11,8 +11,8 @@
 #include "functions.h"
 #include "watch.h"
 
-#include "htloops/failure.h"
-#include "htloops/version.h"
+#include "app/failure.h"
+#include "app/version.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 

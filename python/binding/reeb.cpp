@@ -11,8 +11,7 @@
 #include "functions.h"
 #include "watch.h"
 
-#include "htloops/solve/arc_shapes.h"
-#include "htloops/solve/reeb_solver.h"
+#include "app/solve/reeb_solver.h"
 
 #include <pybind11/stl.h>
 
@@ -43,7 +42,7 @@ py::dict nodes_of(const Reeb_answer& answer) {
                   "vertices"_a = array_of(at), "types"_a = types);
 }
 
-py::dict arcs_of(const Reeb_answer& answer, const htloops::Arc_shapes& shapes) {
+py::dict arcs_of(const Reeb_answer& answer, const CGAL::Reeb_arc_shapes& shapes) {
   std::vector<std::int64_t> ends, starts = {0}, counts;
   std::vector<Point> points;
   std::vector<double> radii, lengths;
@@ -90,7 +89,7 @@ py::dict reeb(const py::array& points,
     options.measure = htloops::reeb_measures().at(*measure);
   options.sources = vertices_of(mesh, sources);
   Reeb_answer answer;
-  htloops::Arc_shapes shapes;
+  CGAL::Reeb_arc_shapes shapes;
   compute(threads, watch, [&] {
     answer = htloops::find_reeb_graph(mesh, options, watch);
     shapes = htloops::shapes_of_arcs(mesh, answer);

@@ -12,10 +12,10 @@
 #include "loop_records.h"
 #include "watch.h"
 
-#include "htloops/draw/cut_exports.h"
-#include "htloops/solve/cut_solver.h"
-#include "htloops/solve/dual_cut_solver.h"
-#include "htloops/solve/removal_solver.h"
+#include "app/draw/meshes.h"
+#include "app/solve/cut_solver.h"
+#include "app/solve/dual_cut_solver.h"
+#include "app/solve/removal_solver.h"
 
 #include <pybind11/stl.h>
 

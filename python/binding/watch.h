@@ -10,8 +10,8 @@
 #ifndef HTL_PYTHON_WATCH_H
 #define HTL_PYTHON_WATCH_H
 
-#include "htloops/solve/progress.h"
-#include "htloops/terminal/interrupt.h"
+#include "app/interrupt.h"
+#include "app/solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 

@@ -10,12 +10,13 @@
 #include "Shape.h"
 
 #include "isosurface.h"
+#include "kinds.h"
 #include "mesh_of_field.h"
-#include "request_checks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -112,6 +113,56 @@ Vector turned(const Vector& p, const Vector& axis, double angle) {
 double blended(double a, double b, double size) {
   const double h = (std::max)(size - std::abs(a - b), 0.);
   return (std::min)(a, b) - (size > 0. ? h * h / (4. * size) : 0.);
+}
+
+// Two digits are easier to remember: not fewer than \p faces.
+std::size_t two_digits(double faces) {
+  const double unit = std::pow(10., std::floor(std::log10(faces)) - 1.);
+  return static_cast<std::size_t>(std::llround(std::ceil(faces / unit) * unit));
+}
+
+// How many faces show the genus of a shape: so do some more of them, it is not by luck. Nothing if
+// there are none up to a number.
+std::optional<std::size_t> enough_faces(const Shape& shape, std::size_t too_few, std::size_t most) {
+  std::optional<std::size_t> enough;
+  for(std::size_t faces = too_few; (faces = two_digits(1.3 * static_cast<double>(faces))) <= most;)
+    if(genus(lattice_mesh(shape, faces).soup) != *shape.genus())
+      enough.reset();
+    else if(enough)
+      return enough;
+    else
+      enough = faces;
+  return enough;
+}
+
+std::string too_few(std::size_t faces) {
+  return std::to_string(faces) + (faces == 1 ? " face is" : " faces are") + " too few";
+}
+
+// With how many faces a shape can be made.
+std::string advice(const Shape& shape, std::size_t faces) {
+  constexpr std::size_t most = 400000; // more would take long
+  if(const auto enough = enough_faces(shape, (std::max)(faces, fewest_shape_faces), most))
+    return "; " + std::to_string(*enough) + " are enough";
+  return ", or the text is wrong: none of the numbers that were tried, up to " +
+         std::to_string((std::max)(faces, most)) + ", shows it";
+}
+
+bool are_alike(const Soup& a, const Soup& b) {
+  return genus(a) == genus(b) && number_of_components(a) == number_of_components(b);
+}
+
+// Edges that are sharper than the lattice is fine become saws. Walls as thin as that may not bear
+// to be rounded: then the edges stay as they are.
+Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
+  for(const double cells : {1., 0.5}) {
+    const Shape rounded = shape.rounded(cells * mesh.spacing);
+    const Lattice_mesh round_mesh = {isosurface(rounded, mesh.spacing, mesh.soup.triangles.size()),
+                                     mesh.spacing};
+    if(are_alike(mesh.soup, round_mesh.soup))
+      return fitted(round_mesh, rounded);
+  }
+  return fitted(mesh, shape);
 }
 
 } // namespace
@@ -373,60 +424,6 @@ double Shape::operator()(const Vector& p) const {
   return distance;
 }
 
-namespace {
-
-// Two digits are easier to remember: not fewer than \p faces.
-std::size_t two_digits(double faces) {
-  const double unit = std::pow(10., std::floor(std::log10(faces)) - 1.);
-  return static_cast<std::size_t>(std::llround(std::ceil(faces / unit) * unit));
-}
-
-// How many faces show the genus of a shape: so do some more of them, it is not by luck. Nothing if
-// there are none up to a number.
-std::optional<std::size_t> enough_faces(const Shape& shape, std::size_t too_few, std::size_t most) {
-  std::optional<std::size_t> enough;
-  for(std::size_t faces = too_few; (faces = two_digits(1.3 * static_cast<double>(faces))) <= most;)
-    if(genus(lattice_mesh(shape, faces).soup) != *shape.genus())
-      enough.reset();
-    else if(enough)
-      return enough;
-    else
-      enough = faces;
-  return enough;
-}
-
-std::string too_few(std::size_t faces) {
-  return std::to_string(faces) + (faces == 1 ? " face is" : " faces are") + " too few";
-}
-
-// With how many faces a shape can be made.
-std::string advice(const Shape& shape, std::size_t faces) {
-  constexpr std::size_t most = 400000; // more would take long
-  if(const auto enough = enough_faces(shape, (std::max)(faces, fewest_shape_faces), most))
-    return "; " + std::to_string(*enough) + " are enough";
-  return ", or the text is wrong: none of the numbers that were tried, up to " +
-         std::to_string((std::max)(faces, most)) + ", shows it";
-}
-
-bool are_alike(const Soup& a, const Soup& b) {
-  return genus(a) == genus(b) && number_of_components(a) == number_of_components(b);
-}
-
-// Edges that are sharper than the lattice is fine become saws. Walls as thin as that may not bear
-// to be rounded: then the edges stay as they are.
-Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
-  for(const double cells : {1., 0.5}) {
-    const Shape rounded = shape.rounded(cells * mesh.spacing);
-    const Lattice_mesh round_mesh = {isosurface(rounded, mesh.spacing, mesh.soup.triangles.size()),
-                                     mesh.spacing};
-    if(are_alike(mesh.soup, round_mesh.soup))
-      return fitted(round_mesh, rounded);
-  }
-  return fitted(mesh, shape);
-}
-
-} // namespace
-
 Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name) {
   require_faces(request, name, 0.);
   const std::size_t faces = request.faces;
@@ -439,6 +436,23 @@ Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name)
                                 std::to_string(*shape.genus()) + " of the shape, they show " +
                                 std::to_string(genus(mesh.soup)) + advice(shape, faces));
   return fitted_with_rounded_edges(mesh, shape);
+}
+
+std::vector<Kind> kinds_of_shapes() {
+  static std::deque<std::string> descriptions; // kinds refer to them
+  std::vector<Kind> kinds;
+  for(const auto& [name, text] : shape_texts()) {
+    const Shape shape(text);
+    descriptions.push_back(shape.description() + "; genus " + std::to_string(*shape.genus()));
+    kinds.push_back({name, descriptions.back().c_str(),
+                     [name = name, text = text](const Request& request) {
+                       const Shape described(text);
+                       require_genus(request, name, *described.genus());
+                       return mesh_of_shape(described, request, name);
+                     },
+                     GENUS, shape.faces(), *shape.genus()});
+  }
+  return kinds;
 }
 
 } // namespace generators

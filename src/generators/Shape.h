@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -86,6 +87,9 @@ Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name)
 
 /// those that are kept in shapes/, each a kind of its own.
 std::vector<Kind> kinds_of_shapes();
+
+/// the names and the texts of the files in shapes/.
+const std::vector<std::pair<const char*, std::string_view>>& shape_texts();
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

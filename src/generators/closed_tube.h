@@ -13,8 +13,15 @@
 #include "Field.h"
 #include "generators.h"
 
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -42,6 +49,68 @@ private:
 /// a round tube of about a number of faces around a closed curve. It does not cross itself if the
 /// curve keeps away from itself and the faces are enough to follow it.
 Soup closed_tube(const Curve_by_length& curve, double radius, std::size_t faces);
+
+/// Curves on a torus that go around it p times the long way and q times the short way, as functions
+/// on [0, 2 pi]. Those that are moved the short way by different angles are parallel.
+class Torus_knot
+{
+public:
+  Torus_knot(std::size_t p, std::size_t q)
+      : p_(static_cast<double>(p))
+      , q_(static_cast<double>(q)) {
+    if(p == 0 || q == 0 || std::gcd(p, q) != 1)
+      throw std::invalid_argument("a torus knot needs two numbers without a common divisor, not " +
+                                  std::to_string(p) + " and " + std::to_string(q));
+  }
+
+  Vector point(double t, double moved) const {
+    const double u = p_ * t, v = q_ * t + moved;
+    const double r = 1. + radius * std::cos(v);
+    return Vector(r * std::cos(u), r * std::sin(u), radius * std::sin(v));
+  }
+
+  /// the angle between the places where the curve crosses a short circle.
+  double period() const { return 2. * CGAL_PI / p_; }
+
+  /// the least distance, along the torus, of two curves of which one is moved by an angle.
+  double distance_along_torus(double moved) const {
+    return radius * moved * inner_radius / std::hypot(inner_radius, radius * q_ / p_);
+  }
+
+  /// a lower bound for the distance in space of such curves, and of the parts of one of them.
+  double distance(double moved) const {
+    // An arc is at most pi / 2 times as long as its chord.
+    return (std::min)({2. / CGAL_PI * distance_along_torus(moved), radius, inner_radius});
+  }
+
+  double least_speed() const { return std::hypot(p_ * inner_radius, q_ * radius); }
+
+  /// the number of points at equal distances along a curve of which the chords are closer to the
+  /// curve than `error`.
+  std::size_t least_samples(double error) const {
+    const double outer_radius = 1. + radius;
+    const double most_length = 2. * CGAL_PI * std::hypot(p_ * outer_radius, q_ * radius);
+    const double acceleration = p_ * p_ * outer_radius + (q_ + 2. * p_) * q_ * radius;
+    return static_cast<std::size_t>(
+        std::ceil(most_length / least_speed() * std::sqrt(acceleration / (8. * error))));
+  }
+
+private:
+  static constexpr double radius = 0.4, inner_radius = 1. - radius;
+
+  double p_, q_;
+};
+
+/// The numbers of rings along a tube and of vertices around it.
+struct Grid_size
+{
+  std::size_t along, around;
+};
+
+/// the torus of a grid that is periodic both ways, its quadrangles cut in two. It is oriented by
+/// (along, around).
+Soup grid_surface(Grid_size size,
+                  const std::function<Vector(std::size_t along, std::size_t around)>& point);
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

@@ -106,6 +106,21 @@ std::size_t genus(const Soup& soup);
 /// \f$ V - E + F \f$, counting the vertices that a triangle uses.
 std::ptrdiff_t euler_characteristic(const Soup& soup);
 
+// Surfaces with boundary: closed ones with holes.
+
+/// Discs to be taken out of a closed surface, no two with a common vertex.
+struct Hole_request
+{
+  std::size_t number = 0;
+  std::size_t faces = 20; ///< of each, about: at least those around a vertex
+  bool is_ragged = false; ///< with about as many boundary edges as faces; else they are round
+  unsigned seed = 0;
+};
+
+/// the mesh without these discs, and without the vertices that are left alone. There are fewer
+/// discs, or smaller ones, where there is no room for more.
+Soup with_holes(const Soup& mesh, const Hole_request& holes);
+
 } // namespace generators
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

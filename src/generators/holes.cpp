@@ -7,9 +7,9 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "generators/holes.h"
+#include "generators.h"
 
-#include "generators/Random.h"
+#include "Random.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -9,13 +9,13 @@
 
 #include "isosurface.h"
 
-#include "Bcc_lattice.h"
-#include "marching_table.h"
+#include "Field.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,6 +23,147 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace generators {
 namespace {
+
+/// An edge of a cell of the lattice: it starts at corner `base` and goes along `direction`, where
+/// both are sums of basis vectors as in `Bcc_lattice` and have no basis vector in common.
+struct Cell_edge
+{
+  std::uint8_t base, direction;
+};
+
+using Cell_triangle = std::array<Cell_edge, 3>;
+
+/// A step from a point of the lattice to another.
+struct Lattice_step
+{
+  int column, row, slice;
+};
+
+/*!
+The part of a body-centred cubic lattice that lies in a box, with integer coordinates in which the
+lattice's tetrahedra are those of Kuhn's subdivision of a cube: with the basis a1 = (-1, 1, 1) / 2,
+a2 = (1, -1, 1) / 2, a3 = (1, 1, -1) / 2, the tetrahedra at a point are the six paths to the
+opposite corner a1 + a2 + a3 of its cell. Corner `c` of a cell is the sum of the basis vectors whose
+bits are set in `c`.
+
+A point has a slice and a row, its coordinates along a3 and a2, and a column, which counts along a1
+from where the row enters the box: so columns run over a range that is the same for all rows.
+*/
+class Bcc_lattice
+{
+public:
+  Bcc_lattice(const Box& box, double spacing)
+      : origin_(box.low - Vector(1, 1, 1) * spacing)
+      , spacing_(spacing) {
+    for(int c = 0; c < 3; ++c)
+      size_[c] = static_cast<int>(std::ceil((box.high[c] - origin_[c]) / spacing)) + 1;
+  }
+
+  int columns() const { return 2 * size_[2] + 1; }
+  int rows() const { return size_[0] + size_[2] + 1; }
+  int slices() const { return size_[0] + size_[1] + 1; }
+
+  /// the length of a step along a row.
+  double column_length() const { return spacing_ * std::sqrt(3.) / 2.; }
+
+  Vector point(int column, int row, int slice) const {
+    return origin_ + displacement({column, row, slice}) * spacing_;
+  }
+
+  /// where a step leads, in units of the spacing.
+  static Vector displacement(const Lattice_step& step) {
+    const double z = step.column / 2.;
+    return Vector(step.row - z, step.slice - step.row + z, z);
+  }
+
+  /// the columns of a row that lie in the box: from the first to, and without, the second.
+  std::pair<int, int> columns_inside(int row, int slice) const {
+    const int first = (std::max)({0, 2 * (row - size_[0]), 2 * (row - slice)});
+    const int last = (std::min)({2 * size_[2], 2 * row, 2 * (size_[1] + row - slice)});
+    return {first, last + 1};
+  }
+
+  /// the step from a corner 0 to corner `c`.
+  static constexpr Lattice_step step_to_corner(int c) {
+    const int a1 = c & 1, a2 = (c >> 1) & 1, a3 = (c >> 2) & 1;
+    return {a1 + a2 - a3, a2, a3};
+  }
+
+private:
+  Vector origin_;
+  double spacing_;
+  std::array<int, 3> size_; ///< of the box, in cubes
+};
+
+Vector corner_position(int corner) {
+  return Bcc_lattice::displacement(Bcc_lattice::step_to_corner(corner));
+}
+
+/// One tetrahedron of a cell, its corners parted into those inside and those outside.
+struct Parted_tetrahedron
+{
+  std::vector<int> inside, outside;
+
+  /// appends a triangle through three edges, turned to face the outside.
+  void add_triangle(std::array<std::pair<int, int>, 3> edges,
+                    std::vector<Cell_triangle>& triangles) const {
+    std::array<Vector, 3> p;
+    for(int i = 0; i < 3; ++i)
+      p[i] = (corner_position(edges[i].first) + corner_position(edges[i].second)) / 2.;
+    const Vector normal = CGAL::cross_product(p[1] - p[0], p[2] - p[0]);
+    if(normal * (corner_position(outside[0]) - p[0]) < 0.)
+      std::swap(edges[1], edges[2]);
+
+    Cell_triangle triangle;
+    for(int i = 0; i < 3; ++i) {
+      // Of two corners of a tetrahedron one contains the other, as a set of basis vectors.
+      const int base = edges[i].first & edges[i].second;
+      triangle[i] = {static_cast<std::uint8_t>(base),
+                     static_cast<std::uint8_t>(edges[i].first ^ edges[i].second)};
+    }
+    triangles.push_back(triangle);
+  }
+
+  void triangulate(std::vector<Cell_triangle>& triangles) const {
+    const auto& [a, b] = std::tie(inside, outside);
+    if(a.size() == 1)
+      add_triangle({{{a[0], b[0]}, {a[0], b[1]}, {a[0], b[2]}}}, triangles);
+    else if(b.size() == 1)
+      add_triangle({{{a[0], b[0]}, {a[1], b[0]}, {a[2], b[0]}}}, triangles);
+    else if(a.size() == 2) {
+      add_triangle({{{a[0], b[0]}, {a[0], b[1]}, {a[1], b[1]}}}, triangles);
+      add_triangle({{{a[0], b[0]}, {a[1], b[1]}, {a[1], b[0]}}}, triangles);
+    }
+  }
+};
+
+using Table = std::array<std::vector<Cell_triangle>, 256>;
+
+Table make_table() {
+  Table table;
+  for(unsigned cell = 0; cell < table.size(); ++cell) {
+    std::array<int, 3> path = {0, 1, 2};
+    do {
+      Parted_tetrahedron tetrahedron;
+      int corner = 0;
+      for(int step = 0; step <= 3; ++step) {
+        auto& side = ((cell >> corner) & 1) != 0 ? tetrahedron.inside : tetrahedron.outside;
+        side.push_back(corner);
+        if(step < 3)
+          corner |= 1 << path[step];
+      }
+      tetrahedron.triangulate(table[cell]);
+    } while(std::next_permutation(path.begin(), path.end()));
+  }
+  return table;
+}
+
+/// the triangles that separate the corners whose bits are set in `inside` from the others in the
+/// six tetrahedra of a cell, seen counterclockwise from the outside.
+const std::vector<Cell_triangle>& cell_triangles(unsigned inside) {
+  static const Table table = make_table();
+  return table[inside];
+}
 
 using Word = std::uint64_t;
 constexpr int word_bits = 64;

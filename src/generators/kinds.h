@@ -12,11 +12,12 @@
 
 #include "generators.h"
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace generators {
 
-// One per file of the same name.
 extern const Kind sphere_kind;
 extern const Kind torus_kind;
 extern const Kind knot_kind;
@@ -37,6 +38,22 @@ extern const Kind scan_kind;
 extern const Kind twins_kind;
 extern const Kind hollow_kind;
 extern const Kind random_kind;
+
+/// throws `std::invalid_argument` if fewer faces are asked for than the kind needs at this genus,
+/// or more than 32-bit indices can count.
+void require_faces(const Request& request, const char* kind, double least);
+
+/// throws `std::invalid_argument` if the kind has one genus only and another is asked for.
+void require_genus(const Request& request, const char* kind, std::size_t only);
+
+/// throws `std::invalid_argument` if a smaller genus is asked for.
+void require_least_genus(const Request& request, const char* kind, std::size_t least);
+
+/// throws `std::invalid_argument` unless there are parts, and each can have a handle.
+void require_parts(const Request& request, const char* kind);
+
+/// whether a closed manifold mesh is connected and has the given genus.
+bool is_connected_of_genus(const Soup& soup, std::size_t genus);
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

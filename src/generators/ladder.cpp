@@ -7,12 +7,10 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "Torus_knot.h"
 #include "Tubes.h"
 #include "closed_tube.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
-#include "request_checks.h"
 
 #include <CGAL/number_type_config.h>
 

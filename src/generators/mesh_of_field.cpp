@@ -9,11 +9,13 @@
 
 #include "mesh_of_field.h"
 
-#include "crosses_itself.h"
-#include "emptiness.h"
+#include "Field.h"
 #include "isosurface.h"
-#include "request_checks.h"
-#include "smoothing.h"
+#include "kinds.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +23,77 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace generators {
 namespace {
+
+void add_octants(const Box& box, std::vector<Box>& boxes) {
+  const Vector half = (box.high - box.low) / 2.;
+  for(int octant = 0; octant < 8; ++octant) {
+    const Vector low =
+        box.low + Vector((octant & 1) != 0 ? half.x() : 0., (octant & 2) != 0 ? half.y() : 0.,
+                         (octant & 4) != 0 ? half.z() : 0.);
+    boxes.push_back({low, low + half});
+  }
+}
+
+/// whether no point is inside a solid. What it is too tedious to be sure of is not empty.
+bool is_empty(const Field& field) {
+  constexpr int most_boxes = 200000;
+  std::vector<Box> boxes = {field.box()};
+  for(int count = 0; !boxes.empty(); ++count) {
+    const Box box = boxes.back();
+    boxes.pop_back();
+    const double value = field((box.low + box.high) / 2.);
+    if(value < 0. || count == most_boxes)
+      return false;
+    // The field is no more than the distance to the surface: a large value tells of the whole box.
+    if(value < length(box.high - box.low) / 2.)
+      add_octants(box, boxes);
+  }
+  return true;
+}
+
+/// moves each vertex by `factor` times the way to the mean of its neighbours.
+class Laplacian_step
+{
+public:
+  explicit Laplacian_step(Soup& soup)
+      : soup_(soup)
+      , degree_(soup.points.size(), 0)
+      , sum_(soup.points.size()) {
+    for(const auto& triangle : soup.triangles)
+      for(std::uint32_t v : triangle)
+        ++degree_[v];
+  }
+
+  void operator()(double factor) {
+    sum_.assign(sum_.size(), {0., 0., 0.});
+    for(const auto& [a, b, c] : soup_.triangles) {
+      // Each edge is seen once in each direction: from a to b here, from b to a across it.
+      add(a, b);
+      add(b, c);
+      add(c, a);
+    }
+    for(std::size_t v = 0; v < sum_.size(); ++v)
+      if(degree_[v] != 0)
+        for(int i = 0; i < 3; ++i)
+          soup_.points[v][i] += factor * (sum_[v][i] / degree_[v] - soup_.points[v][i]);
+  }
+
+private:
+  void add(std::uint32_t to, std::uint32_t from) {
+    for(int i = 0; i < 3; ++i)
+      sum_[to][i] += soup_.points[from][i];
+  }
+
+  Soup& soup_;
+  std::vector<std::uint32_t> degree_;
+  std::vector<std::array<double, 3>> sum_;
+};
 
 /// Meshes with so many faces for each handle do not come to cross themselves when they are
 /// smoothed.
@@ -103,6 +171,20 @@ private:
   double spacing_, too_fine_, too_coarse_;
 };
 
+/// moves each vertex along the normal of the mesh towards the surface of a solid: by the value of
+/// the field, so never beyond the surface, and by no more than `limit`.
+void approach_surface(Soup& soup, const Field& field, double limit) {
+  const std::vector<Vector> normals = vertex_normals(soup);
+  for(std::uint32_t v = 0; v < soup.points.size(); ++v) {
+    const double normal_length = length(normals[v]);
+    if(normal_length == 0.)
+      continue;
+    const Vector p = point_of(soup, v);
+    const Vector q = p - std::clamp(field(p), -limit, limit) / normal_length * normals[v];
+    soup.points[v] = {q.x(), q.y(), q.z()};
+  }
+}
+
 /// evens out the triangles and moves them onto the surface of the solid.
 void fit_to_surface(Soup& soup, const Field& field, double spacing) {
   for(int round = 0; round < 2; ++round) {
@@ -134,6 +216,23 @@ Soup fitted_without_crossing(const Soup& soup, const Field& field, double spacin
 }
 
 } // namespace
+
+bool crosses_itself(const Soup& soup) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  CGAL::Surface_mesh<Point> mesh;
+  std::vector<CGAL::Surface_mesh<Point>::Vertex_index> vertices;
+  for(const auto& [x, y, z] : soup.points)
+    vertices.push_back(mesh.add_vertex({x, y, z}));
+  for(const auto& [a, b, c] : soup.triangles)
+    mesh.add_face(vertices[a], vertices[b], vertices[c]);
+  return CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+}
+
+void relax(Soup& soup, int rounds) {
+  Laplacian_step step(soup);
+  for(int round = 0; round < rounds; ++round)
+    step(0.5);
+}
 
 Soup mesh_of_field(const Field& field, const Request& request, const char* kind) {
   Spacing_search search(field);

@@ -40,6 +40,13 @@ Lattice_mesh lattice_mesh(const Field& field, std::size_t faces);
 /// the second step: the mesh moved onto the surface of the solid.
 Soup fitted(const Lattice_mesh& mesh, const Field& field);
 
+/// moves each vertex half of the way to the mean of its neighbours, `rounds` times.
+void relax(Soup& soup, int rounds);
+
+/// whether triangles of a closed surface meet where they are not neighbours. About as slow as
+/// making a mesh.
+bool crosses_itself(const Soup& soup);
+
 } // namespace generators
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -7,14 +7,11 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "Patched_surface.h"
+#include "Field.h"
 #include "Random.h"
-#include "Rounded_body.h"
-#include "Vertex_stars.h"
+#include "bodies.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
-#include "request_checks.h"
-#include "vertex_normals.h"
 
 #include <CGAL/number_type_config.h>
 

@@ -1,40 +1,21 @@
 # The sources of the generators, relative to this folder.
 set(HTL_GENERATOR_SOURCES
-  Bored_box.cpp
-  bars.cpp
-  chain.cpp
-  closed_tube.cpp
-  crosses_itself.cpp
-  emptiness.cpp
-  foam.cpp
+  closed_tubes.cpp
   generators.cpp
-  interlaced.cpp
-  kinds.cpp
-  grid_surface.cpp
+  grids.cpp
   holes.cpp
-  gyroid.cpp
+  implicit_surfaces.cpp
   isosurface.cpp
-  knot.cpp
   ladder.cpp
-  lattice.cpp
-  marching_table.cpp
   mesh_of_field.cpp
-  multi_torus.cpp
   necks.cpp
   plates.cpp
   random.cpp
-  request_checks.cpp
   scan.cpp
   Shape.cpp
-  shape_kinds.cpp
-  shell.cpp
-  smoothing.cpp
   sphere.cpp
-  sponge.cpp
   Srs_net.cpp
-  torus.cpp
-  torus_link.cpp
-  waves.cpp)
+  tubes.cpp)
 
 # htl_embed_shapes(<output>): the texts in shapes/ as a source.
 function(htl_embed_shapes output)

@@ -9,7 +9,6 @@
 
 #include "Field.h"
 #include "kinds.h"
-#include "request_checks.h"
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,6 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "commands/tool.h"
+#include "commands/command.h"
 
 int main(int argc, char** argv) { return htloops::run_tool(argc, argv); }

@@ -13,8 +13,6 @@
 
 #ifdef HTL_PICTURE_HAS_FONT
 
-#include "font_data.h"
-
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
 #include <stb/stb_truetype.h>

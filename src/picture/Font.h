@@ -31,6 +31,9 @@ struct Mask
 /// a text of ASCII in one row, as high as the font's lines are; empty without a font.
 Mask written(const std::string& text, double height);
 
+/// a TrueType font, as the build found it.
+extern const unsigned char font_data[];
+
 } // namespace htl_picture
 
 #endif // HTL_PICTURE_FONT_H

@@ -1,15 +1,11 @@
 # The sources of the pictures, relative to this folder. They need libpng.
 set(HTL_PICTURE_SOURCES
-  ambient_occlusion.cpp
   Camera.cpp
-  Corner_normals.cpp
   Font.cpp
-  lights.cpp
-  Line_layer.cpp
+  layers.cpp
   picture.cpp
-  Surface_layer.cpp
-  Text_layer.cpp
-  encode_png.cpp)
+  shading.cpp
+  Text_layer.cpp)
 
 # htl_embed_font(<output>): a font as a source.
 function(htl_embed_font output)

@@ -9,10 +9,79 @@
 
 #include "Streams.h"
 
-#include "base64.h"
-#include "deflate.h"
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 
 namespace htl_window {
+namespace {
+
+class Deflation
+{
+public:
+  Deflation() {
+    constexpr int raw_window_bits = -15, memory_level = 9;
+    if(deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, raw_window_bits, memory_level,
+                    Z_DEFAULT_STRATEGY) != Z_OK)
+      throw std::runtime_error("zlib cannot be used");
+  }
+
+  ~Deflation() { deflateEnd(&stream_); }
+
+  Deflation(const Deflation&) = delete;
+  Deflation& operator=(const Deflation&) = delete;
+
+  void add(std::string_view bytes, bool is_last, std::string& result) {
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+    do {
+      constexpr std::size_t step = std::size_t(1) << 18;
+      const std::size_t size = result.size();
+      result.resize(size + step);
+      stream_.next_out = reinterpret_cast<Bytef*>(&result[size]);
+      stream_.avail_out = step;
+      deflate(&stream_, is_last ? Z_FINISH : Z_NO_FLUSH);
+      result.resize(size + step - stream_.avail_out);
+    } while(stream_.avail_out == 0);
+  }
+
+private:
+  z_stream stream_{};
+};
+
+} // namespace
+
+std::string base64_of(std::string_view bytes) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  const auto byte = [bytes](std::size_t i) {
+    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : std::uint32_t(0);
+  };
+  char* out = text.data();
+  for(std::size_t i = 0; i < bytes.size(); i += 3, out += 4) {
+    const std::uint32_t triple = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    const std::size_t filled = (std::min)(bytes.size() - i, std::size_t(3)) + 1;
+    for(std::size_t k = 0; k < filled; ++k)
+      out[k] = digits[triple >> (18 - 6 * k) & 63u];
+  }
+  return text;
+}
+
+std::string deflated(std::string_view bytes) {
+  Deflation deflation;
+  std::string result;
+  constexpr std::size_t longest = (std::numeric_limits<uInt>::max)();
+  do {
+    const std::string_view part = bytes.substr(0, longest);
+    bytes.remove_prefix(part.size());
+    deflation.add(part, bytes.empty(), result);
+  } while(!bytes.empty());
+  return result;
+}
 
 Packed packed(const std::vector<const Stream*>& streams) {
   Packed result;

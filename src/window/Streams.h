@@ -16,9 +16,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace htl_window {
+
+/// bytes as letters, digits, + and / (RFC 4648).
+std::string base64_of(std::string_view bytes);
+
+/// bytes as a stream of RFC 1951, which browsers read as "deflate-raw". Fast rather than small:
+/// what is coded here has been made of small numbers already, which are short words.
+std::string deflated(std::string_view bytes);
 
 /// Numbers one after the other: seven bits in each byte, the least first; the eighth says that more
 /// follow.

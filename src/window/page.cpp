@@ -10,10 +10,10 @@
 #include "Grid.h"
 #include "Streams.h"
 #include "encode_surface.h"
-#include "html_text.h"
 #include "page_texts.h"
-#include "scene_json.h"
 #include "window.h"
+
+#include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <map>
@@ -24,6 +24,78 @@
 
 namespace htl_window {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Scene& scene, const Surface& surface, const Encoded_surface& encoded) {
+  Json json = {{"name", surface.name},
+               {"vertices", encoded.number_of_vertices},
+               {"faces", surface.triangles.size()},
+               {"streams", encoded.streams.lengths},
+               {"colour", scene.surface_colour}};
+  if(!surface.triangle_parts.empty())
+    json["parts"] = surface.part_colours;
+  return json;
+}
+
+Json json_of(const Line_group& group) { return {{"name", group.name}, {"colour", group.colour}}; }
+
+Json json_of(const Line& line) {
+  Json json = {{"points", line.points.size()}, {"closed", line.closed}, {"group", line.group}};
+  if(line.row != no_row)
+    json["row"] = line.row;
+  if(line.surface != every_surface)
+    json["surface"] = line.surface;
+  return json;
+}
+
+Json json_of(const Column& column) { return {{"name", column.name}, {"number", column.is_number}}; }
+
+template <typename Range> Json array_of(const Range& range) {
+  Json array = Json::array();
+  for(const auto& element : range)
+    array.push_back(json_of(element));
+  return array;
+}
+
+// A text that ends the script element in which it stands must not occur in it.
+std::string inside_script(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  for(const char c : json)
+    if(c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  return text;
+}
+
+/// what the scripts of a page are told of a scene, besides the streams.
+std::string scene_json(const Scene& scene,
+                       const Grid& grid,
+                       const std::vector<Encoded_surface>& encoded,
+                       const Packed& lines) {
+  Json surfaces = Json::array();
+  for(std::size_t i = 0; i < encoded.size(); ++i)
+    surfaces.push_back(json_of(scene, scene.surfaces[i], encoded[i]));
+  const Table& table = scene.table;
+  const Json json = {{"name", scene.name},
+                     {"size", grid.size()},
+                     {"view", scene.view},
+                     {"up", scene.up},
+                     {"opacity", scene.opacity},
+                     {"surfaces", surfaces},
+                     {"groups", array_of(scene.groups)},
+                     {"lines", array_of(scene.lines)},
+                     {"lineStreams", lines.lengths},
+                     {"columns", array_of(table.columns)},
+                     {"rows", table.rows},
+                     {"lengths", table.lengths},
+                     {"parts", table.parts},
+                     {"numbers", table.numbers},
+                     {"choice", table.choice}};
+  return inside_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
 Packed encode_lines(const std::vector<Line>& lines, const Grid& grid) {
   Place_streams streams;
@@ -76,6 +148,28 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
 }
 
 } // namespace
+
+std::string html_of(std::string_view text) {
+  std::string html;
+  for(const char c : text)
+    switch(c) {
+    case '&':
+      html += "&amp;";
+      break;
+    case '<':
+      html += "&lt;";
+      break;
+    case '>':
+      html += "&gt;";
+      break;
+    case '"':
+      html += "&quot;";
+      break;
+    default:
+      html += c;
+    }
+  return html;
+}
 
 std::string page_of(const Scene& scene) {
   const Grid grid(scene);

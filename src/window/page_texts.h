@@ -11,9 +11,13 @@
 #define HTL_WINDOW_PAGE_TEXTS_H
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace htl_window {
+
+/// a text with what has a meaning in HTML replaced.
+std::string html_of(std::string_view text);
 
 // The files in page/ as they were when this was built; scripts in their order.
 extern const std::string_view page_html, page_css;

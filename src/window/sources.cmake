@@ -1,12 +1,8 @@
 # The sources of the pages in which surfaces can be turned, relative to this folder. They need zlib and
 # nlohmann-json.
 set(HTL_WINDOW_SOURCES
-  base64.cpp
-  deflate.cpp
   encode_surface.cpp
-  html_text.cpp
   page.cpp
-  scene_json.cpp
   Streams.cpp)
 
 # htl_embed_page(<output>): the files in page/ as a source. Blanks at the beginning of lines and after

@@ -7,17 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/interrupt.h"
+#include "app/solve/boundaries.h"
+#include "app/solve/certification.h"
+#include "app/solve/self_contact.h"
+#include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/common_options.h"
-#include "commands/file_options.h"
-#include "commands/help_style.h"
+#include "commands/help.h"
 #include "commands/loops_file.h"
-#include "commands/mesh_options.h"
-#include "solve/boundaries.h"
-#include "solve/certification.h"
-#include "solve/self_contact.h"
-#include "terminal/interrupt.h"
-#include "write/linking_words.h"
+#include "commands/options.h"
 
 #include <memory>
 

@@ -11,6 +11,7 @@
 #define HTLOOPS_COMMAND_H
 
 #include <functional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -32,6 +33,19 @@ void add_generate_command(CLI::App& app, Command& command);
 
 /// completions for shells, and the manual page.
 void add_help_commands(CLI::App& app, Command& command);
+
+/// How something ended: an exit code, 0 if all is done, and what is said to the user if it is not.
+struct Outcome
+{
+  int exit_code = 0;
+  std::string message;
+};
+
+/// does something and turns what is thrown into an exit code and a message.
+Outcome outcome_of(const std::function<void()>& action);
+
+/// does what the words of a command line say; returns the exit code.
+int run_tool(int argc, char** argv);
 
 } // namespace htloops
 

@@ -7,21 +7,19 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/draw/lines.h"
+#include "app/draw/meshes.h"
+#include "app/failure.h"
+#include "app/solve/cut_solver.h"
+#include "app/solve/dual_cut_solver.h"
+#include "app/solve/stopwatch.h"
+#include "app/words.h"
+#include "app/write/documents.h"
+#include "app/write/mesh_writer.h"
 #include "commands/command.h"
-#include "commands/common_options.h"
-#include "commands/file_options.h"
-#include "commands/help_style.h"
-#include "draw/cut_exports.h"
-#include "draw/export_lines.h"
-#include "failure.h"
-#include "solve/cut_solver.h"
-#include "solve/dual_cut_solver.h"
-#include "solve/stopwatch.h"
-#include "terminal/progress_bar.h"
+#include "commands/help.h"
+#include "commands/options.h"
 #include "terminal/terminal.h"
-#include "words.h"
-#include "write/dual_cuts_json_writer.h"
-#include "write/mesh_writer.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 
@@ -103,23 +101,14 @@ void run(const Cut_command_options& options) {
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
   const char group[] = "What to write";
-  command
-      .add_option("-o,--output", options.opened_file,
-                  "the opened mesh, with a vertex for each side: .off .obj .ply")
-      ->option_text("FILE")
-      ->type_name(output_file)
-      ->group(group);
-  command.add_option("--selection", options.selection_file, "the edges, as a selection of CGAL")
-      ->option_text("FILE.selection.txt")
-      ->type_name(output_file)
-      ->group(group);
-  command
-      .add_option("--dual", options.dual_file,
-                  "for each handle and tunnel loop, and all boundary curves but one of each\n"
-                  "component, a cut that crosses it once and no other")
-      ->option_text("FILE.json")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "-o,--output", options.opened_file, "FILE",
+                    "the opened mesh, with a vertex for each side: .off .obj .ply", group);
+  add_output_option(command, "--selection", options.selection_file, "FILE.selection.txt",
+                    "the edges, as a selection of CGAL", group);
+  add_output_option(command, "--dual", options.dual_file, "FILE.json",
+                    "for each handle and tunnel loop, and all boundary curves but one of each\n"
+                    "component, a cut that crosses it once and no other",
+                    group);
   add_lines_option(command, options, "the edges", group);
   add_picture_options(command, options, "the cut", group, false);
   add_view_options(command, options, group);

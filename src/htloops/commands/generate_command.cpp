@@ -7,17 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/failure.h"
+#include "app/read/input_file.h"
+#include "app/words.h"
+#include "app/write/mesh_writer.h"
 #include "commands/command.h"
-#include "commands/common_options.h"
-#include "commands/file_options.h"
-#include "commands/help_style.h"
-#include "failure.h"
+#include "commands/help.h"
+#include "commands/options.h"
 #include "generators/Shape.h"
 #include "generators/generators.h"
-#include "generators/holes.h"
-#include "read/input_file.h"
-#include "words.h"
-#include "write/mesh_writer.h"
 
 #include <memory>
 #include <stdexcept>

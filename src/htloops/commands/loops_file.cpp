@@ -9,7 +9,7 @@
 
 #include "commands/loops_file.h"
 
-#include "failure.h"
+#include "app/failure.h"
 
 #include <cstddef>
 #include <sstream>

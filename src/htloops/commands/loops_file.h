@@ -10,8 +10,8 @@
 #ifndef HTLOOPS_LOOPS_FILE_H
 #define HTLOOPS_LOOPS_FILE_H
 
-#include "mesh_types.h"
-#include "read/loops_binding.h"
+#include "app/mesh_types.h"
+#include "app/read/loops_reader.h"
 
 #include <string>
 #include <vector>

@@ -9,18 +9,24 @@
 
 #include "commands/loops_options.h"
 
-#include "commands/file_options.h"
-#include "draw/reeb_exports.h"
-#include "failure.h"
-#include "solve/backends.h"
-#include "terminal/progress_bar.h"
+#include "app/draw/meshes.h"
+#include "app/failure.h"
+#include "app/solve/backends.h"
+#include "commands/options.h"
+#include "terminal/terminal.h"
 
 #include <CLI/CLI.hpp>
 
+#include <map>
 #include <utility>
 
 namespace htloops {
 namespace {
+
+const std::map<std::string, Pair_order> orders = {{"size", Pair_order::SIZE},
+                                                  {"length", Pair_order::LENGTH},
+                                                  {"pair", Pair_order::PAIR},
+                                                  {"place", Pair_order::PLACE}};
 
 void add_meshes_argument(CLI::App& command, Loops_options& options) {
   command.add_option("MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl")
@@ -33,29 +39,16 @@ void add_meshes_argument(CLI::App& command, Loops_options& options) {
 void add_output_options(CLI::App& command, Loops_options& options) {
   const char group[] = "What to write";
   add_json_option(command, options, "the loops", group);
-  command.add_option("--csv", options.csv_file, "a row of numbers for each pair")
-      ->option_text("FILE.csv")
-      ->type_name(output_file)
-      ->group(group);
-  command
-      .add_option("--jsonl", options.jsonl_file,
-                  "an object of JSON for each mesh, on a line: genus, sizes, times, error")
-      ->option_text("FILE.jsonl")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--csv", options.csv_file, "FILE.csv",
+                    "a row of numbers for each pair", group);
+  add_output_option(command, "--jsonl", options.jsonl_file, "FILE.jsonl",
+                    "an object of JSON for each mesh, on a line: genus, sizes, times, error",
+                    group);
   add_lines_option(command, options, "the loops", group);
-  command
-      .add_option("--events", options.events_file,
-                  "what happens to the fronts of the first pass, as JSON")
-      ->option_text("FILE.json")
-      ->type_name(output_file)
-      ->group(group);
-  command
-      .add_option("--layers", options.layers_file,
-                  "the mesh with the layers of the first pass, and when its fronts came")
-      ->option_text("FILE.ply")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--events", options.events_file, "FILE.json",
+                    "what happens to the fronts of the first pass, as JSON", group);
+  add_output_option(command, "--layers", options.layers_file, "FILE.ply",
+                    "the mesh with the layers of the first pass, and when its fronts came", group);
   add_picture_options(command, options, "the loops", group);
   add_page_option(command, options, "the mesh and the loops", group);
   add_gltf_option(command, options, "the loops", group);
@@ -123,6 +116,25 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       ->group(group);
 }
 
+void add_listing_options(CLI::App& command, Listing_choice& choice, const std::string& group) {
+  command
+      .add_option("--sort", choice.order,
+                  "size (of the shorter loop), length (of both), pair (the number) or place;\n"
+                  "default: size, the smallest first")
+      ->option_text("KEY")
+      ->check(CLI::IsMember(orders))
+      ->group(group);
+  command
+      .add_option("--shorter-than", choice.shorter_than,
+                  "pairs with a loop that is shorter; %: of the diagonal of the box")
+      ->option_text("L|P%")
+      ->group(group);
+  command.add_option("--longer-than", choice.longer_than, "pairs both loops of which are longer")
+      ->option_text("L|P%")
+      ->group(group);
+  add_box_option(command, choice.box, "pairs")->group(group);
+}
+
 void add_display_options(CLI::App& command, Loops_options& options) {
   const char group[] = "What to show";
   add_listing_options(command, options.listing, group);
@@ -155,7 +167,27 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
                         " is for one mesh; for several there are --jsonl and --csv");
 }
 
+/// throws `Failure` if an option makes no sense.
+void check_listing_choice(const Listing_choice& choice) {
+  if(!choice.shorter_than.empty())
+    parse_length("--shorter-than", choice.shorter_than);
+  if(!choice.longer_than.empty())
+    parse_length("--longer-than", choice.longer_than);
+  box_of(choice.box);
+}
+
 } // namespace
+
+Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh) {
+  Listing_options options;
+  options.order = orders.at(choice.order);
+  if(!choice.shorter_than.empty())
+    options.shorter_than = length_on(mesh, parse_length("--shorter-than", choice.shorter_than));
+  if(!choice.longer_than.empty())
+    options.longer_than = length_on(mesh, parse_length("--longer-than", choice.longer_than));
+  options.box = box_of(choice.box);
+  return options;
+}
 
 void add_loops_options(CLI::App& command, Loops_options& options) {
   add_meshes_argument(command, options);

@@ -10,17 +10,33 @@
 #ifndef HTLOOPS_LOOPS_OPTIONS_H
 #define HTLOOPS_LOOPS_OPTIONS_H
 
-#include "commands/common_options.h"
-#include "commands/listing_choice.h"
-#include "solve/answer.h"
-#include "write/json_writer.h"
+#include "app/solve/answer.h"
+#include "app/write/json_writer.h"
+#include "app/write/pair_listing.h"
+#include "commands/options.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace htloops {
+
+/// The options that say which pairs are shown, drawn and listed, and in which order.
+struct Listing_choice
+{
+  std::string order = "size";
+  std::string shorter_than;
+  std::string longer_than;
+  std::vector<double> box;
+};
+
+/// what was chosen, with percentages of the diagonal of a mesh.
+Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh);
 
 /// The options of `htloops loops`. `mesh_file` is the first of the meshes.
 struct Loops_options : Common_options
@@ -58,6 +74,11 @@ Json json_of(const Loops_options& options);
 
 /// finds the loops of a mesh, with boundary curves, if it has some.
 Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress);
+
+/// finds the loops of meshes, several at once if that is asked for, and tells of each on a line of
+/// its own, in the order in which they were given. Goes on after one that fails; throws `Failure`
+/// with the exit code of the first such in the end.
+void run_on_many_meshes(const Loops_options& options);
 
 } // namespace htloops
 

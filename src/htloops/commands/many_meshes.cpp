@@ -7,15 +7,14 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "commands/many_meshes.h"
+#include "commands/loops_options.h"
 
-#include "commands/outcome.h"
-#include "failure.h"
-#include "solve/stopwatch.h"
-#include "solve/thread_limit.h"
-#include "terminal/interrupt.h"
-#include "write/mesh_lines.h"
-#include "write/pair_csv.h"
+#include "app/failure.h"
+#include "app/interrupt.h"
+#include "app/solve/stopwatch.h"
+#include "app/solve/thread_limit.h"
+#include "app/write/rows.h"
+#include "commands/command.h"
 
 #include <algorithm>
 #include <atomic>

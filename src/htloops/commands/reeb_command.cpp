@@ -7,26 +7,24 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/draw/gltf.h"
+#include "app/draw/lines.h"
+#include "app/draw/meshes.h"
+#include "app/draw/pages.h"
+#include "app/draw/surfaces.h"
+#include "app/failure.h"
+#include "app/read/vertex_data.h"
+#include "app/solve/backends.h"
+#include "app/solve/reeb_solver.h"
+#include "app/solve/stopwatch.h"
+#include "app/words.h"
+#include "app/write/documents.h"
+#include "app/write/files.h"
+#include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/common_options.h"
-#include "commands/file_options.h"
-#include "commands/help_style.h"
-#include "draw/arc_surface.h"
-#include "draw/export_gltf.h"
-#include "draw/export_lines.h"
-#include "draw/reeb_exports.h"
-#include "draw/reeb_page.h"
-#include "failure.h"
-#include "read/values_reader.h"
-#include "solve/backends.h"
-#include "solve/reeb_solver.h"
-#include "solve/stopwatch.h"
-#include "terminal/progress_bar.h"
+#include "commands/help.h"
+#include "commands/options.h"
 #include "terminal/terminal.h"
-#include "words.h"
-#include "write/arc_table.h"
-#include "write/atomic_file.h"
-#include "write/reeb_json_writer.h"
 
 #include <cstdio>
 #include <map>
@@ -180,19 +178,12 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   const char group[] = "What to write";
   add_json_option(command, options, "the graph", group);
   add_lines_option(command, options, "the arcs", group);
-  command.add_option("--graph", options.graph_files, "nodes and arcs: .graphml .dot; repeatable")
-      ->option_text("FILE")
-      ->type_name(output_file)
-      ->allow_extra_args(false)
-      ->group(group);
-  command.add_option("--parts", options.parts_file, "the mesh with vertices coloured by arc")
-      ->option_text("FILE.ply")
-      ->type_name(output_file)
-      ->group(group);
-  command.add_option("--csv", options.csv_file, "a row of numbers for each arc")
-      ->option_text("FILE.csv")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--graph", options.graph_files, "FILE",
+                    "nodes and arcs: .graphml .dot; repeatable", group);
+  add_output_option(command, "--parts", options.parts_file, "FILE.ply",
+                    "the mesh with vertices coloured by arc", group);
+  add_output_option(command, "--csv", options.csv_file, "FILE.csv", "a row of numbers for each arc",
+                    group);
   add_picture_options(command, options, "the graph", group);
   add_page_option(command, options, "the mesh and the graph", group);
   add_gltf_option(command, options, "the arcs", group);

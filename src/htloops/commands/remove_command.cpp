@@ -7,28 +7,23 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "commands/box_option.h"
+#include "app/draw/pages.h"
+#include "app/failure.h"
+#include "app/read/vertex_data.h"
+#include "app/solve/certification.h"
+#include "app/solve/removal_solver.h"
+#include "app/solve/solvers.h"
+#include "app/solve/spread_properties.h"
+#include "app/solve/stopwatch.h"
+#include "app/words.h"
+#include "app/write/documents.h"
+#include "app/write/mesh_writer.h"
+#include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/common_options.h"
-#include "commands/file_options.h"
-#include "commands/help_style.h"
-#include "commands/length_option.h"
+#include "commands/help.h"
 #include "commands/loops_file.h"
-#include "draw/removal_page.h"
-#include "failure.h"
-#include "read/unread_data.h"
-#include "read/vertex_properties_reader.h"
-#include "solve/certification.h"
-#include "solve/removal_solver.h"
-#include "solve/solvers.h"
-#include "solve/spread_properties.h"
-#include "solve/stopwatch.h"
-#include "terminal/progress_bar.h"
+#include "commands/options.h"
 #include "terminal/terminal.h"
-#include "words.h"
-#include "write/mesh_writer.h"
-#include "write/removal_json_writer.h"
-#include "write/removal_table.h"
 
 #include <cstdio>
 #include <map>
@@ -244,17 +239,11 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
 
 void add_output_options(CLI::App& command, Remove_options& options) {
   const char group[] = "What to write";
-  command
-      .add_option("-o,--output", options.result_file,
-                  "the mesh: .off .obj .ply .stl; - is standard output, OFF")
-      ->option_text("OUT")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "-o,--output", options.result_file, "OUT",
+                    "the mesh: .off .obj .ply .stl; - is standard output, OFF", group);
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh")->group(group);
-  command.add_option("--report", options.json_file, "what was done, as JSON")
-      ->option_text("FILE.json")
-      ->type_name(output_file)
-      ->group(group);
+  add_output_option(command, "--report", options.json_file, "FILE.json", "what was done, as JSON",
+                    group);
   add_picture_options(command, options, "the loops of what is removed", group);
   add_page_option(command, options, "the mesh before and after", group);
   add_view_options(command, options, group);

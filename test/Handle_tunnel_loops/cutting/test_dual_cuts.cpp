@@ -8,7 +8,7 @@
 #include "Meshes_of_soups.h"
 
 #include "generators/Random.h"
-#include "generators/holes.h"
+#include "generators/generators.h"
 
 #include <CGAL/boundary_loops.h>
 #include <CGAL/dual_cuts.h>

@@ -1,7 +1,7 @@
 #ifndef HTL_TEST_SMALL_ANSWER_H
 #define HTL_TEST_SMALL_ANSWER_H
 
-#include "htloops/solve/answer.h"
+#include "app/solve/answer.h"
 
 #include <CGAL/boost/graph/generators.h>
 

@@ -10,7 +10,7 @@
 #include "Meshes_of_soups.h"
 
 #include "generators/Random.h"
-#include "generators/holes.h"
+#include "generators/generators.h"
 
 #include <CGAL/Handle_tunnel_loops/loops_as_edges.h>
 #include <CGAL/boundary_loops.h>

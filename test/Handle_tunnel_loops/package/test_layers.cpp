@@ -9,7 +9,7 @@
 #include "Same_loops.h"
 
 #include "generators/Random.h"
-#include "generators/holes.h"
+#include "generators/generators.h"
 
 #ifdef CGAL_EIGEN3_ENABLED
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>

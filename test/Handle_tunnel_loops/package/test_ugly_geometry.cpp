@@ -7,7 +7,7 @@
 #include "Meshes_of_soups.h"
 
 #include "generators/Random.h"
-#include "generators/holes.h"
+#include "generators/generators.h"
 
 #include <gtest/gtest.h>
 

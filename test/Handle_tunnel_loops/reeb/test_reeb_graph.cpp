@@ -5,6 +5,7 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/reeb_arc_shapes.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 #include <CGAL/reeb_graph.h>
@@ -440,6 +441,29 @@ TEST(Reeb_graph, SplitsIntoPolylines) {
     CGAL::split_graph_into_polylines(graph, polylines);
     EXPECT_EQ(polylines.arcs.size(), num_edges(graph));
     EXPECT_EQ(polylines.sizes.size(), num_edges(reeb_of(mesh, height(mesh), options).graph));
+  }
+}
+
+// An arc is on a cycle if there are as many pieces without it. A tube is as thick as it is around.
+TEST(Reeb_arc_shapes, AreThoseOfTheGraph) {
+  Random random(2);
+  for(const std::size_t genus : {1, 3}) {
+    const Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, genus, 0}});
+    for(Function function : {height(mesh), random_function(mesh, random, 50)}) {
+      Reeb reeb = reeb_of(mesh, function);
+      const CGAL::Reeb_arc_shapes shapes =
+          CGAL::reeb_arc_shapes(mesh, reeb.graph, Vector_map<std::size_t>{&reeb.vertex_arc},
+                                Vector_map<double>{&function});
+      for(const auto e : CGAL::make_range(edges(reeb.graph))) {
+        const auto& arc = reeb.graph[e];
+        Graph rest = reeb.graph;
+        boost::remove_edge_if([&](auto other) { return rest[other].index == arc.index; }, rest);
+        EXPECT_EQ(shapes.is_on_cycle[arc.index],
+                  number_of_pieces(rest) == number_of_pieces(reeb.graph));
+        EXPECT_EQ(shapes.radii[arc.index].size(), arc.polyline.size());
+        EXPECT_TRUE(shapes.girths[arc.index] > 0. || arc.vertices.size() < 10);
+      }
+    }
   }
 }
 

@@ -1,9 +1,8 @@
-#include "htloops/write/atomic_file.h"
+#include "app/write/files.h"
 
 #include "Temporary_folder.h"
 
-#include "htloops/failure.h"
-#include "htloops/write/text_writer.h"
+#include "app/failure.h"
 
 #include <gtest/gtest.h>
 

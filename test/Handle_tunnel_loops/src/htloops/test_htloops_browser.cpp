@@ -1,11 +1,11 @@
-#include "htloops/draw/loops_page.h"
+#include "app/draw/pages.h"
 
 #include "Browser.h"
 #include "Meshes_of_soups.h"
 #include "Temporary_folder.h"
 
-#include "htloops/solve/solvers.h"
-#include "htloops/write/loop_colours.h"
+#include "app/solve/solvers.h"
+#include "app/write/tables.h"
 
 #include <gtest/gtest.h>
 

@@ -13,10 +13,12 @@
 #include "Meshes_of_soups.h"
 #include "Number_of_cases.h"
 
-#include "generators/holes.h"
-#include "htloops/solve/boundaries.h"
-#include "htloops/solve/same_class.h"
-#include "htloops/solve/self_contact.h"
+#include "app/solve/boundaries.h"
+#include "app/solve/certification.h"
+#include "app/solve/self_contact.h"
+#include "generators/generators.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -33,6 +35,18 @@ bool touches_itself_by_cgal(const Soup& soup) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
   return CGAL::Polygon_mesh_processing::does_self_intersect(
       ::mesh_of<CGAL::Surface_mesh<Point>>(soup));
+}
+
+using Loop_pairs = std::vector<std::pair<const Loop*, const Loop*>>;
+
+std::vector<std::size_t> pairs_of_different_class(const Mesh& mesh, const Loop_pairs& pairs) {
+  std::vector<const Loop*> loops;
+  for(const auto& [a, b] : pairs)
+    loops.insert(loops.end(), {a, b});
+  CGAL::Handle_tunnel_loops::internal::Loop_certifier certifier(
+      mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh));
+  certifier.set_loops({}, loops);
+  return certifier.pairs_of_different_class({});
 }
 
 Mesh mesh_with_holes(std::size_t genus, std::size_t holes, unsigned seed) {
@@ -84,7 +98,7 @@ TEST(Boundaries_to_check, are_right_as_they_are_found) {
 TEST(Boundaries_to_check, are_of_different_classes) {
   const Mesh mesh = mesh_with_holes(2, 4, 0);
   const Boundaries found = find_boundaries(mesh, true);
-  std::vector<std::pair<const Loop*, const Loop*>> pairs;
+  Loop_pairs pairs;
   std::vector<std::size_t> different;
   for(const Loop& curve : found.curves)
     for(const Loop& waist : found.waists) {

@@ -7,14 +7,12 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "htloops/draw/arc_surface.h"
-#include "htloops/draw/grown_layers.h"
-#include "htloops/draw/layer_mesh.h"
-#include "htloops/draw/tube.h"
-#include "htloops/draw/vectors.h"
-#include "htloops/draw/view.h"
-#include "htloops/solve/reeb_solver.h"
-#include "htloops/solve/solvers.h"
+#include "app/draw/gltf.h"
+#include "app/draw/layers.h"
+#include "app/draw/surfaces.h"
+#include "app/draw/view.h"
+#include "app/solve/reeb_solver.h"
+#include "app/solve/solvers.h"
 
 #include "Meshes_of_soups.h"
 

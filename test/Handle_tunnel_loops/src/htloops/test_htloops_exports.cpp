@@ -1,12 +1,12 @@
-#include "htloops/draw/export_lines.h"
+#include "app/draw/lines.h"
 
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
-#include "htloops/failure.h"
-#include "htloops/read/soup_reader.h"
-#include "htloops/write/mesh_writer.h"
-#include "htloops/write/pair_table.h"
+#include "app/failure.h"
+#include "app/read/soup_reader.h"
+#include "app/write/mesh_writer.h"
+#include "app/write/tables.h"
 
 #include <gtest/gtest.h>
 

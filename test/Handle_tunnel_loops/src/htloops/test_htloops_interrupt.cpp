@@ -1,12 +1,12 @@
-#include "htloops/terminal/interrupt.h"
+#include "app/interrupt.h"
 
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
-#include "htloops/draw/picture_export.h"
-#include "htloops/failure.h"
-#include "htloops/read/input_file.h"
-#include "htloops/write/text_writer.h"
+#include "app/draw/pictures.h"
+#include "app/failure.h"
+#include "app/read/input_file.h"
+#include "app/write/files.h"
 
 #include <gtest/gtest.h>
 

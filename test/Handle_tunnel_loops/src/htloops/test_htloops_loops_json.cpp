@@ -1,11 +1,10 @@
-#include "htloops/write/loops_json_writer.h"
+#include "app/write/documents.h"
 
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
-#include "htloops/failure.h"
-#include "htloops/read/loops_binding.h"
-#include "htloops/read/loops_json_reader.h"
+#include "app/failure.h"
+#include "app/read/loops_reader.h"
 
 #include <nlohmann/json.hpp>
 

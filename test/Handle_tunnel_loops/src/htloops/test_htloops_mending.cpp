@@ -1,12 +1,11 @@
 // What --triangulate and --repair do to a soup.
 
-#include "htloops/mend/mending.h"
+#include "app/mend/mending.h"
 
+#include "app/mend/mesh_reader.h"
+#include "app/mend/steps.h"
+#include "app/read/soup_diagnosis.h"
 #include "generators/generators.h"
-#include "htloops/mend/polygon_triangulation.h"
-#include "htloops/mend/polygons.h"
-#include "htloops/mend/remedy_words.h"
-#include "htloops/read/soup_diagnosis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,16 @@
 // The file that `htloops cut -o` writes, judged by what is in it: faces as numbers of vertices.
 
-#include "htloops/draw/cut_exports.h"
+#include "app/draw/meshes.h"
 
 #include "Mesh_corpus.h"
 #include "Meshes_of_soups.h"
 #include "Temporary_folder.h"
 
-#include "generators/holes.h"
-#include "htloops/mend/mesh_reader.h"
-#include "htloops/read/soup_reader.h"
-#include "htloops/solve/cut_solver.h"
-#include "htloops/write/mesh_writer.h"
+#include "app/mend/mesh_reader.h"
+#include "app/read/soup_reader.h"
+#include "app/solve/cut_solver.h"
+#include "app/write/mesh_writer.h"
+#include "generators/generators.h"
 
 #include <gtest/gtest.h>
 

@@ -1,19 +1,15 @@
-#include "htloops/write/dual_cuts_json_writer.h"
-#include "htloops/write/events_writer.h"
-#include "htloops/write/loops_json_writer.h"
-#include "htloops/write/mesh_lines.h"
-#include "htloops/write/reeb_json_writer.h"
-#include "htloops/write/removal_json_writer.h"
+#include "app/write/documents.h"
+#include "app/write/rows.h"
 
 #include "Meshes_of_soups.h"
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
-#include "generators/holes.h"
-#include "htloops/solve/dual_cut_solver.h"
-#include "htloops/solve/reeb_solver.h"
-#include "htloops/solve/removal_solver.h"
-#include "htloops/solve/solvers.h"
+#include "app/solve/dual_cut_solver.h"
+#include "app/solve/reeb_solver.h"
+#include "app/solve/removal_solver.h"
+#include "app/solve/solvers.h"
+#include "generators/generators.h"
 
 #include <gtest/gtest.h>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>

@@ -1,6 +1,4 @@
-#include "htloops/read/soup_diagnosis.h"
-
-#include "htloops/read/mesh_builder.h"
+#include "app/read/soup_diagnosis.h"
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -1,10 +1,10 @@
-#include "htloops/read/soup_reader.h"
+#include "app/read/soup_reader.h"
 
 #include "Mesh_corpus.h"
 #include "Temporary_folder.h"
 
-#include "htloops/failure.h"
-#include "htloops/read/soup_diagnosis.h"
+#include "app/failure.h"
+#include "app/read/soup_diagnosis.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 

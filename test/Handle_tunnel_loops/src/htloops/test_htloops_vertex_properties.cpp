@@ -1,11 +1,10 @@
-#include "htloops/read/vertex_properties_reader.h"
+#include "app/read/vertex_data.h"
 
 #include "Temporary_folder.h"
 
-#include "htloops/mend/mesh_reader.h"
-#include "htloops/read/unread_data.h"
-#include "htloops/solve/spread_properties.h"
-#include "htloops/write/mesh_writer.h"
+#include "app/mend/mesh_reader.h"
+#include "app/solve/spread_properties.h"
+#include "app/write/mesh_writer.h"
 
 #include <gtest/gtest.h>
 

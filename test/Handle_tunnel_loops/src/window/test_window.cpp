@@ -1,10 +1,7 @@
 #include "window/window.h"
 
 #include "window/Streams.h"
-#include "window/base64.h"
-#include "window/deflate.h"
 #include "window/encode_surface.h"
-#include "window/html_text.h"
 #include "window/page_texts.h"
 
 #include <gtest/gtest.h>

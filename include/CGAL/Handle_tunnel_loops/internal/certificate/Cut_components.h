@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Concurrent_disjoint_sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -29,8 +30,9 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// The pieces into which a closed triangle mesh falls when it is cut along some of its edges: sets
-/// of faces. Almost linear in the size of the mesh.
+/// The pieces into which a triangle mesh falls when it is cut along some of its edges: sets of
+/// faces, one of which is the outside where the mesh has a boundary. Almost linear in the size of
+/// the mesh.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Cut_components
 {
@@ -64,18 +66,21 @@ public:
       sets_.unite(index(face(h, tm_)), index(face(opposite(h, tm_), tm_)));
     });
     pieces_ = sets_.flatten(execution);
+    if(pieces_.back() == outside_)
+      pieces_.pop_back();
     CGAL_expensive_postcondition(std::is_sorted(pieces_.begin(), pieces_.end()));
   }
 
-  /// the number of the piece of a face, any number.
+  /// the number of the piece of a face or, of the null face, the outside; any number.
   Index piece(face_descriptor f) const { return sets_.label(index(f)); }
 
-  /// the numbers of all pieces, in ascending order.
+  /// the numbers of all pieces of the surface, in ascending order.
   const std::vector<Index>& pieces() const { return pieces_; }
 
   /// replaces the number of each piece by `number(piece)`; to be called once.
   template <typename Function> void renumber(Execution execution, const Function& number) {
-    sets_.relabel(execution, number);
+    sets_.relabel(execution,
+                  [&](Index piece) { return piece == outside_ ? piece : number(piece); });
   }
 
   /// without isolated ones.
@@ -85,7 +90,9 @@ public:
 
 private:
   Index index(vertex_descriptor v) const { return static_cast<Index>(get(vertex_index_, v)); }
-  Index index(face_descriptor f) const { return static_cast<Index>(get(face_index_, f)); }
+  Index index(face_descriptor f) const {
+    return f == Graph_traits::null_face() ? outside_ : static_cast<Index>(get(face_index_, f));
+  }
 
   // What is found of a part of the vertices or the faces. Indices may leave gaps.
   struct Extent
@@ -121,9 +128,11 @@ private:
   void insert_faces(Execution execution) {
     const auto all = parts_of(faces(tm_));
     number_of_faces_ = all.size();
-    sets_ = Concurrent_disjoint_sets(
-        execution, extent(execution, all, [](face_descriptor) { return true; }).bound);
+    outside_ =
+        static_cast<Index>(extent(execution, all, [](face_descriptor) { return true; }).bound);
+    sets_ = Concurrent_disjoint_sets(execution, std::size_t(outside_) + 1);
     all.for_each(execution, [this](face_descriptor f) { sets_.insert(index(f)); });
+    sets_.insert(outside_);
   }
 
   const TriangleMesh& tm_;
@@ -133,6 +142,7 @@ private:
   std::vector<char> is_end_;      // by vertex
   Concurrent_disjoint_sets sets_; // of faces
   std::vector<Index> pieces_;     // the roots of the sets
+  Index outside_ = no_index;      // beyond all faces
 };
 
 } // namespace internal

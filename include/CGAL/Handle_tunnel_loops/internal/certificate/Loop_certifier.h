@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Cut_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -32,6 +33,12 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// the end of its edge that a step is at; if it is at neither, the source.
+template <typename Step, typename TriangleMesh>
+auto nearest_end(const Step& step, const TriangleMesh& tm) {
+  return step.ratio == 1. ? target(step.halfedge, tm) : source(step.halfedge, tm);
+}
 
 /*!
 Decides whether loops on a closed triangle mesh are closed curves on it and a basis of its first
@@ -85,9 +92,7 @@ public:
 
   /// cuts the surface along the loops; to be called once, before what follows.
   void cut(Execution execution) {
-    used_edges_ = add_up_chains(execution, chains_);
-    find_pieces(execution);
-    keep_distinct_edges(execution, chains_, used_edges_);
+    cut_to_pieces(execution);
     number_components(execution);
   }
 
@@ -111,6 +116,19 @@ public:
     const std::vector<std::string> reasons = why_no_basis(number_of_loops_, chains_, used_edges_);
     failures_.insert(failures_.end(), reasons.begin(), reasons.end());
     return reasons.empty();
+  }
+
+  /// the numbers of those pairs of loops, 2k and 2k + 1, that are not homologous over the integers,
+  /// as they are directed: of which the difference does not bound. In place of `cut()`. The surface
+  /// may have a boundary.
+  std::vector<std::size_t> pairs_of_different_class(Execution execution) {
+    for(Chain_entry& entry : chains_) {
+      if(entry.loop % 2 == 1)
+        entry.value = -entry.value;
+      entry.loop /= 2;
+    }
+    cut_to_pieces(execution);
+    return loops_that_do_not_bound(number_of_loops_ / 2, chains_, used_edges_);
   }
 
 private:
@@ -151,15 +169,11 @@ private:
     }
   }
 
-  template <typename Step> vertex_descriptor nearest_end(const Step& step) const {
-    return step.ratio == 1. ? target(step.halfedge, tm_) : source(step.halfedge, tm_);
-  }
-
   template <typename Step> bool lies_on(const Step& step, face_descriptor f) const {
     if(!step.is_vertex())
       return face(step.halfedge, tm_) == f || face(opposite(step.halfedge, tm_), tm_) == f;
     for(halfedge_descriptor h : halfedges_around_face(halfedge(f, tm_), tm_))
-      if(target(h, tm_) == nearest_end(step))
+      if(target(h, tm_) == nearest_end(step, tm_))
         return true;
     return false;
   }
@@ -170,7 +184,7 @@ private:
     };
     if(!a.is_vertex())
       return meets(a.halfedge) || meets(opposite(a.halfedge, tm_));
-    for(halfedge_descriptor h : halfedges_around_target(nearest_end(a), tm_))
+    for(halfedge_descriptor h : halfedges_around_target(nearest_end(a, tm_), tm_))
       if(meets(h))
         return true;
     return false;
@@ -185,17 +199,13 @@ private:
     const auto& steps = loop.steps();
     if(steps.empty())
       return;
-    std::uint32_t u = index(nearest_end(steps.back()));
+    std::uint32_t u = index(nearest_end(steps.back(), tm_));
     for(const auto& step : steps) {
-      const std::uint32_t v = index(nearest_end(step));
+      const std::uint32_t v = index(nearest_end(step, tm_));
       if(u != v)
         chain.push_back({edge_key(u, v), static_cast<std::uint32_t>(number), u < v ? 1 : -1});
       u = v;
     }
-  }
-
-  static std::uint64_t edge_key(std::uint64_t u, std::uint64_t v) {
-    return u < v ? u << 32 | v : v << 32 | u;
   }
 
   // The number of an edge, or that of edges if there is none.
@@ -208,6 +218,12 @@ private:
   }
 
   // ---- the pieces into which the used edges cut the surface
+
+  void cut_to_pieces(Execution execution) {
+    used_edges_ = add_up_chains(execution, chains_);
+    find_pieces(execution);
+    keep_distinct_edges(execution, chains_, used_edges_);
+  }
 
   void find_pieces(Execution execution) {
     CGAL_expensive_assertion(

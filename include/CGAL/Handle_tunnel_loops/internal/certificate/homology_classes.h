@@ -60,6 +60,13 @@ CGAL_HTL_CORE void keep_distinct_edges(Execution execution,
                                        const std::vector<Chain_entry>& chains,
                                        std::vector<Used_edge>& edges);
 
+/// the numbers of those loops that do not bound, in ascending order: a loop bounds if it meets all
+/// closed dual curves as often from the left as from the right.
+CGAL_HTL_CORE std::vector<std::size_t>
+loops_that_do_not_bound(std::size_t number_of_loops,
+                        const std::vector<Chain_entry>& chains,
+                        const std::vector<Used_edge>& edges);
+
 /// in words, why loops are no basis, as many as there should be; nothing if they are one. See
 /// `Loop_certifier`.
 CGAL_HTL_CORE std::vector<std::string> why_no_basis(std::size_t number_of_loops,

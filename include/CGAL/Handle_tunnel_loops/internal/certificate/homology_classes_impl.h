@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -29,7 +30,7 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Decides whether the classes of loops are a basis; see `Loop_certifier`.
+/// Decides whether loops bound, and whether their classes are a basis; see `Loop_certifier`.
 class Homology_classes
 {
   using Row = Integer_lattice::Row;
@@ -42,11 +43,21 @@ public:
       , chains_(chains)
       , edges_(edges) {
     find_potentials();
-    span_everything();
+  }
+
+  std::set<std::size_t> loops_that_do_not_bound() const {
+    std::set<std::size_t> loops;
+    for(const Row& row : rows_of_generators())
+      for(const auto& loop_and_value : row)
+        loops.insert(loop_and_value.first);
+    return loops;
   }
 
   /// in words.
-  std::vector<std::string> take_failures() { return std::move(failures_); }
+  std::vector<std::string> why_no_basis() {
+    span_everything();
+    return std::move(failures_);
+  }
 
 private:
   void fail(const std::string& message) { failures_.push_back(message); }
@@ -223,10 +234,19 @@ CGAL_HTL_CORE void keep_distinct_edges(Execution execution,
               edges.end());
 }
 
+CGAL_HTL_CORE std::vector<std::size_t>
+loops_that_do_not_bound(std::size_t number_of_loops,
+                        const std::vector<Chain_entry>& chains,
+                        const std::vector<Used_edge>& edges) {
+  const std::set<std::size_t> loops =
+      Homology_classes(number_of_loops, chains, edges).loops_that_do_not_bound();
+  return {loops.begin(), loops.end()};
+}
+
 CGAL_HTL_CORE std::vector<std::string> why_no_basis(std::size_t number_of_loops,
                                                     const std::vector<Chain_entry>& chains,
                                                     const std::vector<Used_edge>& edges) {
-  return Homology_classes(number_of_loops, chains, edges).take_failures();
+  return Homology_classes(number_of_loops, chains, edges).why_no_basis();
 }
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Even_axes.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -180,8 +181,7 @@ private:
   }
 
   std::uint64_t key(halfedge_descriptor h) const {
-    const std::uint64_t u = number_of(source(h, tm_)), v = number_of(target(h, tm_));
-    return u < v ? u << 32 | v : v << 32 | u;
+    return edge_key(number_of(source(h, tm_)), number_of(target(h, tm_)));
   }
 
   // In the order in which the walks pass them first.

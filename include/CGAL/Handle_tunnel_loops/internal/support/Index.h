@@ -27,6 +27,11 @@ constexpr Index no_index = (std::numeric_limits<Index>::max)();
 /// mispredicted branch costs as much as the work itself.
 constexpr Index stencil_width = 8;
 
+/// the same number for both directions of an edge, by the numbers of its ends.
+constexpr std::uint64_t edge_key(std::uint64_t u, std::uint64_t v) {
+  return u < v ? u << 32 | v : v << 32 | u;
+}
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

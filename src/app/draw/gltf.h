@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_GLTF_H
+#define HTLOOPS_GLTF_H
+
+#include "draw/lines.h"
+#include "draw/surfaces.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// Triangles with a normal for each point.
+struct Smooth_surface
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 3>> normals;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// the tube of a radius around a line, eight-sided; that of an open line is open at its ends.
+Smooth_surface
+tube_around(const std::vector<std::array<double, 3>>& line, bool is_closed, double radius);
+
+/// writes a surface and tubes around lines as a binary file of glTF 2.0, each line a node with its
+/// name. Throws `Failure` if the surface is too large or too small for the numbers of that format.
+void export_gltf(const std::string& file,
+                 const Drawn_surface& surface,
+                 const Exported_lines& lines);
+
+/// throws `Failure` unless the name of a file ends in .glb.
+void check_gltf_format(const std::string& file);
+
+} // namespace htloops
+
+#endif // HTLOOPS_GLTF_H

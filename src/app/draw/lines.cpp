@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "draw/lines.h"
+
+#include "write/files.h"
+#include "write/tables.h"
+
+namespace htloops {
+namespace {
+
+void add_lines(Exported_lines& lines, const Pair& pair, std::size_t index) {
+  for(const CGAL::Loop_type type : loop_types)
+    lines.lines.push_back({pair.loop(type).points(), true, colour_of(type), name_of(type),
+                           type == CGAL::Loop_type::HANDLE ? 0 : 1, index,
+                           pair.loop(type).length()});
+}
+
+// The lines as vertices and edges with a colour per vertex.
+void write_lines_ply(Text_writer& out, const Exported_lines& lines) {
+  out << "ply\nformat ascii 1.0\ncomment " << lines.title << "\nelement vertex "
+      << lines.number_of_points()
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+         "property uchar red\nproperty uchar green\nproperty uchar blue\nelement edge "
+      << lines.number_of_edges() << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  for(const Exported_line& line : lines.lines) {
+    const auto [red, green, blue] = line.colour;
+    for(const Point& point : line.points)
+      out << point << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << '\n';
+  }
+  std::size_t first = 0;
+  for(const Exported_line& line : lines.lines) {
+    for(std::size_t i = 0; i < line.number_of_edges(); ++i)
+      out << first + i << ' ' << first + (i + 1) % line.points.size() << '\n';
+    first += line.points.size();
+  }
+}
+
+// The lines as line elements, each an object with a name.
+void write_lines_obj(Text_writer& out, const Exported_lines& lines) {
+  out << "# " << lines.title << '\n';
+  std::size_t first = 1;
+  for(const Exported_line& line : lines.lines) {
+    out << "o " << line.kind << '_' << line.index << '\n';
+    for(const Point& point : line.points) {
+      out << "v " << point;
+      for(const unsigned char part : line.colour)
+        out << ' ' << part / 255.;
+      out << '\n';
+    }
+    out << 'l';
+    for(std::size_t i = 0; i < line.points.size(); ++i)
+      out << ' ' << first + i;
+    if(line.is_closed)
+      out << ' ' << first;
+    out << '\n';
+    first += line.points.size();
+  }
+}
+
+// The lines as CGAL writes polylines: one per line, of a closed one the first point again at the
+// end.
+void write_lines_polylines(Text_writer& out, const Exported_lines& lines) {
+  for(const Exported_line& line : lines.lines) {
+    out << line.number_of_edges() + 1;
+    for(const Point& point : line.points)
+      out << ' ' << point;
+    if(line.is_closed)
+      out << ' ' << line.points.front();
+    out << '\n';
+  }
+}
+
+class Vtp_writer
+{
+public:
+  Vtp_writer(Text_writer& out, const Exported_lines& lines)
+      : out_(out)
+      , lines_(lines) {}
+
+  void write() {
+    out_ << "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+            "<Piece NumberOfPoints=\""
+         << lines_.number_of_points() << "\" NumberOfVerts=\"0\" NumberOfLines=\""
+         << lines_.lines.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+    write_points();
+    write_lines();
+    write_data();
+    out_ << "</Piece>\n</PolyData>\n</VTKFile>\n";
+  }
+
+private:
+  void begin_array(const char* type, const std::string& name, const char* more = "") {
+    out_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"" << more
+         << " format=\"ascii\">\n";
+  }
+
+  void end_array() { out_ << "</DataArray>\n"; }
+
+  // an array with one value per line, the result of `value(line)`.
+  template <typename Value>
+  void write_array(const char* type, const std::string& name, const Value& value) {
+    begin_array(type, name);
+    for(const Exported_line& line : lines_.lines)
+      out_ << value(line) << '\n';
+    end_array();
+  }
+
+  void write_points() {
+    out_ << "<Points>\n";
+    begin_array("Float64", "Points", " NumberOfComponents=\"3\"");
+    for(const Exported_line& line : lines_.lines)
+      for(const Point& point : line.points)
+        out_ << point << '\n';
+    end_array();
+    out_ << "</Points>\n";
+  }
+
+  // A closed line names its first point again at the end.
+  void write_lines() {
+    out_ << "<Lines>\n";
+    begin_array("Int64", "connectivity");
+    std::size_t first = 0;
+    for(const Exported_line& line : lines_.lines) {
+      for(std::size_t i = 0; i <= line.number_of_edges(); ++i)
+        out_ << first + i % line.points.size() << (i < line.number_of_edges() ? ' ' : '\n');
+      first += line.points.size();
+    }
+    end_array();
+    std::size_t end = 0;
+    write_array("Int64", "offsets",
+                [&end](const Exported_line& line) { return end += line.number_of_edges() + 1; });
+    out_ << "</Lines>\n";
+  }
+
+  void write_data() {
+    out_ << "<CellData Scalars=\"kind\">\n";
+    write_array("UInt8", "kind", [](const Exported_line& line) { return line.kind_number; });
+    write_array("Int64", lines_.index_name, [](const Exported_line& line) { return line.index; });
+    write_array("Float64", "length", [](const Exported_line& line) { return line.length; });
+    out_ << "</CellData>\n";
+  }
+
+  Text_writer& out_;
+  const Exported_lines& lines_;
+};
+
+/// the lines as lines of a VTK PolyData with their kind, index and length.
+void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
+  Vtp_writer(out, lines).write();
+}
+
+constexpr File_format<void(Text_writer&, const Exported_lines&)> line_formats[] = {
+    {".ply", write_lines_ply},
+    {".obj", write_lines_obj},
+    {".polylines.txt", write_lines_polylines},
+    {".vtp", write_lines_vtp},
+};
+
+} // namespace
+
+std::size_t Exported_lines::number_of_points() const {
+  std::size_t count = 0;
+  for(const Exported_line& line : lines)
+    count += line.points.size();
+  return count;
+}
+
+std::size_t Exported_lines::number_of_edges() const {
+  std::size_t count = 0;
+  for(const Exported_line& line : lines)
+    count += line.number_of_edges();
+  return count;
+}
+
+Exported_lines lines_of(const Pairs& pairs) {
+  Exported_lines result = {"handle and tunnel loops", "pair", {}};
+  for(const Pair& pair : pairs)
+    add_lines(result, pair, pair.handle().pair_index());
+  return result;
+}
+
+Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
+  Exported_lines result = {"handle and tunnel loops", "pair", {}};
+  for(const Listed_pair& listed : listing)
+    add_lines(result, answer.pairs[listed.pair], listed.pair);
+  const auto add = [&result](const std::vector<Loop>& loops, const auto& colour, const char* kind,
+                             int number) {
+    for(const Loop& loop : loops)
+      result.lines.push_back({loop.points(), true, colour, kind, number, loop.pair_index(),
+                              loop.length(), false, false});
+  };
+  add(answer.boundaries.curves, colour_of_boundary_curve, "boundary", 2);
+  add(answer.boundaries.waists, colour_of(CGAL::Loop_type::BOUNDARY), "waist", 3);
+  return result;
+}
+
+void check_lines_format(const std::string& file) { format_of(file, line_formats); }
+
+void export_lines(const std::string& file, const Exported_lines& lines) {
+  write_file(file, line_formats, lines);
+}
+
+} // namespace htloops

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_LINES_H
+#define HTLOOPS_LINES_H
+
+#include "mesh_types.h"
+#include "solve/answer.h"
+#include "write/files.h"
+#include "write/pair_listing.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// A polyline that is written to a file or drawn.
+struct Exported_line
+{
+  std::vector<Point> points; ///< of a closed line, the first is not repeated
+  bool is_closed = false;
+  std::array<unsigned char, 3> colour = {0, 0, 0};
+  std::string kind;      ///< a word
+  int kind_number = 0;   ///< the same as a number
+  std::size_t index = 0; ///< of what it stands for
+  double length = 0.;
+  bool is_outlined = false; ///< in pictures, as it has a dark surface below
+  bool is_numbered = true;  ///< in pictures with labels
+
+  /// as a closed line has one more edge than an open one.
+  std::size_t number_of_edges() const { return points.size() - (is_closed ? 0 : 1); }
+};
+
+/// Lines of one sort, and what is said about them in files.
+struct Exported_lines
+{
+  std::string title;
+  std::string index_name;
+  std::vector<Exported_line> lines;
+
+  std::size_t number_of_points() const;
+  std::size_t number_of_edges() const;
+};
+
+/// the loops of pairs, which know their numbers; the kind of a handle is 0, that of a tunnel 1.
+Exported_lines lines_of(const Pairs& pairs);
+
+/// those of the listed pairs; and the boundary curves, of kind 2, and their waists, of kind 3, if
+/// there are any. In pictures only pairs are numbered.
+Exported_lines lines_of(const Answer& answer, const Pair_listing& listing);
+
+/// writes the coordinates of a point, with blanks between them.
+inline Text_writer& operator<<(Text_writer& out, const Point& point) {
+  return out << point.x() << ' ' << point.y() << ' ' << point.z();
+}
+
+/// throws `Failure` if the name of a file does not tell a format that lines can be written in.
+void check_lines_format(const std::string& file);
+
+/// writes lines, in the format that the name of the file tells.
+void export_lines(const std::string& file, const Exported_lines& lines);
+
+} // namespace htloops
+
+#endif // HTLOOPS_LINES_H

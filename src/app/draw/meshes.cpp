@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "draw/meshes.h"
+
+#include "draw/lines.h"
+#include "write/files.h"
+#include "write/mesh_writer.h"
+
+namespace htloops {
+namespace {
+
+namespace generators = CGAL::Handle_tunnel_loops::generators;
+
+void write_selection(Text_writer& out, const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
+  out << "\n\n";
+  const char* blank = "";
+  for(const Mesh::Edge_index e : cut) {
+    out << blank << mesh.vertex(e, 0).idx() << ' ' << mesh.vertex(e, 1).idx();
+    blank = " ";
+  }
+  out << '\n';
+}
+
+constexpr File_format<void(Text_writer&, const Mesh&, const std::vector<Mesh::Edge_index>&)>
+    selection_formats[] = {
+        {".selection.txt", write_selection},
+};
+
+// Whether a corner of the opened mesh begins at a halfedge, in the order around its target: behind
+// the cut, or behind the gap between two halfedges of the border.
+bool begins_corner(const Mesh& mesh, Mesh::Halfedge_index h, const std::vector<char>& is_cut) {
+  return !mesh.is_border(h) && (is_cut[mesh.edge(h).idx()] || mesh.is_border(mesh.opposite(h)));
+}
+
+// Gives numbers to the copies of a vertex: a halfedge that leads to it has that of its corner.
+void number_copies(const Mesh& mesh,
+                   Mesh::Vertex_index v,
+                   const std::vector<char>& is_cut,
+                   std::vector<std::uint32_t>& copy,
+                   generators::Soup& soup) {
+  const Mesh::Halfedge_index some = mesh.halfedge(v);
+  Mesh::Halfedge_index first = some;
+  while(!begins_corner(mesh, first, is_cut)) {
+    first = mesh.next_around_target(first);
+    if(first == some)
+      break; // there is one corner only
+  }
+  std::uint32_t number = static_cast<std::uint32_t>(v.idx());
+  Mesh::Halfedge_index h = first;
+  do {
+    if(h != first && begins_corner(mesh, h, is_cut)) {
+      number = static_cast<std::uint32_t>(soup.points.size());
+      soup.points.push_back(soup.points[v.idx()]);
+    }
+    copy[h.idx()] = number;
+    h = mesh.next_around_target(h);
+  } while(h != first);
+}
+
+void write_graphml(Text_writer& out, const Reeb_answer& answer) {
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n";
+  const auto declare = [&out](const char* id, const char* target, const char* type) {
+    out << "<key id=\"" << id << "\" for=\"" << target << "\" attr.name=\"" << id
+        << "\" attr.type=\"" << type << "\"/>\n";
+  };
+  declare("type", "node", "string");
+  declare("vertex", "node", "int");
+  for(const char* name : {"value", "x", "y", "z"})
+    declare(name, "node", "double");
+  declare("arc", "edge", "int");
+  declare("vertex_count", "edge", "int");
+  declare("length", "edge", "double");
+  const auto data = [&out](const char* key, const auto& value) {
+    out << "<data key=\"" << key << "\">" << value << "</data>";
+  };
+  out << "<graph edgedefault=\"undirected\">\n";
+  for(const auto v : CGAL::make_range(vertices(answer.graph))) {
+    const auto& node = answer.graph[v];
+    out << "<node id=\"n" << v << "\">";
+    data("type", name_of(node.type));
+    data("vertex", node.vertex.idx());
+    data("value", node.value);
+    data("x", node.point.x());
+    data("y", node.point.y());
+    data("z", node.point.z());
+    out << "</node>\n";
+  }
+  for(const auto e : CGAL::make_range(edges(answer.graph))) {
+    const auto& arc = answer.graph[e];
+    out << "<edge source=\"n" << source(e, answer.graph) << "\" target=\"n"
+        << target(e, answer.graph) << "\">";
+    data("arc", arc.index);
+    data("vertex_count", arc.vertices.size());
+    data("length", arc.length);
+    out << "</edge>\n";
+  }
+  out << "</graph>\n</graphml>\n";
+}
+
+// Numbers stand in quotes, as DOT knows none with an exponent.
+void write_dot(Text_writer& out, const Reeb_answer& answer) {
+  out << "graph reeb {\n";
+  for(const auto v : CGAL::make_range(vertices(answer.graph))) {
+    const auto& node = answer.graph[v];
+    out << "  " << v << " [type=" << name_of(node.type) << ", vertex=" << node.vertex.idx()
+        << ", value=\"" << node.value << "\", position=\"" << node.point << "\"];\n";
+  }
+  for(const auto e : CGAL::make_range(edges(answer.graph))) {
+    const auto& arc = answer.graph[e];
+    out << "  " << source(e, answer.graph) << " -- " << target(e, answer.graph)
+        << " [arc=" << arc.index << ", vertex_count=" << arc.vertices.size() << ", length=\""
+        << arc.length << "\"];\n";
+  }
+  out << "}\n";
+}
+
+void write_coloured_ply(Text_writer& out, const Mesh& mesh, const Reeb_answer& answer) {
+  out << "ply\nformat ascii 1.0\ncomment parts of a Reeb graph\nelement vertex "
+      << mesh.number_of_vertices()
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+         "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int arc\n"
+         "element face "
+      << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const std::size_t arc = answer.vertex_arc[v.idx()];
+    const bool is_isolated = arc == Reeb_answer::no_arc;
+    const auto [red, green, blue] = colour_of_arc(is_isolated ? 0 : arc);
+    out << mesh.point(v) << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << ' '
+        << (is_isolated ? -1ll : static_cast<long long>(arc)) << '\n';
+  }
+  for(const Mesh::Face_index f : mesh.faces()) {
+    out << '3';
+    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      out << ' ' << v.idx();
+    out << '\n';
+  }
+}
+
+constexpr File_format<void(Text_writer&, const Reeb_answer&)> graph_formats[] = {
+    {".graphml", write_graphml},
+    {".dot", write_dot},
+};
+
+constexpr File_format<void(Text_writer&, const Mesh&, const Reeb_answer&)> coloured_mesh_formats[] =
+    {
+        {".ply", write_coloured_ply},
+};
+
+} // namespace
+
+void check_opened_mesh_format(const std::string& file) {
+  check_mesh_format(file);
+  if(boost::algorithm::iends_with(file, ".stl"))
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "cannot write " + file +
+                      ": STL knows points only, the cut would be closed again");
+}
+
+generators::Soup opened_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
+  std::vector<char> is_cut(mesh.number_of_edges(), 0);
+  for(const Mesh::Edge_index e : cut)
+    is_cut[e.idx()] = 1;
+  generators::Soup soup;
+  for(const Point& p : mesh.points())
+    soup.points.push_back({p.x(), p.y(), p.z()});
+  std::vector<std::uint32_t> copy(mesh.number_of_halfedges());
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v))
+      number_copies(mesh, v, is_cut, copy, soup);
+  for(const Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    soup.triangles.push_back({copy[mesh.prev(h).idx()], copy[h.idx()], copy[mesh.next(h).idx()]});
+  }
+  return soup;
+}
+
+Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
+  Exported_lines result = {"cut", "edge", {}};
+  for(const Mesh::Edge_index e : cut) {
+    Exported_line line;
+    line.points = {mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))};
+    line.colour = {200, 30, 30};
+    line.kind = "cut";
+    line.index = e.idx();
+    result.lines.push_back(line);
+  }
+  return result;
+}
+
+void check_selection_format(const std::string& file) { format_of(file, selection_formats); }
+
+void export_selection(const std::string& file,
+                      const Mesh& mesh,
+                      const std::vector<Mesh::Edge_index>& cut) {
+  write_file(file, selection_formats, mesh, cut);
+}
+
+Exported_lines lines_of(const Reeb_answer& answer) {
+  Exported_lines result = {"Reeb graph", "arc", {}};
+  for(const auto e : CGAL::make_range(edges(answer.graph))) {
+    const auto& arc = answer.graph[e];
+    result.lines.push_back(
+        {arc.polyline, false, colour_of_arc(arc.index), "arc", 0, arc.index, arc.length});
+  }
+  return result;
+}
+
+void check_graph_format(const std::string& file) { format_of(file, graph_formats); }
+
+void export_graph(const std::string& file, const Reeb_answer& answer) {
+  write_file(file, graph_formats, answer);
+}
+
+void check_coloured_mesh_format(const std::string& file) { format_of(file, coloured_mesh_formats); }
+
+void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer) {
+  write_file(file, coloured_mesh_formats, mesh, answer);
+}
+
+} // namespace htloops

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "draw/pages.h"
+
+#include "draw/surfaces.h"
+#include "write/files.h"
+#include "write/tables.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+using CGAL::Loop_type;
+
+// The extents of a box are told in fewer letters than where there is room.
+std::vector<std::string> narrow_cells_of(const Listed_pair& pair) {
+  std::vector<std::string> cells = cells_of(pair);
+  for(std::size_t at; (at = cells.back().find(" x ")) != std::string::npos;)
+    cells.back().replace(at, 3, "\u00d7");
+  return cells;
+}
+
+/// adds the sorts of lines that handle loops and tunnel loops are, which come first.
+void add_groups_of_loops(htl_window::Scene& scene) {
+  scene.groups = {{"handle loops", colour_of(CGAL::Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(CGAL::Loop_type::TUNNEL)}};
+}
+
+void add_pairs(htl_window::Scene& scene,
+               const Pairs& pairs,
+               const Pair_listing& listing,
+               const std::string& choice) {
+  for(const Table_column& column : pair_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  scene.table.choice = choice;
+  add_groups_of_loops(scene);
+  for(std::size_t row = 0; row < listing.size(); ++row) {
+    const Listed_pair& listed = listing[row];
+    scene.table.rows.push_back(narrow_cells_of(listed));
+    scene.table.lengths.push_back((std::min)(listed.handle_length, listed.tunnel_length));
+    scene.table.numbers.push_back(listed.pair);
+    add_loops(scene, pairs[listed.pair], row);
+  }
+}
+
+/// adds a line of a group, told of in a row.
+void add_line(htl_window::Scene& scene,
+              const std::vector<Point>& points,
+              bool is_closed,
+              std::size_t group,
+              std::size_t row = htl_window::no_row) {
+  scene.lines.push_back({coordinates(points), is_closed, group, row});
+}
+
+void add_group(htl_window::Scene& scene,
+               const std::string& name,
+               htl_window::Colour colour,
+               const std::vector<Loop>& loops) {
+  if(loops.empty())
+    return;
+  scene.groups.push_back({name, colour});
+  for(const Loop& loop : loops)
+    add_line(scene, loop.points(), true, scene.groups.size() - 1);
+}
+
+void add_parts(htl_window::Surface& surface, const Arc_surface& cut, std::size_t number_of_arcs) {
+  surface.triangle_parts = cut.triangle_arcs;
+  for(std::size_t arc = 0; arc < number_of_arcs; ++arc)
+    surface.part_colours.push_back(colour_of_arc(arc));
+}
+
+void add_arcs(htl_window::Scene& scene,
+              const Reeb_answer& answer,
+              const std::vector<Listed_arc>& arcs) {
+  for(const Table_column& column : arc_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  std::vector<std::size_t> row_of(arcs.size());
+  for(const Listed_arc& arc : arcs) {
+    row_of[arc.arc] = scene.table.rows.size();
+    scene.table.rows.push_back(cells_of(arc));
+    scene.table.lengths.push_back(arc.length);
+    scene.table.parts.push_back(arc.arc);
+  }
+  scene.groups = {{"bones", {30, 30, 30}}};
+  for(const auto e : CGAL::make_range(edges(answer.graph)))
+    add_line(scene, answer.graph[e].polyline, false, 0, row_of[answer.graph[e].index]);
+}
+
+using CGAL::Handle_tunnel_loops::Refused_handle;
+using CGAL::Handle_tunnel_loops::Removal_report;
+using CGAL::Handle_tunnel_loops::Removed_handle;
+
+std::string number(double value) { return formatted("%.6g", value); }
+
+void add_row(htl_window::Table& table, std::vector<std::string> cells, double length) {
+  table.rows.push_back(std::move(cells));
+  table.lengths.push_back(length);
+}
+
+void add_row(htl_window::Table& table, const std::string& name, const Removed_handle& handle) {
+  add_row(table,
+          {name, name_of(handle.by), number(handle.length), number(handle.area),
+           number(handle.volume), ""},
+          handle.length);
+}
+
+void add_row(htl_window::Table& table, const std::string& name, const Refused_handle& handle) {
+  add_row(table, {name, "refused", number(handle.length), "", "", handle.reason}, handle.length);
+}
+
+template <typename Handle>
+void add_handles(htl_window::Scene& scene, const Pairs& pairs, const std::vector<Handle>& handles) {
+  for(const Handle& handle : handles) {
+    add_loops(scene, pairs[handle.pair], scene.table.rows.size());
+    add_row(scene.table, std::to_string(handle.pair), handle);
+    scene.table.numbers.push_back(handle.pair);
+  }
+}
+
+template <typename Neck> void add_necks(htl_window::Scene& scene, const std::vector<Neck>& necks) {
+  for(const Neck& neck : necks)
+    add_row(scene.table, "neck", neck);
+}
+
+/// a scene with a title, `title` and the name of the mesh's file, and a surface.
+htl_window::Scene scene_of(const View& view,
+                           const std::string& title,
+                           const std::string& mesh_file,
+                           const std::string& surface_name,
+                           const Drawn_surface& surface) {
+  const std::filesystem::path path(mesh_file);
+  htl_window::Scene scene;
+  scene.title = title + " " + path.filename().string();
+  scene.name = path.stem().string();
+  const auto [from, up] = whole_view(view, surface);
+  scene.view = from;
+  scene.up = up;
+  scene.surfaces.push_back(surface_of(surface_name, surface));
+  return scene;
+}
+
+/// adds the paragraphs of a text, a line each.
+void add_paragraphs(htl_window::Scene& scene, const std::string& text) {
+  std::istringstream lines(text);
+  for(std::string line; std::getline(lines, line);)
+    scene.paragraphs.push_back(line);
+}
+
+} // namespace
+
+htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface) {
+  return {name, surface.points, surface.triangles, {}, {}};
+}
+
+void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row) {
+  for(std::size_t group = 0; group < 2; ++group)
+    add_line(scene, pair.loop(loop_types[group]).points(), true, group, row);
+}
+
+// The page is made before its file is begun: while a file is unfinished, an interrupt has to wait.
+void write_page(const std::string& file, const htl_window::Scene& scene) {
+  const std::string page = page_of(scene);
+  Text_writer out(file);
+  out << page;
+  out.finish();
+}
+
+htl_window::Scene scene_of_loops(const View& view,
+                                 const std::string& mesh_file,
+                                 const Mesh& mesh,
+                                 const Answer& answer,
+                                 const Pair_listing& listing,
+                                 const std::string& summary,
+                                 const std::string& choice) {
+  htl_window::Scene scene =
+      scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
+  add_paragraphs(scene, summary);
+  add_pairs(scene, answer.pairs, listing, choice);
+  add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
+  add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
+  return scene;
+}
+
+void write_reeb_page(const std::string& file,
+                     const View& view,
+                     const std::string& mesh_file,
+                     const Mesh& mesh,
+                     const Reeb_answer& answer,
+                     const std::vector<Listed_arc>& arcs,
+                     const std::string& summary) {
+  const Arc_surface cut = arc_surface(mesh, answer);
+  htl_window::Scene scene =
+      scene_of(view, "Reeb graph of", mesh_file, "surface", drawn_surface(cut));
+  add_parts(scene.surfaces[0], cut, num_edges(answer.graph));
+  add_paragraphs(scene, summary);
+  add_arcs(scene, answer, arcs);
+  scene.opacity = 0.7;
+  write_page(file, scene);
+}
+
+Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report) {
+  Pairs chosen;
+  for(const Removed_handle& handle : report.removed)
+    chosen.push_back(pairs[handle.pair]);
+  for(const Refused_handle& handle : report.refused)
+    chosen.push_back(pairs[handle.pair]);
+  return chosen;
+}
+
+void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown) {
+  htl_window::Scene scene = scene_of(view, "Handles removed from", shown.mesh_file, "before",
+                                     drawn_surface(shown.before));
+  add_paragraphs(scene, summary(shown.report));
+  scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
+  add_groups_of_loops(scene);
+  scene.table.columns = {{"pair", true}, {"by", false},    {"length", true},
+                         {"area", true}, {"volume", true}, {"why not", false}};
+  scene.table.choice = "--pairs";
+  add_handles(scene, shown.pairs, shown.report.removed);
+  for(htl_window::Line& line : scene.lines)
+    line.surface = 0; // these loops are on the surface no more
+  add_handles(scene, shown.pairs, shown.report.refused);
+  add_necks(scene, shown.report.removed_necks);
+  add_necks(scene, shown.report.refused_necks);
+  write_page(file, scene);
+}
+
+} // namespace htloops

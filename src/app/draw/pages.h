@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_PAGES_H
+#define HTLOOPS_PAGES_H
+
+#include "draw/view.h"
+#include "mesh_types.h"
+#include "solve/answer.h"
+#include "solve/reeb_answer.h"
+#include "window/window.h"
+#include "write/pair_listing.h"
+#include "write/tables.h"
+
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// a surface without parts.
+htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface);
+
+/// adds both loops of a pair to these, told of in a row.
+void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row);
+
+void write_page(const std::string& file, const htl_window::Scene& scene);
+
+/// what is shown in a page, for `write_page()`, in which a mesh can be turned, with the listed
+/// pairs, and what was found at its boundary curves. `choice` is what stands before the numbers of
+/// chosen pairs.
+htl_window::Scene scene_of_loops(const View& view,
+                                 const std::string& mesh_file,
+                                 const Mesh& mesh,
+                                 const Answer& answer,
+                                 const Pair_listing& listing,
+                                 const std::string& summary,
+                                 const std::string& choice = "--pairs");
+
+/// writes a page in which a mesh can be turned, with the parts that its arcs sweep, each with its
+/// bone.
+void write_reeb_page(const std::string& file,
+                     const View& view,
+                     const std::string& mesh_file,
+                     const Mesh& mesh,
+                     const Reeb_answer& answer,
+                     const std::vector<Listed_arc>& arcs,
+                     const std::string& summary);
+
+/// What a page shows: a mesh, its loops, and what became of it.
+struct Removal_shown
+{
+  const std::string& mesh_file;
+  const Mesh& before;
+  const Pairs& pairs;
+  const CGAL::Handle_tunnel_loops::Removal_report& report;
+  const Mesh& after;
+};
+
+/// the pairs of the handles that were to be removed, refused ones among them.
+Pairs pairs_to_remove(const Pairs& pairs, const CGAL::Handle_tunnel_loops::Removal_report& report);
+
+/// writes a page in which both meshes can be turned, with the loops of these pairs and what became
+/// of each.
+void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown);
+
+} // namespace htloops
+
+#endif // HTLOOPS_PAGES_H

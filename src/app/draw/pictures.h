@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_PICTURES_H
+#define HTLOOPS_PICTURES_H
+
+#include "draw/lines.h"
+#include "draw/surfaces.h"
+#include "draw/view.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// How a picture is made.
+struct Picture_options
+{
+  std::string file;
+  std::vector<double> size;      ///< width and height in pixels; empty for the default
+  std::optional<double> opacity; ///< of the surface; none: so that many hidden lines stay pale
+  bool has_labels = false;       ///< numbers of what lines stand for
+  bool has_legend = false;       ///< what their colours mean
+};
+
+#ifdef HTLOOPS_HAS_PICTURE
+
+constexpr bool has_pictures = true;
+
+/// whether labels and legends can be written.
+bool can_write_on_pictures();
+
+/// throws `Failure` if pictures are not made so large.
+void check_picture_size(const Picture_options& options);
+
+/// writes a picture of a surface and lines.
+void export_picture(const Picture_options& options,
+                    const View& view,
+                    const Drawn_surface& surface,
+                    const Exported_lines& lines);
+
+#else
+
+constexpr bool has_pictures = false;
+
+inline bool can_write_on_pictures() { return false; }
+inline void check_picture_size(const Picture_options&) {}
+inline void
+export_picture(const Picture_options&, const View&, const Drawn_surface&, const Exported_lines&) {}
+
+#endif
+
+} // namespace htloops
+
+#endif // HTLOOPS_PICTURES_H

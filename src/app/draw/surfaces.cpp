@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "draw/surfaces.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Face_arcs.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace htloops {
+
+std::vector<std::array<double, 3>> coordinates(const std::vector<Point>& points) {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(points.size());
+  for(const Point& p : points)
+    result.push_back(coordinates(p));
+  return result;
+}
+
+std::vector<std::array<double, 3>> points_of(const Mesh& mesh) {
+  std::vector<std::array<double, 3>> points;
+  points.reserve(mesh.number_of_vertices());
+  for(const Point& p : mesh.points())
+    points.push_back(coordinates(p));
+  return points;
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const Mesh& mesh) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(mesh.number_of_faces());
+  for(const Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    triangles.push_back(
+        {mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+  }
+  return triangles;
+}
+
+Level_cutter::Level_cutter(const Mesh& mesh, const std::vector<double>& values)
+    : mesh_(mesh)
+    , values_(values)
+    , points_(points_of(mesh)) {}
+
+Level_cutter::Corners Level_cutter::corners_of(Mesh::Face_index f) const {
+  const Mesh::Halfedge_index h = mesh_.halfedge(f);
+  Corners corners = {mesh_.source(h), mesh_.target(h), mesh_.target(mesh_.next(h))};
+  std::sort(corners.begin(), corners.end(), [this](Vertex v, Vertex w) { return is_before(v, w); });
+  return corners;
+}
+
+bool Level_cutter::has_orientation(Mesh::Face_index f, const Corners& corners) const {
+  Mesh::Halfedge_index h = mesh_.halfedge(f);
+  while(mesh_.source(h) != corners[0])
+    h = mesh_.next(h);
+  return mesh_.target(h) == corners[1];
+}
+
+Level_cutter::Polygon Level_cutter::polygon(const Corners& corners, double low, double high) {
+  Polygon polygon;
+  const auto add = [&](std::uint32_t p) {
+    if(polygon.empty() || (polygon.back() != p && polygon.front() != p))
+      polygon.push_back(p);
+  };
+  for(int i = 0; i < 3; ++i) {
+    const Vertex v = corners[i], w = corners[(i + 1) % 3];
+    if(low <= value(v) && value(v) <= high)
+      add(v.idx());
+    const bool is_up = value(v) < value(w);
+    for(const double level : {is_up ? low : high, is_up ? high : low})
+      if((std::min)(value(v), value(w)) < level && level < (std::max)(value(v), value(w)))
+        add(is_up ? point_at(v, w, level) : point_at(w, v, level));
+  }
+  return polygon;
+}
+
+std::uint32_t Level_cutter::point_at(Vertex low, Vertex high, double level) {
+  const auto next = static_cast<std::uint32_t>(points_.size());
+  const auto [position, is_new] = cuts_.try_emplace({low, high, level}, next);
+  if(is_new) {
+    const double ratio = (level - value(low)) / (value(high) - value(low));
+    points_.push_back(
+        coordinates(mesh_.point(low) + ratio * (mesh_.point(high) - mesh_.point(low))));
+  }
+  return position->second;
+}
+
+std::uint32_t Level_cutter::add_middle(Mesh::Face_index f) {
+  const Mesh::Halfedge_index h = mesh_.halfedge(f);
+  const Point& p = mesh_.point(mesh_.source(h));
+  const auto to = [&](Vertex v) { return mesh_.point(v) - p; };
+  points_.push_back(coordinates(p + (to(mesh_.target(h)) + to(mesh_.target(mesh_.next(h)))) / 3.));
+  return static_cast<std::uint32_t>(points_.size() - 1);
+}
+
+namespace internal = CGAL::Handle_tunnel_loops::internal;
+
+Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer) {
+  Arc_surface result;
+  const internal::Vertices_on_arcs vertices(mesh, get(boost::vertex_index, mesh),
+                                            map_of_vertices(mesh, answer.vertex_arc),
+                                            map_of_vertices(mesh, answer.values));
+  internal::Face_arcs arcs(vertices, answer.graph);
+  Level_cutter cutter(mesh, answer.values);
+  const auto add = [&](const Level_cutter::Triangle& triangle, std::size_t arc) {
+    result.triangles.push_back(triangle);
+    result.triangle_arcs.push_back(static_cast<std::uint32_t>(arc));
+  };
+  for(const Mesh::Face_index f : mesh.faces())
+    cutter.cut(f, arcs, add);
+  result.points = cutter.take_points();
+  return result;
+}
+
+Drawn_surface drawn_surface(const Arc_surface& surface) {
+  Drawn_surface drawn{surface.points, surface.triangles, {}};
+  drawn.colours.reserve(drawn.triangles.size());
+  for(const std::uint32_t arc : surface.triangle_arcs)
+    drawn.colours.push_back(colour_of_arc(arc));
+  return drawn;
+}
+
+} // namespace htloops

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "mend/steps.h"
+#include "read/soup.h"
+#include "read/soup_diagnosis.h"
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+using Vertices = std::array<std::uint32_t, 3>;
+
+Vertices sorted(const Soup_face& face) {
+  Vertices vertices = {face[0], face[1], face[2]};
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+// One of the two orientations that three vertices can have.
+bool is_even(const Soup_face& face) {
+  const int descents = int(face[0] > face[1]) + int(face[1] > face[2]) + int(face[2] > face[0]);
+  return descents == 1;
+}
+
+// Faces with the same vertices, at least two.
+struct Group
+{
+  std::vector<std::uint32_t> faces; // sorted
+  bool cancels = false;             // as many of one orientation as of the other
+};
+
+// The faces at edges at which something is wrong.
+std::vector<std::uint32_t> suspicious_faces(const Soup& soup, const Edge_table& edges) {
+  std::vector<std::uint32_t> suspects;
+  edges.for_each_edge([&](const Edge_table::Edge& edge) {
+    const bool is_sound =
+        edge.size() < 2 ||
+        (edge.size() == 2 && soup.source(edge.halfedge(0)) != soup.source(edge.halfedge(1)));
+    if(!is_sound)
+      for(std::size_t i = 0; i < edge.size(); ++i)
+        suspects.push_back(edge.halfedge(i) / 3);
+  });
+  std::sort(suspects.begin(), suspects.end());
+  suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+  return suspects;
+}
+
+std::vector<Group> find_groups(const Soup& soup, const Edge_table& edges) {
+  std::vector<std::pair<Vertices, std::uint32_t>> keys;
+  for(const std::uint32_t f : suspicious_faces(soup, edges))
+    keys.emplace_back(sorted(soup.faces[f]), f);
+  std::sort(keys.begin(), keys.end());
+  std::vector<Group> groups;
+  for(std::size_t i = 0; i < keys.size();) {
+    Group group;
+    std::size_t number_even = 0;
+    for(const Vertices vertices = keys[i].first; i < keys.size() && keys[i].first == vertices; ++i)
+    {
+      group.faces.push_back(keys[i].second);
+      number_even += is_even(soup.faces[keys[i].second]) ? 1 : 0;
+    }
+    group.cancels = 2 * number_even == group.faces.size();
+    if(group.faces.size() > 1)
+      groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+// Groups that cancel and have an edge in common, and what is fixed to them.
+class Flaps
+{
+public:
+  Flaps(const std::vector<Group>& groups, const Edge_table& edges)
+      : groups_(groups)
+      , joined_(groups.size())
+      , votes_(groups.size(), 0) {
+    for(std::uint32_t i = 0; i < groups.size(); ++i)
+      for(const std::uint32_t f : groups[i].faces)
+        group_of_face_[f] = i;
+    edges.for_each_edge([&](const Edge_table::Edge& edge) { look_at(edge); });
+    for(const auto& [group, vote] : votes_of_groups_)
+      votes_[joined_.find_set(group)] += vote;
+  }
+
+  bool contain(std::uint32_t group) {
+    return groups_[group].cancels && votes_[joined_.find_set(group)] > 0;
+  }
+
+private:
+  // An even number of other faces says that there is no need for the flap, an odd one that there
+  // is.
+  void look_at(const Edge_table::Edge& edge) {
+    if(edge.size() < 3)
+      return;
+    std::vector<std::uint32_t> cancelling, others; // each group once
+    std::size_t number_of_others = 0;
+    for(std::size_t i = 0; i < edge.size(); ++i) {
+      const auto found = group_of_face_.find(edge.halfedge(i) / 3);
+      if(found == group_of_face_.end())
+        ++number_of_others;
+      else
+        (groups_[found->second].cancels ? cancelling : others).push_back(found->second);
+    }
+    if(cancelling.empty())
+      return;
+    for(const std::uint32_t group : cancelling)
+      joined_.union_set(cancelling.front(), group);
+    std::sort(others.begin(), others.end());
+    number_of_others +=
+        static_cast<std::size_t>(std::unique(others.begin(), others.end()) - others.begin());
+    if(number_of_others != 0)
+      votes_of_groups_.emplace_back(cancelling.front(), number_of_others % 2 == 0 ? 1 : -1);
+  }
+
+  const std::vector<Group>& groups_;
+  boost::disjoint_sets_with_storage<> joined_;
+  std::unordered_map<std::uint32_t, std::uint32_t> group_of_face_;
+  std::vector<std::pair<std::uint32_t, int>> votes_of_groups_;
+  std::vector<long long> votes_; // of the groups that stand for joined ones
+};
+
+bool repeats_corner(const Corners& corners) {
+  bool is_repeated = corners.size() < 3;
+  for_each_side(corners, [&](std::uint32_t u, std::uint32_t v) { is_repeated |= u == v; });
+  return is_repeated;
+}
+
+bool is_degenerate(const Soup_face& face) {
+  return face.size() < 3 || face[0] == face[1] || face[1] == face[2] ||
+         (face.size() == 3 && face[2] == face[0]);
+}
+
+// Most soups have no such face, and need not be copied.
+bool has_degenerate_faces(const Soup& soup) {
+  if(soup.further_corners.empty())
+    return std::any_of(soup.faces.begin(), soup.faces.end(), is_degenerate);
+  bool has_any = false;
+  for_each_polygon(
+      soup, [&](std::size_t, const Corners& corners) { has_any |= repeats_corner(corners); });
+  return has_any;
+}
+
+Corners without_repetitions(Corners corners) {
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while(corners.size() > 1 && corners.front() == corners.back())
+    corners.pop_back();
+  return corners;
+}
+
+Duplicate_faces find_duplicate_faces(const Soup& soup) {
+  const Edge_table edges(soup);
+  const std::vector<Group> groups = find_groups(soup, edges);
+  Duplicate_faces found;
+  if(groups.empty())
+    return found;
+  Flaps flaps(groups, edges);
+  for(std::uint32_t i = 0; i < groups.size(); ++i) {
+    const std::vector<std::uint32_t>& faces = groups[i].faces;
+    if(flaps.contain(i))
+      found.of_flaps.insert(found.of_flaps.end(), faces.begin(), faces.end());
+    else
+      found.duplicates.insert(found.duplicates.end(), faces.begin() + 1, faces.end());
+  }
+  std::sort(found.duplicates.begin(), found.duplicates.end());
+  std::sort(found.of_flaps.begin(), found.of_flaps.end());
+  return found;
+}
+
+} // namespace
+
+void drop_degenerate_faces(Mended_soup& mended) {
+  if(!has_degenerate_faces(mended.soup))
+    return;
+  Soup kept;
+  std::vector<std::uint32_t> face_in_file;
+  Change_counter dropped, shortened;
+  for_each_polygon(mended.soup, [&](std::size_t f, const Corners& corners) {
+    const auto name = [&] { return name_of_face(mended.face_in_file[f]); };
+    const Corners rest = without_repetitions(corners);
+    if(rest.size() < 3) {
+      dropped.add(name);
+      return;
+    }
+    if(rest.size() < corners.size())
+      shortened.add(name);
+    add_face(kept, rest);
+    face_in_file.push_back(mended.face_in_file[f]);
+  });
+  kept.points = std::move(mended.soup.points);
+  mended.soup = std::move(kept);
+  mended.face_in_file = std::move(face_in_file);
+  dropped.report(mended, "degenerate face dropped", "degenerate faces dropped");
+  shortened.report(mended, "face relieved of corners that repeat a vertex",
+                   "faces relieved of corners that repeat a vertex");
+}
+
+void drop_duplicate_faces(Mended_soup& mended) {
+  const Duplicate_faces found = find_duplicate_faces(mended.soup);
+  if(found.duplicates.empty() && found.of_flaps.empty())
+    return;
+  Change_counter duplicates, flaps;
+  std::size_t kept = 0;
+  for(std::uint32_t f = 0; f < mended.soup.faces.size(); ++f) {
+    const auto name = [&] { return name_of_face(mended.face_in_file[f]); };
+    if(std::binary_search(found.duplicates.begin(), found.duplicates.end(), f)) {
+      duplicates.add(name);
+    } else if(std::binary_search(found.of_flaps.begin(), found.of_flaps.end(), f)) {
+      flaps.add(name);
+    } else {
+      mended.soup.faces[kept] = mended.soup.faces[f];
+      mended.face_in_file[kept++] = mended.face_in_file[f];
+    }
+  }
+  mended.soup.faces.resize(kept);
+  mended.face_in_file.resize(kept);
+  duplicates.report(mended, "duplicate face dropped", "duplicate faces dropped");
+  flaps.report(mended, "face of a flap without thickness dropped",
+               "faces of flaps without thickness dropped");
+}
+
+} // namespace htloops

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_MESH_READER_H
+#define HTLOOPS_MESH_READER_H
+
+#include "mend/mending.h"
+#include "mesh_types.h"
+#include "read/input_file.h"
+#include "read/soup_diagnosis.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// A mesh that was read, and what has been done to it.
+struct Mended_mesh
+{
+  Mesh mesh;
+  std::vector<Change> changes;
+  std::vector<std::uint32_t> origins; ///< of each vertex that is not in the file, one that is
+};
+
+/// reads a mesh and applies remedies; its vertices keep the numbers that they have in the file, new
+/// ones come after them. Where faces were cut, edges that are in none of the file are marked: see
+/// `cuts_of_faces()`. Throws `Failure` if the file cannot be read, or with all that is wrong with
+/// the mesh and the option that helps.
+Mended_mesh read_mesh(const Input_file& file, const Remedies& remedies);
+
+/// the same of a mesh that is to be fit as it is.
+Mesh read_mesh(const Input_file& file);
+
+/// which options would make a refused soup fit, found out by trying: "--repair mends this"; or that
+/// none would. `given` are the remedies that have been applied to no avail.
+std::string
+words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Remedies& given);
+
+} // namespace htloops
+
+#endif // HTLOOPS_MESH_READER_H

@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_STEPS_H
+#define HTLOOPS_STEPS_H
+
+#include "mend/mending.h"
+#include "mesh_types.h"
+#include "read/soup.h"
+#include "read/soup_diagnosis.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// Counts changes of one kind and remembers the first.
+class Change_counter
+{
+public:
+  template <typename Name_of_element>
+  void add(Name_of_element name_of_element, std::size_t count = 1) {
+    if(count_ == 0 && count != 0)
+      example_ = name_of_element();
+    count_ += count;
+  }
+
+  std::size_t count() const { return count_; }
+
+  /// `one` and `many` are what happened to one element or to several.
+  void report(Mended_soup& mended, const std::string& one, const std::string& many) const {
+    if(count_ != 0)
+      mended.changes.push_back(
+          {count_, (count_ == 1 ? one + ": " : many + ", the first is ") + example_});
+  }
+
+private:
+  std::size_t count_ = 0;
+  std::string example_;
+};
+
+/// The vertices of a face of any size, in their order.
+using Corners = std::vector<std::uint32_t>;
+
+/// calls `visit(number of the face, corners)` for each face of a soup.
+template <typename Visit> void for_each_polygon(const Soup& soup, Visit visit) {
+  Corners corners;
+  const std::uint32_t* further = soup.further_corners.data();
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const Soup_face& face = soup.faces[f];
+    corners.assign(face.begin(), face.end());
+    if(face.size() > 3) {
+      const std::uint32_t* const end = further + (face.size() - 3);
+      corners.insert(corners.end(), further, end);
+      further = end;
+    }
+    visit(f, corners);
+  }
+}
+
+/// calls `visit(u, v)` for each side of a polygon.
+template <typename Visit> void for_each_side(const Corners& corners, Visit visit) {
+  for(std::size_t i = 0; i < corners.size(); ++i)
+    visit(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
+}
+
+/// the same for all polygons with the same sides: from the least corner on, its smaller neighbor
+/// next. (A corner that comes twice makes no more of it than that one may be missed.)
+inline Corners in_standard_order(Corners corners) {
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  if(corners.back() < corners[1])
+    std::reverse(corners.begin() + 1, corners.end());
+  return corners;
+}
+
+inline void add_face(Soup& soup, const Corners& corners) {
+  Soup_face& face = soup.faces.emplace_back();
+  face.resize(corners.size());
+  for(std::size_t i = 0; i < corners.size(); ++i)
+    soup.set_corner(face, i, corners[i]);
+}
+
+/// one number for an edge, whatever its direction; the smaller vertex counts first.
+using CGAL::Handle_tunnel_loops::internal::edge_key;
+
+using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact_point = Exact::Point_3;
+
+inline Exact_point exact_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
+
+/// makes one vertex of those at the same place, exactly, where an edge without a second face lies
+/// on another edge. Faces with the same sides count as one. What touches in points stays apart, and
+/// a mesh without such edges as it is.
+void weld_points(Mended_soup& mended);
+
+/// Triangles with the same three vertices as another one, where edges have too many faces or faces
+/// that run the same way. Both lists are sorted.
+struct Duplicate_faces
+{
+  std::vector<std::uint32_t> duplicates; ///< all but the first of their kind
+
+  /// A flap is a piece of a surface folded onto itself: each of its faces is there once in each
+  /// orientation, and where it is fixed to others the surface is closed without it. So it is not
+  /// needed at all, and leaving one side of it would leave a boundary.
+  std::vector<std::uint32_t> of_flaps;
+};
+
+/// takes out corners that name the vertex before them again, and faces of which no three are left.
+void drop_degenerate_faces(Mended_soup& mended);
+
+/// takes out triangles with the same three vertices as an earlier one, in whatever order, where
+/// they are too many for their edges or run the same way. Two that close each other off stay.
+void drop_duplicate_faces(Mended_soup& mended);
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// makes triangles of a polygon of four or more corners, convex or not, plane or about so; always
+/// as many as it has corners but two. `is_free(u, v)` says whether a diagonal may join two
+/// vertices: if it can be, there are only such. Decisions are exact, so the result is always the
+/// same.
+Triangles triangulate_polygon(const std::vector<Point>& points,
+                              const Corners& corners,
+                              const std::function<bool(std::uint32_t, std::uint32_t)>& is_free);
+
+/// makes triangles of all faces of more than three vertices. Vertices stay; no diagonal becomes an
+/// edge of a further face, if that can be. Points must be finite.
+void triangulate(Mended_soup& mended);
+
+/// Pieces of faces that have been joined, and which faces of a piece have to be turned for all to
+/// agree. Disjoint sets, with a parity for each face.
+class Face_pieces
+{
+public:
+  explicit Face_pieces(std::size_t number_of_faces);
+
+  /// puts two faces into one piece, which agree as they are or if one of them is turned. False if
+  /// they are of one piece already and it says otherwise; then nothing is changed.
+  bool join(std::uint32_t f, std::uint32_t g, bool must_turn);
+
+  /// a face that stands for the piece, always the same until the next call of `join()`.
+  std::uint32_t piece(std::uint32_t f) { return find(f).root; }
+  std::size_t size_of_piece(std::uint32_t f) { return sizes_[find(f).root]; }
+
+  /// for each face whether it has to be turned: the fewer of each piece; if they are as many as the
+  /// others, not the first.
+  std::vector<bool> turned_faces();
+
+private:
+  struct Position
+  {
+    std::uint32_t root;
+    bool is_turned; // against the root
+  };
+
+  Position find(std::uint32_t f);
+
+  std::vector<std::uint32_t> parents_;
+  std::vector<std::uint32_t> sizes_; // of roots
+  std::vector<bool> is_turned_;      // against the parent
+};
+
+/// for each halfedge of a soup of triangles the one of the neighboring face, or `no_halfedge`.
+using Neighbors = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t no_halfedge = static_cast<std::uint32_t>(-1);
+
+/// decides which faces are neighbors, and turns faces so that neighbors agree: as few as possible
+/// of each piece. Nothing, and no face is turned, if a piece is not orientable.
+std::optional<Neighbors> glue_faces(Mended_soup& mended);
+
+/// gives each fan of faces, from neighbor to neighbor, a vertex of its own: the first keeps the one
+/// that there is. Neighbors must agree.
+void split_vertices(Mended_soup& mended, const Neighbors& neighbors);
+
+/// divides edges in the middle that join the same two vertices as another one: of those the first
+/// stays. Fans must have vertices of their own.
+void divide_parallel_edges(Mended_soup& mended, Neighbors& neighbors);
+
+} // namespace htloops
+
+#endif // HTLOOPS_STEPS_H

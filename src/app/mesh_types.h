@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_MESH_TYPES_H
+#define HTLOOPS_MESH_TYPES_H
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+/// whether a point is somewhere.
+inline bool is_finite(const Point& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+using Pair = CGAL::Handle_tunnel_pair<Mesh>;
+using Loop = Pair::Loop;
+using Pairs = std::vector<Pair>;
+
+/// Both kinds, in the order in which they are written.
+constexpr CGAL::Loop_type loop_types[] = {CGAL::Loop_type::HANDLE, CGAL::Loop_type::TUNNEL};
+
+/// calls `visit(loop, type, index of the pair)` for all loops.
+template <typename Visit> void for_each_loop(const Pairs& pairs, Visit visit) {
+  for(std::size_t i = 0; i < pairs.size(); ++i)
+    for(const CGAL::Loop_type type : loop_types)
+      visit(pairs[i].loop(type), type, i);
+}
+
+/// the word for a kind, as it stands in files and messages.
+inline const char* name_of(CGAL::Loop_type type) {
+  return type == CGAL::Loop_type::HANDLE   ? "handle"
+         : type == CGAL::Loop_type::TUNNEL ? "tunnel"
+                                           : "boundary";
+}
+
+/// Whether an edge lies across a face of the file, which was cut into triangles.
+using Face_cuts = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+/// They go with the mesh.
+inline Face_cuts add_face_cuts(Mesh& mesh) {
+  return mesh.add_property_map<Mesh::Edge_index, bool>("e:cuts_face", false).first;
+}
+
+/// nothing for a mesh whose faces all were triangles.
+inline std::optional<Face_cuts> cuts_of_faces(const Mesh& mesh) {
+  const auto [cuts, has_any] = mesh.property_map<Mesh::Edge_index, bool>("e:cuts_face");
+  return has_any ? std::optional<Face_cuts>(cuts) : std::nullopt;
+}
+
+/// A number for each vertex, in the order of the vertices, as PLY files have them.
+struct Vertex_property
+{
+  std::string name;
+  std::string type; ///< a type of PLY
+  std::vector<double> values;
+
+  bool is_real() const { return type.find("float") == 0 || type.find("double") == 0; }
+};
+
+using Vertex_properties = std::vector<Vertex_property>;
+
+inline bool has_property(const Vertex_properties& properties, const std::string& name) {
+  return std::any_of(properties.begin(), properties.end(),
+                     [&name](const Vertex_property& p) { return p.name == name; });
+}
+
+} // namespace htloops
+
+#endif // HTLOOPS_MESH_TYPES_H

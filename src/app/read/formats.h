@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_FORMATS_H
+#define HTLOOPS_FORMATS_H
+
+#include "read/soup.h"
+#include "read/sources.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace htloops {
+
+/// What an OFF file says before its points: the keyword [ST][C][N][4]OFF, which may be missing, and
+/// the counts.
+struct Off_header
+{
+  bool has_texture_coordinates = false;
+  bool has_colours = false;
+  bool has_normals = false;
+  bool is_homogeneous = false; ///< of four coordinates, the last of which divides the others
+  std::size_t number_of_points = 0;
+  std::size_t number_of_faces = 0;
+  bool is_free_form = false; ///< a line may hold several points or faces, and nothing else
+};
+
+/// reads the header of an OFF file and goes to what follows it. The number of edges, which nobody
+/// needs, may be missing. Throws `Failure` if the header is malformed or of another dialect.
+Off_header read_off_header(Text_source& text);
+
+/// the text of an OBJ file, where a backslash continues a line, without continued lines. Their ends
+/// are put off to the end of the whole line, so that all other lines keep their numbers.
+std::string join_continued_lines(std::string text);
+
+enum class Ply_type { NONE, INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT, DOUBLE };
+
+/// A number, or a list of numbers preceded by their count, of an element of a PLY file.
+struct Ply_property
+{
+  std::string name;
+  std::string type_name;
+  Ply_type type = Ply_type::NONE;       ///< of the number or of the items of the list
+  Ply_type count_type = Ply_type::NONE; ///< none if it is no list
+
+  bool is_list() const { return count_type != Ply_type::NONE; }
+};
+
+struct Ply_element
+{
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Ply_property> properties;
+
+  bool has_vertices() const { return name == "vertex" || name == "vertices"; }
+  bool has_faces() const { return name == "face" || name == "faces"; }
+  /// of triangles, as Stanford's scans have.
+  bool has_strips() const { return name == "tristrips"; }
+};
+
+enum class Ply_format { ASCII, BINARY_LITTLE_ENDIAN, BINARY_BIG_ENDIAN };
+
+struct Ply_header
+{
+  Ply_format format = Ply_format::ASCII;
+  std::vector<Ply_element> elements;
+};
+
+/// reads the header of a PLY file and goes to the data. Throws `Failure` if it is malformed or
+/// declares a type that PLY does not have.
+Ply_header read_ply_header(Text_source& text);
+
+/// The data of a PLY file in text form: each element has a line.
+class Ply_text_numbers
+{
+public:
+  explicit Ply_text_numbers(const Text_source& data)
+      : text_(data) {}
+
+  void begin_element() { text_.skip_to_content(); }
+
+  /// whether nothing is left of the element.
+  bool end_element() { return text_.is_at_line_end(); }
+
+  /// fails if there is more than all elements.
+  void end() { text_.expect_end("the last of the elements that the header declares"); }
+
+  /// reads the next number, which has a type; false if there is none.
+  bool read(Ply_type type, double& value);
+
+  /// throws the `Failure` of a file that is wrong here.
+  [[noreturn]] void fail(const std::string& problem) const { text_.fail(problem); }
+
+  /// the same for what may be missing because the file was cut off.
+  [[noreturn]] void fail_incomplete(const std::string& problem) const {
+    text_.fail_incomplete(problem);
+  }
+
+private:
+  Text_source text_;
+};
+
+/// The data of a PLY file in binary form.
+class Ply_binary_numbers
+{
+public:
+  explicit Ply_binary_numbers(const Binary_source& data)
+      : data_(data) {}
+
+  void begin_element() {}
+  bool end_element() { return true; }
+  void end() {} // some programs fill up the last block
+  bool read(Ply_type type, double& value);
+
+  [[noreturn]] void fail(const std::string& problem) const { data_.fail(problem); }
+
+  [[noreturn]] void fail_incomplete(const std::string& problem) const {
+    data_.fail(problem + "; the file ends here");
+  }
+
+private:
+  template <typename T> bool read_as(double& value);
+
+  Binary_source data_;
+};
+
+/// calls `use(numbers)` with the numbers of the form that the header declares; the text of the file
+/// has been read up to the data.
+template <typename Use>
+auto with_ply_numbers(const std::string& file,
+                      std::string_view content,
+                      const Text_source& data,
+                      Ply_format format,
+                      Use use) {
+  if(format == Ply_format::ASCII)
+    return use(Ply_text_numbers(data));
+  return use(Ply_binary_numbers(
+      Binary_source(file, content, data.position(), format == Ply_format::BINARY_LITTLE_ENDIAN)));
+}
+
+/// reads the text of an OFF file, also with homogeneous coordinates; colours, normals and texture
+/// coordinates are passed over. Throws `Failure`, naming file and line, if it is malformed.
+Soup read_off(const std::string& file, std::string_view text);
+
+/// reads the vertices and faces of the text of an OBJ file; all else that the format has is passed
+/// over. Throws `Failure`, naming file and line, if the text is malformed.
+Soup read_obj(const std::string& file, std::string text);
+
+/// reads the vertices and faces of the content of a PLY file, in text or binary form, of whatever
+/// type their numbers are; all else is passed over. Throws `Failure`, naming line or byte, if the
+/// content is malformed or ends too early.
+Soup read_ply(const std::string& file, std::string_view content);
+
+/// reads the triangles of the content of an STL file, in text or binary form; equal points become
+/// one vertex. Throws `Failure`, naming the line of a text, if the content is malformed or ends too
+/// early.
+Soup read_stl(const std::string& file, std::string_view content);
+
+} // namespace htloops
+
+#endif // HTLOOPS_FORMATS_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/input_file.h"
+
+#include "failure.h"
+#include "interrupt.h"
+
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+[[noreturn]] void fail(const std::string& file) {
+  throw_if_interrupted(); // while it waited
+  throw Failure(Exit_code::UNREADABLE_FILE, "cannot read " + file + ": " + std::strerror(errno));
+}
+
+struct Close_file
+{
+  void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+
+std::string read_to_the_end(std::FILE* stream, std::size_t expected_size, const std::string& name) {
+  std::string content;
+  std::size_t size = 0;
+  // One byte more than expected, so that a file that has not grown is read in one go.
+  content.resize(expected_size + 1);
+  while(const std::size_t n = std::fread(&content[size], 1, content.size() - size, stream)) {
+    throw_if_interrupted();
+    size += n;
+    if(size == content.size())
+      content.resize(2 * size);
+  }
+  if(std::ferror(stream)) // of a folder, for example, which opens on some systems
+    fail(name);
+  content.resize(size);
+  return content;
+}
+
+std::string read_whole_file(const std::string& file) {
+  constexpr std::size_t some = std::size_t(1) << 20;
+  if(file == "-")
+    return read_to_the_end(stdin, some, "the standard input");
+  const std::unique_ptr<std::FILE, Close_file> stream(std::fopen(file.c_str(), "rb"));
+  if(!stream)
+    fail(file);
+  std::error_code error; // of what is no regular file
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return read_to_the_end(stream.get(), error ? some : static_cast<std::size_t>(size), file);
+}
+
+} // namespace
+
+Input_file::Input_file(std::string name, const std::string& format)
+    : name_(name == "-" ? "the standard input" : name)
+    , format_(format.empty() ? "" : "." + format)
+    , content_(read_whole_file(name)) {}
+
+bool Input_file::is_of_format(std::string_view extension) const {
+  return format_.empty() ? boost::algorithm::iends_with(name_, extension) : format_ == extension;
+}
+
+void fail_to_read(const std::string& file, const std::string& problem) {
+  throw Failure(Exit_code::UNREADABLE_FILE, file + ": " + problem);
+}
+
+} // namespace htloops

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_SOUP_H
+#define HTLOOPS_SOUP_H
+
+#include "mesh_types.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+
+/// The vertices of a face. Only the first three are kept here: so a million faces need no million
+/// allocations, and a damaged file that announces a face of a billion vertices does no harm.
+class Soup_face
+{
+public:
+  using value_type = std::uint32_t;
+  using size_type = std::size_t;
+  using iterator = value_type*;
+  using const_iterator = const value_type*;
+
+  void resize(std::size_t size) { size_ = size; }
+  std::size_t size() const { return size_; }
+  bool is_triangle() const { return size_ == 3; }
+
+  value_type& operator[](std::size_t i) { return vertices_[i < 3 ? i : 3]; }
+  value_type operator[](std::size_t i) const { return vertices_[i < 3 ? i : 3]; }
+
+  const_iterator begin() const { return vertices_.data(); }
+  const_iterator end() const { return begin() + (size_ < 3 ? size_ : 3); }
+  iterator begin() { return vertices_.data(); }
+  iterator end() { return begin() + (size_ < 3 ? size_ : 3); }
+
+private:
+  std::array<value_type, 4> vertices_{}; // the last one takes what is not kept
+  std::size_t size_ = 0;
+};
+
+/// Points and faces as they stand in a file, nothing known about them.
+struct Soup
+{
+  std::vector<Point> points;
+  std::vector<Soup_face> faces;
+  /// What faces of more than three vertices have from the fourth on, one face after the other.
+  std::vector<std::uint32_t> further_corners = {};
+
+  /// sets a corner of the face that is being read; corners come in their order.
+  void set_corner(Soup_face& face, std::size_t i, std::uint32_t vertex) {
+    if(i < 3)
+      face[i] = vertex;
+    else
+      further_corners.push_back(vertex);
+  }
+
+  /// the vertex at which halfedge 3 * face + i, from corner i to corner i + 1, begins.
+  std::uint32_t source(std::uint32_t halfedge) const { return faces[halfedge / 3][halfedge % 3]; }
+};
+
+/// the halfedge after one in its triangle, where halfedges are numbered by triangles.
+inline std::uint32_t next_in_triangle(std::uint32_t halfedge) {
+  return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1;
+}
+
+inline std::string name_of_face(std::size_t face) { return "face " + std::to_string(face); }
+
+inline std::string name_of_vertex(std::size_t vertex) { return "vertex " + std::to_string(vertex); }
+
+/// that a face names a vertex, counted from `first`, which is not among those of the file.
+inline std::string
+no_such_vertex(std::size_t face, long long vertex, std::size_t number_of_vertices, int first = 0) {
+  return name_of_face(face) + " names vertex " + std::to_string(vertex) + " of " +
+         std::to_string(number_of_vertices) + " (they count from " + std::to_string(first) + ")";
+}
+
+/// Numbers different points as they come. A table with open addressing: most of the time of reading
+/// an STL file goes here.
+class Point_merger
+{
+public:
+  Point_merger();
+
+  /// the number of a point, a new one if it has not come yet. Bits are compared, but for
+  /// the two zeros. A point that is nowhere, as a coordinate is infinite or not a number, is at the
+  /// place of no other.
+  std::uint32_t number(const Point& point);
+
+  /// the points by their numbers, which are taken away.
+  std::vector<Point> take_points() { return std::move(points_); }
+
+private:
+  std::size_t slot_of(const Point& point) const;
+  void grow();
+
+  std::vector<Point> points_;
+  std::vector<std::uint32_t> slots_; // numbers of points; a power of two of them
+};
+
+} // namespace htloops
+
+#endif // HTLOOPS_SOUP_H

@@ -1,0 +1,380 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/soup_diagnosis.h"
+
+#include "read/soup.h"
+#include "words.h"
+
+#include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+// calls visit(smaller vertex, larger vertex, halfedge).
+template <typename Visit> void for_each_halfedge(const Soup& soup, Visit visit) {
+  std::uint32_t halfedge = 0;
+  for(const Soup_face& face : soup.faces)
+    for(int i = 0; i < 3; ++i, ++halfedge) {
+      const auto [near_vertex, far_vertex] = std::minmax({face[i], face[(i + 1) % 3]});
+      visit(near_vertex, far_vertex, halfedge);
+    }
+}
+
+// Of numbers of 32 bits: half the memory, which is what the time goes to.
+using Number_map = boost::typed_identity_property_map<std::uint32_t>;
+using Disjoint_sets = boost::disjoint_sets_with_storage<Number_map, Number_map>;
+
+std::string name_of_edge(const Edge_table::Edge& edge) {
+  return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]);
+}
+
+// Counts the elements with a defect and remembers the first of them.
+class Finding
+{
+public:
+  template <typename Name_of_element> void add(Name_of_element name) {
+    if(count_++ == 0)
+      example_ = name();
+  }
+
+  std::size_t count() const { return count_; }
+
+  void report(std::vector<Defect>& defects,
+              Mesh_defect kind,
+              const std::string& one,
+              const std::string& many,
+              const std::string& remark = "") const {
+    if(count_ != 0)
+      defects.push_back({kind, count_,
+                         counted(count_, one, many) + remark +
+                             (count_ == 1 ? ": " : ", the first is ") + example_});
+  }
+
+private:
+  std::size_t count_ = 0;
+  std::string example_;
+};
+
+class Diagnostician
+{
+public:
+  explicit Diagnostician(const Soup& soup)
+      : soup_(soup) {}
+
+  Diagnosis run() {
+    check_size();
+    check_points();
+    check_faces();
+    // Without triangles there are no edges to speak of.
+    if(are_faces_sound_) {
+      edges_.emplace(soup_);
+      check_edges();
+      check_vertices();
+    }
+    if(!diagnosis_.defects.empty())
+      diagnosis_.edges.clear();
+    return std::move(diagnosis_);
+  }
+
+private:
+  std::vector<Defect>& defects() { return diagnosis_.defects; }
+
+  void check_size() {
+    constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
+    if(soup_.faces.empty())
+      defects().push_back({Mesh_defect::EMPTY, 1, "the mesh has no face"});
+    if(3 * soup_.faces.size() > largest_number_of_halfedges ||
+       soup_.points.size() > largest_number_of_halfedges)
+      defects().push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^31 halfedges"});
+    are_faces_sound_ = defects().empty();
+  }
+
+  void check_points() {
+    Finding bad_points;
+    for(std::size_t v = 0; v < soup_.points.size(); ++v)
+      if(!is_finite(soup_.points[v]))
+        bad_points.add([v] { return name_of_vertex(v); });
+    bad_points.report(defects(), Mesh_defect::NON_FINITE_COORDINATE,
+                      "vertex with a coordinate that is infinite or not a number",
+                      "vertices with coordinates that are infinite or not numbers");
+  }
+
+  void check_faces() {
+    Finding not_triangles, degenerate_faces;
+    for(std::size_t f = 0; f < soup_.faces.size(); ++f) {
+      const Soup_face& face = soup_.faces[f];
+      if(!face.is_triangle())
+        not_triangles.add(
+            [&] { return name_of_face(f) + " with " + std::to_string(face.size()) + " vertices"; });
+      else if(face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
+        degenerate_faces.add([f] { return name_of_face(f); });
+    }
+    not_triangles.report(defects(), Mesh_defect::NOT_TRIANGULATED, "face is not a triangle",
+                         "faces are not triangles");
+    degenerate_faces.report(defects(), Mesh_defect::DEGENERATE_FACE,
+                            "face names the same vertex twice", "faces name the same vertex twice");
+    if(not_triangles.count() + degenerate_faces.count() != 0)
+      are_faces_sound_ = false;
+  }
+
+  bool have_same_direction(std::uint32_t h, std::uint32_t g) const {
+    return soup_.source(h) == soup_.source(g);
+  }
+
+  void check_edges() {
+    diagnosis_.edges.reserve(3 * soup_.faces.size() / 2);
+    Finding boundary, crowded, disoriented;
+    std::vector<std::uint32_t> suspects; // faces that may have a duplicate
+    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
+      const std::uint32_t h = edge.halfedge(0);
+      const std::uint32_t g = edge.halfedge(edge.size() - 1);
+      if(edge.size() == 1) {
+        boundary.add([&] { return name_of_edge(edge) + " of " + name_of_face(h / 3); });
+        diagnosis_.edges.push_back({h, Diagnosis::no_halfedge});
+      } else if(edge.size() > 2) {
+        crowded.add(
+            [&] { return name_of_edge(edge) + " with " + std::to_string(edge.size()) + " faces"; });
+        for(std::size_t i = 0; i < edge.size(); ++i)
+          suspects.push_back(edge.halfedge(i) / 3);
+      } else if(have_same_direction(h, g)) {
+        disoriented.add([&] {
+          return name_of_edge(edge) + " between faces " + std::to_string(h / 3) + " and " +
+                 std::to_string(g / 3);
+        });
+        suspects.insert(suspects.end(), {h / 3, g / 3});
+      } else {
+        diagnosis_.edges.push_back({h, g});
+      }
+    });
+    report_duplicate_faces(suspects);
+    crowded.report(defects(), Mesh_defect::NON_MANIFOLD_EDGE, "edge has more than two faces",
+                   "edges have more than two faces");
+    report_unwelded(boundary);
+    report_orientation(disoriented);
+  }
+
+  // Faces with the same three vertices, whatever their order: they share edges that are suspicious.
+  void report_duplicate_faces(std::vector<std::uint32_t>& suspects) {
+    std::sort(suspects.begin(), suspects.end());
+    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+    struct Key
+    {
+      std::array<std::uint32_t, 3> vertices;
+      std::uint32_t face;
+    };
+    std::vector<Key> keys;
+    for(const std::uint32_t f : suspects) {
+      keys.push_back({{soup_.faces[f][0], soup_.faces[f][1], soup_.faces[f][2]}, f});
+      std::sort(keys.back().vertices.begin(), keys.back().vertices.end());
+    }
+    std::stable_sort(keys.begin(), keys.end(),
+                     [](const Key& a, const Key& b) { return a.vertices < b.vertices; });
+    Finding duplicates;
+    for(std::size_t i = 1; i < keys.size(); ++i)
+      if(keys[i].vertices == keys[i - 1].vertices)
+        duplicates.add([&] {
+          return name_of_face(keys[i].face) + " with the vertices of " +
+                 name_of_face(keys[i - 1].face);
+        });
+    duplicates.report(defects(), Mesh_defect::NON_MANIFOLD_EDGE, "face is a duplicate",
+                      "faces are duplicates");
+  }
+
+  // A surface may have a boundary. But where no two faces share a vertex, and edges lie on others,
+  // that is a matter of the file.
+  void report_unwelded(const Finding& boundary) {
+    const std::size_t corners = 3 * soup_.faces.size();
+    if(boundary.count() != corners || soup_.faces.size() == 1 || do_faces_share_vertices())
+      return;
+    Point_merger merger;
+    std::vector<std::uint32_t> places; // of the source of each halfedge
+    places.reserve(corners);
+    for(std::uint32_t h = 0; h < corners; ++h)
+      places.push_back(merger.number(soup_.points[soup_.source(h)]));
+    if(!do_edges_lie_on_others(places))
+      return;
+    boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
+                    ", in " + counted(soup_.faces.size(), "loop", "loops") +
+                        " of three edges: no two faces share a vertex (merging equal points would "
+                        "leave " +
+                        std::to_string(merger.take_points().size()) + " of " +
+                        std::to_string(corners) + " vertices)");
+  }
+
+  bool do_faces_share_vertices() const {
+    std::vector<char> is_used(soup_.points.size(), 0);
+    for(const Soup_face& face : soup_.faces)
+      for(const std::uint32_t v : face) {
+        if(is_used[v] != 0)
+          return true;
+        is_used[v] = 1;
+      }
+    return false;
+  }
+
+  // Where none does, faces touch in points at most, and merging these would join none. Nor would it
+  // join a face to others of which it leaves no three vertices.
+  static bool do_edges_lie_on_others(const std::vector<std::uint32_t>& places) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(places.size());
+    for(std::size_t h = 0; h < places.size(); h += 3) {
+      const std::uint32_t a = places[h], b = places[h + 1], c = places[h + 2];
+      if(a != b && b != c && c != a)
+        edges.insert(edges.end(), {std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
+    }
+    std::sort(edges.begin(), edges.end());
+    return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
+  }
+
+  void report_orientation(const Finding& disoriented) {
+    if(disoriented.count() == 0)
+      return;
+    disoriented.report(defects(), Mesh_defect::INCONSISTENT_ORIENTATION,
+                       "edge has two faces that are oriented differently",
+                       "edges have two faces that are oriented differently",
+                       is_orientable() ? " (flipping faces would mend it)"
+                                       : " (no flipping of faces mends it: the surface is "
+                                         "not orientable)");
+  }
+
+  // Each face stands for itself and, shifted by the number of faces, for itself flipped. The
+  // surface is not orientable where a face turns out to be of one side with its own flipped self.
+  bool is_orientable() const {
+    const auto number_of_faces = static_cast<std::uint32_t>(soup_.faces.size());
+    Disjoint_sets sides(2 * std::size_t(number_of_faces));
+    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
+      if(edge.size() != 2)
+        return;
+      const std::uint32_t f = edge.halfedge(0) / 3, g = edge.halfedge(1) / 3;
+      const std::uint32_t flip =
+          have_same_direction(edge.halfedge(0), edge.halfedge(1)) ? number_of_faces : 0;
+      sides.union_set(f, g + flip);
+      sides.union_set(f + number_of_faces, g + number_of_faces - flip);
+    });
+    for(std::uint32_t f = 0; f < number_of_faces; ++f)
+      if(sides.find_set(f) == sides.find_set(f + number_of_faces))
+        return false;
+    return true;
+  }
+
+  // The corners at a vertex form fans, from one to the next across an edge; one fan is right. A
+  // corner has the number of the halfedge that begins there.
+  void check_vertices() {
+    Disjoint_sets corners(3 * soup_.faces.size());
+    edges_->for_each_edge([&](const Edge_table::Edge& edge) {
+      const std::uint32_t h = edge.halfedge(0);
+      for(std::size_t i = 1; i < edge.size(); ++i) {
+        const std::uint32_t g = edge.halfedge(i);
+        const bool is_parallel = have_same_direction(h, g);
+        corners.union_set(h, is_parallel ? g : next_in_triangle(g));
+        corners.union_set(next_in_triangle(h), is_parallel ? next_in_triangle(g) : g);
+      }
+    });
+    std::vector<std::uint32_t> fans(soup_.points.size(), 0);
+    for(std::uint32_t corner = 0; corner < 3 * soup_.faces.size(); ++corner)
+      if(corners.find_set(corner) == corner)
+        ++fans[soup_.source(corner)];
+    Finding pinched;
+    for(std::size_t v = 0; v < fans.size(); ++v)
+      if(fans[v] > 1)
+        pinched.add(
+            [&] { return name_of_vertex(v) + " with " + std::to_string(fans[v]) + " fans"; });
+    pinched.report(defects(), Mesh_defect::NON_MANIFOLD_VERTEX,
+                   "vertex has faces that form more than one fan",
+                   "vertices have faces that form more than one fan");
+  }
+
+  const Soup& soup_;
+  Diagnosis diagnosis_;
+  bool are_faces_sound_ = true;
+  std::optional<Edge_table> edges_;
+};
+
+// Links the halfedges without a face; one begins at each vertex of the boundary, and one ends
+// there.
+void close_borders(Mesh& mesh, const std::vector<Mesh::Halfedge_index>& borders) {
+  for(const Mesh::Halfedge_index h : borders)
+    mesh.set_halfedge(mesh.target(h), h);
+  for(const Mesh::Halfedge_index h : borders)
+    mesh.set_next(mesh.halfedge(mesh.source(h)), h);
+}
+
+} // namespace
+
+Edge_table::Edge_table(const Soup& soup)
+    : first_(soup.points.size() + 1, 0)
+    , entries_(3 * soup.faces.size()) {
+  for_each_halfedge(soup, [this](std::uint32_t near_vertex, std::uint32_t, std::uint32_t) {
+    ++first_[near_vertex];
+  });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  // Filling backwards leaves each number at the beginning of its range.
+  for_each_halfedge(
+      soup, [this](std::uint32_t near_vertex, std::uint32_t far_vertex, std::uint32_t halfedge) {
+        entries_[--first_[near_vertex]] = {far_vertex, halfedge};
+      });
+  for(std::size_t v = 0; v + 1 < first_.size(); ++v)
+    std::sort(entries_.begin() + first_[v], entries_.begin() + first_[v + 1],
+              [](const Entry& a, const Entry& b) {
+                return std::make_pair(a.far_vertex, a.halfedge) <
+                       std::make_pair(b.far_vertex, b.halfedge);
+              });
+}
+
+Diagnosis diagnose(const Soup& soup) { return Diagnostician(soup).run(); }
+
+Mesh build_mesh(const Soup& soup, const Diagnosis& diagnosis) {
+  using Vertex = Mesh::Vertex_index;
+  using Face = Mesh::Face_index;
+  using Halfedge = Mesh::Halfedge_index;
+
+  const auto number_of_faces = static_cast<std::uint32_t>(soup.faces.size());
+  Mesh mesh;
+  mesh.reserve(static_cast<Mesh::size_type>(soup.points.size()),
+               static_cast<Mesh::size_type>(diagnosis.edges.size()), number_of_faces);
+  for(const Point& point : soup.points)
+    mesh.add_vertex(point);
+
+  std::vector<Halfedge> halfedges(3 * soup.faces.size());
+  std::vector<Halfedge> borders;
+  for(const auto& [h, g] : diagnosis.edges) {
+    halfedges[h] = mesh.add_edge();
+    const Halfedge opposite = mesh.opposite(halfedges[h]);
+    if(g != Diagnosis::no_halfedge)
+      halfedges[g] = opposite;
+    else {
+      mesh.set_target(opposite, Vertex(soup.source(h)));
+      borders.push_back(opposite);
+    }
+  }
+  for(std::uint32_t f = 0; f < number_of_faces; ++f) {
+    const Face face = mesh.add_face();
+    const std::uint32_t first = 3 * f;
+    mesh.set_halfedge(face, halfedges[first]);
+    for(std::uint32_t h = first; h < first + 3; ++h) {
+      const Vertex target(soup.source(next_in_triangle(h)));
+      mesh.set_target(halfedges[h], target);
+      mesh.set_halfedge(target, halfedges[h]);
+      mesh.set_face(halfedges[h], face);
+      mesh.set_next(halfedges[h], halfedges[next_in_triangle(h)]);
+    }
+  }
+  close_borders(mesh, borders);
+  return mesh;
+}
+
+} // namespace htloops

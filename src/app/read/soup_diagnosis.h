@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_SOUP_DIAGNOSIS_H
+#define HTLOOPS_SOUP_DIAGNOSIS_H
+
+#include "mesh_types.h"
+#include "read/soup.h"
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// The edges of a soup of triangles, each with all its halfedges: halfedge 3 * face + i goes from
+/// corner i of the face to the next corner. Sorted by counting, without a hash: linear in the
+/// number of triangles unless many edges meet in one vertex.
+class Edge_table
+{
+public:
+  /// A halfedge, with the larger of its two vertices.
+  struct Entry
+  {
+    std::uint32_t far_vertex;
+    std::uint32_t halfedge;
+  };
+
+  /// An edge: its vertices and the halfedges along it, in either direction.
+  struct Edge
+  {
+    std::uint32_t vertices[2]; // the smaller first
+    const Entry* begin;
+    const Entry* end;
+
+    std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+    std::uint32_t halfedge(std::size_t i) const { return begin[i].halfedge; }
+  };
+
+  /// All faces of the soup must be triangles of three different vertices in range.
+  explicit Edge_table(const Soup& soup);
+
+  /// calls `visit(edge)` for each edge, ordered by vertices.
+  template <typename Visit> void for_each_edge(Visit visit) const {
+    for(std::uint32_t near_vertex = 0; near_vertex + 1 < first_.size(); ++near_vertex) {
+      const Entry* const end = entries_.data() + first_[near_vertex + 1];
+      for(const Entry* begin = entries_.data() + first_[near_vertex]; begin != end;) {
+        const Entry* next = begin + 1;
+        while(next != end && next->far_vertex == begin->far_vertex)
+          ++next;
+        visit(Edge{{near_vertex, begin->far_vertex}, begin, next});
+        begin = next;
+      }
+    }
+  }
+
+private:
+  std::vector<std::uint32_t> first_; // of each vertex, in the entries; one more at the end
+  std::vector<Entry> entries_;       // by their smaller vertex, then the larger, then the halfedge
+};
+
+using CGAL::Handle_tunnel_loops::Mesh_defect;
+
+/// What keeps a soup from being an oriented 2-manifold of triangles, with or without boundary.
+struct Defect
+{
+  Mesh_defect kind;
+  std::size_t count;   ///< how often it was found
+  std::string message; ///< says it in words and names the first element that has it
+};
+
+/// The defects of a soup, and its edges if there is none.
+struct Diagnosis
+{
+  std::vector<Defect> defects;
+  std::vector<std::array<std::uint32_t, 2>> edges; ///< the two halfedges of each, or one
+
+  static constexpr std::uint32_t no_halfedge = static_cast<std::uint32_t>(-1); ///< the other one
+};
+
+/// finds all defects, of every kind. Vertices that no face uses are none, nor is a face without
+/// area.
+Diagnosis diagnose(const Soup& soup);
+
+/// makes a mesh of a soup without defects, given its diagnosis; vertices and faces keep their
+/// numbers. As all neighbours are known, nothing has to be searched: this is
+/// several times faster than `polygon_soup_to_polygon_mesh()`.
+Mesh build_mesh(const Soup& soup, const Diagnosis& diagnosis);
+
+} // namespace htloops
+
+#endif // HTLOOPS_SOUP_DIAGNOSIS_H

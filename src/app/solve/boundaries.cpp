@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/boundaries.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/boundary_loops.h>
+
+#include <iterator>
+
+namespace htloops {
+
+Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists) {
+  using Tag = CGAL::Parallel_if_available_tag;
+  const auto kind = CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST;
+  Boundaries boundaries;
+  CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.curves));
+  if(do_find_waists)
+    CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.waists),
+                              CGAL::parameters::basis_kind(kind));
+  return boundaries;
+}
+
+std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t number) {
+  std::vector<std::size_t> component(mesh.number_of_vertices(), 0);
+  if(number <= 1)
+    return component;
+  CGAL::Handle_tunnel_loops::internal::Sets_of_indices sets(component.size());
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    sets.make_set(v.idx());
+  for(const Mesh::Edge_index e : mesh.edges())
+    sets.unite(mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx());
+  std::size_t next = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const std::size_t smallest = sets.find(v.idx());
+    if(smallest != v.idx())
+      component[v.idx()] = component[smallest];
+    else
+      component[v.idx()] = mesh.is_isolated(v) ? number : next++;
+  }
+  return component;
+}
+
+} // namespace htloops

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_CERTIFICATION_H
+#define HTLOOPS_CERTIFICATION_H
+
+#include "mesh_types.h"
+
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
+#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// what loops that were found elsewhere are; on what sides they bound only `with_sides`.
+CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
+                                               const Pairs& pairs,
+                                               CGAL::Handle_tunnel_loops::Basis_kind basis_kind,
+                                               bool with_sides);
+
+/// what is wrong with boundary curves and waists that were found elsewhere, in words.
+std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
+                                                const std::vector<Loop>& curves,
+                                                const std::vector<Loop>& waists);
+
+} // namespace htloops
+
+#endif // HTLOOPS_CERTIFICATION_H

@@ -1,0 +1,339 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/documents.h"
+
+#include "mesh_types.h"
+#include "version.h"
+#include "write/json_writer.h"
+#include "write/pair_listing.h"
+#include "write/tables.h"
+
+#include <optional>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+using CGAL::Handle_tunnel_loops::Loop_linking;
+using CGAL::Handle_tunnel_loops::Stage;
+
+Json timings(const Answer& answer, double read_seconds) {
+  Json json = {{"read", read_seconds}};
+  for(std::size_t i = 0; i < CGAL::Handle_tunnel_loops::number_of_stages; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    if(stage == Stage::DIFFUSION)
+      continue; // no loop comes of it
+    json[CGAL::Handle_tunnel_loops::stage_name(stage)] = answer.statistics.seconds_of(stage);
+  }
+  json["total"] = answer.total_seconds;
+  return json;
+}
+
+Json json_of(const std::optional<std::size_t>& count) { return count ? Json(*count) : Json(); }
+
+Json json_of(const CGAL::Handle_tunnel_loops::Certificate& certificate) {
+  return {{"closed_on_surface", certificate.closed_on_surface},
+          {"basis", certificate.basis},
+          {"pairing", certificate.pairing},
+          {"types", certificate.types},
+          {"handles_bound_inside", json_of(certificate.handles_bound_inside)},
+          {"tunnels_bound_outside", json_of(certificate.tunnels_bound_outside)},
+          {"handles_bound_inside_alone", json_of(certificate.handles_bound_inside_alone)},
+          {"tunnels_bound_outside_alone", json_of(certificate.tunnels_bound_outside_alone)}};
+}
+
+// Row, column and value, where loop 2k is handle k and loop 2k + 1 is tunnel k.
+Json json_of(const std::vector<Loop_linking>& linking) {
+  Json array = Json::array();
+  for(std::size_t i = 0; i < linking.size(); ++i)
+    for(const auto& [j, value] : linking[i].row)
+      array.push_back(Json::array({i, j, value}));
+  return array;
+}
+
+// The positions of the locations on edges that are in no face of the file.
+Json positions_across_faces(const Loop& loop, const Mesh& mesh, const Face_cuts& cuts) {
+  Json positions = Json::array();
+  for(std::size_t i = 0; i < loop.steps().size(); ++i)
+    if(cuts[mesh.edge(loop.steps()[i].halfedge)])
+      positions.push_back(i);
+  return positions;
+}
+
+/// the points of a line.
+Json json_of_points(const std::vector<Point>& points) {
+  Json array = Json::array();
+  for(const Point& point : points)
+    array.push_back(json_of_point(point));
+  return array;
+}
+
+Json json_of_line(const Loop& loop, const Mesh& mesh, Json json = Json()) {
+  Json locations = Json::array();
+  for(const Loop::Step& step : loop.steps())
+    locations.push_back(Json::array(
+        {mesh.source(step.halfedge).idx(), mesh.target(step.halfedge).idx(), step.ratio}));
+  json["locations"] = std::move(locations);
+  if(const auto cuts = cuts_of_faces(mesh))
+    json["across_faces"] = positions_across_faces(loop, mesh, *cuts);
+  json["points"] = json_of_points(loop.points());
+  return json;
+}
+
+// Of the surface at a loop.
+std::size_t
+component_of(const Loop& loop, const Mesh& mesh, const std::vector<std::size_t>& components) {
+  return components[mesh.source(loop.steps().front().halfedge).idx()];
+}
+
+Json json_of(const Loop& loop,
+             const Mesh& mesh,
+             const std::vector<std::size_t>& components,
+             const Loop_linking* linking) {
+  Json json = {{"length", loop.length()}, {"component", component_of(loop, mesh, components)}};
+  if(linking != nullptr) {
+    json["bounds"] = word_for_side(*linking);
+    json["bounds_alone"] = word_for_side_alone(*linking);
+    if(!linking->problem.empty())
+      json["undecided_because"] = linking->problem;
+  }
+  return json_of_line(loop, mesh, std::move(json));
+}
+
+// How small a pair is, and where its shorter loop lies.
+Json json_of_place(const Listed_pair& pair) {
+  const CGAL::Bbox_3& box = pair.box;
+  return {{"size", pair.size},
+          {"centre", json_of_point(pair.centre)},
+          {"box", Json::array({Json::array({box.xmin(), box.ymin(), box.zmin()}),
+                               Json::array({box.xmax(), box.ymax(), box.zmax()})})}};
+}
+
+// A boundary curve, with its waist if that was looked for.
+Json json_of(const Loop& curve,
+             const Boundaries& boundaries,
+             const Mesh& mesh,
+             const std::vector<std::size_t>& components) {
+  Json json = {{"length", curve.length()}, {"component", component_of(curve, mesh, components)}};
+  if(!boundaries.waists.empty()) {
+    const Loop& waist = boundaries.waists[curve.pair_index()];
+    json["waist"] = json_of_line(waist, mesh, {{"length", waist.length()}});
+  }
+  return json_of_line(curve, mesh, std::move(json));
+}
+
+using Graph = CGAL::Reeb_graph<Mesh>;
+
+Json timings(const Reeb_answer& answer, double read_seconds) {
+  const auto& statistics = answer.statistics;
+  return {{"read", read_seconds},
+          {"adaptor", statistics.seconds_of_adaptor},
+          {"function", statistics.seconds_of_function},
+          {"sweep", statistics.seconds_of_sweep},
+          {"finishing", statistics.seconds_of_finishing},
+          {"total", answer.total_seconds}};
+}
+
+Json json_of_node(const Graph& graph, Graph::vertex_descriptor v) {
+  const auto& node = graph[v];
+  return {{"id", v},
+          {"type", name_of(node.type)},
+          {"vertex", node.vertex.idx()},
+          {"value", node.value},
+          {"position", json_of_point(node.point)}};
+}
+
+Json json_of_arc(const Graph& graph, Graph::edge_descriptor e, const std::vector<double>& girths) {
+  const auto& arc = graph[e];
+  return {{"id", arc.index},
+          {"source", source(e, graph)},
+          {"target", target(e, graph)},
+          {"vertex_count", arc.vertices.size()},
+          {"length", arc.length},
+          {"girth", girths[arc.index]},
+          {"polyline", json_of_points(arc.polyline)}};
+}
+
+// Vertices without faces are on no arc: null.
+Json json_of_vertex_arc(const std::vector<std::size_t>& vertex_arc) {
+  Json array = Json::array();
+  for(const std::size_t arc : vertex_arc)
+    array.push_back(arc == Reeb_answer::no_arc ? Json() : Json(arc));
+  return array;
+}
+
+using CGAL::Handle_tunnel_loops::Refused_handle;
+using CGAL::Handle_tunnel_loops::Removed_handle;
+
+Json json_of(const Removed_handle& handle) {
+  return {{"pair", handle.pair},
+          {"by", name_of(handle.by)},
+          {"length", handle.length},
+          {"area", handle.area},
+          {"volume", handle.volume}};
+}
+
+Json json_of(const Refused_handle& handle) {
+  return {{"pair", handle.pair}, {"length", handle.length}, {"reason", handle.reason}};
+}
+
+// Necks are of no pair.
+template <typename Necks> Json json_of_necks(const Necks& necks) {
+  Json array = Json::array();
+  for(const auto& neck : necks) {
+    array.push_back(json_of(neck));
+    array.back().erase("pair");
+  }
+  return array;
+}
+
+Json json_of(const Dual_cut& cut, const Mesh& mesh) {
+  Json json = {{"loop", name_of(cut.loop.type())}};
+  json[cut.loop.type() == CGAL::Loop_type::BOUNDARY ? "boundary" : "pair"] = cut.loop.pair_index();
+  Json edges = Json::array();
+  for(const auto& [h, times] : cut.edges)
+    edges.push_back(Json::array({mesh.source(h).idx(), mesh.target(h).idx(), times}));
+  json["edges"] = std::move(edges);
+  return json;
+}
+
+using CGAL::Handle_tunnel_loops::Field_resolution;
+using CGAL::Handle_tunnel_loops::Front_event;
+
+Json json_of(const Field_resolution& resolution) {
+  return {{"is_resolved", resolution.is_resolved()},
+          {"handles_within_steps", resolution.handles_within_steps},
+          {"rests", resolution.rests},
+          {"early_vertices", resolution.early_vertices},
+          {"events_in_seed_region", resolution.events_in_seed_region}};
+}
+
+Json json_of(const std::vector<Front_event::Front>& fronts) {
+  Json array = Json::array();
+  for(const Front_event::Front& front : fronts)
+    array.push_back({{"layer", front.layer}, {"length", front.length}});
+  return array;
+}
+
+Json json_of(const Front_event& event) {
+  return {{"type", CGAL::Handle_tunnel_loops::front_event_name(event.type)},
+          {"step", event.step},
+          {"vertex", event.vertex},
+          {"before", json_of(event.before)},
+          {"after", json_of(event.after)}};
+}
+
+/// what documents say of the mesh that they are about.
+template <typename Statistics> Json json_of_mesh(const Mesh& mesh, const Statistics& statistics) {
+  return {{"vertices", mesh.number_of_vertices()},
+          {"faces", mesh.number_of_faces()},
+          {"components", statistics.number_of_components},
+          {"boundaries", statistics.number_of_boundaries},
+          {"genus", statistics.genus}};
+}
+
+} // namespace
+
+void write_loops_json(const std::string& target,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      const Run_record& run) {
+  const auto& linking = answer.certificate.linking;
+  const std::vector<std::size_t> components =
+      components_of_vertices(mesh, answer.statistics.number_of_components);
+  Json_writer out(target);
+  out.member("format", "htloops/1");
+  out.member("tool", version());
+  Json mesh_json = json_of_mesh(mesh, answer.statistics);
+  mesh_json["file"] = run.mesh_file;
+  out.member("mesh", mesh_json);
+  out.member("options", run.options);
+  out.member("backend", answer.backend);
+  out.member("threads", answer.number_of_threads);
+  out.member("basis", CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind));
+  out.member("timings", timings(answer, run.read_seconds));
+  out.member("certificate", json_of(answer.certificate));
+  if(!linking.empty())
+    out.member("linking", json_of(linking));
+  if(!answer.statistics.fallback.empty())
+    out.member("fallback", answer.statistics.fallback);
+  const CGAL::Bbox_3 box = box_of(mesh);
+  std::size_t index = 0; // of the next loop
+  out.array("pairs", answer.pairs, [&](const Pair& pair) {
+    Json json = json_of_place(listed_pair(pair, index / 2, box));
+    for(const CGAL::Loop_type type : loop_types) {
+      json[name_of(type)] =
+          json_of(pair.loop(type), mesh, components, linking.empty() ? nullptr : &linking[index]);
+      ++index;
+    }
+    return json;
+  });
+  out.array("boundaries", answer.boundaries.curves,
+            [&](const Loop& curve) { return json_of(curve, answer.boundaries, mesh, components); });
+  out.finish();
+}
+
+void write_reeb_json(const std::string& target,
+                     const Mesh& mesh,
+                     const Reeb_answer& answer,
+                     double read_seconds) {
+  const Graph& graph = answer.graph;
+  const std::vector<double> girths = girths_of(mesh, answer);
+  Json_writer out(target);
+  out.member("format", "htloops-reeb/1");
+  out.member("mesh", json_of_mesh(mesh, answer.statistics));
+  out.member("function", answer.function);
+  out.member("backend", answer.backend);
+  out.member("threads", answer.number_of_threads);
+  out.member("timings", timings(answer, read_seconds));
+  out.member("cycles", number_of_cycles(answer));
+  out.array("nodes", CGAL::make_range(vertices(graph)),
+            [&graph](auto v) { return json_of_node(graph, v); });
+  out.array("arcs", CGAL::make_range(edges(graph)),
+            [&](auto e) { return json_of_arc(graph, e, girths); });
+  out.member("vertex_arc", json_of_vertex_arc(answer.vertex_arc));
+  out.finish();
+}
+
+void write_removal_json(const std::string& file,
+                        const CGAL::Handle_tunnel_loops::Removal_report& report) {
+  const auto json = [](const auto& handle) { return json_of(handle); };
+  Json_writer document(file);
+  document.member("format", "htloops-remove/1");
+  document.member("genus_before", report.genus_before);
+  document.member("genus_after", report.genus_after);
+  document.member("components_before", report.components_before);
+  document.member("components_after", report.components_after);
+  document.array("removed", report.removed, json);
+  document.array("refused", report.refused, json);
+  document.member("necks", {{"removed", json_of_necks(report.removed_necks)},
+                            {"refused", json_of_necks(report.refused_necks)}});
+  document.finish();
+}
+
+void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dual_cuts& cuts) {
+  Json_writer out(target);
+  out.member("format", "htloops-dual/1");
+  out.member("mesh", json_of_mesh(mesh, cuts.statistics));
+  out.array("cuts", cuts.cuts, [&](const Dual_cut& cut) { return json_of(cut, mesh); });
+  out.finish();
+}
+
+void write_events(const std::string& target, const Answer& answer) {
+  Json_writer out(target);
+  out.member("format", "htloops-events/1");
+  if(answer.backend == "reference")
+    out.member("resolution", json_of(answer.statistics.resolution));
+  out.array("events", answer.statistics.front_events,
+            [](const Front_event& event) { return json_of(event); });
+  out.finish();
+}
+
+} // namespace htloops

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_DOCUMENTS_H
+#define HTLOOPS_DOCUMENTS_H
+
+#include "mesh_types.h"
+#include "solve/answer.h"
+#include "solve/dual_cut_solver.h"
+#include "solve/reeb_answer.h"
+#include "write/json_writer.h"
+
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+
+#include <string>
+
+namespace htloops {
+
+/// What was asked for, beside the mesh itself.
+struct Run_record
+{
+  std::string mesh_file;
+  Json options; ///< an object
+  double read_seconds = 0.;
+};
+
+/// writes an answer in the format "htloops/1", of which
+/// doc/Handle_tunnel_loops/schemas/loops.schema.json is the schema; every number reads back as
+/// exactly itself.
+void write_loops_json(const std::string& target,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      const Run_record& run);
+
+/// writes a Reeb graph in the format "htloops-reeb/1"; every number reads back as exactly itself.
+void write_reeb_json(const std::string& target,
+                     const Mesh& mesh,
+                     const Reeb_answer& answer,
+                     double read_seconds);
+
+/// writes what was removed and what was refused in the format "htloops-remove/1"; the name "-" is
+/// the standard output.
+void write_removal_json(const std::string& file,
+                        const CGAL::Handle_tunnel_loops::Removal_report& report);
+
+/// writes the cuts, with the loops that they cross, as a document of format "htloops-dual/1".
+void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dual_cuts& cuts);
+
+/// writes the events of the fronts as JSON, format "htloops-events/1"; `target` may be "-". Only
+/// the reference solver knows of a resolution. Throws `Failure` if the file cannot be written.
+void write_events(const std::string& target, const Answer& answer);
+
+} // namespace htloops
+
+#endif // HTLOOPS_DOCUMENTS_H

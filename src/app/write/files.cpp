@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/files.h"
+
+#include "failure.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <system_error>
+
+namespace htloops {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& target, const std::string& reason) {
+  throw Failure(Exit_code::WRONG_USAGE, "cannot write " + target + ": " + reason);
+}
+
+[[noreturn]] void fail_with_errno(const std::string& target) {
+  const std::string reason = std::strerror(errno);
+  throw_if_interrupted(); // while it waited
+  fail(target, reason);
+}
+
+// Beside the file. Not with its name, which may be as long as a name can be.
+std::string name_of_temporary(const fs::path& destination) {
+  static std::random_device random;
+  return (destination.parent_path() / ("htloops.part-" + std::to_string(random()))).string();
+}
+
+bool is_dangling_link(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(fs::symlink_status(path, error)) && !fs::exists(path, error);
+}
+
+// Creates the file, which must not exist yet.
+void create(const std::string& file, const std::string& target) {
+  std::FILE* stream = std::fopen(file.c_str(), "wbx");
+  if(stream == nullptr)
+    fail_with_errno(target);
+  std::fclose(stream);
+}
+
+// Renaming would replace a read-only file without asking.
+void check_may_replace(const std::string& file, const std::string& target) {
+  std::FILE* stream = std::fopen(file.c_str(), "r+b");
+  if(stream == nullptr)
+    fail_with_errno(target);
+  std::fclose(stream);
+}
+
+} // namespace
+
+std::string destination_of(const std::string& target) {
+  constexpr int largest_number_of_links = 40;
+  std::error_code error;
+  fs::path path = target;
+  for(int i = 0; i < largest_number_of_links && is_dangling_link(path); ++i)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  // Of a name alone, of which nothing exists, the canonical path would be no whole one.
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? path.string() : canonical.string();
+}
+
+Staged_path::Staged_path(const std::string& target)
+    : target_(target)
+    , destination_(destination_of(target)) {
+  std::error_code error;
+  const fs::file_status status = fs::status(destination_, error);
+  if(fs::is_directory(status))
+    fail(target, "it is a folder");
+  if(fs::exists(status) && !fs::is_regular_file(status)) {
+    temporary_ = destination_;
+    return;
+  }
+  if(is_dangling_link(destination_))
+    fail(target, "its links lead nowhere");
+  if(fs::exists(status))
+    check_may_replace(destination_, target);
+  unfinished_.emplace();
+  const std::string temporary = name_of_temporary(destination_);
+  create(temporary, target);
+  temporary_ = temporary;
+  if(fs::exists(status))
+    fs::permissions(temporary_, status.permissions(), error);
+}
+
+Staged_path::~Staged_path() {
+  if(!is_committed_ && !is_in_place())
+    std::remove(temporary_.c_str());
+}
+
+void Staged_path::commit() {
+  if(!is_in_place()) {
+    std::error_code error;
+    fs::rename(temporary_, destination_, error);
+    if(error)
+      fail(target_, error.message());
+  }
+  is_committed_ = true;
+}
+
+Atomic_file::Atomic_file(const std::string& target)
+    : stream_(stdout) {
+  if(target == "-")
+    return;
+  path_.emplace(target);
+  stream_ = std::fopen(path_->temporary().c_str(), "wb");
+  if(stream_ == nullptr)
+    fail_with_errno(target);
+}
+
+Atomic_file::~Atomic_file() {
+  // Closed before the temporary file is removed: not every system removes an open file.
+  if(path_ && stream_ != nullptr)
+    std::fclose(stream_);
+}
+
+void Atomic_file::write(const char* data, std::size_t size) {
+  if(std::fwrite(data, 1, size, stream_) != size)
+    fail_with_errno(path_ ? path_->target() : "the standard output");
+}
+
+void Atomic_file::commit() {
+  if(!path_) {
+    if(std::fflush(stream_) != 0)
+      fail_with_errno("the standard output");
+    return;
+  }
+  // Only a successful close tells that the last bytes found room on the disk.
+  std::FILE* stream = stream_;
+  stream_ = nullptr;
+  if(std::fclose(stream) != 0)
+    fail_with_errno(path_->target());
+  path_->commit();
+}
+
+void check_writable(const std::string& target) {
+  if(target != "-")
+    Staged_path{target};
+  throw_if_interrupted();
+}
+
+void append_number(std::string& text, double value) {
+  char digits[32];
+#ifdef __cpp_lib_to_chars
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  text.append(digits, end);
+#else
+  std::snprintf(digits, sizeof digits, "%.17g", value);
+  text += digits;
+#endif
+}
+
+void Text_writer::flush() {
+  throw_if_interrupted();
+  file_.write(buffer_.data(), buffer_.size());
+  buffer_.clear();
+}
+
+void Text_writer::show() {
+  flush();
+  file_.show();
+}
+
+void Text_writer::finish() {
+  flush();
+  file_.commit();
+}
+
+} // namespace htloops

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_MESH_WRITER_H
+#define HTLOOPS_MESH_WRITER_H
+
+#include "generators/generators.h"
+#include "mesh_types.h"
+
+#include <string>
+
+namespace htloops {
+
+/// throws `Failure` if the name of a file does not tell a format that meshes can be written in.
+void check_mesh_format(const std::string& file);
+
+/// writes a mesh in the format that the extension tells (OFF, OBJ, PLY or STL, all as text; OFF
+/// on the standard output, "-"); each coordinate reads back as exactly itself.
+void write_mesh(const std::string& file, const CGAL::Handle_tunnel_loops::generators::Soup& mesh);
+
+/// the properties that such a file has room for: all in PLY, colours in OFF, else none.
+Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties);
+
+/// writes a mesh of which elements may have been removed; the others keep their order. All vertices
+/// have a value of each property, and the file has room for them.
+void write_mesh(const std::string& file,
+                const Mesh& mesh,
+                const Vertex_properties& properties = {});
+
+} // namespace htloops
+
+#endif // HTLOOPS_MESH_WRITER_H

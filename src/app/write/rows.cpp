@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/rows.h"
+
+#include "write/json_writer.h"
+#include "write/tables.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+// A text as a cell.
+std::string cell_of(const std::string& text) {
+  if(text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string cell = "\"";
+  for(const char c : text)
+    cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + '"';
+}
+
+void write_sides(Text_writer& out, const Answer& answer, std::size_t pair) {
+  const auto& linking = answer.certificate.linking;
+  for(std::size_t loop = 2 * pair; loop < 2 * pair + 2; ++loop)
+    out << ',' << (linking.empty() ? "" : word_for_side(linking[loop]));
+}
+
+Json json_of(const Mesh_line& line) {
+  Json json = {{"mesh", line.mesh_file}, {"exit", line.exit_code}};
+  if(line.exit_code != 0) {
+    json["error"] = line.error;
+    return json;
+  }
+  const auto& statistics = line.answer.statistics;
+  json["vertices"] = line.number_of_vertices;
+  json["faces"] = line.number_of_faces;
+  json["components"] = statistics.number_of_components;
+  json["boundaries"] = statistics.number_of_boundaries;
+  json["genus"] = statistics.genus;
+  const auto& certificate = line.answer.certificate;
+  if(!certificate.linking.empty()) {
+    json["handles_bound_inside"] = certificate.handles_bound_inside.value_or(0);
+    json["tunnels_bound_outside"] = certificate.tunnels_bound_outside.value_or(0);
+  }
+  json["pairs"] = Json::array();
+  for(const Listed_pair& pair : line.listing)
+    json["pairs"].push_back({{"pair", pair.pair},
+                             {"handle", pair.handle_length},
+                             {"tunnel", pair.tunnel_length},
+                             {"size", pair.size}});
+  json["boundary_lengths"] = Json::array();
+  for(const Loop& curve : line.answer.boundaries.curves)
+    json["boundary_lengths"].push_back(curve.length());
+  json["seconds"] = {{"read", line.read_seconds}, {"total", line.answer.total_seconds}};
+  return json;
+}
+
+int width_of(const std::vector<std::string>& mesh_files) {
+  std::size_t width = 4;
+  for(const std::string& file : mesh_files)
+    width = (std::max)(width, file.size());
+  return static_cast<int>((std::min)(width, std::size_t(48)));
+}
+
+std::string padded(std::string name, int width) {
+  name.resize((std::max)(name.size(), static_cast<std::size_t>(width)), ' ');
+  return name;
+}
+
+} // namespace
+
+Pair_csv_writer::Pair_csv_writer(const std::string& target)
+    : out_(target) {
+  out_ << "mesh,pair,handle_length,tunnel_length,size,handle_bounds,tunnel_bounds,"
+          "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax\n";
+}
+
+void Pair_csv_writer::add(const std::string& mesh_file,
+                          const Answer& answer,
+                          const Pair_listing& listing) {
+  for(const Listed_pair& pair : listing) {
+    out_ << cell_of(mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
+         << pair.tunnel_length << ',' << pair.size;
+    write_sides(out_, answer, pair.pair);
+    out_ << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();
+    for(int i = 0; i < 3; ++i)
+      out_ << ',' << pair.box.min(i);
+    for(int i = 0; i < 3; ++i)
+      out_ << ',' << pair.box.max(i);
+    out_ << '\n';
+  }
+}
+
+void write_pair_csv(const std::string& target,
+                    const std::string& mesh_file,
+                    const Answer& answer,
+                    const Pair_listing& listing) {
+  Pair_csv_writer writer(target);
+  writer.add(mesh_file, answer, listing);
+  writer.finish();
+}
+
+Mesh_line answered_line(const std::string& mesh_file,
+                        const Mesh& mesh,
+                        double read_seconds,
+                        Answer answer,
+                        Pair_listing listing) {
+  return {mesh_file,
+          0,
+          "",
+          mesh.number_of_vertices(),
+          mesh.number_of_faces(),
+          read_seconds,
+          std::move(answer),
+          std::move(listing)};
+}
+
+Mesh_line failed_line(const std::string& mesh_file, int exit_code, const std::string& error) {
+  Mesh_line line;
+  line.mesh_file = mesh_file;
+  line.exit_code = exit_code;
+  line.error = error;
+  return line;
+}
+
+void Mesh_lines_writer::add(const Mesh_line& line) {
+  out_ << json_of(line).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  out_.show();
+}
+
+std::string header_of_lines(const std::vector<std::string>& mesh_files) {
+  return padded("mesh", width_of(mesh_files)) + formatted("  %9s  %6s  %6s  %6s  %9s  %9s  %8s\n",
+                                                          "faces", "comp.", "bound.", "genus",
+                                                          "smallest", "largest", "seconds");
+}
+
+std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files) {
+  const std::string name = padded(line.mesh_file, width_of(mesh_files));
+  if(line.exit_code != 0)
+    return name + formatted("  no answer (exit code %d)\n", line.exit_code);
+  const auto& statistics = line.answer.statistics;
+  const auto by_size = [](const Listed_pair& a, const Listed_pair& b) { return a.size < b.size; };
+  const auto [least, most] = std::minmax_element(line.listing.begin(), line.listing.end(), by_size);
+  const auto size = [&](Pair_listing::const_iterator pair) {
+    return pair == line.listing.end() ? std::string("-") : formatted("%.3g%%", 100. * pair->size);
+  };
+  return name + formatted("  %9zu  %6zu  %6zu  %6zu  %9s  %9s  %8.2f\n", line.number_of_faces,
+                          statistics.number_of_components, statistics.number_of_boundaries,
+                          statistics.genus, size(least).c_str(), size(most).c_str(),
+                          line.read_seconds + line.answer.total_seconds);
+}
+
+} // namespace htloops

@@ -1,0 +1,428 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/tables.h"
+
+#include "words.h"
+#include "write/files.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+using CGAL::Handle_tunnel_loops::Certificate;
+using CGAL::Handle_tunnel_loops::Loop_linking;
+
+std::string name_of_loop(std::size_t loop) {
+  return "pair " + std::to_string(loop / 2) + (loop % 2 == 0 ? ", handle" : ", tunnel");
+}
+
+// "2 with pair 0, handle; -1 with itself"
+std::string words(const std::vector<Loop_linking::Number>& numbers, std::size_t loop) {
+  constexpr std::size_t largest_number_of_numbers = 4;
+  std::string text;
+  for(std::size_t i = 0; i < numbers.size() && i < largest_number_of_numbers; ++i)
+    text += (text.empty() ? "" : "; ") + std::to_string(numbers[i].second) + " with " +
+            (numbers[i].first == loop ? "itself" : name_of_loop(numbers[i].first));
+  return text + (numbers.size() > largest_number_of_numbers ? "; ..." : "");
+}
+
+std::string in_colour(const std::string& text, CGAL::Loop_type type, bool use_colour) {
+  if(!use_colour)
+    return text;
+  const auto [red, green, blue] = colour_of(type);
+  return formatted("\033[38;2;%d;%d;%dm", red, green, blue) + text + "\033[0m";
+}
+
+// Texts in columns; those that tell of a kind of loops in its colour.
+std::string row(const std::vector<std::string>& cells, bool use_colour) {
+  std::string line;
+  for(std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string cell = padded(pair_columns[i], cells[i]);
+    line += i == 0 ? "" : "  ";
+    line += i == 1   ? in_colour(cell, CGAL::Loop_type::HANDLE, use_colour)
+            : i == 2 ? in_colour(cell, CGAL::Loop_type::TUNNEL, use_colour)
+                     : cell;
+  }
+  return line + "\n";
+}
+
+std::string header(bool use_colour) {
+  std::vector<std::string> names;
+  for(const Table_column& column : pair_columns)
+    names.push_back(column.name);
+  return row(names, use_colour);
+}
+
+double total_length(const Pairs& pairs, CGAL::Loop_type type) {
+  double sum = 0.;
+  for(const Pair& pair : pairs)
+    sum += pair.loop(type).length();
+  return sum;
+}
+
+// Where a mesh is coarser than the paper takes for granted; only the reference solver looks for it.
+std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolution) {
+  if(resolution.is_resolved())
+    return "";
+  std::string text = "the mesh is coarse for the field:";
+  const char* separator = " ";
+  const auto append = [&](std::size_t number, const char* one, const char* many) {
+    if(number == 0)
+      return;
+    text += separator + counted(number, one, many);
+    separator = ", ";
+  };
+  append(resolution.handles_within_steps, "handle passed in one step",
+         "handles passed in one step");
+  append(resolution.rests, "rest", "rests");
+  append(resolution.early_vertices, "vertex reached ahead of the front",
+         "vertices reached ahead of the front");
+  append(resolution.events_in_seed_region, "event beside the seed", "events beside the seed");
+  return text + "\n";
+}
+
+// Why loops do not bound on their sides, where that was wanted.
+std::string reasons(const Answer& answer, bool show_all) {
+  if(answer.certificate.basis_kind != CGAL::Handle_tunnel_loops::Basis_kind::PURE)
+    return "";
+  const std::vector<std::string> lines = remarks_on_sides(answer.certificate);
+  constexpr std::size_t most_lines = 5;
+  const std::size_t shown = show_all ? lines.size() : (std::min)(lines.size(), most_lines);
+  std::string text;
+  for(std::size_t i = 0; i < shown; ++i)
+    text += "  " + lines[i] + "\n";
+  if(shown < lines.size())
+    text += "  ... " + std::to_string(lines.size() - shown) + " more (--all shows them)\n";
+  return text;
+}
+
+// What is nothing but rounding beside the extent of a box is 0.
+std::array<double, 3> without_rounding(const std::array<double, 3>& numbers, double extent) {
+  std::array<double, 3> result = numbers;
+  for(double& x : result)
+    if(std::abs(x) < 1e-9 * extent)
+      x = 0.;
+  return result;
+}
+
+constexpr Table_column boundary_columns[] = {{"boundary", 8, true},
+                                             {"length", 12, true},
+                                             {"waist", 12, true},
+                                             {"edges", 8, true},
+                                             {"centre", 0, false}};
+
+std::string line_of(const std::vector<std::string>& cells, bool has_waists) {
+  std::string line;
+  for(std::size_t i = 0; i < cells.size(); ++i)
+    if(has_waists || i != 2)
+      line += (i == 0 ? "" : "  ") + padded(boundary_columns[i], cells[i]);
+  return line + "\n";
+}
+
+std::string centre_of(const Loop& curve) {
+  const CGAL::Bbox_3 box = CGAL::bbox_3(curve.points().begin(), curve.points().end());
+  const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
+  return formatted("(%.4g, %.4g, %.4g)", middle(0), middle(1), middle(2));
+}
+
+std::string name_of_node(const Reeb_answer& answer, std::size_t node) {
+  return name_of(answer.graph[node].type) + (" " + std::to_string(node));
+}
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string line;
+  for(std::size_t i = 0; i < cells.size(); ++i) {
+    line += (i == 0 ? "" : "  ") + padded(arc_columns[i], cells[i]);
+  }
+  return line + "\n";
+}
+
+using CGAL::Handle_tunnel_loops::Refused_handle;
+using CGAL::Handle_tunnel_loops::Removal_report;
+using CGAL::Handle_tunnel_loops::Removal_way;
+using CGAL::Handle_tunnel_loops::Removed_handle;
+
+constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
+
+// As wide as the number of a pair.
+constexpr char neck[] = " neck";
+
+std::string number_of(std::size_t pair) { return formatted("%5zu", pair); }
+
+std::string row(const Removed_handle& handle, const std::string& number) {
+  return number + formatted("  %-5s  %12.6g  %12.6g  %12.6g\n", name_of(handle.by), handle.length,
+                            handle.area, handle.volume);
+}
+
+std::string row(const Refused_handle& handle, const std::string& number) {
+  return number + formatted("  stays  %12.6g  ", handle.length) + handle.reason + "\n";
+}
+
+/// the rows that `row(i)` makes; of a long table only the first and the last ones, unless all are
+/// to be shown.
+template <typename Row> std::string table_rows(std::size_t count, bool show_all, Row row) {
+  constexpr std::size_t longest_whole_table = 40;
+  constexpr std::size_t first_rows = 20;
+  constexpr std::size_t last_rows = 5;
+  const bool is_whole = show_all || count <= longest_whole_table;
+  std::string rows;
+  for(std::size_t i = 0; i < count; ++i) {
+    if(!is_whole && i == first_rows) {
+      i = count - last_rows;
+      rows += "  ... " + std::to_string(i - first_rows) + " more (--all shows them)\n";
+    }
+    rows += row(i);
+  }
+  return rows;
+}
+
+// First the handles, then the necks.
+template <typename Handle>
+std::string
+rows(const std::vector<Handle>& handles, const std::vector<Handle>& necks, bool show_all) {
+  return table_rows(handles.size(), show_all,
+                    [&](std::size_t i) { return row(handles[i], number_of(handles[i].pair)); }) +
+         table_rows(necks.size(), show_all, [&](std::size_t i) { return row(necks[i], neck); });
+}
+
+// "30 cut, 13 filled"
+std::string list_of_ways(const std::vector<Removed_handle>& handles) {
+  constexpr const char* participles[] = {"cut", "filled", "taken out whole"};
+  std::string list;
+  for(const Removal_way way : ways) {
+    const auto count = std::count_if(handles.begin(), handles.end(),
+                                     [way](const Removed_handle& h) { return h.by == way; });
+    if(count > 0)
+      list += (list.empty() ? "" : ", ") + std::to_string(count) + " " +
+              participles[static_cast<std::size_t>(way)];
+  }
+  return list;
+}
+
+} // namespace
+
+std::string table_of_changes(const std::string& file, const std::vector<Change>& changes) {
+  if(changes.empty())
+    return "htloops: " + file + " needed no mending\n";
+  std::string table = "htloops: " + file + " was mended:\n";
+  for(const Change& change : changes)
+    table += formatted("%9zu  ", change.count) + change.words + "\n";
+  return table;
+}
+
+const char* word_for_side(const Loop_linking& linking) {
+  return !linking.problem.empty()   ? "undecided"
+         : linking.bounds_inside()  ? "inside"
+         : linking.bounds_outside() ? "outside"
+                                    : "neither";
+}
+
+const char* word_for_side_alone(const Loop_linking& linking) {
+  return !linking.problem.empty()           ? "undecided"
+         : linking.bounds_inside_component  ? "inside"
+         : linking.bounds_outside_component ? "outside"
+                                            : "neither";
+}
+
+std::string summary_of_sides(const Certificate& certificate) {
+  const std::size_t pairs = certificate.linking.size() / 2;
+  if(pairs == 0)
+    return "";
+  const std::size_t handles = *certificate.handles_bound_inside,
+                    tunnels = *certificate.tunnels_bound_outside,
+                    handles_alone = certificate.handles_bound_inside_alone.value_or(handles),
+                    tunnels_alone = certificate.tunnels_bound_outside_alone.value_or(tunnels);
+  return std::to_string(handles) + " of " +
+         counted(pairs, "handle loop bounds", "handle loops bound") + " inside, " +
+         std::to_string(tunnels) + " of " + counted(pairs, "tunnel loop", "tunnel loops") +
+         " outside" +
+         (handles_alone == handles && tunnels_alone == tunnels
+              ? ""
+              : "; each component by itself " + std::to_string(handles_alone) + " and " +
+                    std::to_string(tunnels_alone));
+}
+
+std::vector<std::string> remarks_on_sides(const Certificate& certificate) {
+  std::vector<std::string> lines;
+  for(std::size_t i = 0; i < certificate.linking.size(); ++i) {
+    const Loop_linking& linking = certificate.linking[i];
+    if(!linking.problem.empty())
+      lines.push_back(name_of_loop(i) + ": undecided, " + linking.problem);
+    else if(!linking.bounds_inside() && !linking.bounds_outside())
+      lines.push_back(
+          name_of_loop(i) +
+          ": bounds on neither side, by its linking numbers with loops pushed outwards (" +
+          words(linking.row, i) + ") and of loops with it pushed outwards (" +
+          words(linking.column, i) + ")");
+  }
+  return lines;
+}
+
+std::vector<std::string> cells_of(const Listed_pair& pair) {
+  const CGAL::Bbox_3& box = pair.box;
+  const std::array<double, 3> extents = {box.max(0) - box.min(0), box.max(1) - box.min(1),
+                                         box.max(2) - box.min(2)};
+  const double extent = *std::max_element(extents.begin(), extents.end());
+  const auto [x, y, z] =
+      without_rounding({pair.centre.x(), pair.centre.y(), pair.centre.z()}, extent);
+  const auto [width, depth, height] = without_rounding(extents, extent);
+  return {std::to_string(pair.pair),
+          formatted("%.6g", pair.handle_length),
+          formatted("%.6g", pair.tunnel_length),
+          formatted("%.3g%%", 100. * pair.size),
+          formatted("(%.4g, %.4g, %.4g)", x, y, z),
+          formatted("%.3g x %.3g x %.3g", width, depth, height)};
+}
+
+std::string table_of_pairs(const Pair_listing& listing, const Table_options& options) {
+  if(listing.empty())
+    return "";
+  return header(options.use_colour) +
+         table_rows(listing.size(), options.show_all,
+                    [&](std::size_t i) { return row(cells_of(listing[i]), options.use_colour); });
+}
+
+std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {
+  const auto& statistics = answer.statistics;
+  std::string text = "genus " + std::to_string(statistics.genus) + " in " +
+                     counted(statistics.number_of_components, "component", "components");
+  const bool has_boundary = statistics.number_of_boundaries > 0;
+  if(has_boundary)
+    text += ", " + counted(statistics.number_of_boundaries, "boundary curve", "boundary curves");
+  text += ": ";
+  if(answer.pairs.empty())
+    text += has_boundary ? "no pairs; the boundary curves but one of each component are a basis of "
+                           "H1(S; Z)\n"
+                         : "no loops\n";
+  else
+    text += counted(answer.pairs.size(), "pair", "pairs") +
+            " of loops, certified as a basis of H1(S; Z)" +
+            (has_boundary ? " with the boundary curves but one of each component\n" : "\n") +
+            formatted("total length %.6g of the handles, %.6g of the tunnels\n",
+                      total_length(answer.pairs, CGAL::Loop_type::HANDLE),
+                      total_length(answer.pairs, CGAL::Loop_type::TUNNEL));
+  const std::string sides = summary_of_sides(answer.certificate);
+  if(!sides.empty())
+    text += sides + "\n" + reasons(answer, options.show_all);
+  return text + remarks(statistics.resolution) +
+         formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
+                   read_seconds, answer.backend.c_str()) +
+         counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
+         (options.is_verbose && !statistics.fallback.empty()
+              ? "no device was used: " + statistics.fallback + "\n"
+              : "");
+}
+
+std::string table_of_boundaries(const Boundaries& boundaries, bool show_all) {
+  const std::vector<Loop>& curves = boundaries.curves;
+  if(curves.empty())
+    return "";
+  const bool has_waists = !boundaries.waists.empty();
+  std::vector<std::size_t> order(curves.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::make_tuple(curves[a].length(), a) < std::make_tuple(curves[b].length(), b);
+  });
+  std::vector<std::string> names;
+  for(const Table_column& column : boundary_columns)
+    names.push_back(column.name);
+  return line_of(names, has_waists) + table_rows(curves.size(), show_all, [&](std::size_t row) {
+           const std::size_t i = order[row];
+           return line_of({std::to_string(i), formatted("%.6g", curves[i].length()),
+                           has_waists ? formatted("%.6g", boundaries.waists[i].length()) : "",
+                           std::to_string(curves[i].size()), centre_of(curves[i])},
+                          has_waists);
+         });
+}
+
+std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer) {
+  const std::vector<double> girths = girths_of(mesh, answer);
+  std::vector<Listed_arc> arcs;
+  for(const auto e : CGAL::make_range(edges(answer.graph))) {
+    const auto& arc = answer.graph[e];
+    arcs.push_back({arc.index, arc.length, girths[arc.index], arc.vertices.size(),
+                    name_of_node(answer, source(e, answer.graph)),
+                    name_of_node(answer, target(e, answer.graph))});
+  }
+  std::stable_sort(arcs.begin(), arcs.end(),
+                   [](const Listed_arc& a, const Listed_arc& b) { return a.length > b.length; });
+  return arcs;
+}
+
+std::vector<std::string> cells_of(const Listed_arc& arc) {
+  return {std::to_string(arc.arc),
+          formatted("%.6g", arc.length),
+          formatted("%.6g", arc.girth),
+          std::to_string(arc.number_of_vertices),
+          arc.from,
+          arc.to};
+}
+
+std::string table_of_arcs(const std::vector<Listed_arc>& arcs, bool show_all) {
+  if(arcs.empty())
+    return "";
+  std::vector<std::string> names;
+  for(const Table_column& column : arc_columns)
+    names.push_back(column.name);
+  return row(names) +
+         table_rows(arcs.size(), show_all, [&](std::size_t i) { return row(cells_of(arcs[i])); });
+}
+
+void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arcs) {
+  Text_writer out(target);
+  out << "arc,length,girth,vertices,from,to\n";
+  for(const Listed_arc& arc : arcs)
+    out << arc.arc << ',' << arc.length << ',' << arc.girth << ',' << arc.number_of_vertices << ','
+        << arc.from << ',' << arc.to << '\n';
+  out.finish();
+}
+
+const char* name_of(Removal_way way) {
+  constexpr const char* names[] = {"cut", "fill", "whole"};
+  return names[static_cast<std::size_t>(way)];
+}
+
+std::string table_of_removals(const Removal_report& report, bool show_all) {
+  const std::string removed = rows(report.removed, report.removed_necks, show_all);
+  const std::string refused = rows(report.refused, report.refused_necks, show_all);
+  std::string table;
+  if(!removed.empty())
+    table += " pair  by           length          area        volume\n" + removed;
+  if(!refused.empty())
+    table += " pair  refused      length  why\n" + refused;
+  return table;
+}
+
+std::string summary(const Removal_report& report) {
+  const std::string by = list_of_ways(report.removed);
+  std::string text = "genus " + std::to_string(report.genus_before) + " -> " +
+                     std::to_string(report.genus_after) + ", " +
+                     std::to_string(report.removed.size()) + " removed" +
+                     (by.empty() ? "" : " (" + by + ")") + ", " +
+                     std::to_string(report.refused.size()) + " refused\n";
+  if(!report.removed_necks.empty() || !report.refused_necks.empty())
+    text += counted(report.components_before, "component", "components") + " -> " +
+            std::to_string(report.components_after) + ", " +
+            counted(report.removed_necks.size(), "neck", "necks") + " cut, " +
+            std::to_string(report.refused_necks.size()) + " refused\n";
+  return text;
+}
+
+} // namespace htloops

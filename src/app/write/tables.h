@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_TABLES_H
+#define HTLOOPS_TABLES_H
+
+#include "mend/mending.h"
+#include "solve/answer.h"
+#include "solve/boundaries.h"
+#include "solve/reeb_answer.h"
+#include "write/pair_listing.h"
+
+#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace htloops {
+
+/// a line of a table, or a part of one, as `std::snprintf()` writes it.
+template <typename... Values> std::string formatted(const char* format, Values... values) {
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+/// A column of a table for a person.
+struct Table_column
+{
+  const char* name;
+  int width;      ///< 0: the last one
+  bool is_number; ///< these stand to the right
+};
+
+/// what stands in a column, as wide as that is.
+inline std::string padded(const Table_column& column, const std::string& cell) {
+  return formatted("%*s", column.is_number ? column.width : -column.width, cell.c_str());
+}
+
+/// what was done to the mesh of a file before anything was computed: a line for each kind.
+std::string table_of_changes(const std::string& file, const std::vector<Change>& changes);
+
+/// the word for the side on which a loop bounds: inside, outside, neither or undecided.
+const char* word_for_side(const CGAL::Handle_tunnel_loops::Loop_linking& linking);
+
+/// the same if the other components were not there.
+const char* word_for_side_alone(const CGAL::Handle_tunnel_loops::Loop_linking& linking);
+
+/// how many loops bound where; empty if linking numbers were not computed.
+std::string summary_of_sides(const CGAL::Handle_tunnel_loops::Certificate& certificate);
+
+/// a line for each loop that bounds on neither side or may do so, with the numbers that show it.
+std::vector<std::string>
+remarks_on_sides(const CGAL::Handle_tunnel_loops::Certificate& certificate);
+
+struct Table_options
+{
+  bool show_all = false; ///< otherwise the middle of a long table is left out
+  bool use_colour = false;
+  bool is_verbose = false; ///< why no device was used, too
+};
+
+constexpr Table_column pair_columns[] = {{"pair", 5, true},
+                                         {"handle", 12, true},
+                                         {"tunnel", 12, true},
+                                         {"size", 8, true},
+                                         {"centre of the shorter", 34, false},
+                                         {"its box", 0, false}};
+
+/// what stands in the columns.
+std::vector<std::string> cells_of(const Listed_pair& pair);
+
+/// a table of pairs for a person: how long the loops are, and where the handles are.
+std::string table_of_pairs(const Pair_listing& listing, const Table_options& options);
+
+/// lines that sum up an answer and what it took, and why loops do not bound, if there are such.
+std::string summary(const Answer& answer, double read_seconds, const Table_options& options);
+
+/// a table of the boundary curves for a person, the shortest first: how long they and their waists
+/// are, and where. The middle of a long one is left out, unless all is to be shown.
+std::string table_of_boundaries(const Boundaries& boundaries, bool show_all);
+
+/// What is told of an arc.
+struct Listed_arc
+{
+  std::size_t arc; ///< its number
+  double length;
+  double girth; ///< the length of the contour half way
+  std::size_t number_of_vertices;
+  std::string from, to; ///< its lower node and its upper one: what they are, and their numbers
+};
+
+/// the arcs, the longest first.
+std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer);
+
+constexpr Table_column arc_columns[] = {{"arc", 5, true},    {"length", 12, true},
+                                        {"girth", 12, true}, {"vertices", 9, true},
+                                        {"from", 14, false}, {"to", 0, false}};
+
+/// what stands in the columns.
+std::vector<std::string> cells_of(const Listed_arc& arc);
+
+std::string table_of_arcs(const std::vector<Listed_arc>& arcs, bool show_all);
+
+/// writes a header and a row for each arc, as RFC 4180 has it.
+void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arcs);
+
+/// the word for a way, as it stands in files and messages.
+const char* name_of(CGAL::Handle_tunnel_loops::Removal_way way);
+
+/// tables of the handles and necks that were removed, and of those that were refused, for a person.
+std::string table_of_removals(const CGAL::Handle_tunnel_loops::Removal_report& report,
+                              bool show_all);
+
+/// lines that sum them up.
+std::string summary(const CGAL::Handle_tunnel_loops::Removal_report& report);
+
+/// the colour (red, green, blue) of a kind of loops, in exports and pictures alike. People who do
+/// not see all colours tell these apart (Okabe and Ito, Color Universal Design, 2008).
+constexpr std::array<unsigned char, 3> colour_of(CGAL::Loop_type type) {
+  using Colour = std::array<unsigned char, 3>;
+  return type == CGAL::Loop_type::HANDLE   ? Colour{213, 94, 0}
+         : type == CGAL::Loop_type::TUNNEL ? Colour{0, 114, 178}
+                                           : Colour{0, 158, 115};
+}
+
+/// that of the boundary of the surface itself.
+constexpr std::array<unsigned char, 3> colour_of_boundary_curve = {60, 60, 60};
+
+} // namespace htloops
+
+#endif // HTLOOPS_TABLES_H

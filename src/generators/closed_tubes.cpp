@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "Random.h"
+#include "closed_tube.h"
+#include "kinds.h"
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace generators {
+namespace {
+
+/// A point of the centre line with two unit vectors normal to the line and each other.
+struct Ring
+{
+  Vector centre, tangent, normal, binormal;
+
+  void set_normal(const Vector& v) {
+    normal = unit(v - (v * tangent) * tangent);
+    binormal = CGAL::cross_product(tangent, normal);
+  }
+};
+
+/// some direction that is not along the tangent.
+Vector away_from(const Vector& tangent) {
+  return std::abs(tangent.z()) < 0.9 ? Vector(0, 0, 1) : Vector(1, 0, 0);
+}
+
+/// rings along the closed curve whose frames turn as little as possible: they are carried along it,
+/// and the angle by which the last misses the first is shared among all.
+std::vector<Ring> carry_frames(const Curve_by_length& curve, std::size_t count) {
+  const double step = curve.length() / count;
+  std::vector<Ring> rings(count + 1);
+  for(std::size_t i = 0; i <= count; ++i) {
+    const double s = step * (i % count);
+    const double h = 1e-3 * curve.length();
+    rings[i].centre = curve.point(s);
+    rings[i].tangent = unit(curve.point(s + h < curve.length() ? s + h : s + h - curve.length()) -
+                            curve.point(s > h ? s - h : s - h + curve.length()));
+    rings[i].set_normal(i == 0 ? away_from(rings[0].tangent) : rings[i - 1].normal);
+  }
+  const double miss =
+      std::atan2(rings[count].normal * rings[0].binormal, rings[count].normal * rings[0].normal);
+  rings.pop_back();
+  for(std::size_t i = 0; i < count; ++i) {
+    const double angle = -miss * i / count;
+    rings[i].set_normal(std::cos(angle) * rings[i].normal + std::sin(angle) * rings[i].binormal);
+  }
+  return rings;
+}
+
+/// the grid of about a number of faces whose quadrangles are nearly square on a tube of which the
+/// length is `aspect` times the circumference.
+Grid_size grid_size(std::size_t faces, double aspect) {
+  // A side of three is the least for which no two edges join the same vertices.
+  const auto at_least_3 = [](double n) { return (std::max<std::size_t>)(3, std::lround(n)); };
+  Grid_size size;
+  size.around = at_least_3(std::sqrt(faces / (2. * aspect)));
+  size.along = at_least_3(faces / (2. * size.around));
+  return size;
+}
+
+Soup make_torus(const Request& request) {
+  constexpr double radius = 1., tube_radius = 0.4;
+  require_genus(request, "torus", 1);
+  require_faces(request, "torus", 18);
+
+  const Grid_size size = grid_size(request.faces, radius / tube_radius);
+  return grid_surface(size, [&](std::size_t i, std::size_t j) {
+    const double u = 2. * CGAL_PI * i / size.along, v = 2. * CGAL_PI * j / size.around;
+    const double r = radius + tube_radius * std::cos(v);
+    return Vector(r * std::cos(u), r * std::sin(u), tube_radius * std::sin(v));
+  });
+}
+
+/// One ring of a chain along the x axis: an ellipse whose plane contains the axis and is about
+/// upright to those of its neighbours. Rings of these sizes pass through the next and touch none.
+Curve_by_length ring_curve(std::size_t number, Random& random) {
+  constexpr double distance = 1.4, most_tilt = CGAL_PI / 12.;
+  const double half_width = random.uniform(0.9, 1.25);
+  const double angle = (number % 2) * CGAL_PI / 2. + random.uniform(-most_tilt, most_tilt);
+  const Vector centre(distance * number, 0, 0), across(0, std::cos(angle), std::sin(angle));
+  return Curve_by_length([=](double t) {
+    return centre + std::cos(t) * Vector(1, 0, 0) + half_width * std::sin(t) * across;
+  });
+}
+
+Soup make_chain(const Request& request) {
+  require_least_genus(request, "chain", 1);
+  require_faces(request, "chain", 72 * request.genus);
+  Random random(request.seed);
+  std::vector<Soup> rings;
+  for(std::size_t i = 0; i < request.genus; ++i) {
+    const Curve_by_length curve = ring_curve(i, random);
+    rings.push_back(closed_tube(curve, random.uniform(0.1, 0.25), request.faces / request.genus));
+  }
+  return joined(rings);
+}
+
+Vector trefoil(double t) {
+  return Vector(std::sin(t) + 2. * std::sin(2. * t), std::cos(t) - 2. * std::cos(2. * t),
+                -std::sin(3. * t));
+}
+
+Soup make_knot(const Request& request) {
+  constexpr double tube_radius = 0.45;
+  require_genus(request, "knot", 1);
+  require_faces(request, "knot", 150);
+  return closed_tube(Curve_by_length(trefoil), tube_radius, request.faces);
+}
+
+// A third of the room is for the tubes, and some of the rest for the difference to their chords.
+constexpr double tube_part = 0.3, error_part = 0.15;
+
+/// of one tube, so that it has rings enough to follow its curve; see `grid_size()`.
+std::size_t least_faces(const Torus_knot& knot, double room, double length) {
+  const auto rings = static_cast<double>(knot.least_samples(error_part * room));
+  const double aspect = length / (2. * CGAL_PI * tube_part * room);
+  return static_cast<std::size_t>((std::max)(6. * rings, 2. * rings * rings / aspect)) + 6;
+}
+
+Soup make_torus_link(const Request& request) {
+  require_least_genus(request, "torus-link", 1);
+  const Torus_knot knot(request.p, request.q);
+  const std::size_t strands = request.genus;
+  const double angle = knot.period() / strands, room = knot.distance(angle);
+  std::vector<Soup> tubes;
+  for(std::size_t i = 0; i < strands; ++i) {
+    const Curve_by_length curve([&](double t) { return knot.point(t, i * angle); });
+    if(i == 0)
+      require_faces(request, "torus-link", strands * least_faces(knot, room, curve.length()));
+    tubes.push_back(closed_tube(curve, tube_part * room, request.faces / strands));
+  }
+  return joined(tubes);
+}
+
+} // namespace
+
+Soup grid_surface(Grid_size size, const std::function<Vector(std::size_t, std::size_t)>& point) {
+  const auto vertex = [&](std::size_t i, std::size_t j) {
+    return static_cast<std::uint32_t>((i % size.along) * size.around + j % size.around);
+  };
+  Soup soup;
+  soup.points.reserve(size.along * size.around);
+  soup.triangles.reserve(2 * size.along * size.around);
+  for(std::size_t i = 0; i < size.along; ++i)
+    for(std::size_t j = 0; j < size.around; ++j) {
+      const Vector p = point(i, j);
+      soup.points.push_back({p.x(), p.y(), p.z()});
+      soup.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      soup.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return soup;
+}
+
+Curve_by_length::Curve_by_length(std::function<Vector(double)> curve)
+    : curve_(std::move(curve)) {
+  for(int i = 1; i <= samples; ++i)
+    length_[i] =
+        length_[i - 1] + generators::length(curve_(parameter(i)) - curve_(parameter(i - 1)));
+}
+
+Vector Curve_by_length::point(double s) const {
+  const auto after = std::upper_bound(length_.begin() + 1, length_.end() - 1, s);
+  const auto i = static_cast<int>(after - length_.begin());
+  const double part = (s - length_[i - 1]) / (length_[i] - length_[i - 1]);
+  return curve_(parameter(i - 1 + part));
+}
+
+double Curve_by_length::parameter(double i) { return 2. * CGAL_PI * i / samples; }
+
+Soup closed_tube(const Curve_by_length& curve, double radius, std::size_t faces) {
+  const Grid_size size = grid_size(faces, curve.length() / (2. * CGAL_PI * radius));
+  const std::vector<Ring> rings = carry_frames(curve, size.along);
+  return grid_surface(size, [&](std::size_t i, std::size_t j) {
+    const double v = 2. * CGAL_PI * j / size.around;
+    const Ring& ring = rings[i];
+    return ring.centre + radius * (std::cos(v) * ring.normal - std::sin(v) * ring.binormal);
+  });
+}
+
+const Kind torus_kind = {"torus", "a torus, as a regular grid; genus 1, from 18 faces", make_torus};
+
+const Kind chain_kind = {
+    "chain",
+    "rings, each linked with the next, one for each handle; any genus g from 1, from 72 g faces",
+    make_chain};
+
+const Kind knot_kind = {"knot", "a tube around a trefoil knot; genus 1, from 150 faces", make_knot};
+
+const Kind torus_link_kind = {
+    "torus-link",
+    "tubes along parallel torus knots (p, q), one for each handle, each linked with all others if "
+    "there are several; any genus g from 1, from some hundred faces for each",
+    make_torus_link, GENUS | TORUS_KNOT};
+
+} // namespace generators
+} // namespace Handle_tunnel_loops
+} // namespace CGAL

@@ -1,0 +1,419 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "commands/options.h"
+
+#include "app/draw/gltf.h"
+#include "app/draw/lines.h"
+#include "app/failure.h"
+#include "app/read/sources.h"
+#include "app/write/files.h"
+#include "app/write/mesh_writer.h"
+#include "app/write/pair_listing.h"
+#include "app/write/tables.h"
+
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Named_file
+{
+  std::string option;
+  std::string name;
+};
+
+using Named_files = std::vector<Named_file>;
+
+void collect(const CLI::App& command, const char* type, Named_files& files) {
+  for(const CLI::Option* option : command.get_options())
+    if(option->get_type_name() == type)
+      for(const std::string& name : option->results())
+        files.push_back({option->get_name(), name});
+  for(const CLI::App* subcommand : command.get_subcommands())
+    collect(*subcommand, type, files);
+}
+
+std::string path_of_input(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
+std::string path_of_output(const std::string& name) { return name == "-" ? "/dev/stdout" : name; }
+
+// Of two files that do not exist yet, where they would be tells. A device is not overwritten: a
+// terminal may be read from and written to.
+bool is_same_file(const std::string& name, const std::string& other) {
+  std::error_code error;
+  if(name == other)
+    return true;
+  if(fs::is_character_file(name, error))
+    return false;
+  return fs::equivalent(name, other, error) || destination_of(name) == destination_of(other);
+}
+
+void check_differ(const Named_file& file, const std::string& path, const Named_file& output) {
+  if(is_same_file(path, path_of_output(output.name)))
+    throw Failure(Exit_code::WRONG_USAGE, file.option + " " + file.name + " and " + output.option +
+                                              " " + output.name +
+                                              " name the same file, which would be overwritten");
+}
+
+// As of a variable of the shell that is not set.
+void check_has_name(const Named_file& file) {
+  if(file.name.empty())
+    throw Failure(Exit_code::WRONG_USAGE, file.option + ": the name of the file is empty");
+}
+
+// As what follows -o in "-o -q".
+void check_is_no_option(const Named_file& output) {
+  if(output.name.size() > 1 && output.name.front() == '-')
+    throw Failure(Exit_code::WRONG_USAGE, output.option + " " + output.name +
+                                              " looks like two options; a file of that name is ./" +
+                                              output.name);
+}
+
+void check_picture(const Picture_options& picture) {
+  check_name(picture.file, "a picture in PNG", ".png");
+  if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "--labels and --legend want a build with stb and the DejaVu fonts");
+}
+
+void add_word_options(CLI::App& command, Picture_options& picture, const std::string& group) {
+  command
+      .add_flag("--labels", picture.has_labels,
+                "numbers beside the lines of the picture, where there is room")
+      ->needs("--picture")
+      ->group(group);
+  command
+      .add_flag("--legend", picture.has_legend, "what the colours of these lines mean, in a corner")
+      ->needs("--picture")
+      ->group(group);
+}
+
+} // namespace
+
+void check_files(const CLI::App& app) {
+  Named_files inputs, outputs;
+  collect(app, input_file, inputs);
+  collect(app, output_file, outputs);
+  for(const Named_files* files : {&inputs, &outputs})
+    std::for_each(files->begin(), files->end(), check_has_name);
+  for(auto output = outputs.begin(); output != outputs.end(); ++output) {
+    for(const Named_file& input : inputs)
+      check_differ(input, path_of_input(input.name), *output);
+    for(auto other = outputs.begin(); other != output; ++other)
+      check_differ(*other, path_of_output(other->name), *output);
+    check_is_no_option(*output);
+    check_writable(output->name);
+  }
+}
+
+void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what) {
+  command.add_option("MESH", options.mesh_file, what)
+      ->option_text(" ")
+      ->type_name(input_file)
+      ->required();
+  add_format_option(command, options);
+}
+
+void add_format_option(CLI::App& command, Mesh_options& options) {
+  command
+      .add_option("--format", options.format,
+                  "off, obj, ply or stl, whatever the name of the mesh says; for - as a mesh,\n"
+                  "which is the standard input")
+      ->option_text("FORMAT")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}))
+      ->group("What to read");
+}
+
+void add_remedy_options(CLI::App& command, Mesh_options& options) {
+  const char group[] = "If the mesh is not fit as it is";
+  command
+      .add_flag("--triangulate", options.remedies.do_triangulate,
+                "make triangles of faces with more corners")
+      ->group(group);
+  command
+      .add_flag("--repair", options.remedies.do_repair,
+                "weld points, drop degenerate and duplicate faces, split edges and\n"
+                "vertices with too many faces, turn faces over; says what it did")
+      ->group(group);
+  add_output_option(command, "--write-mesh", options.written_mesh_file, "FILE",
+                    "the mesh as it is then, which the answer is about: .off .obj .ply .stl",
+                    group);
+}
+
+void check_mesh_options(const Mesh_options& options) {
+  if(!options.written_mesh_file.empty())
+    check_mesh_format(options.written_mesh_file);
+}
+
+Input_file input_of(const Mesh_options& options) {
+  if(options.mesh_file == "-" && options.format.empty())
+    throw Failure(Exit_code::WRONG_USAGE,
+                  "the standard input has no name that tells its format: --format says it");
+  return Input_file(options.mesh_file, options.format);
+}
+
+Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file) {
+  Mended_mesh mended = read_mesh(file, options.remedies);
+  if(options.remedies.any() && !options.is_quiet)
+    std::fputs(table_of_changes(file.name(), mended.changes).c_str(), stderr);
+  return mended;
+}
+
+Mesh read_mesh(const Mesh_options& options) {
+  return std::move(read_mended_mesh(options, input_of(options)).mesh);
+}
+
+void write_read_mesh(const Mesh_options& options, const Mesh& mesh) {
+  if(!options.written_mesh_file.empty())
+    write_mesh(options.written_mesh_file, mesh);
+}
+
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::string& file,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group) {
+  command.add_option(name, file, what)
+      ->option_text(what_to_give)
+      ->type_name(output_file)
+      ->group(group);
+}
+
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::vector<std::string>& files,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group) {
+  command.add_option(name, files, what)
+      ->option_text(what_to_give)
+      ->type_name(output_file)
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+void add_json_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group) {
+  add_output_option(command, "-o,--output", options.json_file, "FILE.json",
+                    what + " as JSON; - is standard output", group);
+}
+
+void add_lines_option(CLI::App& command,
+                      Common_options& options,
+                      const std::string& what,
+                      const std::string& group) {
+  add_output_option(command, "--lines", options.lines_files, "FILE",
+                    what + " as lines: .ply .obj .vtp .polylines.txt; repeatable", group);
+}
+
+void add_picture_options(CLI::App& command,
+                         Common_options& options,
+                         const std::string& what,
+                         const std::string& group,
+                         bool has_words) {
+  if(!has_pictures)
+    return;
+  add_output_option(command, "--picture", options.picture.file, "FILE.png",
+                    "a picture of the mesh and " + what, group);
+  command
+      .add_option("--size", options.picture.size, "of the picture, in pixels; default: 1600,1200")
+      ->option_text("W,H")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(16, 16384))
+      ->check(why_not_finite)
+      ->needs("--picture")
+      ->group(group);
+  command
+      .add_option("--opacity", options.picture.opacity,
+                  "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
+                  "default: 0.5, and more the more lines there are")
+      ->option_text("PART")
+      ->check(CLI::Range(0., 1.))
+      ->check(why_not_finite)
+      ->needs("--picture")
+      ->group(group);
+  if(has_words)
+    add_word_options(command, options.picture, group);
+}
+
+void add_page_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group) {
+  add_output_option(command, "--html", options.page_file, "FILE.html",
+                    "a page for a browser, to turn " + what + " in", group);
+}
+
+void add_gltf_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group) {
+  add_output_option(command, "--gltf", options.gltf_file, "FILE.glb",
+                    what + " as tubes, with the mesh, as glTF", group);
+}
+
+void add_view_options(CLI::App& command, Common_options& options, const std::string& group) {
+  const auto add_direction = [&](const char* name, std::vector<double>& direction,
+                                 const char* meaning) {
+    command.add_option(name, direction, meaning)
+        ->option_text("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(why_not_finite)
+        ->group(group);
+  };
+  add_direction("--view", options.view.from,
+                "direction that is looked from; default: where most is visible, of pairs that\n"
+                "were asked for above all");
+  add_direction("--up", options.view.up, "direction that is upright; default: 0,0,1");
+}
+
+void add_threads_option(CLI::App& command, Common_options& options, const std::string& group) {
+  constexpr int largest_number_of_threads = 1024;
+  command
+      .add_option("--threads", options.number_of_threads,
+                  "threads to use, 1 to " + std::to_string(largest_number_of_threads) +
+                      "; default: one per core")
+      ->option_text("N")
+      ->check(CLI::Range(1, largest_number_of_threads))
+      ->group(group);
+}
+
+void check_common_options(const Common_options& options) {
+  check_mesh_options(options);
+  for(const auto& [name, direction] :
+      {std::pair("--view", options.view.from), std::pair("--up", options.view.up)})
+  {
+    if(direction.empty())
+      continue;
+    if(is_zero(direction))
+      throw Failure(Exit_code::WRONG_USAGE, std::string(name) + " 0,0,0 is no direction");
+    if(options.picture.file.empty() && options.page_file.empty())
+      throw Failure(Exit_code::WRONG_USAGE, std::string(name) +
+                                                " says how to look at something: it needs " +
+                                                (has_pictures ? "--picture or --html" : "--html"));
+  }
+  check_name(options.json_file, "JSON", ".json");
+  check_name(options.page_file, "a page in HTML", ".html");
+  check_picture(options.picture);
+  check_picture_size(options.picture);
+  for(const std::string& file : options.lines_files)
+    check_lines_format(file);
+  if(!options.gltf_file.empty())
+    check_gltf_format(options.gltf_file);
+}
+
+void check_name(const std::string& file, const char* what, const char* end) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if(!extension.empty() && !boost::algorithm::iequals(extension, end))
+    throw Failure(Exit_code::WRONG_USAGE, "cannot write " + file + ": what is written there is " +
+                                              what + ", and the name must end in " + end +
+                                              ", or have no such end");
+}
+
+std::string why_no_count(const std::string& text) {
+  const bool is_count = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isdigit(c) != 0;
+  });
+  return is_count && text.size() < 19 ? "" : text + " is no count";
+}
+
+std::string why_not_finite(const std::string& text) {
+  double number;
+  const bool is_finite = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
+  return is_finite ? "" : text + " is not a finite number";
+}
+
+Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
+  const std::string name = "the seed vertex " + std::to_string(number);
+  if(number >= mesh.number_of_vertices())
+    throw Failure(Exit_code::WRONG_USAGE, name + " is not one of the " +
+                                              std::to_string(mesh.number_of_vertices()) +
+                                              " vertices (they count from 0)");
+  const Mesh::Vertex_index v(number);
+  if(mesh.is_isolated(v))
+    throw Failure(Exit_code::WRONG_USAGE, name + " belongs to no face");
+  return v;
+}
+
+void show_text(const std::string& text, bool is_output_taken) {
+  if(is_output_taken) {
+    std::fputs(text.c_str(), stderr);
+    return;
+  }
+  Atomic_file output("-");
+  output.write(text.data(), text.size());
+  output.commit();
+}
+
+bool is_zero(const std::vector<double>& direction) {
+  return std::all_of(direction.begin(), direction.end(), [](double x) { return x == 0.; });
+}
+
+CLI::Option* add_box_option(CLI::App& command, std::vector<double>& box, const std::string& what) {
+  return command.add_option("--box", box, what + " with a loop that lies in a box")
+      ->option_text("x,y,z,X,Y,Z")
+      ->delimiter(',')
+      ->expected(6)
+      ->check(why_not_finite);
+}
+
+std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box) {
+  if(box.empty())
+    return std::nullopt;
+  for(std::size_t i = 0; i < 3; ++i)
+    if(!(box[i] <= box[i + 3]))
+      throw Failure(Exit_code::WRONG_USAGE,
+                    "--box: its least corner comes first, then its largest");
+  return CGAL::Bbox_3(box[0], box[1], box[2], box[3], box[4], box[5]);
+}
+
+Length_option parse_length(const std::string& option, const std::string& text) {
+  Length_option length;
+  std::string_view number = text;
+  if(!number.empty() && number.back() == '%') {
+    length.is_percentage = true;
+    number.remove_suffix(1);
+  }
+  Text_cursor cursor(number);
+  if(!cursor.read(length.value) || cursor.skip_to_content() || !(length.value > 0.) ||
+     !std::isfinite(length.value))
+    throw Failure(Exit_code::WRONG_USAGE,
+                  option + " " + text + ": not a length, such as 0.25, nor a percentage of the " +
+                      "diagonal of the bounding box, such as 3%");
+  return length;
+}
+
+double length_on(const Mesh& mesh, const Length_option& length) {
+  if(!length.is_percentage)
+    return length.value;
+  return length.value / 100. * diagonal_of(mesh);
+}
+
+} // namespace htloops

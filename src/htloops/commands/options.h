@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTLOOPS_OPTIONS_H
+#define HTLOOPS_OPTIONS_H
+
+#include "app/draw/pictures.h"
+#include "app/draw/view.h"
+#include "app/mend/mesh_reader.h"
+#include "app/mesh_types.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+namespace htloops {
+
+// The type, for `CLI::Option::type_name()`, of every option or argument that names a file.
+constexpr char input_file[] = "input file";
+constexpr char output_file[] = "output file";
+
+/// throws `Failure` if an output of the commands that were asked for cannot be written, or would
+/// overwrite an input or another output.
+void check_files(const CLI::App& app);
+
+/// Options of all commands that read a mesh.
+struct Mesh_options
+{
+  std::string mesh_file;
+  std::string format; ///< of the file; empty if its name tells
+  Remedies remedies;
+  std::string written_mesh_file;
+  bool is_quiet = false;
+
+  bool is_mesh_on_standard_output() const { return written_mesh_file == "-"; }
+};
+
+/// What the mesh of most commands is.
+constexpr char mesh_kinds[] = "triangle mesh: .off .obj .ply .stl";
+
+/// declares the mesh, which comes first, `what` it is.
+void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what);
+
+/// declares how its format is told if its name does not.
+void add_format_option(CLI::App& command, Mesh_options& options);
+
+/// declares what may be done to it.
+void add_remedy_options(CLI::App& command, Mesh_options& options);
+
+/// throws `Failure` if the mesh is to be written in no known format.
+void check_mesh_options(const Mesh_options& options);
+
+/// the file that has the mesh; throws `Failure` if it cannot be read.
+Input_file input_of(const Mesh_options& options);
+
+/// reads the mesh and, unless it is to be quiet, says what has been done to it.
+Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file);
+Mesh read_mesh(const Mesh_options& options);
+
+/// writes the mesh that was read if that is asked for.
+void write_read_mesh(const Mesh_options& options, const Mesh& mesh);
+
+/// Options that the commands have that compute something on a mesh.
+struct Common_options : Mesh_options
+{
+  std::string json_file;
+  std::vector<std::string> lines_files;
+  Picture_options picture;
+  std::string page_file;
+  std::string gltf_file;
+  View view;
+  int number_of_threads = 0;
+};
+
+/// declares that `what` may be written to a file, or to several.
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::string& file,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group);
+void add_output_option(CLI::App& command,
+                       const std::string& name,
+                       std::vector<std::string>& files,
+                       const std::string& what_to_give,
+                       const std::string& what,
+                       const std::string& group);
+
+// Each declares some of them; `what` is "the loops", say.
+void add_json_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group);
+void add_lines_option(CLI::App& command,
+                      Common_options& options,
+                      const std::string& what,
+                      const std::string& group);
+void add_picture_options(CLI::App& command,
+                         Common_options& options,
+                         const std::string& what,
+                         const std::string& group,
+                         bool has_words = true);
+void add_page_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group);
+void add_gltf_option(CLI::App& command,
+                     Common_options& options,
+                     const std::string& what,
+                     const std::string& group);
+void add_view_options(CLI::App& command, Common_options& options, const std::string& group);
+void add_threads_option(CLI::App& command, Common_options& options, const std::string& group);
+
+/// throws `Failure` if there are lines in no known format, or if something is to be seen from no
+/// direction.
+void check_common_options(const Common_options& options);
+
+/// throws `Failure` if the name of an output says that it is something else than it is: that is a
+/// mistake.
+void check_name(const std::string& file, const char* what, const char* end);
+
+/// for `CLI::Option::check()`: empty for a number without a sign, else what is wrong. Without it -5
+/// would be a very large one.
+std::string why_no_count(const std::string& text);
+
+/// the same for a finite number. A range lets pass what is not a number, as it is neither below nor
+/// above.
+std::string why_not_finite(const std::string& text);
+
+/// the vertex that a number stands for; throws `Failure` if there is none, or if it has no face.
+Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number);
+
+/// prints a text on the standard output, or, if that is taken, on the other one.
+void show_text(const std::string& text, bool is_output_taken);
+
+/// whether a direction is none.
+bool is_zero(const std::vector<double>& direction);
+
+/// declares `--box`.
+CLI::Option* add_box_option(CLI::App& command, std::vector<double>& box, const std::string& what);
+
+/// the box that was given, if one was; throws `Failure` if its corners are in the wrong order.
+std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box);
+
+/// A length that is given as it is, or as a percentage of the diagonal of the mesh's bounding box.
+struct Length_option
+{
+  double value = 0.;
+  bool is_percentage = false;
+};
+
+/// understands "0.25" and "3%"; throws `Failure`, naming the option, if the text is no positive
+/// length.
+Length_option parse_length(const std::string& option, const std::string& text);
+
+double length_on(const Mesh& mesh, const Length_option& length);
+
+} // namespace htloops
+
+#endif // HTLOOPS_OPTIONS_H

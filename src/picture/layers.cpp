@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace htl_picture {
+namespace {
+
+/// twice the signed area of the triangle with corners a, b and (x, y): with double precision it has
+/// the right sign, so that triangles leave no gap along their common edge.
+double signed_area(Projected_point a, Projected_point b, double x, double y) {
+  return (double(b.x) - a.x) * (y - a.y) - (double(b.y) - a.y) * (x - a.x);
+}
+
+} // namespace
+
+Surface_layer::Surface_layer(const std::vector<Projected_point>& points,
+                             const std::vector<Triangle>& triangles,
+                             int width,
+                             int height,
+                             const std::function<void()>& look)
+    : width_(width)
+    , height_(height)
+    , inverse_depths_(std::size_t(width) * height, 0.f)
+    , triangles_(std::size_t(width) * height, no_triangle) {
+  for(std::size_t t = 0; t < triangles.size(); ++t) {
+    constexpr std::size_t triangles_between_looks = 64; // each may cover the whole picture
+    if(t % triangles_between_looks == 0)
+      look();
+    const auto& [a, b, c] = triangles[t];
+    draw(static_cast<std::uint32_t>(t), points[a], points[b], points[c]);
+  }
+}
+
+void Surface_layer::draw(std::uint32_t triangle,
+                         Projected_point a,
+                         Projected_point b,
+                         Projected_point c) {
+  // Samples are at the centres of the pixels.
+  const int first_x = (std::max)(0, int(std::ceil((std::min)({a.x, b.x, c.x}) - 0.5f)));
+  const int last_x = (std::min)(width_ - 1, int(std::floor((std::max)({a.x, b.x, c.x}) - 0.5f)));
+  const int first_y = (std::max)(0, int(std::ceil((std::min)({a.y, b.y, c.y}) - 0.5f)));
+  const int last_y = (std::min)(height_ - 1, int(std::floor((std::max)({a.y, b.y, c.y}) - 0.5f)));
+  if(first_x > last_x || first_y > last_y)
+    return;
+  const double area = signed_area(a, b, c.x, c.y);
+  if(area == 0.)
+    return;
+  if(area < 0.)
+    std::swap(b, c);
+
+  const float nearest = (std::max)({a.inverse_depth, b.inverse_depth, c.inverse_depth});
+  for(int y = first_y; y <= last_y; ++y)
+    for(int x = first_x; x <= last_x; ++x) {
+      const double px = x + 0.5, py = y + 0.5;
+      const double of_a = signed_area(b, c, px, py), of_b = signed_area(c, a, px, py),
+                   of_c = signed_area(a, b, px, py);
+      if(of_a < 0. || of_b < 0. || of_c < 0.)
+        continue;
+      const auto inverse_depth = static_cast<float>(
+          (of_a * a.inverse_depth + of_b * b.inverse_depth + of_c * c.inverse_depth) /
+          std::abs(area));
+      const std::size_t i = index(x, y);
+      if(inverse_depth > inverse_depths_[i]) {
+        inverse_depths_[i] = (std::min)(inverse_depth, nearest); // however thin the triangle
+        triangles_[i] = triangle;
+      }
+    }
+}
+
+std::array<float, 3>
+corner_weights(const std::array<Projected_point, 3>& corners, float x, float y) {
+  std::array<float, 3> weights;
+  float sum = 0.f;
+  for(int i = 0; i < 3; ++i) {
+    const double area = signed_area(corners[(i + 1) % 3], corners[(i + 2) % 3], x, y);
+    weights[i] = static_cast<float>(std::abs(area)) * corners[i].inverse_depth;
+    sum += weights[i];
+  }
+  for(float& weight : weights)
+    weight = sum > 0.f ? weight / sum : 1.f / 3.f;
+  return weights;
+}
+
+Line_layer::Line_layer(const Camera& camera,
+                       const Surface_layer& surface,
+                       const std::vector<Line>& lines,
+                       float radius,
+                       const std::function<void()>& look)
+    : camera_(camera)
+    , surface_(surface)
+    , radius_(radius)
+    , in_front_(surface.width(), surface.height())
+    , behind_(surface.width(), surface.height()) {
+  for(std::size_t i = 0; i < lines.size(); ++i) {
+    look();
+    draw_line(static_cast<std::uint32_t>(i), lines[i]);
+  }
+}
+
+void Line_layer::draw_line(std::uint32_t line, const Line& polyline) {
+  if(polyline.points.empty())
+    return;
+  const Projected_point first = camera_.project(camera_.in_frame(polyline.points.front()));
+  Projected_point last = first;
+  for(const Point& point : polyline.points) {
+    const Projected_point next = camera_.project(camera_.in_frame(point));
+    // A loop has far more points than samples where triangles are tiny.
+    if(std::hypot(next.x - last.x, next.y - last.y) < 0.7f)
+      continue;
+    draw_segment(line, last, next);
+    last = next;
+  }
+  const bool is_point = last.x == first.x && last.y == first.y;
+  if(polyline.closed || is_point)
+    draw_segment(line, last, first);
+}
+
+void Line_layer::draw_segment(std::uint32_t line, Projected_point a, Projected_point b) {
+  const int first_y = (std::max)(0, int((std::min)(a.y, b.y) - radius_));
+  const int last_y = (std::min)(surface_.height() - 1, int((std::max)(a.y, b.y) + radius_));
+  const float dx = b.x - a.x, dy = b.y - a.y, squared_length = dx * dx + dy * dy;
+  for(int y = first_y; y <= last_y; ++y) {
+    // The part of the segment that is near this row of samples.
+    const float below = y - a.y - radius_, above = y + 1.f - a.y + radius_;
+    const bool is_steep = std::abs(dy) > radius_;
+    const float s = is_steep ? std::clamp(below / dy, 0.f, 1.f) : 0.f,
+                e = is_steep ? std::clamp(above / dy, 0.f, 1.f) : 1.f;
+    const float left = a.x + (std::min)(s * dx, e * dx), right = a.x + (std::max)(s * dx, e * dx);
+    const int first_x = (std::max)(0, int(left - radius_) - 1),
+              last_x = (std::min)(surface_.width() - 1, int(right + radius_) + 1);
+    for(int x = first_x; x <= last_x; ++x) {
+      const float px = x + 0.5f - a.x, py = y + 0.5f - a.y;
+      const float t =
+          squared_length > 0.f ? std::clamp((px * dx + py * dy) / squared_length, 0.f, 1.f) : 0.f;
+      const float squared_distance = (px - t * dx) * (px - t * dx) + (py - t * dy) * (py - t * dy);
+      if(squared_distance <= radius_ * radius_)
+        draw_sample(line, x, y, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth),
+                    std::sqrt(squared_distance));
+    }
+  }
+}
+
+void Line_layer::draw_sample(
+    std::uint32_t line, int x, int y, float inverse_depth, float distance) {
+  // The tube is as thick as it is wide. A line on a surface that is seen at a low angle is half
+  // below it: lift it by more than its thickness.
+  constexpr float lift = 2.5f;
+  const float depth = 1.f / inverse_depth;
+  const float radius = radius_ * camera_.pixel_size(inverse_depth);
+  const float across = distance / radius_;
+  const float front = depth - radius * std::sqrt((std::max)(0.f, 1.f - across * across));
+  const float surface = surface_.inverse_depth(x, y);
+  const bool is_in_front = (front - lift * radius) * surface < 1.f;
+
+  Sample& sample = (is_in_front ? in_front_ : behind_).made_at(x, y);
+  // Where segments of a line join, the middle of one covers the rim of the other's round end.
+  const bool is_joint =
+      sample.line == line && std::abs(front * sample.inverse_depth - 1.f) < 2.f * radius / front;
+  if(is_joint ? across < sample.across : front * sample.inverse_depth < 1.f)
+    sample = {1.f / front, line, across};
+}
+
+} // namespace htl_picture
