@@ -28,7 +28,7 @@ struct Pairs
     Statistics statistics;
     Pass_options options;
     options.do_tighten = false;
-    const auto passes = Passes_of_tag<CGAL::Sequential_tag>::make(mesh, {0}, options, {});
+    const auto passes = Passes_of_tag<CGAL::Sequential_tag>::make(mesh, {0}, options);
     for(Flat_pair& pair : Loop_pipeline(*passes, options, progress).run(statistics)) {
       handles.push_back(std::move(pair.handle));
       tunnels.push_back(std::move(pair.tunnel));
