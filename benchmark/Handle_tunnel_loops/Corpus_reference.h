@@ -4,11 +4,11 @@
 #include "Corpus_answer.h"
 
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>
-#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
 
 #include <cmath>
 #include <cstdio>

@@ -10,9 +10,9 @@
 #ifndef HTL_BENCHMARK_TUNED_PASSES_H
 #define HTL_BENCHMARK_TUNED_PASSES_H
 
-#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Field_passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
 
 #include <CGAL/tags.h>
 

@@ -11,7 +11,7 @@
 // requests: a suite of generated meshes. Each figure is the median of the runs. Fails if there is
 // no device.
 
-#include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/handle_tunnel_loops.h>

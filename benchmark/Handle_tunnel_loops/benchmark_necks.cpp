@@ -10,7 +10,7 @@
 #include "Benchmark_meshes.h"
 #include "Counting_allocation.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/necks/find_necks.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/find_necks.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <algorithm>

@@ -8,13 +8,11 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/classes/find_right_classes_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/classification/Loop_growth_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_position_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_growth_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/solid_sides_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/diffusion_times_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/make_host_passes_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/diffusion_times_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/make_host_passes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel_impl.h>

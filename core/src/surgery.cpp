@@ -8,6 +8,6 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/necks/find_necks_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/patches/caps_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Removal_rounds_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/find_necks_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/caps_impl.h>

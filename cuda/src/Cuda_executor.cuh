@@ -15,8 +15,7 @@
 #include "thread_numbers.cuh"
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
-#include <CGAL/Handle_tunnel_loops/internal/executors/run_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <cooperative_groups.h>

@@ -11,7 +11,7 @@
 #include "Stream.cuh"
 #include "devices.cuh"
 
-#include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 
 #include <algorithm>
 #include <chrono>

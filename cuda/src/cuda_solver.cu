@@ -12,7 +12,7 @@
 #include "devices.cuh"
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {

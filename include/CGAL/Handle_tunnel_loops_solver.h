@@ -16,15 +16,15 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/classes/find_right_classes.h>
-#include <CGAL/Handle_tunnel_loops/internal/classification/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Capped_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/mean_edge_length.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes_of_tag.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 

@@ -15,8 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Loop_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>

@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_request.h>
-#include <CGAL/Handle_tunnel_loops/internal/cutting/Solver_access.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
 #include <CGAL/Handle_tunnel_loops/loops_as_edges.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Dual_chains.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/boundary_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
 #include <CGAL/cut_to_disk.h>
 
 #include <CGAL/Named_function_parameters.h>

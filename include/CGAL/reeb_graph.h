@@ -16,8 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/diffusion_times.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/diffusion_times.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_computation.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/removal/Handle_remover.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_remover.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/enum.h>

@@ -13,8 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/edges/Loop_imprint.h>
-#include <CGAL/Handle_tunnel_loops/internal/edges/Loop_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Loop_imprint.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Loop_walker.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -9,7 +9,7 @@
 
 #include "draw/surfaces.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Face_arcs.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/arc_shapes.h>
 
 #include <algorithm>
 #include <cstddef>

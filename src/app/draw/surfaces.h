@@ -13,7 +13,7 @@
 #include "mesh_types.h"
 #include "solve/reeb_answer.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Face_arcs.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/arc_shapes.h>
 
 #include <array>
 #include <cmath>

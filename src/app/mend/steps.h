@@ -16,7 +16,7 @@
 #include "read/soup_diagnosis.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 
 #include "solve/self_contact.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/patches/self_contact.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/self_contact.h>
 
 #include <CGAL/tags.h>
 

@@ -4,9 +4,9 @@
 #include "Meshes_of_soups.h"
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Cut_components.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Concurrent_disjoint_sets.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,7 @@
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/ceilings.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 
 #include <gtest/gtest.h>
 

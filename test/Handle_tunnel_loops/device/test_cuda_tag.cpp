@@ -10,7 +10,7 @@
 #include "Host_executor.h"
 #include "with.h"
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>
 #endif
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 
 #include <cuda_runtime.h>
 

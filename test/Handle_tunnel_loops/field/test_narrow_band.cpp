@@ -7,7 +7,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/field/Narrow_band.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/handle_candidates.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>

@@ -1,7 +1,7 @@
 #ifndef HTL_TEST_GEODESIC_ANGLES_H
 #define HTL_TEST_GEODESIC_ANGLES_H
 
-#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 
 #include <algorithm>
 #include <cmath>

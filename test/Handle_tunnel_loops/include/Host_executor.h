@@ -3,8 +3,8 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/executors/Host_memory.h>
-#include <CGAL/Handle_tunnel_loops/internal/executors/run_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Processor_executor.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 
 #include "Reeb_by_levels.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/fronts/Front_log.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/saddle_formulas.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>

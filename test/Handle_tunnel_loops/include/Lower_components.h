@@ -1,8 +1,8 @@
 #ifndef HTL_TEST_LOWER_COMPONENTS_H
 #define HTL_TEST_LOWER_COMPONENTS_H
 
-#include <CGAL/Handle_tunnel_loops/internal/field/Arrival_order.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/saddle_formulas.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
 
 #include <algorithm>
 #include <vector>

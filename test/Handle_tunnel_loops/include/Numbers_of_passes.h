@@ -1,7 +1,7 @@
 #ifndef HTL_TEST_NUMBERS_OF_PASSES_H
 #define HTL_TEST_NUMBERS_OF_PASSES_H
 
-#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
 
 #include <numeric>
 #include <vector>

@@ -4,9 +4,9 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 

@@ -5,7 +5,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/radix_sort.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 #include <CGAL/tags.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "Flat_mesh_of_soup.h"
 #include "Loop_definitions.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Lower_link_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Contour_arcs.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <CGAL/assertions_behaviour.h>

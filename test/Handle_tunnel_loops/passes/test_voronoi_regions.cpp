@@ -3,10 +3,9 @@
 
 #include "Crossing_loops.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/backends/Host_backend.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Bidirectional_front.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_graph_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/handle_candidates.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "Meshes_of_soups.h"
 
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Band_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Band_pass.h>
 #include <CGAL/iterator.h>
 
 #include <gtest/gtest.h>

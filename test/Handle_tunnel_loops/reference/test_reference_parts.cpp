@@ -4,14 +4,14 @@
 #include "Random_growth.h"
 #include "random_input.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/executors/Processor_executor.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Front_layers.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Narrow_band.h>
-#include <CGAL/Handle_tunnel_loops/internal/fronts/Front_layers.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Processor_executor.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Reference_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/handle_candidates.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
 
 #include <gtest/gtest.h>
 

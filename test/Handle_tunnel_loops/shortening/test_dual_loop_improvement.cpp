@@ -5,8 +5,8 @@
 #include "Torus_loops.h"
 #include "random_input.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Loop_pipeline.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes_of_tag.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>
 
 #include <gtest/gtest.h>

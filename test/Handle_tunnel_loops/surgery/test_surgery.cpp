@@ -1,11 +1,11 @@
 #include "Meshes_of_soups.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/patches/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_nearby.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <gtest/gtest.h>

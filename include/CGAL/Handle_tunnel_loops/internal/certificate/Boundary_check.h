@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Handle_tunnel_loops authors
+
 #ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_BOUNDARY_CHECK_H
 #define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_BOUNDARY_CHECK_H
 

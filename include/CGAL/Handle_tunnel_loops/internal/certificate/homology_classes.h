@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/core.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>

@@ -12,14 +12,89 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/edges/Flat_halfedges.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// The halfedges of a flat mesh by number: that from v to the i-th neighbour in its ring is number
+/// `row_begin[v] + i`.
+class Flat_halfedges
+{
+public:
+  Flat_halfedges(Execution execution, const Flat_mesh& mesh)
+      : mesh_(mesh)
+      , source_(mesh.neighbor.size())
+      , twin_(mesh.neighbor.size())
+      , face_(mesh.neighbor.size()) {
+    for_each_index(execution, mesh.number_of_vertices(), [&](std::size_t v) {
+      for(Index h = mesh.row_begin[v]; h < mesh.row_begin[v + 1]; ++h)
+        source_[h] = static_cast<Index>(v);
+    });
+    find_twins();
+    number_faces();
+  }
+
+  std::size_t size() const { return source_.size(); }
+  Index source(Index h) const { return source_[h]; }
+  Index target(Index h) const { return mesh_.neighbor[h]; }
+  Index twin(Index h) const { return twin_[h]; }
+  /// the face to the left.
+  Index face(Index h) const { return face_[h]; }
+
+  /// the halfedges that leave v are those from `begin(v)` to `end(v)`, counterclockwise.
+  Index begin(Index v) const { return mesh_.row_begin[v]; }
+  Index end(Index v) const { return mesh_.row_begin[v + 1]; }
+
+  /// the next halfedge around the source, counterclockwise; and clockwise.
+  Index after(Index h) const { return h + 1 == end(source_[h]) ? begin(source_[h]) : h + 1; }
+  Index before(Index h) const { return (h == begin(source_[h]) ? end(source_[h]) : h) - 1; }
+
+  /// the next halfedge of the face to the left.
+  Index next(Index h) const { return before(twin_[h]); }
+
+  /// the halfedge from u to v; there must be one.
+  Index between(Index u, Index v) const {
+    if(end(v) - begin(v) < end(u) - begin(u))
+      return twin_[between(v, u)];
+    return begin(u) + mesh_.ring(u).position(v);
+  }
+
+private:
+  // The halfedges that lead to each vertex, sorted by where they come from, are the twins of those
+  // that leave it, sorted by where they lead: two transpositions, no search in rings.
+  void find_twins() {
+    Uninitialized_vector<Index> arriving(size()), leaving(size());
+    Uninitialized_vector<Index> place(mesh_.row_begin);
+    for(Index h = 0; h < size(); ++h)
+      arriving[place[target(h)]++] = h;
+    place = mesh_.row_begin;
+    for(std::size_t i = 0; i < size(); ++i)
+      leaving[place[source_[arriving[i]]]++] = arriving[i];
+    for(std::size_t i = 0; i < size(); ++i)
+      twin_[leaving[i]] = arriving[i];
+  }
+
+  void number_faces() {
+    Index number = 0;
+    for(Index h = 0; h < size(); ++h) {
+      const Index second = next(h), third = next(second);
+      if(h < second && h < third) {
+        face_[h] = face_[second] = face_[third] = number;
+        ++number;
+      }
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  Uninitialized_vector<Index> source_, twin_, face_;
+};
 
 /// What the caller wants of an edge.
 enum class Edge_rule : unsigned char { FREE, KEEP, AVOID };
@@ -46,6 +121,86 @@ struct Cut_problem
   bool is_kept(Index h) const { return rule(h) == Edge_rule::KEEP; }
   bool is_avoided(Index h) const { return rule(h) == Edge_rule::AVOID; }
   bool is_cone(Index v) const { return !cones.empty() && cones[v] != 0; }
+};
+
+/// How many elements a component has.
+struct Component_size
+{
+  std::size_t vertices = 0, halfedges = 0;
+
+  /// V - E + F = 2 - 2 g, with 2 E = 3 F.
+  std::size_t genus() const { return (2 + halfedges / 6 - vertices) / 2; }
+};
+
+/// the sizes of all components.
+inline std::vector<Component_size> component_sizes(const Cut_problem& problem) {
+  std::vector<Component_size> sizes(problem.mesh.seeds.size());
+  for(Index v = 0; v < problem.mesh.number_of_vertices(); ++v) {
+    Component_size& size = sizes[problem.mesh.component[v]];
+    ++size.vertices;
+    size.halfedges += problem.halfedges.end(v) - problem.halfedges.begin(v);
+  }
+  return sizes;
+}
+
+/// A set of edges, and how many of them meet at each vertex.
+class Cut_graph
+{
+public:
+  explicit Cut_graph(const Cut_problem& problem)
+      : problem_(problem)
+      , contains_(problem.halfedges.size(), 0)
+      , degree_(problem.mesh.number_of_vertices(), 0) {}
+
+  bool contains(Index h) const { return contains_[h] != 0; }
+  Index degree(Index v) const { return degree_[v]; }
+
+  void insert(Index h) { change(h, 1); }
+  void erase(Index h) { change(h, 0); }
+
+  /// takes out the dead end that begins at v, if there is one: up to a cone, a kept edge, or where
+  /// several edges meet. Calls `tell(h)` for each edge.
+  template <typename Function> void prune(Index v, const Function& tell) {
+    while(degree_[v] == 1 && !problem_.is_cone(v)) {
+      const Index h = only_edge(v);
+      if(problem_.is_kept(h))
+        return;
+      erase(h);
+      tell(h);
+      v = problem_.halfedges.target(h);
+    }
+  }
+
+  /// the next halfedge of the boundary of the opened surface, which is to its left.
+  Index following(Index h) const {
+    Index k = problem_.halfedges.twin(h);
+    do
+      k = problem_.halfedges.before(k);
+    while(!contains(k));
+    return k;
+  }
+
+private:
+  void change(Index h, char value) {
+    const Index twin = problem_.halfedges.twin(h);
+    if(contains_[h] == value)
+      return;
+    contains_[h] = contains_[twin] = value;
+    const Index change = value ? Index(1) : static_cast<Index>(-1);
+    degree_[problem_.halfedges.source(h)] += change;
+    degree_[problem_.halfedges.source(twin)] += change;
+  }
+
+  Index only_edge(Index v) const {
+    Index h = problem_.halfedges.begin(v);
+    while(!contains(h))
+      ++h;
+    return h;
+  }
+
+  const Cut_problem& problem_;
+  std::vector<char> contains_; // by halfedge
+  std::vector<Index> degree_;  // by vertex
 };
 
 } // namespace internal

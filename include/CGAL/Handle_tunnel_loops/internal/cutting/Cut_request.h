@@ -14,8 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
-#include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -34,6 +35,18 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// Lets what cuts a surface open use the arrays in which a solver keeps it.
+struct Solver_access
+{
+  template <typename Solver> static const Flat_mesh& mesh(const Solver& solver) {
+    return solver.mesh_;
+  }
+  /// the vertex of each index of the flat mesh.
+  template <typename Solver> static const auto& vertices(const Solver& solver) {
+    return solver.vertices_;
+  }
+};
 
 /// Turns what a caller wants of a cut, in terms of the mesh, into a `Cut_problem`.
 template <typename TriangleMesh, typename VertexIndexMap> class Cut_request

@@ -13,18 +13,117 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/cutting/Shortest_forest.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// Shortest paths from some vertices to all others, along edges that are not to be avoided.
+class Shortest_forest
+{
+public:
+  static constexpr double never = (std::numeric_limits<double>::max)();
+
+  explicit Shortest_forest(const Cut_problem& problem)
+      : problem_(problem)
+      , paths_(problem.mesh.number_of_vertices()) {}
+
+  void add_source(Index v) { paths_.reach(v, {0., no_index}); }
+
+  void grow() {
+    const Flat_halfedges& halfedges = problem_.halfedges;
+    paths_.grow([&](Index v) {
+      for(Index h = halfedges.begin(v); h < halfedges.end(v); ++h) {
+        const double sum = distance(v) + problem_.weight[h];
+        if(sum < distance(halfedges.target(h)) && !problem_.is_avoided(h))
+          paths_.reach(halfedges.target(h), {sum, h});
+      }
+    });
+  }
+
+  /// from the nearest source; `never` where no path leads.
+  double distance(Index v) const { return paths_[v].distance; }
+
+  /// whether a halfedge or its twin is on the path to one of its ends.
+  bool is_on_path(Index h) const {
+    return paths_[problem_.halfedges.target(h)].previous == h ||
+           paths_[problem_.halfedges.source(h)].previous == problem_.halfedges.twin(h);
+  }
+
+private:
+  struct Label
+  {
+    double distance = never;
+    Index previous = no_index; // the halfedge that leads to the vertex
+  };
+
+  const Cut_problem& problem_;
+  Shortest_paths<Label> paths_; // by vertex
+};
+
+/// Gives the arcs of spheres their ends, as cones: where the caller wants one or names one vertex,
+/// a sphere is cut from there, or from one end of it, to the vertex farthest away.
+class Sphere_ends
+{
+public:
+  explicit Sphere_ends(Cut_problem& problem)
+      : problem_(problem) {}
+
+  void add() {
+    const std::vector<Component_size> sizes = component_sizes(problem_);
+    std::vector<Index> number_of_cones(sizes.size(), 0), some_cone(sizes.size(), no_index);
+    for(Index v = 0; v < problem_.cones.size(); ++v)
+      if(problem_.is_cone(v)) {
+        ++number_of_cones[problem_.mesh.component[v]];
+        some_cone[problem_.mesh.component[v]] = v;
+      }
+    std::vector<char> is_kept(sizes.size(), 0);
+    for(Index h = 0; h < problem_.rules.size(); ++h)
+      if(problem_.is_kept(h))
+        is_kept[problem_.mesh.component[problem_.halfedges.source(h)]] = 1;
+    for(std::size_t c = 0; c < sizes.size(); ++c)
+      if(sizes[c].genus() == 0 && !is_kept[c]) {
+        if(number_of_cones[c] == 1 && problem_.mesh.is_hub(some_cone[c]))
+          problem_.cones[some_cone[c]] = 0; // a disk as it is
+        else if(number_of_cones[c] == 1)
+          add_cone(farthest_from(some_cone[c]));
+        else if(number_of_cones[c] == 0 && problem_.do_cut_spheres) {
+          const Index end = farthest_from(problem_.mesh.seeds[c]);
+          add_cone(end);
+          add_cone(farthest_from(end));
+        }
+      }
+  }
+
+private:
+  void add_cone(Index v) {
+    problem_.cones.resize(problem_.mesh.number_of_vertices(), 0);
+    problem_.cones[v] = 1;
+  }
+
+  Index farthest_from(Index v) const {
+    Shortest_forest forest(problem_);
+    forest.add_source(v);
+    forest.grow();
+    Index farthest = problem_.halfedges.target(problem_.halfedges.begin(v));
+    for(Index u = 0; u < problem_.mesh.number_of_vertices(); ++u)
+      if(forest.distance(u) != Shortest_forest::never &&
+         forest.distance(u) > forest.distance(farthest))
+        farthest = u;
+    return farthest;
+  }
+
+  Cut_problem& problem_;
+};
 
 /*!
 Finds a cut that uses given walks as far as it can.

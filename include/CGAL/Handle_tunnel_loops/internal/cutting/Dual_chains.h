@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/classes/Class_vector.h>
-#include <CGAL/Handle_tunnel_loops/internal/classes/Unimodular_system.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 
 #include <CGAL/assertions.h>
 

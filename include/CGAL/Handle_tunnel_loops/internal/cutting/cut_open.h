@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/core.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <vector>
 

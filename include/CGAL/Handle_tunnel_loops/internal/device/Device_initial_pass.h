@@ -15,11 +15,10 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
-#include <CGAL/Handle_tunnel_loops/internal/kernels/Field_steps.h>
-#include <CGAL/Handle_tunnel_loops/internal/kernels/Whole_mesh_domain.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/Handle_candidate.h>
-#include <CGAL/Handle_tunnel_loops/internal/saddles/Saddle_contours.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Saddle_contours.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
 
 #include <algorithm>
 #include <chrono>

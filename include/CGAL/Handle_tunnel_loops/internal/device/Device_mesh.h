@@ -13,8 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/executors/buffers.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {

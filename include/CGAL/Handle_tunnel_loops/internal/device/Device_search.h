@@ -14,14 +14,15 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Host_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Tuning.h>
-#include <CGAL/Handle_tunnel_loops/internal/kernels/Close_walks.h>
-#include <CGAL/Handle_tunnel_loops/internal/kernels/Field_steps.h>
-#include <CGAL/Handle_tunnel_loops/internal/kernels/Paged_domain.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/walk_kernels.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <tuple>
@@ -32,6 +33,59 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
+
+/// The loops of a batch of passes, as the arrays of `Loop_sides`.
+struct Host_sides
+{
+  std::vector<Index> loops; ///< by pass, the number of its loop
+  std::vector<Time> last_steps;
+  std::vector<Crossing> crossings;
+  std::vector<Index> pass, begin;
+  std::vector<double> along;
+};
+
+inline Host_sides
+sides_of(const Flat_mesh& mesh, const Dual_loop_query& search, const std::vector<Index>& loops) {
+  Host_sides sides;
+  sides.loops = loops;
+  sides.begin.push_back(0);
+  std::vector<double> along;
+  for(Index i = 0; i < loops.size(); ++i) {
+    const Crossing_loop& loop = search.loops[loops[i]];
+    measure_left_side(mesh, loop, along);
+    sides.along.insert(sides.along.end(), along.begin(), along.end());
+    sides.crossings.insert(sides.crossings.end(), loop.begin(), loop.end());
+    sides.pass.insert(sides.pass.end(), loop.size(), i);
+    sides.begin.push_back(static_cast<Index>(sides.crossings.size()));
+    sides.last_steps.push_back(search.numbers_of_steps.empty() ? never
+                                                               : search.numbers_of_steps[loops[i]]);
+  }
+  return sides;
+}
+
+/// The same in the memory of an executor.
+template <typename Executor> class Device_sides
+{
+  template <typename T> using Buffer = typename Executor::template Buffer<T>;
+
+public:
+  Device_sides(Executor& executor, const Host_sides& sides)
+      : crossings_(uploaded(executor, sides.crossings))
+      , pass_(uploaded(executor, sides.pass))
+      , begin_(uploaded(executor, sides.begin))
+      , along_(uploaded(executor, sides.along)) {}
+
+  std::size_t number_of_crossings() const { return crossings_.span().size(); }
+
+  Loop_sides view() const {
+    return {crossings_.span(), pass_.span(), begin_.span(), along_.span()};
+  }
+
+private:
+  Buffer<Crossing> crossings_;
+  Buffer<Index> pass_, begin_;
+  Buffer<double> along_;
+};
 
 /*!
 A batch of loop passes that run at the same time, in one table of pages and one band, so that one

@@ -13,21 +13,180 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
-#include <CGAL/Handle_tunnel_loops/internal/backends/Fallback_backend.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Device_start.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/make_cuda_solver.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Field_passes.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+namespace device {
+
+/// Has a thread start the device, which takes a process some tenths of a second the first time,
+/// while the mesh is prepared; waited for in the end. What fails is for the solver to tell.
+class Device_start
+{
+public:
+  explicit Device_start(Device_options options) {
+    try {
+      if(options.device < 0) // that of this thread, not of the other
+        options.device = current_cuda_device();
+      done_ = std::async(std::launch::async, [options] {
+        try {
+          start_cuda_device(options);
+        } catch(const Device_exception&) {
+        }
+      });
+    } catch(const Device_exception&) {
+    } catch(const std::system_error&) { // there is no thread to be had
+    }
+  }
+
+private:
+  std::future<void> done_;
+};
+
+} // namespace device
+
+/// On a device as long as there is one that does it, else on the processor. What fails on the
+/// device begins anew on the processor, and so does all that comes later; what the device has found
+/// before is kept, since the processor would find the same.
+class Fallback_backend : public Backend
+{
+public:
+  /// \p make_device may throw `Device_exception`.
+  Fallback_backend(Execution execution,
+                   const Flat_mesh& mesh,
+                   const std::function<std::unique_ptr<Backend>()>& make_device)
+      : execution_(execution)
+      , mesh_(mesh) {
+    try {
+      device_ = make_device();
+    } catch(const No_device_exception& e) {
+      host_.emplace(execution, mesh, e.what());
+    } catch(const Device_exception& e) {
+      host_.emplace(execution, mesh, e.what());
+      has_device_failed_ = true;
+    }
+  }
+
+  std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
+                                              const Step_coefficients& k,
+                                              const Callback& callback) override {
+    is_initial_field_of_device_ = false;
+    repeat_ = [this, seeds, k, callback] {
+      host_->initial_field(seeds, k, [&](double) { return callback(0.); });
+    };
+    auto handles = run([&](Backend& backend) { return backend.initial_field(seeds, k, callback); });
+    is_initial_field_of_device_ = device_ != nullptr;
+    return handles;
+  }
+
+  std::vector<Time> arrival_times() override {
+    return run_on_times([](Backend& backend) { return backend.arrival_times(); });
+  }
+
+  Front_log front_log() override {
+    return run_on_times([](Backend& backend) { return backend.front_log(); });
+  }
+
+  std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
+                                     const Crossing_index& index,
+                                     const Step_coefficients& k) override {
+    return run([&](Backend& backend) { return backend.times_from_loops(loops, index, k); });
+  }
+
+  std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
+                                        const Step_coefficients& k,
+                                        const Callback& callback) override {
+    return run([&](Backend& b) { return b.times_from_vertices(vertices, k, callback); });
+  }
+
+  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
+                                     const Step_coefficients& k,
+                                     const Callback& callback) override {
+    return run([&](Backend& backend) { return backend.dual_walks(query, k, callback); });
+  }
+
+  void report(Statistics& statistics) const override {
+    if(device_)
+      return device_->report(statistics);
+    CGAL_assertion(host_.has_value());
+    host_->report(statistics);
+    if(is_initial_field_of_device_)
+      statistics.backend = "cuda, then host";
+    statistics.device_bytes = device_bytes_;
+    statistics.has_device_failed = has_device_failed_;
+  }
+
+private:
+  // The answer of the device, or that of the processor if the device fails.
+  template <typename Function> std::invoke_result_t<Function, Backend&> run(const Function& f) {
+    if(device_)
+      try {
+        return f(*device_);
+      } catch(const Device_exception& e) {
+        leave_device(e);
+      }
+    return f(static_cast<Backend&>(*host_));
+  }
+
+  // The same of what rests on the last initial field.
+  template <typename Function>
+  std::invoke_result_t<Function, Backend&> run_on_times(const Function& f) {
+    return run([&](Backend& backend) {
+      if(!device_ && !host_->has_arrival_times())
+        repeat_();
+      return f(backend);
+    });
+  }
+
+  void leave_device(const Device_exception& e) {
+    Statistics statistics;
+    device_->report(statistics);
+    device_bytes_ = statistics.device_bytes;
+    std::vector<Time> times;
+    if(is_initial_field_of_device_)
+      times = times_if_there();
+    device_.reset();
+    has_device_failed_ = true;
+    host_.emplace(execution_, mesh_, e.what());
+    host_->set_arrival_times(std::move(times));
+  }
+
+  // A device that has failed in a later pass may still have them.
+  std::vector<Time> times_if_there() {
+    try {
+      return device_->arrival_times();
+    } catch(const Device_exception&) {
+      return {};
+    }
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  std::unique_ptr<Backend> device_; // one of the two
+  std::optional<Host_backend> host_;
+  std::size_t device_bytes_ = 0; // of the device that failed
+  bool has_device_failed_ = false;
+  bool is_initial_field_of_device_ = false;
+  std::function<void()> repeat_; // the last initial field
+};
 
 namespace device {
 

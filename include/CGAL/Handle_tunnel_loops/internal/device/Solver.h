@@ -12,17 +12,32 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/backends/Backend.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Backend.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 namespace device {
+
+/// How a device is used, for benchmarks and tests to vary: no answer depends on it.
+struct Tuning
+{
+  int threads_at_barrier = 640;    ///< of each multiprocessor, at most, in kernels of many steps
+  Time steps_per_run = 512;        ///< of an initial pass, between two looks at callback and band
+  Time steps_per_look = 64;        ///< of the loop passes, at most, between two looks; no more than
+                                   ///< `Step_coefficients::patience`
+  Time steps_per_look_if_met = 16; ///< at least, where fronts have met
+  bool times_kernels = false;      ///< see `Costs::kernels`; waits for each of them
+};
 
 /// What all launches of a kernel cost.
 struct Kernel_cost
@@ -49,6 +64,34 @@ class Solver : public Backend
 public:
   virtual Costs costs() const = 0;
 };
+
+/// brings a mesh, which must outlive the solver, to a device. Defined in the library
+/// `Handle_tunnel_loops::cuda`. Throws `No_device_exception`, `Out_of_device_memory_exception` or
+/// `Device_exception`.
+std::unique_ptr<Solver>
+make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning& tuning = {});
+
+/// the number of the current device of the calling thread. Throws as the above.
+int current_cuda_device();
+
+/// does what a process has to do before it uses a device for the first time. Throws as the above.
+void start_cuda_device(const Device_options& options);
+
+/// What a device can do at most, measured; for benchmarks. Defined in the library
+/// `Handle_tunnel_loops::cuda`.
+struct Ceilings
+{
+  std::string device;    ///< its name
+  std::string versions;  ///< of the driver and of the runtime
+  double seconds_to_map; ///< so many bytes of its memory, if the process keeps none of it
+  std::size_t mapped_bytes;
+  double bytes_per_second;   ///< of a copy within its memory, read and written
+  double seconds_per_launch; ///< of kernels that do nothing, one after the other
+  double seconds_per_step;   ///< of a barrier of the grid that the passes use
+};
+
+/// measures the given device, or the current one if the number is negative.
+Ceilings measure_ceilings(int device);
 
 } // namespace device
 } // namespace internal

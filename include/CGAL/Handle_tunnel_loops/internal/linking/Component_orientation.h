@@ -13,9 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/solid_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -23,8 +24,10 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <string>
@@ -34,6 +37,22 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+using Triangle = std::array<Vector, 3>;
+
+/// the signs of the volumes that components enclose, exactly. `for_each_triangle(f)` calls
+/// `f(component, triangle)` for all of their triangles.
+CGAL_HTL_CORE std::vector<int> signs_of_volumes(
+    std::size_t number_of_components,
+    const std::function<void(const std::function<void(std::size_t, const Triangle&)>&)>&
+        for_each_triangle);
+
+/// Where a triangle is seen from a point if one looks up or down from it.
+enum class Seen_triangle { NOWHERE, ABOVE, HERE, BELOW };
+
+/// says it exactly. The point is moved aside by an infinitesimal amount, so that it lies above no
+/// edge.
+CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& point);
 
 /*!
 Tells on which side of the components of a closed surface the solid is: the points that are enclosed
@@ -315,5 +334,9 @@ private:
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
+#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_COMPONENT_ORIENTATION_H

@@ -13,9 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>

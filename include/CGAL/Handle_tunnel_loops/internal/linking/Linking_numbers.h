@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Linking.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

@@ -12,11 +12,14 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Sparse_matrix.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -25,6 +28,64 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+struct Matrix_entry
+{
+  Index row, column;
+  std::int64_t value;
+
+  bool is_beside(const Matrix_entry& e) const { return row == e.row && column == e.column; }
+  bool operator<(const Matrix_entry& e) const {
+    return row != e.row ? row < e.row : column < e.column;
+  }
+};
+
+/// An integer matrix: its entries by row and, within a row, by column; no zeros.
+using Sparse_matrix = std::vector<Matrix_entry>;
+
+/// sorts entries, adds up those at the same place, and leaves out zeros.
+inline void add_up(std::vector<Matrix_entry>& entries) {
+  std::sort(entries.begin(), entries.end());
+  std::size_t kept = 0;
+  for(std::size_t i = 0; i < entries.size();) {
+    Matrix_entry sum = entries[i];
+    for(++i; i < entries.size() && entries[i].is_beside(sum); ++i)
+      sum.value += entries[i].value;
+    if(sum.value != 0)
+      entries[kept++] = sum;
+  }
+  entries.resize(kept);
+}
+
+/// whether a matrix is its transpose with the other sign. Logarithmic time for each entry.
+inline bool is_antisymmetric(const Sparse_matrix& matrix) {
+  CGAL_precondition(std::is_sorted(matrix.begin(), matrix.end()));
+  return std::all_of(matrix.begin(), matrix.end(), [&](const Matrix_entry& e) {
+    const Matrix_entry transposed = {e.column, e.row, -e.value};
+    const auto it = std::lower_bound(matrix.begin(), matrix.end(), transposed);
+    return it != matrix.end() && it->is_beside(transposed) && it->value == transposed.value;
+  });
+}
+
+/// A line of a copy and an edge of a walk that meet although they should be apart; or, where the
+/// edge is one that the copy crosses, two faces that lie on each other.
+struct Contact
+{
+  static constexpr std::size_t no_corner = static_cast<std::size_t>(-1);
+  std::size_t corner, edge;
+
+  bool operator<(const Contact& c) const {
+    return edge != c.edge ? edge < c.edge : corner < c.corner;
+  }
+};
+
+/// What `Linking_numbers` finds.
+struct Linking
+{
+  Sparse_matrix intersections, linking, defect;
+  std::vector<Contact> contacts;
+  bool has_too_many_contacts = false;
+};
 
 /// How the loops of a family lie with respect to each other and to the solid.
 struct Loop_relations

@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_position.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Even_axes.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -25,6 +25,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <climits>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -34,6 +36,83 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// Scales the axes of points so that most of them spread about as far along each: what is squeezed
+/// to a line, or nearly, is seen from the side then. The axes are scaled by powers of two, and not
+/// so far that this is not exact, so that whatever linear maps leave as it is stays the same.
+class Even_axes
+{
+public:
+  explicit Even_axes(std::vector<Vector>& points)
+      : points_(points)
+      , numbers_(points.size()) {}
+
+  void scale() {
+    for(int d = 0; d < 3; ++d)
+      if(const int exponent = allowed(d, -exponent_of(spread(d))); exponent != 0)
+        for(Vector& p : points_)
+          p[d] = std::ldexp(p[d], exponent);
+  }
+
+private:
+  static int exponent_of(double x) {
+    int exponent = 0;
+    std::frexp(x, &exponent);
+    return exponent;
+  }
+
+  // The median distance to the median, or if this is zero the largest.
+  double spread(int d) {
+    const auto take_all = [&](double from) {
+      for(std::size_t i = 0; i < points_.size(); ++i)
+        numbers_[i] = std::abs(points_[i][d] / 2. - from);
+    };
+    if(points_.empty())
+      return 0.;
+    for(std::size_t i = 0; i < points_.size(); ++i)
+      numbers_[i] = points_[i][d] / 2.;
+    take_all(median());
+    const double distance = median();
+    return distance > 0. ? distance : *std::max_element(numbers_.begin(), numbers_.end());
+  }
+
+  double median() {
+    const auto middle = numbers_.begin() + numbers_.size() / 2;
+    std::nth_element(numbers_.begin(), middle, numbers_.end());
+    return *middle;
+  }
+
+  // The exponent that is nearest to the wanted one and lets all bits of all numbers survive.
+  int allowed(int d, int wanted) const {
+    int lowest = INT_MAX, highest = INT_MIN;
+    for(const Vector& p : points_)
+      if(p[d] != 0.) {
+        lowest = (std::min)(lowest, exponent_of(p[d]));
+        highest = (std::max)(highest, exponent_of(p[d]));
+      }
+    if(lowest > highest)
+      return 0;
+    constexpr int largest = 1000, smallest = -960;
+    return (std::min)((std::max)(wanted, (std::min)(0, smallest - lowest)),
+                      (std::max)(0, largest - highest));
+  }
+
+  std::vector<Vector>& points_;
+  std::vector<double> numbers_;
+};
+
+/// An edge of a walk, and the place of that edge in the sequence of all walks.
+struct Edge_position
+{
+  std::uint64_t key;
+  std::size_t position;
+
+  bool operator<(const Edge_position& p) const {
+    return key != p.key ? key < p.key : position < p.position;
+  }
+};
+
+CGAL_HTL_CORE void sort_positions(Execution execution, std::vector<Edge_position>& positions);
 
 /// Turns closed walks on the edges of a mesh into `Surface_curves`. Linear in their length, but for
 /// a sort of their edges and an array of numbers of the vertices of the mesh.
@@ -286,5 +365,9 @@ private:
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
+#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_BUILDER_H

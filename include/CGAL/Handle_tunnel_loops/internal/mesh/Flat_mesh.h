@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Uninitialized_vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/host_device.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <algorithm>
 #include <array>
@@ -135,6 +134,56 @@ struct Flat_mesh
     return 2. * (half_scale * length);
   }
 };
+
+/// The first neighbours of a vertex, for a thread to load in two pieces; `no_index` beyond the
+/// last.
+struct alignas(32) Neighbor_row
+{
+  Index at[stencil_width];
+};
+
+/// The arrays of a `Flat_mesh`, in the memory of the host or of the device.
+struct Mesh_view
+{
+  Span<const double> points; ///< x, y, z of one vertex after the other
+  Span<const Index> row_begin;
+  Span<const Index> neighbor;
+  Span<const Neighbor_row> rows; ///< by vertex; only in the memory of an executor
+
+  CGAL_HTL_HOST_DEVICE Index number_of_vertices() const {
+    return static_cast<Index>(row_begin.size() - 1);
+  }
+
+  CGAL_HTL_HOST_DEVICE Ring ring(Index v) const {
+    return Ring(neighbor.data() + row_begin[v], row_begin[v + 1] - row_begin[v]);
+  }
+
+  /// as `Flat_mesh::edge_length()`, to the last bit.
+  CGAL_HTL_HOST_DEVICE double edge_length(Index u, Index v) const {
+    const double* p = points.data() + 3 * std::size_t(u);
+    const double* q = points.data() + 3 * std::size_t(v);
+    return rounded_length(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  }
+};
+
+/// the arrays of a mesh on the host.
+inline Mesh_view view_of(const Flat_mesh& mesh) {
+  const double* coordinates = mesh.points.empty() ? nullptr : mesh.points.front().data();
+  return {{coordinates, 3 * mesh.points.size()},
+          {mesh.row_begin.data(), mesh.row_begin.size()},
+          {mesh.neighbor.data(), mesh.neighbor.size()},
+          {}};
+}
+
+/// the mean length of some of the edges, spread over the mesh.
+inline double mean_edge_length(const Flat_mesh& mesh) {
+  const std::size_t n = mesh.number_of_vertices(), stride = n / 10000 + 1;
+  double sum = 0.;
+  std::size_t count = 0;
+  for(std::size_t v = 0; v < n; v += stride, ++count)
+    sum += mesh.edge_length(static_cast<Index>(v), mesh.ring(static_cast<Index>(v))[0]);
+  return sum / double(count);
+}
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

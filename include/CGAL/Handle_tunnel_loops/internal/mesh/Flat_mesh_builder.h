@@ -12,16 +12,16 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Boundary_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Rings_of_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Unit_box.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -36,6 +37,230 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// The boundary curves of a mesh: cycles of vertices, as caller's indices, in the order in which
+/// halfedges without a face follow each other. So the surface is to the right of a curve.
+class Boundary_curves
+{
+public:
+  Boundary_curves() = default;
+
+  /// \p borders are all halfedges without a face; the curves come in their order. \p bound is
+  /// above all indices. A vertex may lie on one curve, and once: the last one counts.
+  template <typename TriangleMesh, typename VertexIndexMap, typename Halfedge>
+  Boundary_curves(const TriangleMesh& tm,
+                  VertexIndexMap index,
+                  const std::vector<Halfedge>& borders,
+                  std::size_t bound) {
+    if(borders.empty())
+      return;
+    curve_at_.assign(bound, no_index);
+    for(const Halfedge first : borders) {
+      if(curve_at_[get(index, target(first, tm))] != no_index)
+        continue;
+      const Index curve = static_cast<Index>(size());
+      Halfedge h = first;
+      do {
+        const Index v = static_cast<Index>(get(index, target(h, tm)));
+        curve_at_[v] = curve;
+        vertices_.push_back(v);
+        h = next(h, tm);
+      } while(h != first);
+      begin_.push_back(static_cast<Index>(vertices_.size()));
+    }
+  }
+
+  std::size_t size() const { return begin_.size() - 1; }
+
+  /// the vertices of a curve.
+  Ring operator[](std::size_t i) const {
+    return Ring(vertices_.data() + begin_[i], begin_[i + 1] - begin_[i]);
+  }
+
+  /// the number of the curve on which a vertex lies.
+  Index curve_at(Index v) const {
+    CGAL_precondition_msg(v < curve_at_.size() && curve_at_[v] < size(), "on the boundary");
+    return curve_at_[v];
+  }
+
+private:
+  std::vector<Index> vertices_, begin_ = {0};
+  std::vector<Index> curve_at_; // by vertex, if there is any curve
+};
+
+/// The rings of the vertices of a mesh, as caller's indices, each read once; `no_index` is where
+/// the boundary is. That they are all the halfedges is known from their number; only if it is not,
+/// the halfedges are looked at one by one.
+template <typename TriangleMesh, typename VertexIndexMap> class Rings_of_mesh
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+public:
+  Rings_of_mesh(const TriangleMesh& tm, VertexIndexMap index)
+      : tm_(tm)
+      , index_(index) {}
+
+  /// reads the rings of these vertices. Throws if there is no triangle, or something else.
+  void read(Execution execution, const std::vector<vertex_descriptor>& vertices) {
+    ranges_.resize((vertices.size() + grain - 1) / grain);
+    execution.for_ranges(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+      read_range(vertices.data() + begin, end - begin, ranges_[begin / grain]);
+    });
+    std::size_t number_of_halfedges = 0;
+    bool are_triangles = true;
+    for(const Range& range : ranges_) {
+      number_of_halfedges += range.neighbor.size() - range.borders.size();
+      are_triangles = are_triangles && range.are_triangles;
+    }
+    if(!are_triangles || number_of_halfedges != num_halfedges(tm_))
+      check_halfedges(vertices);
+    if(number_of_halfedges == 0)
+      throw Invalid_mesh_exception(Mesh_defect::EMPTY, {}, "the mesh has no face");
+    if(number_of_halfedges > std::size_t(1) << 31)
+      throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
+  }
+
+  /// the ring of the i-th of these vertices, counterclockwise.
+  Ring operator[](std::size_t i) const {
+    const Range& range = ranges_[i / grain];
+    const Index begin = i % grain == 0 ? 0 : range.row_end[i % grain - 1];
+    return Ring(range.neighbor.data() + begin, range.row_end[i % grain] - begin);
+  }
+
+  /// whether the faces around the i-th vertex are not one fan: its ring has the boundary twice, or
+  /// more halfedges lead to it than those of its ring.
+  bool has_several_fans(std::size_t i) const {
+    const Ring ring = (*this)[i];
+    const auto gaps = std::count(ring.begin(), ring.end(), no_index);
+    return gaps > 1 || (!valence_.empty() && valence_[i] != ring.size() - gaps);
+  }
+
+  /// the halfedges without a face, in the order of the vertices to which they lead.
+  std::vector<halfedge_descriptor> take_borders() {
+    std::vector<halfedge_descriptor> borders;
+    for(Range& range : ranges_) {
+      borders.insert(borders.end(), range.borders.begin(), range.borders.end());
+      range.borders.clear();
+    }
+    return borders;
+  }
+
+  void clear() { ranges_ = {}; }
+
+private:
+  struct Range
+  {
+    std::vector<Index> neighbor;
+    std::vector<Index> row_end;
+    std::vector<halfedge_descriptor> borders;
+    bool are_triangles = true;
+  };
+
+  std::size_t caller_index(vertex_descriptor v) const {
+    return static_cast<std::size_t>(get(index_, v));
+  }
+
+  void read_range(const vertex_descriptor* vertices, std::size_t n, Range& range) const {
+    constexpr std::size_t likely_valence = 7;
+    range.neighbor.reserve(likely_valence * n);
+    range.row_end.reserve(n);
+    for(std::size_t i = 0; i < n; ++i) {
+      const halfedge_descriptor first = halfedge(vertices[i], tm_);
+      halfedge_descriptor h = first;
+      do {
+        range.neighbor.push_back(static_cast<Index>(caller_index(source(h, tm_))));
+        range.are_triangles = range.are_triangles && is_in_triangle(h);
+        const halfedge_descriptor out = opposite(h, tm_);
+        h = prev(out, tm_);
+        if(is_border(out, tm_)) {
+          range.neighbor.push_back(no_index);
+          range.borders.push_back(h);
+        }
+      } while(h != first);
+      range.row_end.push_back(static_cast<Index>(range.neighbor.size()));
+    }
+  }
+
+  bool is_in_triangle(halfedge_descriptor h) const {
+    return is_border(h, tm_) || next(next(h, tm_), tm_) == prev(h, tm_);
+  }
+
+  // Names the first halfedge that is wrong. If there is none, the rings may still have missed some,
+  // at a vertex with several fans.
+  void check_halfedges(const std::vector<vertex_descriptor>& vertices) {
+    std::vector<Index> valence; // by caller's index
+    for(halfedge_descriptor h : halfedges(tm_)) {
+      const std::size_t from = caller_index(source(h, tm_)), to = caller_index(target(h, tm_));
+      if(!is_in_triangle(h))
+        throw_edge_defect(Mesh_defect::NOT_TRIANGULATED, from, to,
+                          "a face is not a triangle, at its");
+      valence.resize((std::max)(valence.size(), to + 1), 0);
+      ++valence[to];
+    }
+    for(vertex_descriptor v : vertices)
+      valence_.push_back(caller_index(v) < valence.size() ? valence[caller_index(v)] : 0);
+  }
+
+  static constexpr std::size_t grain = 16384;
+
+  const TriangleMesh& tm_;
+  VertexIndexMap index_;
+  std::vector<Range> ranges_;
+  std::vector<Index> valence_; // of these vertices, if in doubt
+};
+
+/// Moves and scales points into the unit box, by the same factor along all axes.
+class Unit_box
+{
+public:
+  Unit_box(Execution execution, const Uninitialized_vector<Vector>& points) {
+    constexpr std::size_t grain = 65536;
+    std::vector<Bounds> parts((points.size() + grain - 1) / grain);
+    execution.for_ranges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+      Bounds bounds;
+      for(std::size_t i = begin; i < end; ++i)
+        bounds.extend(points[i], points[i]);
+      parts[begin / grain] = bounds;
+    });
+    Bounds all;
+    for(const Bounds& part : parts)
+      all.extend(part.low, part.high);
+    low_ = all.low;
+    for(int d = 0; d < 3; ++d)
+      half_ = (std::max)(half_, half_difference(all.high[d], all.low[d]));
+    if(half_ == 0.)
+      half_ = 0.5;
+  }
+
+  /// half of the caller's unit of length / that of the box: the whole may be beyond all doubles.
+  double half_scale() const { return half_; }
+
+  Vector operator()(const Vector& p) const {
+    Vector q;
+    for(int d = 0; d < 3; ++d)
+      q[d] = half_difference(p[d], low_[d]) / half_;
+    return q;
+  }
+
+private:
+  struct Bounds
+  {
+    static constexpr double most = (std::numeric_limits<double>::max)();
+    Vector low = {most, most, most}, high = {-most, -most, -most};
+
+    void extend(const Vector& l, const Vector& h) {
+      for(int d = 0; d < 3; ++d) {
+        low[d] = (std::min)(low[d], l[d]);
+        high[d] = (std::max)(high[d], h[d]);
+      }
+    }
+  };
+
+  Vector low_;
+  double half_ = 0.;
+};
 
 /// Turns any `FaceListGraph` into a `Flat_mesh`, and refuses, naming the element, whatever is not
 /// an oriented 2-manifold triangle mesh. Linear in the size of the mesh. Isolated vertices are left

@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Range_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/boost/graph/helpers.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/radix_sort.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <CGAL/assertions.h>
 

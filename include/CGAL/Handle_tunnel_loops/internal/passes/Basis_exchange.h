@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 
 #include <CGAL/assertions.h>
 

@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Front_mean.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Lower_link_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_stars.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -26,6 +26,37 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// A maximal run of lower vertices around a saddle, by its ends: positions in the ring,
+/// counterclockwise.
+struct Lower_component
+{
+  Index first, last;
+};
+
+using Lower_link_components = boost::container::small_vector<Lower_component, 4>;
+
+/// the lower components of a ring that has lower and higher vertices; `is_lower` is asked about
+/// positions.
+template <typename IsLower>
+Lower_link_components find_lower_components(Ring ring, const IsLower& is_lower) {
+  Index start = 0;
+  while(is_lower(start) || !is_lower(ring.next(start))) {
+    ++start; // a higher vertex before a lower one
+    CGAL_precondition_msg(start < ring.size(), "some vertices are lower and some are higher");
+  }
+  Lower_link_components lower_components;
+  Index p = start;
+  do {
+    const Index q = ring.next(p);
+    if(!is_lower(p) && is_lower(q))
+      lower_components.push_back({q, q});
+    else if(is_lower(q))
+      lower_components.back().last = q;
+    p = q;
+  } while(p != start);
+  return lower_components;
+}
 
 /// The parts of the contours through a vertex that lie outside of its star: contour arc i leaves at
 /// the clockwise end of lower component i, keeps the lower side on its left, and comes back at the

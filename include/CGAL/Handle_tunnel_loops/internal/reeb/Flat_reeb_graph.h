@@ -63,6 +63,29 @@ struct Flat_reeb_graph
   std::vector<Sample> samples;   ///< those of an arc from below to above
 };
 
+using Polyline = std::vector<Vector>;
+
+inline double length(const Polyline& line) {
+  double sum = 0.;
+  for(std::size_t i = 1; i < line.size(); ++i)
+    sum += norm(line[i] - line[i - 1]);
+  return sum;
+}
+
+/// A Reeb graph as it is handed out, still in the terms of the flat mesh.
+struct Embedded_reeb_graph
+{
+  struct Arc
+  {
+    Index lower, upper;          ///< nodes
+    Polyline line;               ///< from the lower node to the upper one
+    std::vector<Index> vertices; ///< of the mesh, in the order of the sweep
+  };
+
+  std::vector<Flat_reeb_graph::Node> nodes;
+  std::vector<Arc> arcs;
+};
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

@@ -13,20 +13,28 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Function_on_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/find_reeb_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/middle_of_curve.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_finishing.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -35,6 +43,90 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// the vertex of a boundary curve that is in the middle of these, in the order of a function. A hub
+/// with the same key is no critical point, unless the function has several maxima on the curve.
+template <typename Key> Index middle_of_curve(const Flat_mesh& mesh, Index hub, const Key& key) {
+  std::vector<Index> curve(mesh.ring(hub).begin(), mesh.ring(hub).end());
+  const auto middle = curve.begin() + static_cast<std::ptrdiff_t>(curve.size() / 2);
+  std::nth_element(curve.begin(), middle, curve.end(), [&](Index u, Index v) {
+    return key(u) != key(v) ? key(u) < key(v) : mesh.original[u] < mesh.original[v];
+  });
+  return *middle;
+}
+
+/// A function of the caller, as numbers to calculate with and as integers to sort by. Integers are
+/// sorted exactly, all else as double. On a cap it leads from side to side, without a peak.
+class Function_on_vertices
+{
+public:
+  /// \p vertices are those of the flat mesh but for the hubs. Throws `Invalid_function_exception`.
+  template <typename Map, typename Vertices>
+  Function_on_vertices(const Flat_mesh& mesh, const Map& map, const Vertices& vertices) {
+    using Scalar = std::decay_t<typename boost::property_traits<Map>::value_type>;
+    values_.reserve(vertices.size());
+    keys_.reserve(vertices.size());
+    Index not_finite = no_index;
+    for(std::size_t v = 0; v < vertices.size(); ++v) {
+      const Scalar scalar = get(map, vertices[v]);
+      if constexpr(std::is_arithmetic<Scalar>::value)
+        values_.push_back(static_cast<double>(scalar));
+      else
+        values_.push_back(CGAL::to_double(scalar));
+      if(!std::isfinite(values_.back()))
+        not_finite = (std::min)(not_finite, mesh.original[v]);
+      if constexpr(std::is_integral<Scalar>::value)
+        keys_.push_back(ordering_key(scalar));
+      else
+        keys_.push_back(ordering_key(values_.back()));
+    }
+    if(not_finite != no_index)
+      throw Invalid_function_exception(not_finite);
+    for(Index hub = mesh.first_hub; hub < mesh.number_of_vertices(); ++hub) {
+      const Index v = middle_of_curve(mesh, hub, [this](Index u) { return keys_[u]; });
+      values_.push_back(values_[v]);
+      keys_.push_back(keys_[v]);
+    }
+  }
+
+  double value(Index v) const { return values_[v]; }
+  std::uint64_t key(Index v) const { return keys_[v]; }
+
+private:
+  std::vector<double> values_;
+  std::vector<std::uint64_t> keys_;
+};
+
+/// Sweeps a function and finishes its Reeb graph. `Key` gives the integers that order the vertices,
+/// `Value` the values that they stand for.
+template <typename Key, typename Value>
+Embedded_reeb_graph find_reeb_graph(Execution execution,
+                                    const Flat_mesh& mesh,
+                                    const Key& key,
+                                    const Value& value,
+                                    Reeb_measure measure,
+                                    double threshold,
+                                    Reeb_statistics& statistics) {
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  const Sweep_order order(execution, mesh, key);
+  Flat_reeb_graph graph = [&] {
+    const std::vector<Star> stars = sweep_stars(execution, mesh, order);
+    const std::uint64_t largest_number_of_steps = 8 * std::uint64_t(mesh.neighbor.size());
+    Reeb_sweep sweep(mesh, order, stars, largest_number_of_steps, mean_edge_length(mesh));
+    Flat_reeb_graph swept = sweep.run();
+    statistics.number_of_steps = sweep.number_of_steps();
+    statistics.has_used_trees = sweep.has_used_trees();
+    return swept;
+  }();
+  statistics.number_of_critical_nodes = graph.nodes.size();
+  const auto has_swept = Clock::now();
+  statistics.seconds_of_sweep = std::chrono::duration<double>(has_swept - began).count();
+  Embedded_reeb_graph result =
+      Reeb_finishing<Value>(execution, mesh, order, graph, value).run(measure, threshold);
+  statistics.seconds_of_finishing = std::chrono::duration<double>(Clock::now() - has_swept).count();
+  return result;
+}
 
 /// One computation of a Reeb graph, for one set of named parameters. It asks for nothing but the
 /// values of a function.

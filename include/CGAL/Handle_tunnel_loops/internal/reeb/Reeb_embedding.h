@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Embedded_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_simplification.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
 

@@ -13,11 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Embedded_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/draw_lines.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <CGAL/assertions.h>
 

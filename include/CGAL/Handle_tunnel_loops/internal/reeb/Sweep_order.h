@@ -103,6 +103,93 @@ private:
   std::vector<Index> vertices_, rank_;
 };
 
+/// The sum of places with weights; a front is summed up by the middles of the edges that it
+/// crosses, each with about the length that the front has around it.
+struct Front_mean
+{
+  Vector sum = {0., 0., 0.};
+  double weight = 0.;
+
+  Front_mean& operator+=(const Front_mean& other) {
+    sum = sum + other.sum;
+    weight += other.weight;
+    return *this;
+  }
+  Front_mean& operator-=(const Front_mean& other) {
+    sum = sum - other.sum;
+    weight -= other.weight;
+    return *this;
+  }
+
+  /// about the length of the front: on a regular triangulation each edge that it crosses counts
+  /// with 1.73 edge lengths, and there are two of them on one.
+  float girth() const { return static_cast<float>((std::max)(weight, 0.) / 3.46); }
+
+  /// the mean of the places; `otherwise` if they weigh next to nothing, as on degenerate triangles.
+  Vector mean(const Vector& otherwise) const {
+    return weight > 1e-9 ? (1. / weight) * sum : otherwise;
+  }
+};
+
+/// the part of a front that crosses the edge to the neighbour at a position in the ring of `v`; the
+/// same from both ends of the edge. The vertices across it tell how far apart its neighbours are.
+inline Front_mean crossing_of_front(const Flat_mesh& mesh, Index v, Ring ring, Index position) {
+  const Vector& before = mesh.points[ring[ring.previous(position)]];
+  const Vector& after = mesh.points[ring[ring.next(position)]];
+  const double weight = norm(after - before);
+  return {(0.5 * weight) * (mesh.points[v] + mesh.points[ring[position]]), weight};
+}
+
+enum class Vertex_kind : Index { MINIMUM, REGULAR, SADDLE, MAXIMUM };
+
+/// What the sweep needs to know of a vertex; gathered beforehand, because the sweep jumps through
+/// memory and this does not.
+struct Star
+{
+  Front_mean change; ///< of the front when it passes the vertex
+  Index below;       ///< the slot, at a lower neighbour, of the edge to it; none at a minimum
+  Vertex_kind kind;
+};
+
+/// the slot of the edge from `u` to its neighbour `v`, among those of `u`.
+inline Index slot_of(const Flat_mesh& mesh, Index u, Index v) {
+  const Index position = mesh.position(u, v);
+  CGAL_precondition_msg(position < mesh.ring(u).size(), "they are neighbours");
+  return mesh.row_begin[u] + position;
+}
+
+inline Star star_of(const Flat_mesh& mesh, const Sweep_order& order, Index v) {
+  const Ring ring = mesh.ring(v);
+  const Index rank = order.rank(v);
+  Star star = {{}, no_index, Vertex_kind::REGULAR};
+  bool is_previous_lower = order.rank(ring[ring.size() - 1]) < rank;
+  Index number_of_changes = 0;
+  for(Index p = 0; p < ring.size(); ++p) {
+    const bool is_lower = order.rank(ring[p]) < rank;
+    if(is_lower) {
+      star.change -= crossing_of_front(mesh, v, ring, p);
+      if(star.below == no_index)
+        star.below = slot_of(mesh, ring[p], v);
+    } else
+      star.change += crossing_of_front(mesh, v, ring, p);
+    number_of_changes += is_lower != is_previous_lower;
+    is_previous_lower = is_lower;
+  }
+  star.kind = number_of_changes > 2    ? Vertex_kind::SADDLE
+              : number_of_changes == 2 ? Vertex_kind::REGULAR
+              : star.below == no_index ? Vertex_kind::MINIMUM
+                                       : Vertex_kind::MAXIMUM;
+  return star;
+}
+
+inline std::vector<Star>
+sweep_stars(Execution execution, const Flat_mesh& mesh, const Sweep_order& order) {
+  std::vector<Star> stars(mesh.number_of_vertices());
+  for_each_index(execution, stars.size(),
+                 [&](std::size_t v) { stars[v] = star_of(mesh, order, static_cast<Index>(v)); });
+  return stars;
+}
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL

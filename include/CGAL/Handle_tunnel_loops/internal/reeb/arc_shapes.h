@@ -14,12 +14,15 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Bridge_arcs.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Face_arcs.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_3.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,12 +30,331 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <queue>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// The vertices of a mesh with the values of a function, and the arcs of its Reeb graph that they
+/// belong to.
+template <typename TriangleMesh_,
+          typename VertexIndexMap,
+          typename VertexArcMap,
+          typename VertexValueMap>
+class Vertices_on_arcs
+{
+public:
+  using Triangle_mesh = TriangleMesh_;
+  using Vertex = typename boost::graph_traits<Triangle_mesh>::vertex_descriptor;
+
+  Vertices_on_arcs(const Triangle_mesh& tm,
+                   VertexIndexMap index,
+                   VertexArcMap arc,
+                   VertexValueMap value)
+      : tm_(tm)
+      , index_(index)
+      , arc_(arc)
+      , value_(value) {}
+
+  const Triangle_mesh& mesh() const { return tm_; }
+  std::size_t arc(Vertex v) const { return get(arc_, v); }
+  double value(Vertex v) const { return get(value_, v); }
+
+  /// by value, of equal ones by number.
+  bool is_before(Vertex v, Vertex w) const {
+    return std::make_pair(value(v), get(index_, v)) < std::make_pair(value(w), get(index_, w));
+  }
+
+  /// the same for both directions of an edge.
+  std::uint64_t edge(Vertex v, Vertex w) const { return edge_key(get(index_, v), get(index_, w)); }
+
+private:
+  const Triangle_mesh& tm_;
+  VertexIndexMap index_;
+  VertexArcMap arc_;
+  VertexValueMap value_;
+};
+
+/*!
+The levels at which arcs meet.
+
+Two arcs meet along the contour of the node between them; but where the simplification moved that
+node, along one at another level, and where it took leaves off, not quite along a contour. So each
+border between two arcs, as far as it is connected, gets the level at which it crosses most of its
+edges.
+*/
+template <typename Vertices> class Border_levels
+{
+  using Triangle_mesh = typename Vertices::Triangle_mesh;
+  using Vertex = typename Vertices::Vertex;
+  using Halfedge = typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor;
+
+public:
+  /// `node_level(a, b)` is the level of the node at which arc a ends and b begins, if there is one.
+  template <typename NodeLevel>
+  Border_levels(const Vertices& vertices, const NodeLevel& node_level)
+      : vertices_(vertices) {
+    find_crossed_edges();
+    levels_.resize(crossed_.size());
+    for(const auto& number_and_border : connected_borders()) {
+      const std::vector<Index>& border = number_and_border.second;
+      const Crossed_edge& some = crossed_[border.front()];
+      const double level = best_level(border, node_level(some.low_arc, some.high_arc));
+      for(const Index i : border)
+        levels_[i] = level;
+    }
+  }
+
+  /// at an edge between vertices of two arcs.
+  double level(Vertex v, Vertex w) const { return levels_[numbers_.at(vertices_.edge(v, w))]; }
+
+private:
+  struct Crossed_edge
+  {
+    Halfedge halfedge;
+    double low, high;
+    std::size_t low_arc, high_arc;
+
+    bool is_between_arcs_of(const Crossed_edge& other) const {
+      return std::minmax(low_arc, high_arc) == std::minmax(other.low_arc, other.high_arc);
+    }
+  };
+
+  void find_crossed_edges() {
+    for(const auto e : edges(vertices_.mesh())) {
+      const Halfedge h = halfedge(e, vertices_.mesh());
+      Vertex v = source(h, vertices_.mesh()), w = target(h, vertices_.mesh());
+      if(vertices_.arc(v) == vertices_.arc(w))
+        continue;
+      if(vertices_.is_before(w, v))
+        std::swap(v, w);
+      numbers_.emplace(vertices_.edge(v, w), static_cast<Index>(crossed_.size()));
+      crossed_.push_back(
+          {h, vertices_.value(v), vertices_.value(w), vertices_.arc(v), vertices_.arc(w)});
+    }
+  }
+
+  // By the first edge of each.
+  std::map<Index, std::vector<Index>> connected_borders() const {
+    Sets_of_indices sets(crossed_.size());
+    for(Index i = 0; i < crossed_.size(); ++i)
+      sets.make_set(i);
+    const Triangle_mesh& tm = vertices_.mesh();
+    for(Index i = 0; i < crossed_.size(); ++i)
+      for(const Halfedge side : {crossed_[i].halfedge, opposite(crossed_[i].halfedge, tm)})
+        for(const Halfedge other : {next(side, tm), prev(side, tm)}) {
+          const auto beside = numbers_.find(vertices_.edge(source(other, tm), target(other, tm)));
+          if(!is_border(side, tm) && beside != numbers_.end() &&
+             crossed_[beside->second].is_between_arcs_of(crossed_[i]))
+            sets.unite(i, beside->second);
+        }
+    std::map<Index, std::vector<Index>> borders;
+    for(Index i = 0; i < crossed_.size(); ++i)
+      borders[sets.find(i)].push_back(i);
+    return borders;
+  }
+
+  double best_level(const std::vector<Index>& border, const std::optional<double>& node) const {
+    std::vector<double> lows, highs;
+    for(const Index i : border) {
+      lows.push_back(crossed_[i].low);
+      highs.push_back(crossed_[i].high);
+    }
+    std::sort(lows.begin(), lows.end());
+    std::sort(highs.begin(), highs.end());
+    const auto crossed_at = [&](double level) { // edges that begin below it less those that end
+      return (std::upper_bound(lows.begin(), lows.end(), level) - lows.begin()) -
+             (std::lower_bound(highs.begin(), highs.end(), level) - highs.begin());
+    };
+    // Most are crossed just above the low end of some edge, up to the next high end.
+    double best = node.value_or(lows.back());
+    auto most = node ? crossed_at(*node) : 0;
+    for(const double low : lows)
+      if(const auto count = crossed_at(low); count > most) {
+        most = count;
+        best = low / 2. + *std::lower_bound(highs.begin(), highs.end(), low) / 2.;
+      }
+    return best;
+  }
+
+  const Vertices& vertices_;
+  std::vector<Crossed_edge> crossed_;
+  std::unordered_map<std::uint64_t, Index> numbers_; // of crossed edges
+  std::vector<double> levels_;                       // by crossed edge
+};
+
+/// A part of a face, or of an edge: where the function has values from `low` to `high`, it belongs
+/// to an arc.
+struct Face_part
+{
+  std::size_t arc;
+  double low, high;
+
+  friend bool operator==(const Face_part& a, const Face_part& b) {
+    return a.arc == b.arc && a.low == b.low && a.high == b.high;
+  }
+};
+
+/*!
+The arcs that faces belong to. A face whose vertices belong to different arcs is passed by fronts of
+all these, one after the other: they meet at the contours of the nodes between them, or, where the
+simplification moved these, at those of `Border_levels`.
+*/
+template <typename Vertices, typename Graph> class Face_arcs
+{
+public:
+  using Vertex = typename Vertices::Vertex;
+  using Corners = std::array<Vertex, 3>;
+
+  /// all that is given must outlive the object.
+  Face_arcs(const Vertices& vertices, const Graph& graph)
+      : vertices_(vertices)
+      , graph_(graph)
+      , low_node_(num_edges(graph))
+      , high_node_(num_edges(graph))
+      , arcs_up_(num_vertices(graph)) {
+    for(const auto e : CGAL::make_range(edges(graph))) {
+      const std::size_t arc = graph[e].index;
+      low_node_[arc] = source(e, graph);
+      high_node_[arc] = target(e, graph);
+    }
+    for(std::size_t arc = 0; arc < low_node_.size(); ++arc)
+      arcs_up_[low_node_[arc]].push_back(arc);
+    borders_.emplace(vertices,
+                     [this](std::size_t a, std::size_t b) { return level_between(a, b); });
+  }
+
+  /// the vertices of a face by increasing value.
+  Corners corners_of(
+      typename boost::graph_traits<typename Vertices::Triangle_mesh>::face_descriptor f) const {
+    Corners corners;
+    std::size_t i = 0;
+    for(const Vertex v :
+        CGAL::vertices_around_face(halfedge(f, vertices_.mesh()), vertices_.mesh()))
+      corners[i++] = v;
+    std::sort(corners.begin(), corners.end(),
+              [this](Vertex v, Vertex w) { return vertices_.is_before(v, w); });
+    return corners;
+  }
+
+  /// the parts of the face that has these vertices, by increasing value, from below, as one finds
+  /// them on the way over the one in the middle.
+  std::vector<Face_part> parts_of(const Corners& corners) {
+    if(is_of_one_arc(corners))
+      return {{vertices_.arc(corners[0]), value(corners[0]), value(corners[2])}};
+    std::vector<Face_part> parts = parts_of(corners[0], corners[1]);
+    append(corners[1], corners[2], parts);
+    return parts;
+  }
+
+  /// the parts of an edge, from its lower vertex upwards.
+  std::vector<Face_part> parts_of(Vertex low, Vertex high) {
+    std::vector<Face_part> parts = {{vertices_.arc(low), value(low), value(low)}};
+    append(low, high, parts);
+    return parts;
+  }
+
+private:
+  using Path = std::vector<std::size_t>;
+
+  double value(Vertex v) const { return vertices_.value(v); }
+
+  // As nearly always.
+  bool is_of_one_arc(const Corners& corners) const {
+    const std::size_t arc = vertices_.arc(corners[0]);
+    return vertices_.arc(corners[1]) == arc && vertices_.arc(corners[2]) == arc;
+  }
+
+  // What is passed on the way from a vertex to a higher one of the same face.
+  void append(Vertex from, Vertex to, std::vector<Face_part>& parts) {
+    const Path passed = path_along_edge(from, to);
+    for(const std::size_t arc : passed) {
+      const double level = passed.size() == 1 ? borders_->level(from, to)
+                                              : level_between(parts.back().arc, arc).value();
+      // Borders that are not quite contours leave the level here and there.
+      const double least = (std::max)(parts.back().low, value(from));
+      parts.back().high = std::clamp(level, least, value(to));
+      parts.push_back({arc, parts.back().high, value(to)});
+    }
+    parts.back().high = value(to);
+  }
+
+  // The arcs after the first one. Where several ways lead upwards, a vertex beside the edge that is
+  // between its ends tells which of them is meant.
+  Path path_along_edge(Vertex from, Vertex to) {
+    const std::size_t first = vertices_.arc(from), last = vertices_.arc(to);
+    const Path& some = path(first, last);
+    if(some.size() <= 1)
+      return some;
+    const auto& tm = vertices_.mesh();
+    const auto h = halfedge(from, to, tm).first;
+    for(const auto side : {h, opposite(h, tm)}) {
+      if(is_border(side, tm))
+        continue;
+      const Vertex beside = target(next(side, tm), tm);
+      const std::size_t arc = vertices_.arc(beside);
+      if(arc == first || arc == last || !(value(from) < value(beside) && value(beside) < value(to)))
+        continue;
+      Path path_over = path(first, arc);
+      const Path& rest = path(arc, last);
+      if(level_between(first, path_over.front()) && level_between(arc, rest.front())) {
+        path_over.insert(path_over.end(), rest.begin(), rest.end());
+        return path_over;
+      }
+    }
+    return some;
+  }
+
+  // The arcs after the first one.
+  const Path& path(std::size_t from, std::size_t to) {
+    const auto [position, is_new] = paths_.try_emplace({from, to});
+    if(is_new && from != to)
+      position->second = find_path(from, to);
+    return position->second;
+  }
+
+  // The shortest way upwards; if there is none, straight.
+  Path find_path(std::size_t from, std::size_t to) const {
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> before(low_node_.size(), none);
+    std::queue<std::size_t> queue;
+    queue.push(from);
+    before[from] = from;
+    while(!queue.empty() && before[to] == none) {
+      for(const std::size_t arc : arcs_up_[high_node_[queue.front()]])
+        if(before[arc] == none) {
+          before[arc] = queue.front();
+          queue.push(arc);
+        }
+      queue.pop();
+    }
+    if(before[to] == none)
+      return {to};
+    Path path;
+    for(std::size_t arc = to; arc != from; arc = before[arc])
+      path.push_back(arc);
+    std::reverse(path.begin(), path.end());
+    return path;
+  }
+
+  std::optional<double> level_between(std::size_t lower, std::size_t upper) const {
+    if(high_node_[lower] != low_node_[upper])
+      return std::nullopt;
+    return graph_[high_node_[lower]].value;
+  }
+
+  const Vertices& vertices_;
+  const Graph& graph_;
+  std::vector<std::size_t> low_node_, high_node_; // by arc
+  std::vector<std::vector<std::size_t>> arcs_up_; // by node
+  std::optional<Border_levels<Vertices>> borders_;
+  std::map<std::pair<std::size_t, std::size_t>, Path> paths_;
+};
 
 template <typename Point> double distance_of_points(const Point& p, const Point& q) {
   return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));

@@ -12,20 +12,238 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/mean_edge_length.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Embedded_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Contour_arcs.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/lead_inside.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/lengths_outside.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/winding_numbers.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// Where a contour crosses an edge.
+struct Contour_place
+{
+  Vector point;   ///< the middle of the edge
+  Vector outward; ///< a normal of the surface there
+};
+
+inline Contour_place contour_place(const Flat_mesh& mesh, const Contour_walk& walk) {
+  const Ring ring = mesh.ring(walk.left());
+  const Index p = walk.position();
+  const Vector &left = mesh.points[walk.left()], &right = mesh.points[ring[p]];
+  const Vector& before = mesh.points[ring[ring.previous(p)]];
+  const Vector& after = mesh.points[ring[ring.next(p)]];
+  return {0.5 * (left + right), cross(right - left, after - before)};
+}
+
+/// A ball that touches a contour and lies inside of it.
+struct Inner_ball
+{
+  Vector centre;
+  double radius;
+
+  /// how far a point is from the ball; negative within.
+  double distance(const Vector& p) const { return norm(p - centre) - radius; }
+};
+
+/// places of the contours that come to a vertex from below, evenly apart: some of them where the
+/// contours are long, and none where they take more than so many steps.
+inline std::vector<Contour_place> contour_places(const Flat_mesh& mesh,
+                                                 const Sweep_order& order,
+                                                 Index v,
+                                                 std::size_t largest_number_of_steps) {
+  constexpr std::size_t largest_number = 64;
+  std::vector<Contour_place> places;
+  std::size_t steps = 0, stride = 1;
+  const auto thin_out = [&] {
+    for(std::size_t i = 0; i < largest_number / 2; ++i)
+      places[i] = places[2 * i];
+    places.resize(largest_number / 2);
+    stride *= 2;
+  };
+  const Swept_vertex at(mesh, order, v);
+  for(Index i = 0; i < at.number_of_lower_components(); ++i) {
+    Contour_walk walk(mesh, order, order.rank(v), at.first_of(i), v);
+    const Index begin = walk.slot();
+    do {
+      if(steps == largest_number_of_steps)
+        return {};
+      if(steps % stride == 0) {
+        if(places.size() == largest_number)
+          thin_out();
+        places.push_back(contour_place(mesh, walk));
+      }
+      ++steps;
+      walk.advance(no_index);
+    } while(walk.slot() != begin);
+  }
+  return places;
+}
+
+/// the largest ball that touches the contour at one of its places from inside, and holds no other
+/// place.
+inline Inner_ball
+inner_ball(const std::vector<Contour_place>& places, const Contour_place& place, double sign) {
+  const double length = norm(place.outward);
+  if(!(length > 0.))
+    return {place.point, 0.};
+  const Vector inward = (-sign / length) * place.outward;
+  double radius = std::numeric_limits<double>::infinity();
+  for(const Contour_place& other : places) {
+    const Vector way = other.point - place.point;
+    const double depth = dot(inward, way);
+    if(depth > 0.)
+      radius = (std::min)(radius, dot(way, way) / (2. * depth));
+  }
+  if(!(radius < std::numeric_limits<double>::infinity()))
+    return {place.point, 0.};
+  return {place.point + radius * inward, radius};
+}
+
+/// Centres of balls inside a contour, those nearest to its mean first, by the distance to the ball.
+class Centres_of_contour
+{
+public:
+  static constexpr std::size_t largest_number = 4;
+
+  /// \p sign is -1 if the normals of the mesh point inward.
+  Centres_of_contour(const std::vector<Contour_place>& places, double sign)
+      : places_(places)
+      , sign_(sign) {}
+
+  std::vector<Vector> operator()(const Vector& mean) const {
+    std::vector<std::pair<double, Vector>> balls;
+    const auto add = [&](const Contour_place& place) {
+      const Inner_ball ball = inner_ball(places_, place, sign_);
+      if(ball.radius > 0.)
+        balls.emplace_back(ball.distance(mean), ball.centre);
+    };
+    constexpr std::size_t number_of_balls = 8;
+    const std::size_t stride = places_.size() / number_of_balls + 1;
+    for(std::size_t i = 0; i < places_.size(); i += stride)
+      add(places_[i]);
+    if(!places_.empty())
+      add(nearest(mean));
+    std::sort(balls.begin(), balls.end());
+    std::vector<Vector> centres;
+    for(std::size_t i = 0; i < (std::min)(balls.size(), largest_number); ++i)
+      centres.push_back(balls[i].second);
+    return centres;
+  }
+
+private:
+  const Contour_place& nearest(const Vector& mean) const {
+    const auto squared_distance = [&](const Contour_place& place) {
+      return dot(place.point - mean, place.point - mean);
+    };
+    return *std::min_element(places_.begin(), places_.end(),
+                             [&](const Contour_place& a, const Contour_place& b) {
+                               return squared_distance(a) < squared_distance(b);
+                             });
+  }
+
+  const std::vector<Contour_place>& places_;
+  double sign_;
+};
+
+/*!
+Moves means of contours that lie outside of the solid inside. Each is that of the contours at a
+vertex; where one parts there, of a part, and the whole contour is looked at. It goes to the centre
+of a ball that touches one of these and holds none of their places: the nearest ball of which the
+centre is inside, if there is one. All other means stay.
+
+Contours are walked along as long as they are not longer, on the average, than so many times the
+number of vertices in all.
+*/
+inline void lead_inside(Execution execution,
+                        const Flat_mesh& mesh,
+                        const Sweep_order& order,
+                        const std::vector<Index>& vertices,
+                        std::vector<Vector>& means) {
+  constexpr std::size_t steps_per_vertex = 2;
+  const std::vector<int> winding = winding_numbers(execution, mesh, means);
+  std::vector<std::size_t> outside;
+  std::ptrdiff_t sum = 0;
+  for(std::size_t i = 0; i < winding.size(); ++i) {
+    sum += winding[i];
+    if(winding[i] == 0)
+      outside.push_back(i);
+  }
+  if(outside.empty())
+    return;
+  const double sign = sum < 0 ? -1. : 1.;
+  const std::size_t largest_number = steps_per_vertex * mesh.number_of_vertices() / outside.size();
+  std::vector<std::vector<Vector>> centres(outside.size());
+  for_each_index(
+      execution, outside.size(),
+      [&](std::size_t i) {
+        const auto places = contour_places(mesh, order, vertices[outside[i]], largest_number);
+        centres[i] = Centres_of_contour(places, sign)(means[outside[i]]);
+      },
+      16);
+  std::vector<Vector> all;
+  for(const std::vector<Vector>& some : centres)
+    all.insert(all.end(), some.begin(), some.end());
+  const std::vector<int> winding_of_centres = winding_numbers(execution, mesh, all);
+  if(winding_of_centres.empty())
+    return;
+  std::size_t next = 0;
+  for(std::size_t i = 0; i < outside.size(); ++i) {
+    bool is_outside = true;
+    for(const Vector& centre : centres[i]) {
+      if(is_outside && winding_of_centres[next] != 0) {
+        means[outside[i]] = centre;
+        is_outside = false;
+      }
+      ++next;
+    }
+  }
+}
+
+/// How much of each line lies outside of the solid, about: looked at in places that are so far
+/// apart, and at least once on each of its segments. Nothing where winding numbers are not known.
+inline std::vector<double> lengths_outside(Execution execution,
+                                           const Flat_mesh& mesh,
+                                           const std::vector<Polyline>& lines,
+                                           double spacing) {
+  struct Part
+  {
+    std::size_t line;
+    double length;
+  };
+  constexpr double largest_number = 32.;
+  std::vector<Vector> places;
+  std::vector<Part> parts;
+  for(std::size_t l = 0; l < lines.size(); ++l)
+    for(std::size_t i = 1; i < lines[l].size(); ++i) {
+      const Vector &a = lines[l][i - 1], way = lines[l][i] - a;
+      const double length = norm(way);
+      if(!(length > 0.))
+        continue;
+      const int number = static_cast<int>((std::min)(length / spacing, largest_number)) + 1;
+      for(int j = 0; j < number; ++j) {
+        places.push_back(a + ((j + 0.5) / number) * way);
+        parts.push_back({l, length / number});
+      }
+    }
+  const std::vector<int> winding = winding_numbers(execution, mesh, places);
+  std::vector<double> outside(lines.size(), 0.);
+  for(std::size_t i = 0; i < winding.size(); ++i)
+    if(winding[i] == 0)
+      outside[parts[i].line] += parts[i].length;
+  return outside;
+}
 
 /// rounds off the steps of a polyline; the ends stay.
 inline void smooth(Polyline& line, int number_of_rounds) {

@@ -13,8 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
 
 #include <algorithm>
 #include <atomic>

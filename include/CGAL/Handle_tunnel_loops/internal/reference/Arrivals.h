@@ -12,14 +12,17 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -151,6 +154,14 @@ private:
   std::priority_queue<Moment, std::vector<Moment>, std::greater<>> queue_;
   std::size_t count_ = 0, step_ = 0, early_ = 0;
 };
+
+/// is called where a field to the letter does not come on; no rule of the paper says what to do
+/// then.
+[[noreturn]] inline void fail_at_rest(std::size_t number_of_covered, std::size_t number) {
+  throw Literal_failure_exception("the field came to rest when " +
+                                  std::to_string(number_of_covered) + " of " +
+                                  std::to_string(number) + " vertices were covered");
+}
 
 } // namespace reference
 } // namespace internal

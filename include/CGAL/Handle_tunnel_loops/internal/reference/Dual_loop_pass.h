@@ -15,9 +15,9 @@
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
 
 #include <CGAL/assertions.h>
 

@@ -13,8 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Front_event.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Front_meeting.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 
 #include <CGAL/assertions.h>

@@ -12,18 +12,99 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Covered_region.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 namespace reference {
+
+/*!
+What a field has covered: vertices, and links between neighbors.
+
+Neighbors that are both covered are linked, but for those of one vertex, the center. The covered
+neighbors of a vertex form runs along its ring. When the vertex is covered, its runs are linked to
+it one after the other, so that the boundary of the region changes in one place at a time: a vertex
+with many runs is as good as that many vertices with two.
+*/
+class Covered_region
+{
+public:
+  explicit Covered_region(const Flat_mesh& mesh)
+      : mesh_(mesh)
+      , is_covered_(mesh.number_of_vertices(), 0) {}
+
+  const Flat_mesh& mesh() const { return mesh_; }
+  bool contains(Index v) const { return is_covered_[v] != 0; }
+
+  /// adds a vertex and links it to the first of its runs, if it has any.
+  void add(Index v) {
+    find_runs(v);
+    is_covered_[v] = 1;
+    center_ = v;
+    number_of_linked_runs_ = 1;
+  }
+
+  /// the number of runs of the vertex that was added last.
+  Index number_of_runs() const { return static_cast<Index>(last_of_run_.size()); }
+
+  /// the last vertex of a run, counterclockwise.
+  Index last_of_run(Index run) const { return last_of_run_[run]; }
+
+  void link_next_run() { ++number_of_linked_runs_; }
+
+  /// whether neighbors are both covered, and linked.
+  bool are_linked(Index u, Index v) const {
+    if(!contains(u) || !contains(v))
+      return false;
+    if(u == center_ || v == center_)
+      return run_[mesh_.ring(center_).position(u == center_ ? v : u)] < number_of_linked_runs_;
+    return true;
+  }
+
+  /// The boundary crosses an edge wherever a covered vertex is not linked to its neighbor, close to
+  /// the covered vertex if both are. It keeps the covered vertex on its left. This is the next edge
+  /// that it crosses.
+  Crossing next(const Crossing& c) const {
+    const Index apex = apex_ahead(mesh_, c);
+    return are_linked(c.left, apex) ? Crossing{apex, c.right, 0.5} : Crossing{c.left, apex, 0.5};
+  }
+
+private:
+  void find_runs(Index v) {
+    const Ring ring = mesh_.ring(v);
+    run_.assign(ring.size(), 0);
+    last_of_run_.clear();
+    Index start = 0;
+    while(start < ring.size() && contains(ring[start]))
+      ++start;
+    if(start == ring.size())
+      return; // the whole ring
+    for(Index i = ring.next(start); i != start; i = ring.next(i)) {
+      if(!contains(ring[i]))
+        continue;
+      if(!contains(ring[ring.previous(i)]))
+        last_of_run_.push_back(no_index);
+      run_[i] = static_cast<Index>(last_of_run_.size()) - 1;
+      last_of_run_.back() = ring[i];
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<char> is_covered_;
+  Index center_ = no_index;
+  std::vector<Index> run_; // by position in the ring of the center
+  std::vector<Index> last_of_run_;
+  Index number_of_linked_runs_ = 0;
+};
 
 /*!
 The fronts: the components of the boundary of a region (paper, section 5).
@@ -88,6 +169,34 @@ private:
   std::vector<Index> front_; // by node
   Index number_ = 0;
 };
+
+/// Two fronts have met: a handle. `loop` is the shorter of the two, with what was covered on the
+/// left.
+struct Front_meeting
+{
+  Crossing_loop loop;
+  Index saddle;           ///< the vertex at which they met
+  Index foot_a, foot_b;   ///< covered neighbors of the saddle, behind either front
+  std::vector<char> area; ///< the vertices that any layer but the base had come to
+};
+
+/// where the base layer has eroded.
+template <typename Values> std::vector<char> area_of(const Values& covered) {
+  std::vector<char> area(static_cast<std::size_t>(covered.size()));
+  for(std::size_t v = 0; v < area.size(); ++v)
+    area[v] = covered[v] > 0.;
+  return area;
+}
+
+/// a front on the line on which the field has the value of the threshold.
+template <typename Values> Crossing_loop placed(Crossing_loop loop, const Values& covered) {
+  for(Crossing& c : loop) {
+    const double drop = covered[c.left] - covered[c.right];
+    const double ratio = drop > 0. ? (covered[c.left] - threshold) / drop : 0.5;
+    c.ratio = (std::min)(0.99, (std::max)(0.01, ratio));
+  }
+  return loop;
+}
 
 } // namespace reference
 } // namespace internal

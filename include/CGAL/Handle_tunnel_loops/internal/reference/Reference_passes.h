@@ -16,21 +16,22 @@
 
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
-#include <CGAL/Handle_tunnel_loops/internal/pipeline/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Band_pass.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Crossing_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Dual_loop_pass.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Handle_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Single_field.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/fail_at_rest.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/fixed_point_times.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <CGAL/assertions.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -42,6 +43,135 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 namespace reference {
+
+/// Intersection numbers with the loops of a family. A loop counts one on each edge that it crosses
+/// from left to right, minus one in the other direction; the sum along a closed walk on the edges
+/// is the number of times, with sign, that they cross.
+class Crossing_numbers
+{
+public:
+  Crossing_numbers(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
+      : mesh_(mesh)
+      , number_of_loops_(loops.size())
+      , counts_(mesh.neighbor.size()) {
+    for(Index j = 0; j < loops.size(); ++j)
+      for(const Crossing& c : loops[j]) {
+        counts_[slot(mesh_, c.left, c.right)].emplace_back(j, 1);
+        counts_[slot(mesh_, c.right, c.left)].emplace_back(j, -1);
+      }
+  }
+
+  /// the number of each loop of the family with another loop.
+  std::vector<int> operator()(const Crossing_loop& loop) const {
+    std::vector<int> numbers(number_of_loops_, 0);
+    for_each_left_edge(loop, [&](Index u, Index v) {
+      for(const auto& [j, count] : counts_[slot(mesh_, u, v)])
+        numbers[j] += count;
+    });
+    return numbers;
+  }
+
+  /// the edges that loops from number `first` up to `last`, which is excluded, cross.
+  Barred_edges walls(std::size_t first, std::size_t last) const {
+    Barred_edges walls(counts_.size(), 0);
+    for(std::size_t i = 0; i < counts_.size(); ++i)
+      for(const auto& [j, count] : counts_[i])
+        if(j >= first && j < last)
+          walls[i] = 1;
+    return walls;
+  }
+
+private:
+  const Flat_mesh& mesh_;
+  std::size_t number_of_loops_;
+  std::vector<std::vector<std::pair<Index, int>>> counts_; // loop and number, by slot
+};
+
+/*!
+Which handles may be replaced by other loops, so that the loops remain a basis.
+
+The first handles h_j do not cross each other, and tunnel t_i crosses handle i once and none with a
+larger number: the matrix A of the numbers t_i . h_j is triangular, with units on its diagonal. So
+h_1 .. h_g, t_1 .. t_g is a basis of the first homology group, and a loop x has coordinates in it:
+x = sum a_i h_i + sum b_i t_i, where x . h_j gives the b_i, and x . t_j then the a_i, by
+substitution. The tunnels stay; loops in the place of the handles complete them to a basis if and
+only if the matrix of their a_i has the determinant one or minus one.
+
+All numbers are integers of any size.
+*/
+class Handle_exchange
+{
+public:
+  using Integer = boost::multiprecision::cpp_int;
+  using Row = std::vector<Integer>;
+  using Numbers = std::vector<int>;
+
+  /// `with_handles[i][j]` is t_i . h_j, `with_tunnels[i][j]` is t_i . t_j.
+  Handle_exchange(std::vector<Numbers> with_handles, std::vector<Numbers> with_tunnels)
+      : a_(std::move(with_handles))
+      , t_(std::move(with_tunnels))
+      , inverse_(a_.size(), Row(a_.size(), 0)) {
+    for(std::size_t i = 0; i < a_.size(); ++i) {
+      CGAL_precondition_msg(std::abs(a_[i][i]) == 1, "a tunnel crosses its handle once");
+      inverse_[i][i] = 1;
+    }
+  }
+
+  /// replaces handle `k` by the loop x with the given intersection numbers x . h_j and x . t_j if
+  /// the loops remain a basis, and says so.
+  bool replace(std::size_t k, const Numbers& with_handles, const Numbers& with_tunnels) {
+    const Row x = times_inverse(handle_part(with_handles, with_tunnels));
+    if(x[k] != 1 && x[k] != -1)
+      return false;
+    // x is the row in terms of the present rows; row k is what it is exchanged for.
+    for(Row& row : inverse_) {
+      row[k] *= x[k];
+      for(std::size_t i = 0; i < row.size(); ++i)
+        if(i != k && x[i] != 0)
+          row[i] -= row[k] * x[i];
+    }
+    return true;
+  }
+
+private:
+  Row handle_part(const Numbers& with_handles, const Numbers& with_tunnels) const {
+    const std::size_t g = a_.size();
+    // x . h_j = sum over i >= j of b_i A_ij: the last one first.
+    Row b(g, 0);
+    for(std::size_t j = g; j-- > 0;) {
+      Integer rest = with_handles[j];
+      for(std::size_t i = j + 1; i < g; ++i)
+        if(a_[i][j] != 0)
+          rest -= b[i] * a_[i][j];
+      b[j] = rest * a_[j][j];
+    }
+    // x . t_j - sum b_i (t_i . t_j) = sum over i <= j of a_i (h_i . t_j) = - sum a_i A_ji.
+    Row a(g, 0);
+    for(std::size_t j = 0; j < g; ++j) {
+      Integer rest = with_tunnels[j];
+      for(std::size_t i = 0; i < g; ++i)
+        if(t_[i][j] != 0)
+          rest -= b[i] * t_[i][j];
+      for(std::size_t i = 0; i < j; ++i)
+        if(a_[j][i] != 0)
+          rest += a[i] * a_[j][i];
+      a[j] = -rest * a_[j][j];
+    }
+    return a;
+  }
+
+  Row times_inverse(const Row& row) const {
+    Row product(row.size(), 0);
+    for(std::size_t i = 0; i < row.size(); ++i)
+      if(row[i] != 0)
+        for(std::size_t j = 0; j < row.size(); ++j)
+          product[j] += row[i] * inverse_[i][j];
+    return product;
+  }
+
+  std::vector<Numbers> a_, t_;
+  std::vector<Row> inverse_; // of the matrix of the handle parts
+};
 
 /// The passes as the paper has them. Fronts are always logged; nothing is tightened, as all loops
 /// but those of the initial pass are streamlines.

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <CGAL/assertions.h>
 

@@ -12,13 +12,13 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/loops/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Waist_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/boundary_curves.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Workspace_pool.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -27,6 +27,34 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// the boundary curve around a hub, the surface to its left.
+inline Crossing_loop boundary_curve(const Flat_mesh& mesh, Index hub) {
+  const Ring ring = mesh.ring(hub);
+  Crossing_loop loop;
+  for(Index p = ring.size(); p-- > 0;)
+    loop.push_back({ring[p], hub, 0.});
+  return loop;
+}
+
+/// the curve a little inside of the surface. It enters no cap.
+inline Crossing_loop beside_boundary(const Flat_mesh& mesh, Index hub) {
+  const Ring ring = mesh.ring(hub);
+  std::vector<Index> walk(ring.begin(), ring.end());
+  std::reverse(walk.begin(), walk.end());
+  return pushed_left(mesh, walk);
+}
+
+/// adds, of the boundary curves of each component, all but the last.
+inline void add_boundaries_of_basis(const Flat_mesh& mesh, std::vector<Crossing_loop>& loops) {
+  std::vector<Index> last(mesh.seeds.size(), no_index);
+  const Index end = mesh.first_hub + mesh.number_of_hubs;
+  for(Index hub = mesh.first_hub; hub < end; ++hub)
+    last[mesh.component[hub]] = hub;
+  for(Index hub = mesh.first_hub; hub < end; ++hub)
+    if(last[mesh.component[hub]] != hub)
+      loops.push_back(beside_boundary(mesh, hub));
+}
 
 /// a short loop that is homologous to the curve around a hub on the surface, without any cap: the
 /// shortest one that is found, tightened, or else the curve tightened; or the curve itself where

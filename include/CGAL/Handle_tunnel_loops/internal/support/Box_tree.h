@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
 #include <array>

@@ -12,10 +12,77 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/rounded_product.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <array>
 #include <cmath>
+
+/// \file rounded_product.h
+/// Products that are rounded before anything is added to them. Otherwise compilers may make
+/// multiply-adds of both, which round once, and others, or the same for other processors, may not:
+/// then arrival times would differ in the last bit, and with them loops. So would they if the
+/// compiler were free to reorder sums: `-ffast-math` is not supported.
+
+#ifdef __FAST_MATH__
+#error                                                                                             \
+    "Handle_tunnel_loops cannot be compiled with -ffast-math or -Ofast: it tests whether numbers are finite, and relies on the order of sums"
+#endif
+
+// The kind of register that floating-point numbers are in, for g++ and clang; on processors that
+// are not named here the number goes through memory. Visual C++ makes no multiply-adds from 2022
+// on unless told to (/fp:contract). Other compilers have to be told.
+#if defined(__GNUC__) && defined(__SSE2_MATH__)
+#define CGAL_HTL_FLOAT_REGISTER "+x"
+#elif defined(__GNUC__) && defined(__aarch64__)
+#define CGAL_HTL_FLOAT_REGISTER "+w"
+#elif defined(__GNUC__)
+#define CGAL_HTL_FLOAT_REGISTER "+m"
+#endif
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// the same number, of which the compiler does not know where it is from. It costs nothing.
+template <typename Float> Float opaque(Float number) {
+#ifdef CGAL_HTL_FLOAT_REGISTER
+  asm("" : CGAL_HTL_FLOAT_REGISTER(number));
+#endif
+  return number;
+}
+
+CGAL_HTL_HOST_DEVICE inline float rounded_product(float a, float b) {
+#ifdef __CUDA_ARCH__
+  return __fmul_rn(a, b);
+#else
+  return opaque(a * b);
+#endif
+}
+
+CGAL_HTL_HOST_DEVICE inline double rounded_product(double a, double b) {
+#ifdef __CUDA_ARCH__
+  return __dmul_rn(a, b);
+#else
+  return opaque(a * b);
+#endif
+}
+
+/// half the difference of numbers, which are halved first: that of the largest doubles overflows.
+/// Half of the smallest ones is rounded.
+inline double half_difference(double a, double b) {
+  return rounded_product(0.5, a) - rounded_product(0.5, b);
+}
+
+/// the length of a vector, of products that are rounded.
+CGAL_HTL_HOST_DEVICE inline double rounded_length(double x, double y, double z) {
+  return std::sqrt(rounded_product(x, x) + rounded_product(y, y) + rounded_product(z, z));
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#undef CGAL_HTL_FLOAT_REGISTER
 
 namespace CGAL {
 namespace Handle_tunnel_loops {

@@ -13,13 +13,22 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/core.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+
+#include <CGAL/number_utils.h>
 
 #include <cmath>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// The coordinates of a vertex, rounded to doubles if they are none.
+template <typename VertexPointMap, typename Vertex>
+Vector coordinates(VertexPointMap point, const Vertex& v) {
+  const auto& p = get(point, v);
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
 
 /// whether three points lie on a line.
 CGAL_HTL_CORE bool are_exactly_collinear(const Vector& a, const Vector& b, const Vector& c);

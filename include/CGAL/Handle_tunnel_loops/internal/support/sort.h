@@ -12,13 +12,21 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/assertions.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_sort.h>
 #endif
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -33,6 +41,47 @@ void sort(Execution execution, Iterator first, Iterator last, const Less& less) 
 #endif
   (void)execution;
   std::sort(first, last, less);
+}
+
+/// sorts items, of which there are fewer than 2^32, by one digit of their keys; those with the same
+/// digit keep their order. Each range of them knows beforehand where its items of each digit go, so
+/// that the ranges can be moved at the same time.
+template <unsigned digits, typename Item, typename Digit>
+void sort_by_digit(Execution execution,
+                   const Uninitialized_vector<Item>& items,
+                   Uninitialized_vector<Item>& sorted,
+                   const Digit& digit) {
+  constexpr std::size_t grain = std::size_t(1) << 16;
+  CGAL_precondition(items.size() <= (std::numeric_limits<std::uint32_t>::max)());
+  CGAL_precondition(sorted.size() == items.size());
+  const std::size_t ranges = (items.size() + grain - 1) / grain;
+  std::vector<std::uint32_t> places(ranges * digits, 0); // by range and digit
+  execution.for_ranges(items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t* count = places.data() + begin / grain * digits;
+    for(std::size_t i = begin; i < end; ++i)
+      ++count[digit(items[i])];
+  });
+  std::uint32_t sum = 0;
+  for(std::size_t d = 0; d < digits; ++d)
+    for(std::size_t r = 0; r < ranges; ++r)
+      sum += std::exchange(places[r * digits + d], sum);
+  execution.for_ranges(items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t* place = places.data() + begin / grain * digits;
+    for(std::size_t i = begin; i < end; ++i)
+      sorted[place[digit(items[i])]++] = items[i];
+  });
+}
+
+/// sorts items by the low bits of `key(item)`, an unsigned integer; equal ones keep their order.
+template <unsigned bits, typename Item, typename Key>
+void radix_sort(Execution execution, Uninitialized_vector<Item>& items, const Key& key) {
+  constexpr unsigned bits_of_digit = 10, digits = 1u << bits_of_digit;
+  Uninitialized_vector<Item> sorted(items.size());
+  for(unsigned shift = 0; shift < bits; shift += bits_of_digit) {
+    sort_by_digit<digits>(execution, items, sorted,
+                          [&](const Item& item) { return key(item) >> shift & (digits - 1); });
+    items.swap(sorted);
+  }
 }
 
 } // namespace internal

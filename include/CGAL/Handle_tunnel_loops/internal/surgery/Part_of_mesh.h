@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 

@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index_range_set.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>

@@ -12,11 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/edges/Walk_improvement.h>
-#include <CGAL/Handle_tunnel_loops/internal/edges/shortest_walk_beside.h>
-#include <CGAL/Handle_tunnel_loops/internal/loops/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Index.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/make_set.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_WALK_IMPROVEMENT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_WALK_IMPROVEMENT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// The ends of an edge on which a loop has a place; twice the same where that is a vertex.
+using Edge_ends = std::array<Index, 2>;
+
+/*!
+Finds the shortest closed walk among those that pass, for each place of a loop in order, one end of
+its edge. Two places on a face move to two of its corners, which are equal or joined by an edge: so
+each of these walks is homotopic to the loop. Which end is the better one depends on the ends taken
+before and after it: a dynamic program over the two ends, once for each end of the first place.
+*/
+template <typename Length> class Walk_beside
+{
+public:
+  /// `length(u, v)` is the length of the edge between two vertices.
+  Walk_beside(const std::vector<Edge_ends>& places, const Length& length)
+      : places_(places)
+      , length_(length) {}
+
+  /// the vertices of the walk, a place each: those of consecutive places may be the same.
+  std::vector<Index> find() const {
+    if(places_.empty())
+      return {};
+    auto best = from_end(0);
+    if(places_.front()[0] != places_.front()[1]) {
+      auto other = from_end(1);
+      if(other.first < best.first)
+        best = std::move(other);
+    }
+    return std::move(best.second);
+  }
+
+private:
+  double cost(Index u, Index v) const { return u == v ? 0. : length_(u, v); }
+
+  // The length of the best walk that passes the given end of the first place, and the walk.
+  std::pair<double, std::vector<Index>> from_end(std::size_t first) const {
+    const double infinite = (std::numeric_limits<double>::max)();
+    std::array<double, 2> sum = {infinite, infinite};
+    sum[first] = 0.;
+    std::vector<std::array<unsigned char, 2>> previous(places_.size() + 1);
+    for(std::size_t i = 1; i <= places_.size(); ++i) {
+      const Edge_ends &from = places_[i - 1], &to = places_[i == places_.size() ? 0 : i];
+      std::array<double, 2> next;
+      for(int b : {0, 1}) {
+        const double by_0 = sum[0] + cost(from[0], to[b]), by_1 = sum[1] + cost(from[1], to[b]);
+        previous[i][b] = by_1 < by_0;
+        next[b] = by_1 < by_0 ? by_1 : by_0;
+      }
+      sum = next;
+    }
+    std::vector<Index> walk(places_.size());
+    std::size_t end = first;
+    for(std::size_t i = places_.size(); i > 0; --i) {
+      end = previous[i][end];
+      walk[i - 1] = places_[i - 1][end];
+    }
+    return {sum[first], std::move(walk)};
+  }
+
+  const std::vector<Edge_ends>& places_;
+  const Length& length_;
+};
+
+/// the shortest closed walk beside the places of a loop, see `Walk_beside`.
+template <typename Length>
+std::vector<Index> shortest_walk_beside(const std::vector<Edge_ends>& places,
+                                        const Length& length) {
+  return Walk_beside<Length>(places, length).find();
+}
+
+/*!
+Makes a closed walk of halfedges shorter, and simpler, in its homotopy class. There is one kind of
+change: instead of passing a vertex, the walk goes around it on one side, along the edges opposite
+to the vertex, which is a homotopy over the faces there.
+
+\tparam Length a function: halfedge -> length
+*/
+template <typename TriangleMesh, typename Length> class Walk_improvement
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+public:
+  using Walk = std::vector<halfedge_descriptor>;
+
+  Walk_improvement(const TriangleMesh& tm, const Length& length, Walk walk)
+      : tm_(tm)
+      , length_(length)
+      , walk_(std::move(walk)) {}
+
+  /// takes out steps there and back, and goes around vertices where that is shorter.
+  void shorten() {
+    std::size_t since_change = 0;
+    for(std::size_t i = 0; walk_.size() >= 2 && since_change < walk_.size();) {
+      i %= walk_.size();
+      if(pass_shorter(i)) {
+        since_change = 0;
+        i = i == 0 ? 0 : i - 1;
+      } else {
+        ++since_change;
+        ++i;
+      }
+    }
+  }
+
+  /// goes around vertices that the walk has passed already, over vertices that it does not pass, by
+  /// the shortest way there is, until no vertex is passed twice or no such way is left.
+  void separate() {
+    count_visits();
+    for(Detour best = best_detour(); !best.path.empty(); best = best_detour()) {
+      const std::size_t next = following(best.place);
+      --visits_[target(walk_[best.place], tm_)];
+      for(std::size_t k = 0; k + 1 < best.path.size(); ++k)
+        ++visits_[target(best.path[k], tm_)];
+      replace(best.place, next, best.path);
+    }
+  }
+
+  const Walk& walk() const { return walk_; }
+
+private:
+  struct Detour
+  {
+    std::size_t place = 0;
+    double gain = -(std::numeric_limits<double>::infinity)();
+    Walk path;
+  };
+
+  std::size_t following(std::size_t i) const { return i + 1 == walk_.size() ? 0 : i + 1; }
+
+  // The way around the vertex between two halfedges, on its left; empty if it is longer than that,
+  // or if there is the boundary.
+  Walk left_of(halfedge_descriptor in, halfedge_descriptor out, double most, double& sum) const {
+    using CGAL::is_border;
+    Walk path;
+    sum = 0.;
+    for(halfedge_descriptor h = in;; h = opposite(next(h, tm_), tm_)) {
+      if(is_border(h, tm_))
+        return Walk();
+      path.push_back(opposite(prev(h, tm_), tm_));
+      sum += length_(path.back());
+      if(sum > most)
+        return Walk();
+      if(next(h, tm_) == out)
+        return path;
+    }
+  }
+
+  Walk right_of(halfedge_descriptor in, halfedge_descriptor out, double most, double& sum) const {
+    Walk path = left_of(opposite(out, tm_), opposite(in, tm_), most, sum);
+    std::reverse(path.begin(), path.end());
+    for(halfedge_descriptor& h : path)
+      h = opposite(h, tm_);
+    return path;
+  }
+
+  // The i-th halfedge and the next one become this path.
+  void replace(std::size_t i, std::size_t next, const Walk& path) {
+    if(next == 0) { // the last and the first
+      walk_.pop_back();
+      walk_.erase(walk_.begin());
+      walk_.insert(walk_.end(), path.begin(), path.end());
+      return;
+    }
+    const auto at = walk_.erase(walk_.begin() + i, walk_.begin() + next + 1);
+    walk_.insert(at, path.begin(), path.end());
+  }
+
+  bool pass_shorter(std::size_t i) {
+    const std::size_t next = following(i);
+    const halfedge_descriptor in = walk_[i], out = walk_[next];
+    if(in == opposite(out, tm_)) {
+      replace(i, next, Walk());
+      return true;
+    }
+    // So much shorter that roundings cannot lead around in circles.
+    const double most = (1. - 1e-12) * (length_(in) + length_(out));
+    for(const bool left : {true, false}) {
+      double sum;
+      const Walk path = left ? left_of(in, out, most, sum) : right_of(in, out, most, sum);
+      if(!path.empty() && sum < most) {
+        replace(i, next, path);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void count_visits() {
+    visits_.clear();
+    for(const halfedge_descriptor h : walk_)
+      ++visits_[target(h, tm_)];
+  }
+
+  bool is_over_free_vertices(const Walk& path) const {
+    for(std::size_t k = 0; k + 1 < path.size(); ++k) {
+      const auto it = visits_.find(target(path[k], tm_));
+      if(it != visits_.end() && it->second > 0)
+        return false;
+    }
+    return !path.empty();
+  }
+
+  Detour best_detour() const {
+    Detour best;
+    const double any = (std::numeric_limits<double>::infinity)();
+    for(std::size_t i = 0; i < walk_.size(); ++i) {
+      if(visits_.at(target(walk_[i], tm_)) < 2)
+        continue;
+      const halfedge_descriptor in = walk_[i], out = walk_[following(i)];
+      for(const bool left : {true, false}) {
+        double sum;
+        Walk path = left ? left_of(in, out, any, sum) : right_of(in, out, any, sum);
+        const double gain = length_(in) + length_(out) - sum;
+        if(gain > best.gain && is_over_free_vertices(path))
+          best = {i, gain, std::move(path)};
+      }
+    }
+    return best;
+  }
+
+  const TriangleMesh& tm_;
+  const Length& length_;
+  Walk walk_;
+  std::map<vertex_descriptor, int> visits_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_WALK_IMPROVEMENT_H

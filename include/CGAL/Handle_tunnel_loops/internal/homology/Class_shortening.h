@@ -1,0 +1,528 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_CLASS_SHORTENING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_CLASS_SHORTENING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Looks for shorter bases of L_in and of L_out, and of H1 where these are not known.
+
+Candidates for each loop are the shortest that cross its partner once and, if its pair is pure, no
+loop of its own kind but for a net number of zero: so they are of the same subgroup. All of them are
+tightened; then, the shortest first, each takes the place of the longest loop that can be replaced
+by it. That is the greedy algorithm for the lightest basis, but for what is not found, and for
+coordinates other than 1 and -1.
+*/
+class Class_shortening
+{
+public:
+  Class_shortening(Execution execution, const Flat_mesh& mesh, Progress& progress)
+      : execution_(execution)
+      , mesh_(mesh)
+      , search_mesh_(mesh)
+      , progress_(progress) {}
+
+  /// from now on the loops of pairs need not cross once.
+  void forget_pairs() { are_pairs_kept_ = false; }
+
+  /// \p loops are handles and tunnels in turn, of which \p is_pure says by pair whether they bound
+  /// on their sides, and \p is_new by loop which have not been made short at all. Returns by loop
+  /// the number that it had before, or `no_index` if it is new.
+  std::vector<Index> run(std::vector<Crossing_loop>& loops,
+                         const std::vector<char>& is_pure,
+                         const std::vector<char>& is_new) {
+    loops_ = &loops;
+    is_pure_ = &is_pure;
+    measure();
+    sources_.resize(loops.size());
+    std::iota(sources_.begin(), sources_.end(), Index(0));
+    prepare_search();
+    patience_.assign(loops.size(), 1.);
+    // Loops that have just been put together have been seen by nothing, the others by a field. On a
+    // small mesh there is enough for all of them at once.
+    const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
+    if(!is_small()) {
+      is_open_ = is_new;
+      repeat((std::max)(visits(), most_on_large_mesh * number_of_new / (number_of_new + 8.)));
+    }
+    if(visits() > least_visits * double(loops.size())) {
+      // Where it is not known what bounds, no class is better than another.
+      is_open_.resize(loops.size());
+      for(std::size_t i = 0; i < loops.size(); ++i)
+        is_open_[i] = is_pure[i / 2] || !are_pairs_kept_;
+      repeat(visits());
+    }
+    return std::move(sources_);
+  }
+
+private:
+  struct Candidate
+  {
+    double length;
+    Crossing_loop loop;
+    Class_vector numbers, coordinates; // with and in the loops before the round
+  };
+
+  static constexpr int most_rounds = 10;
+  // So much longer, at most, is a walk on the edges than the loop that it is pulled to.
+  static constexpr double poor_edges = 1.4;
+
+  static constexpr double gain_worth_having = 1. - 1e-7, much_shorter = 0.99;
+
+  static constexpr double most_visits = 2e6, most_on_large_mesh = 1.6e6;
+  static constexpr double most_overestimate = 4.; // that is made use of
+  static constexpr double least_visits = 200.;    // of a loop, that could find anything
+  static constexpr double larger_part = 3.;       // of a part before
+  static constexpr double small = 40000.;         // vertices
+  static constexpr std::size_t even = 5000;       // vertices
+
+  // Of a larger mesh, with fewer visits, coarser ones would take too many of them.
+  static constexpr double visits_worth_levels = 4.;
+  static constexpr double steps_around = 24.; // a loop, at least
+  static constexpr double largest_level = 20.;
+  static constexpr double nodes_by_square = 0.7; // of the spacing
+  static constexpr double most_patience = 8.;    // visits over those that are expected
+
+  bool is_small() const { return double(mesh_.number_of_vertices()) <= small; }
+
+  // On a large mesh, less: its loops have cost more before, and are not to wait as long again.
+  double visits() const {
+    const double part = (std::min)(1., small / double(mesh_.number_of_vertices()));
+    return (std::min)(most_visits, 2. * most_visits * part * std::sqrt(part));
+  }
+
+  void prepare_search() {
+    if(is_prepared_)
+      return;
+    is_prepared_ = true;
+    if(is_small())
+      search_mesh_.refine((std::min)(even, 16 * mesh_.number_of_vertices()));
+    if(visits() > double(mesh_.number_of_vertices())) {
+      search_mesh_.measure();
+      if(search_mesh_.area() > 0.)
+        density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
+    }
+    if(visits() > visits_worth_levels * double(search_mesh_.number_of_vertices()) && density_ > 0.)
+      spacing_ = std::sqrt(1.15 / density_);
+  }
+
+  // ---- coarser meshes, for longer loops
+
+  // On a level, places to search from are 2^level times as far apart as the vertices are.
+  int level(double length) const {
+    if(spacing_ == 0.)
+      return 0;
+    const double steps = length / (steps_around * spacing_);
+    return steps < 2. ? 0 : static_cast<int>((std::min)(std::log2(steps), largest_level));
+  }
+
+  const Search_mesh& mesh_of_level(int k) const { return k == 0 ? search_mesh_ : *levels_.at(k); }
+
+  double density_of_level(int k) const {
+    return k == 0 ? density_ : nodes_by_square / std::pow(std::ldexp(spacing_, k), 2);
+  }
+
+  // Makes those that are not there, of all that are to be used, and counts.
+  void prepare_levels(const std::set<int>& levels, const Edge_classes& edge_classes) {
+    search_mesh_.count(edge_classes);
+    std::vector<std::pair<int, std::unique_ptr<Search_mesh>*>> wanted;
+    for(int k : levels)
+      if(k > 0)
+        wanted.emplace_back(k, &levels_[k]);
+    for_each_index(
+        execution_, wanted.size(),
+        [&](std::size_t i) {
+          const auto& [k, mesh] = wanted[i];
+          if(*mesh == nullptr)
+            *mesh =
+                std::make_unique<Search_mesh>(search_mesh_, edge_classes, std::ldexp(spacing_, k));
+          (*mesh)->count(edge_classes);
+        },
+        1);
+  }
+
+  // Looks for the open loops, and for those that are opened by it, as long as there are visits.
+  void repeat(double visits) {
+    part_ = 0.;
+    overestimate_ = 1.;
+    double spare = (std::max)(0., most_on_large_mesh - visits);
+    for(int round = 0; round < most_rounds && visits > 0.; ++round) {
+      const double before = total_length(), share = visits;
+      visits -= double(size_of_loops());
+      if(visits <= 0. || !find_candidates(visits))
+        break;
+      exchange();
+      // It goes on as long as it pays.
+      if(total_length() < 0.995 * before) {
+        const double more = (std::max)(0., (std::min)(spare, share - visits));
+        visits += more;
+        spare -= more;
+      }
+    }
+  }
+
+  // What it takes to find out about classes, before anything is visited.
+  std::size_t size_of_loops() const {
+    return std::accumulate(loops_->begin(), loops_->end(), std::size_t(0),
+                           [](std::size_t sum, const Crossing_loop& l) { return sum + l.size(); });
+  }
+
+  double total_length() const { return std::accumulate(lengths_.begin(), lengths_.end(), 0.); }
+
+  // About the vertices within half the length of a loop: by how densely they lie, or because a
+  // geodesic crosses two edges on an edge length.
+  double vertices_around(Index i) const {
+    const int k = level(part_ * lengths_[i]);
+    const double by_density = density_of_level(k) * lengths_[i] * lengths_[i];
+    if(k > 0)
+      return by_density;
+    const double size = double((*loops_)[i].size());
+    return (std::min)((std::max)(by_density, 0.3 * size * size),
+                      double(search_mesh_.number_of_vertices()));
+  }
+
+  void measure() {
+    lengths_.clear();
+    for(const Crossing_loop& loop : *loops_)
+      lengths_.push_back(length(mesh_, loop));
+  }
+
+  // A loop to search along, for loops of about the same length that have to cross it.
+  struct Task
+  {
+    Index partner;
+    double length; // of the longest target
+    std::vector<Index> targets;
+  };
+
+  // Every curve with a coordinate in a loop crosses one of the loops in the dual class. Those among
+  // them that the loop crosses itself are the likely ones: it lies there.
+  std::vector<Task> tasks(const std::vector<Class_vector>& duals, bool are_all_likely) const {
+    std::map<std::pair<Index, int>, Task> tasks; // by partner and size
+    for(Index i = 0; i < loops_->size(); ++i)
+      if(is_open_[i] && lengths_[i] > 0.)
+        for(const auto& c : duals[i]) {
+          if(are_all_likely && coordinate(classes_->row(i), c.first) == 0)
+            continue;
+          const int size = static_cast<int>(std::floor(2. * std::log2(lengths_[i])));
+          Task& task = tasks.try_emplace({c.first, size}, Task{c.first, 0., {}}).first->second;
+          task.length = (std::max)(task.length, lengths_[i]);
+          task.targets.push_back(i);
+        }
+    std::vector<Task> all;
+    for(auto& entry : tasks)
+      all.push_back(std::move(entry.second));
+    return all;
+  }
+
+  // All tasks if there are visits enough, else the likely ones; and what is spent on each.
+  std::pair<std::vector<Task>, Search_plan> tasks_within(double visits,
+                                                         const std::vector<Class_vector>& duals) {
+    const double least_part = (std::min)(1., larger_part * part_);
+    const double expected = overestimate_ * visits;
+    std::vector<Task> all = tasks(duals, false);
+    Search_plan plan_of_all = plan(all, expected, least_part);
+    if(!plan_of_all.is_tight())
+      return {std::move(all), std::move(plan_of_all)};
+    std::vector<Task> likely = tasks(duals, true);
+    Search_plan plan_of_likely = plan(likely, expected, least_part);
+    return {std::move(likely), std::move(plan_of_likely)};
+  }
+
+  // Where loops are much longer than need be, there is not enough for all: then shorter ones are
+  // looked for first, since discs grow with the square.
+  Search_plan plan(const std::vector<Task>& tasks, double visits, double least_part) {
+    constexpr double smallest_part = 0.1;
+    for(part_ = 1.;; part_ /= larger_part) {
+      const Search_plan plan = plan_of_part(tasks, visits, part_);
+      if(!plan.is_tight() || part_ < larger_part * (std::max)(least_part, smallest_part))
+        return plan;
+    }
+  }
+
+  Search_plan plan_of_part(const std::vector<Task>& tasks, double visits, double part) const {
+    std::vector<double> discs, places;
+    for(const Task& task : tasks) {
+      double disc = 0.;
+      for(Index i : task.targets)
+        disc = (std::max)(disc, patience_[i] * vertices_around(i));
+      discs.push_back(part * part * disc);
+      places.push_back(lengths_[task.partner] / (part * task.length));
+    }
+    return Search_plan(discs, places, visits);
+  }
+
+  // Returns whether anything was looked for.
+  bool find_candidates(double& visits) {
+    if(std::find(is_open_.begin(), is_open_.end(), 1) == is_open_.end())
+      return false;
+    classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
+    const std::vector<Class_vector> duals = dual_classes();
+    const std::pair<std::vector<Task>, Search_plan> planned = tasks_within(visits, duals);
+    const std::vector<Task>& tasks = planned.first;
+    const Search_plan& efforts = planned.second;
+    const Edge_classes edge_classes(mesh_, classes_->index(), *is_pure_);
+    std::set<int> levels;
+    for(const Task& task : tasks)
+      levels.insert(level(part_ * task.length));
+    prepare_levels(levels, edge_classes);
+    std::map<int, Workspace_pool<Partner_search>> searches;
+    for(int k : levels)
+      searches.try_emplace(k, [this, k, &edge_classes] {
+        return std::make_unique<Partner_search>(mesh_, mesh_of_level(k), edge_classes);
+      });
+    std::vector<std::vector<Candidate>> found(tasks.size());
+    const std::vector<std::size_t> allowed = allowed_visits(tasks.size(), efforts, visits);
+    std::vector<std::size_t> left = allowed;
+    for_each_index(
+        execution_, tasks.size(),
+        [&](std::size_t n) {
+          if(left[n] > 0 && progress_.goes_on())
+            found[n] = candidates(tasks[n], duals, efforts.effort(n).spacing, left[n],
+                                  *searches.at(level(part_ * tasks[n].length)).borrow());
+        },
+        1);
+    progress_.throw_if_interrupted();
+    close_loops(tasks, allowed, efforts, left, visits);
+    candidates_.clear();
+    for(std::vector<Candidate>& part : found)
+      std::move(part.begin(), part.end(), std::back_inserter(candidates_));
+    return !efforts.is_empty();
+  }
+
+  // What is expected may be too little: a search that has to be begun again costs all of it once
+  // more.
+  static std::vector<std::size_t>
+  allowed_visits(std::size_t number_of_tasks, const Search_plan& efforts, double visits) {
+    std::vector<std::size_t> allowed;
+    for(std::size_t n = 0; n < number_of_tasks; ++n)
+      allowed.push_back(efforts.effort(n).visits);
+    const double planned = std::accumulate(allowed.begin(), allowed.end(), 1.);
+    const std::size_t factor =
+        static_cast<std::size_t>(std::clamp(0.3 * visits / planned, 1., most_patience));
+    for(std::size_t& number : allowed)
+      number *= factor;
+    return allowed;
+  }
+
+  // What has been searched to its end is closed. Takes what was spent from the visits.
+  void close_loops(const std::vector<Task>& tasks,
+                   const std::vector<std::size_t>& allowed,
+                   const Search_plan& efforts,
+                   const std::vector<std::size_t>& left,
+                   double& visits) {
+    std::vector<char> is_exhausted(loops_->size(), 0), is_left_out(loops_->size(), 0);
+    double planned_for_all = 0., spent = 0.;
+    for(std::size_t n = 0; n < tasks.size(); ++n) {
+      const std::size_t planned = efforts.effort(n).visits;
+      planned_for_all += double(planned);
+      spent += double(allowed[n] - left[n]);
+      for(Index i : tasks[n].targets)
+        if(planned == 0)
+          is_left_out[i] = 1; // the others may leave something
+        else if(left[n] == 0)
+          is_exhausted[i] = 1; // it takes more than was thought
+    }
+    visits -= spent;
+    overestimate_ = (std::min)(most_overestimate, planned_for_all / (std::max)(1., spent));
+    for(Index i = 0; i < is_open_.size(); ++i) {
+      patience_[i] *= is_exhausted[i] ? 4. : 1.;
+      is_open_[i] = is_exhausted[i] || is_left_out[i] || (is_open_[i] && part_ < 1.);
+    }
+  }
+
+  // Of the open loops; none where numbers are too large, for which nothing is looked for then.
+  std::vector<Class_vector> dual_classes() {
+    std::vector<Class_vector> duals(loops_->size());
+    for_each_index(
+        execution_, duals.size(),
+        [&](std::size_t i) {
+          if(is_open_[i])
+            if(std::optional<Class_vector> dual =
+                   classes_->class_with({{static_cast<Index>(i), 1}}))
+              duals[i] = std::move(*dual);
+        },
+        16);
+    return duals;
+  }
+
+  std::vector<Candidate> candidates(const Task& task,
+                                    const std::vector<Class_vector>& duals,
+                                    double spacing,
+                                    std::size_t& visits,
+                                    Partner_search& search) const {
+    const bool is_pure = (*is_pure_)[task.partner / 2], is_tunnel = task.partner % 2 == 0;
+    std::vector<Search_targets::Target> wanted;
+    for(Index i : task.targets)
+      wanted.push_back({part_ * poor_edges * lengths_[i], &duals[i]});
+    Search_targets targets(std::move(wanted));
+    search.run((*loops_)[task.partner], task.partner, is_pure && is_tunnel, spacing, targets,
+               visits);
+    std::vector<Candidate> candidates;
+    for(const Search_targets::Found& found : targets.take_found()) {
+      if(found.walk.size() < 3)
+        continue;
+      Candidate c;
+      c.loop = search_mesh_.loop_along(found.walk);
+      if(c.loop.empty())
+        continue;
+      Loop_tightening(execution_, mesh_).tighten(c.loop);
+      c.length = length(mesh_, c.loop);
+      c.numbers = classes_->numbers(c.loop);
+      if(is_pure && !is_of_kind(c.numbers, is_tunnel))
+        continue;
+      if(std::optional<Class_vector> a = classes_->class_with(c.numbers)) {
+        c.coordinates = std::move(*a);
+        candidates.push_back(std::move(c));
+      }
+    }
+    return candidates;
+  }
+
+  // Whether a curve crosses only loops of the other kind.
+  static bool is_of_kind(const Class_vector& numbers, bool is_tunnel) {
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [&](const auto& c) { return (c.first % 2 == 1) != is_tunnel; });
+  }
+
+  void exchange() {
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+    Class_exchange exchange(*classes_);
+    Pairing pairing(loops_->size() / 2);
+    for(Index k = 0; k < loops_->size() / 2; ++k)
+      pairing.match(k, k);
+    std::vector<char> is_changed(loops_->size(), 0);
+    for(Candidate& c : candidates_)
+      try_candidate(c, exchange, pairing, is_changed);
+    apply(pairing, is_changed);
+  }
+
+  void try_candidate(Candidate& c,
+                     Class_exchange& exchange,
+                     Pairing& pairing,
+                     std::vector<char>& is_changed) {
+    const std::optional<Class_vector> x = exchange.coordinates(c.coordinates);
+    if(!x)
+      return;
+    std::vector<Index> places;
+    for(const auto& [i, value] : *x)
+      if(std::abs(value) == 1 && c.length < gain_worth_having * lengths_[i])
+        places.push_back(i);
+    std::stable_sort(places.begin(), places.end(),
+                     [this](Index a, Index b) { return lengths_[a] > lengths_[b]; });
+    for(Index i : places)
+      if(can_pair(c, i, exchange, pairing)) {
+        // There is nothing new to be found for a loop in place of one of its class, about as long.
+        if(x->size() > 1 || c.length < much_shorter * lengths_[i])
+          is_changed[i] = 1;
+        exchange.replace(i, c.coordinates, *x);
+        (*loops_)[i] = std::move(c.loop);
+        lengths_[i] = c.length;
+        sources_[i] = no_index;
+        return;
+      }
+  }
+
+  // Whether each pair still crosses once, perhaps with other partners, if loop `i` is replaced.
+  bool
+  can_pair(const Candidate& c, Index i, const Class_exchange& exchange, Pairing& pairing) const {
+    if(!are_pairs_kept_)
+      return true;
+    const Index k = i / 2;
+    const bool is_tunnel = i % 2 == 1;
+    const Index partner = is_tunnel ? 2 * pairing.row_of(k) : 2 * pairing.column_of(k) + 1;
+    if(std::abs(exchange.crossing(c.numbers, partner)) == 1)
+      return true;
+    if(!(*is_pure_)[k])
+      return false;
+    const auto columns = [&](Index row) {
+      std::vector<Index> found = exchange.tunnels_crossed_once(
+          !is_tunnel && row == k ? c.numbers : exchange.numbers(2 * row));
+      if(is_tunnel) {
+        found.erase(std::remove(found.begin(), found.end(), k), found.end());
+        if(std::abs(exchange.crossing(c.numbers, 2 * row)) == 1)
+          found.insert(std::lower_bound(found.begin(), found.end(), k), k);
+      }
+      return found;
+    };
+    Pairing other = pairing;
+    const Index row = is_tunnel ? pairing.row_of(k) : k;
+    other.release(row);
+    if(!other.augment(row, columns))
+      return false;
+    pairing = other;
+    return true;
+  }
+
+  // Puts the tunnels into the order of their handles, and opens what has to be looked at again.
+  void apply(const Pairing& pairing, const std::vector<char>& is_changed) {
+    const std::vector<Crossing_loop> loops = *loops_;
+    const std::vector<Index> sources = sources_;
+    for(Index k = 0; k < loops.size() / 2; ++k) {
+      const Index from = 2 * pairing.column_of(k) + 1, to = 2 * k + 1;
+      (*loops_)[to] = loops[from];
+      sources_[to] = sources[from];
+      if(is_changed[2 * k] || is_changed[from] || from != to)
+        is_open_[2 * k] = is_open_[to] = 1;
+    }
+    measure();
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  Search_mesh search_mesh_;
+  std::map<int, std::unique_ptr<Search_mesh>> levels_;
+  double spacing_ = 0.; // of the vertices, if there are levels
+  Progress& progress_;
+  std::vector<Crossing_loop>* loops_ = nullptr;
+  const std::vector<char>* is_pure_ = nullptr;
+  bool is_prepared_ = false; // the mesh to search on
+  bool are_pairs_kept_ = true;
+  double part_ = 0.;         // of the length of the loops, to look for
+  double overestimate_ = 1.; // visits planned over visits needed, in the last round
+  double density_ = 0.;      // vertices by area, if many of them are visited
+  std::vector<double> lengths_;
+  std::vector<Index> sources_;
+  std::vector<char> is_open_;    // by loop, whether to look for candidates
+  std::vector<double> patience_; // by loop, how many more vertices than expected to cover
+  std::unique_ptr<Loop_classes> classes_;
+  std::vector<Candidate> candidates_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_CLASS_SHORTENING_H

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_LOOP_CLASSES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_LOOP_CLASSES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/max_cardinality_matching.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+The classes of closed curves, as coordinates in a basis of loops.
+
+The intersection numbers of a curve with the basis are a J, where a are its coordinates and J the
+matrix of the intersection numbers of the basis, which is unimodular (Poincare duality). So
+coordinates follow from numbers by one solution of a system of equations. All in integers.
+*/
+class Loop_classes
+{
+public:
+  /// \p loops are a basis.
+  Loop_classes(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
+      : index_(mesh, loops) {
+    for(const Crossing_loop& loop : loops)
+      rows_.push_back(numbers(loop));
+    // The rows of the transpose of J, which is -J.
+    std::vector<Class_vector> transposed = rows_;
+    for(Class_vector& row : transposed)
+      for(auto& entry : row)
+        entry.second = -entry.second;
+    system_ = std::make_unique<Unimodular_system>(std::move(transposed));
+    CGAL_postcondition_msg(system_->is_regular(), "the loops are a basis");
+  }
+
+  std::size_t size() const { return rows_.size(); }
+
+  /// which loops of the basis cross which edges.
+  const Crossing_index& index() const { return index_; }
+
+  /// the intersection numbers of a curve with the basis.
+  Class_vector numbers(const Crossing_loop& loop) const {
+    const Sparse_numbers numbers = index_.intersections(loop);
+    return Class_vector(numbers.begin(), numbers.end());
+  }
+
+  /// the intersection numbers of loop `i` of the basis with the basis.
+  const Class_vector& row(Index i) const { return rows_[i]; }
+
+  /// those of the class with these coordinates.
+  Class_vector numbers_of_class(const Class_vector& a) const {
+    Class_vector numbers;
+    for(const auto& [i, factor] : a)
+      for(const auto& [j, value] : rows_[i])
+        numbers.emplace_back(j, factor * value);
+    normalize(numbers);
+    return numbers;
+  }
+
+  /// the coordinates of the class with these intersection numbers, unless they are too large.
+  std::optional<Class_vector> class_with(const Class_vector& numbers) const {
+    return system_->solve(numbers);
+  }
+
+private:
+  Crossing_index index_;
+  std::vector<Class_vector> rows_;
+  std::unique_ptr<Unimodular_system> system_;
+};
+
+/*!
+On which sides the loops of a basis bound, each component for itself, and the projections to the
+classes that do.
+
+On a component that does not cross itself, L_in and L_out are the classes that bound inside and
+outside; H1 is their direct sum, and each is its own annihilator under the intersection form J. A
+class x of L_in has V(x, .) = 0 and one of L_out V(., x) = 0. Hence V(x, y) is, up to one sign, the
+intersection number of the part of x in L_out with y, and also of x with the part of y in L_in:
+the linking numbers *are* the intersection numbers of the projections with the basis.
+*/
+class Loop_sides
+{
+public:
+  /// \p relations are those of the basis.
+  Loop_sides(const Loop_classes& classes, const Loop_relations& relations)
+      : rows_(classes.size())
+      , columns_(classes.size())
+      , signs_(classes.size(), 0) {
+    for(const Matrix_entry& e : relations.linking)
+      if(relations.components[e.row] == relations.components[e.column]) {
+        rows_[e.row].emplace_back(e.column, e.value);
+        columns_[e.column].emplace_back(e.row, e.value);
+      }
+    for(auto* matrix : {&rows_, &columns_})
+      for(Class_vector& v : *matrix)
+        normalize(v);
+    find_signs(classes, relations);
+  }
+
+  /// whether it is known for the component of a loop which classes bound inside and outside.
+  bool is_decided(Index i) const { return signs_[i] != 0; }
+
+  bool bounds_inside(Index i) const { return is_decided(i) && rows_[i].empty(); }
+  bool bounds_outside(Index i) const { return is_decided(i) && columns_[i].empty(); }
+
+  /// the intersection numbers with the basis of the part of a loop in L_in (`true`) or L_out.
+  Class_vector numbers_of_part(Index i, bool inside) const {
+    return scaled(inside ? columns_[i] : rows_[i], inside ? -signs_[i] : signs_[i]);
+  }
+
+private:
+  // V less its transpose is J or -J on a component. If it is neither, the surface crosses itself.
+  void find_signs(const Loop_classes& classes, const Loop_relations& relations) {
+    std::map<std::size_t, int> sign_of_component;
+    std::set<std::size_t> bad_components;
+    for(const auto& problem : relations.problems)
+      bad_components.insert(relations.components[problem.first]);
+    for(Index i = 0; i < classes.size(); ++i) {
+      Class_vector skew = rows_[i];
+      const bool fits = add_multiple(skew, -1, columns_[i]);
+      const std::size_t component = relations.components[i];
+      const int sign =
+          sign_of_component.emplace(component, skew == classes.row(i) ? 1 : -1).first->second;
+      if(!fits || skew != scaled(classes.row(i), sign))
+        bad_components.insert(component);
+    }
+    for(Index i = 0; i < classes.size(); ++i) {
+      const std::size_t component = relations.components[i];
+      signs_[i] = bad_components.count(component) != 0 ? 0 : sign_of_component.at(component);
+    }
+  }
+
+  static Class_vector scaled(Class_vector v, int factor) {
+    for(auto& entry : v)
+      entry.second *= factor;
+    return v;
+  }
+
+  std::vector<Class_vector> rows_, columns_; // of V, within the components
+  std::vector<int> signs_;                   // by loop; 0 if nothing is known
+};
+
+/// pairs the loops of a basis so that each pair crosses once, if that can be, or else an odd number
+/// of times, which always can: a skew-symmetric matrix of determinant 1 has an odd Pfaffian, and
+/// that is a sum over matchings.
+inline void match_loops(const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+  std::vector<Crossing_loop> loops;
+  for(Flat_pair& pair : pairs) {
+    loops.push_back(std::move(pair.handle));
+    loops.push_back(std::move(pair.tunnel));
+  }
+  const Loop_classes classes(mesh, loops);
+  for(const bool once : {true, false}) {
+    Graph graph(loops.size());
+    for(Index i = 0; i < loops.size(); ++i)
+      for(const auto& [j, number] : classes.row(i))
+        if(i < j && (once ? number == 1 || number == -1 : number % 2 != 0))
+          add_edge(i, j, graph);
+    std::vector<Graph::vertex_descriptor> mates(loops.size());
+    boost::edmonds_maximum_cardinality_matching(graph, mates.data());
+    if(2 * boost::matching_size(graph, mates.data()) < loops.size())
+      continue;
+    pairs.clear();
+    for(std::size_t i = 0; i < mates.size(); ++i)
+      if(i < mates[i])
+        pairs.push_back({std::move(loops[i]), std::move(loops[mates[i]])});
+    return;
+  }
+  CGAL_assertion_msg(false, "the loops are a basis");
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_LOOP_CLASSES_H

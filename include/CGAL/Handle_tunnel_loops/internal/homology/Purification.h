@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_PURIFICATION_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_PURIFICATION_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sum.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+From any basis in pairs to one in which all handles bound inside and all tunnels outside, on every
+component for which that is known. What bounds already is kept. The other loops are projected to
+L_in and to L_out; a basis of each is chosen from the projections, and loops of these classes are
+made of those that there are.
+
+Then handles and tunnels are paired so that each pair crosses once. Should there be no such pairing,
+which unimodularity alone does not exclude, the tunnels become the dual basis of the handles.
+*/
+class Purification
+{
+public:
+  Purification(Execution execution, const Flat_mesh& mesh, bool do_tighten, Progress& progress)
+      : execution_(execution)
+      , mesh_(mesh)
+      , do_tighten_(do_tighten)
+      , progress_(progress) {}
+
+  /// changes the pairs. Returns, for each handle and tunnel in turn, the number that the loop had
+  /// before, or `no_index` if it is new.
+  std::vector<Index> run(std::vector<Flat_pair>& pairs, const Loop_relations& relations) {
+    loops_ = loops_of(pairs);
+    classes_ = std::make_unique<Loop_classes>(mesh_, loops_);
+    const Loop_sides sides(*classes_, relations);
+    std::map<std::size_t, std::vector<Index>> pairs_of_component;
+    is_pure_.assign(pairs.size(), 0);
+    for(Index k = 0; k < pairs.size(); ++k) {
+      is_pure_[k] = sides.is_decided(2 * k);
+      if(is_pure_[k])
+        pairs_of_component[relations.components[2 * k]].push_back(k);
+    }
+    std::vector<Index> sources(loops_.size());
+    std::iota(sources.begin(), sources.end(), Index(0));
+    for(const auto& [component, numbers] : pairs_of_component)
+      purify(numbers, sides, pairs, sources);
+    return sources;
+  }
+
+  /// by pair, whether both loops bound on their sides now.
+  const std::vector<char>& is_pure() const { return is_pure_; }
+
+  static std::vector<Crossing_loop> loops_of(const std::vector<Flat_pair>& pairs) {
+    std::vector<Crossing_loop> loops;
+    for(const Flat_pair& pair : pairs) {
+      loops.push_back(pair.handle);
+      loops.push_back(pair.tunnel);
+    }
+    return loops;
+  }
+
+private:
+  // A loop of the basis, or a class for which there is none yet.
+  struct Member
+  {
+    Index loop; // or `no_index`
+    Class_vector coordinates;
+  };
+
+  static Member member(Index i) { return {i, {{i, 1}}}; }
+
+  // The pairs of one component.
+  void purify(const std::vector<Index>& numbers,
+              const Loop_sides& sides,
+              std::vector<Flat_pair>& pairs,
+              std::vector<Index>& sources) {
+    std::optional<std::vector<Member>> handles = basis(numbers, sides, true);
+    std::optional<std::vector<Member>> tunnels = basis(numbers, sides, false);
+    if(!handles || !tunnels || !pair_up(*handles, *tunnels)) {
+      for(Index k : numbers)
+        is_pure_[k] = 0;
+      return;
+    }
+    Workspace_pool<Loop_sum> sums([this] { return std::make_unique<Loop_sum>(mesh_, loops_); });
+    for_each_index(
+        execution_, numbers.size(),
+        [&](std::size_t n) {
+          if(!progress_.goes_on())
+            return;
+          const Index k = numbers[n];
+          const Member &handle = (*handles)[n], &tunnel = (*tunnels)[n];
+          pairs[k] = {loop_of(handle, sums), loop_of(tunnel, sums)};
+          sources[2 * k] = handle.loop;
+          sources[2 * k + 1] = tunnel.loop;
+        },
+        1);
+    progress_.throw_if_interrupted();
+  }
+
+  // A basis of L_in or of L_out of a component, first of all the loops that bound; nothing if a
+  // number became too large.
+  std::optional<std::vector<Member>>
+  basis(const std::vector<Index>& numbers, const Loop_sides& sides, bool inside) const {
+    std::vector<Member> members;
+    std::vector<Class_vector> generators;
+    const auto bounds = [&](Index i, bool in) {
+      return in ? sides.bounds_inside(i) : sides.bounds_outside(i);
+    };
+    for(Index k : numbers)
+      for(Index i : {2 * k, 2 * k + 1})
+        if(bounds(i, inside))
+          members.push_back(member(i));
+        else if(!bounds(i, !inside)) {
+          std::optional<Class_vector> part = classes_->class_with(sides.numbers_of_part(i, inside));
+          if(!part)
+            return std::nullopt;
+          // Modulo the loops that bound already.
+          part->erase(std::remove_if(part->begin(), part->end(),
+                                     [&](const auto& c) { return bounds(c.first, inside); }),
+                      part->end());
+          generators.push_back(std::move(*part));
+        }
+    std::optional<std::vector<Class_vector>> others =
+        Lattice_basis(std::move(generators)).take_basis();
+    if(!others)
+      return std::nullopt;
+    for(Class_vector& a : *others)
+      members.push_back({no_index, std::move(a)});
+    // The rank is g, but for surfaces that cross themselves in such a way that no loop shows it.
+    if(members.size() != numbers.size() || !can_be_made(members))
+      return std::nullopt;
+    return members;
+  }
+
+  // Whether the loops that are to be put together are of a size that any computer can hold.
+  bool can_be_made(const std::vector<Member>& members) const {
+    constexpr double most_crossings = 5e7;
+    double sum = 0.;
+    for(const Member& m : members)
+      if(m.loop == no_index)
+        for(const auto& [i, factor] : m.coordinates)
+          sum += std::abs(double(factor)) * double(loops_[i].size());
+    return sum <= most_crossings;
+  }
+
+  // Puts the tunnels into the order of the handles. Returns `false` if a number became too large.
+  bool pair_up(const std::vector<Member>& handles, std::vector<Member>& tunnels) const {
+    const Index n = static_cast<Index>(handles.size());
+    std::vector<Class_vector> crossings(n); // of a handle with the tunnels
+    for(Index i = 0; i < n; ++i) {
+      const Class_vector numbers = classes_->numbers_of_class(handles[i].coordinates);
+      for(Index j = 0; j < n; ++j)
+        if(const std::int64_t number = product_sum(numbers, tunnels[j].coordinates))
+          crossings[i].emplace_back(j, number);
+    }
+    Pairing pairing(n);
+    for(Index i = 0; i < n; ++i)
+      if(!pairing.augment(
+             i, [&](Index row) { return partners(handles[row], crossings[row], tunnels); }))
+        return make_dual(std::move(crossings), tunnels);
+    std::vector<Member> ordered;
+    for(Index i = 0; i < n; ++i)
+      ordered.push_back(tunnels[pairing.column_of(i)]);
+    tunnels = std::move(ordered);
+    return true;
+  }
+
+  // The tunnels that cross a handle once, that of the same pair first.
+  static std::vector<Index> partners(const Member& handle,
+                                     const Class_vector& crossings,
+                                     const std::vector<Member>& tunnels) {
+    std::vector<Index> found;
+    for(const auto& [j, number] : crossings)
+      if(std::abs(number) == 1)
+        found.push_back(j);
+    std::stable_partition(found.begin(), found.end(), [&](Index j) {
+      return handle.loop != no_index && tunnels[j].loop != no_index &&
+             tunnels[j].loop / 2 == handle.loop / 2;
+    });
+    return found;
+  }
+
+  // Replaces the tunnels by classes that cross one handle each, and that once.
+  bool make_dual(std::vector<Class_vector> crossings, std::vector<Member>& tunnels) const {
+    const Unimodular_system system(std::move(crossings));
+    if(!system.is_regular())
+      return false;
+    std::vector<Member> duals;
+    for(Index i = 0; i < tunnels.size(); ++i) {
+      const std::optional<Class_vector> solution = system.solve({{i, 1}});
+      duals.push_back({no_index, {}});
+      if(!solution)
+        return false;
+      for(const auto& [j, factor] : *solution)
+        if(!add_multiple(duals.back().coordinates, factor, tunnels[j].coordinates))
+          return false;
+    }
+    tunnels = std::move(duals);
+    return can_be_made(tunnels);
+  }
+
+  Crossing_loop loop_of(const Member& m, Workspace_pool<Loop_sum>& sums) const {
+    if(m.loop != no_index)
+      return loops_[m.loop];
+    Crossing_loop loop = pushed_left(mesh_, sums.borrow()->walk(m.coordinates));
+    if(do_tighten_)
+      Loop_tightening(execution_, mesh_).tighten(loop);
+    return loop;
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  bool do_tighten_;
+  Progress& progress_;
+  std::vector<Crossing_loop> loops_; // before
+  std::unique_ptr<Loop_classes> classes_;
+  std::vector<char> is_pure_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_PURIFICATION_H

@@ -1,0 +1,595 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_SEARCH_MESH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_SEARCH_MESH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/homology/Intrinsic_triangulation.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Sums of random weights, one for each loop, by how often a walk crosses it. Modulo 2^64: they are
+/// zero for all walks that cross no loop but for a net number of zero, and for hardly any other.
+/// `across` are the loops that are not to be crossed, `along` those that tell classes apart.
+struct Class_sums
+{
+  std::uint64_t across = 0, along = 0;
+
+  friend Class_sums operator+(Class_sums a, Class_sums b) {
+    return {a.across + b.across, a.along + b.along};
+  }
+  friend bool operator==(const Class_sums& a, const Class_sums& b) {
+    return a.across == b.across && a.along == b.along;
+  }
+  bool is_zero() const { return across == 0 && along == 0; }
+  void add(std::int64_t number, const Class_sums& s) {
+    across += static_cast<std::uint64_t>(number) * s.across;
+    along += static_cast<std::uint64_t>(number) * s.along;
+  }
+};
+
+/// What each edge contributes to the sums of walks, and which loops cross it. Loops 2k and 2k + 1
+/// are a pair.
+class Edge_classes
+{
+public:
+  /// A loop that crosses an edge, as often as `number` says, from left to right.
+  struct Term
+  {
+    Index loop;
+    int number;
+  };
+
+  /// An edge from a vertex: `terms()` from `first` to the `first` of the next.
+  struct Edge
+  {
+    Class_sums sums;
+    Index first;
+  };
+
+  /// \p is_pure says by pair whether its loops bound on their sides. If so, handles and tunnels
+  /// have sums of their own; if not, there are no loops that must not be crossed.
+  Edge_classes(const Flat_mesh& mesh, const Crossing_index& index, const std::vector<char>& is_pure)
+      : mesh_(mesh)
+      , first_(mesh.number_of_vertices(), no_index) {
+    const std::vector<Class_sums> weights = random_weights(is_pure);
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      if(index.has_crossing(v))
+        add_edges(v, index, weights);
+    edges_.push_back({{}, static_cast<Index>(terms_.size())});
+  }
+
+  /// whether any loop crosses an edge at `v`.
+  bool has_crossing(Index v) const { return first_[v] != no_index; }
+
+  /// the edge from `v` to its neighbour in this position of its ring, if there are crossings at
+  /// `v`.
+  const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
+
+  /// calls `f(loop, number)` for the loops that cross the edge from `u` to `v`.
+  template <typename Function> void for_each_term(Index u, Index v, const Function& f) const {
+    if(!has_crossing(u) || u == v)
+      return;
+    const Edge* e = &edge(u, mesh_.ring(u).position(v));
+    for(Index i = e->first; i != (e + 1)->first; ++i)
+      f(terms_[i].loop, terms_[i].number);
+  }
+
+private:
+  static std::vector<Class_sums> random_weights(const std::vector<char>& is_pure) {
+    std::mt19937_64 random;
+    std::vector<Class_sums> weights;
+    for(const char pure : is_pure) {
+      const std::uint64_t handle = random(), tunnel = random();
+      weights.push_back(pure ? Class_sums{handle, 0} : Class_sums{0, handle});
+      weights.push_back({0, tunnel});
+    }
+    return weights;
+  }
+
+  void add_edges(Index v, const Crossing_index& index, const std::vector<Class_sums>& weights) {
+    first_[v] = static_cast<Index>(edges_.size());
+    // By neighbor, and there by loop.
+    entries_.assign(index.entries().begin() + index.begins()[v],
+                    index.entries().begin() + index.begins()[v + 1]);
+    const auto is_before = [](const Crossing_entry& a, const Crossing_entry& b) {
+      return a.other < b.other;
+    };
+    std::stable_sort(entries_.begin(), entries_.end(), is_before);
+    for(Index u : mesh_.ring(v)) {
+      edges_.push_back({{}, static_cast<Index>(terms_.size())});
+      const auto [begin, end] =
+          std::equal_range(entries_.begin(), entries_.end(), Crossing_entry{u, 0, 0}, is_before);
+      for(auto e = begin; e != end;) {
+        Term term{e->loop, 0};
+        for(; e != end && e->loop == term.loop; ++e)
+          term.number += e->sign;
+        if(term.number == 0)
+          continue;
+        terms_.push_back(term);
+        edges_.back().sums.add(term.number, weights[term.loop]);
+      }
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<Index> first_; // edge, by vertex
+  std::vector<Edge> edges_;
+  std::vector<Term> terms_;
+  std::vector<Crossing_entry> entries_; // of a vertex
+};
+
+/*!
+Fewer places to search from and longer steps between them, for loops that are long beside the edges
+of a mesh.
+
+Vertices that are nowhere nearer to each other than the spacing become nodes; each vertex belongs to
+the nearest of them. There is a step between two nodes where an edge leads from a vertex of the one
+to a vertex of the other, of each class the shortest, and from a node to itself where its vertices
+lie around a handle: so walks of all classes are left.
+
+`Mesh` is one of steps, as `Search_mesh`.
+*/
+template <typename Mesh> class Step_coarsening
+{
+public:
+  /// A way from a node to another: to `from`, along a step of the mesh, and on to the node.
+  struct Step
+  {
+    Index head;
+    float length;
+    Index from, step;
+    Class_sums sums;
+  };
+
+  Step_coarsening(const Mesh& mesh, const Edge_classes& classes, double spacing)
+      : mesh_(mesh)
+      , classes_(classes)
+      , spacing_(static_cast<float>(spacing))
+      , ways_(mesh.number_of_vertices()) {
+    for(Index v = 0; v < ways_.size(); ++v)
+      if(ways_[v].node == no_index && !mesh.is_hub(v))
+        add_node(v);
+    steps_.resize(nodes_.size());
+    for(Index v = 0; v < ways_.size(); ++v)
+      if(ways_[v].node != no_index)
+        add_steps(v);
+  }
+
+  /// the vertices that are nodes.
+  const std::vector<Index>& nodes() const { return nodes_; }
+
+  /// the node to which a vertex belongs.
+  Index node(Index v) const { return ways_[v].node; }
+
+  /// the steps from a node.
+  const std::vector<Step>& steps(Index node) const { return steps_[node]; }
+
+  /// appends what follows a node on the walk of a step from it, to its head, in the terms of
+  /// `Mesh::for_each_edge()`.
+  void append_walk(const Step& step, std::vector<Index>& walk) const {
+    append_way(step.from, walk);
+    append_edges(step.from, step.step, walk);
+    const Index there = mesh_.head(step.step);
+    std::vector<Index> back;
+    append_way(there, back);
+    if(back.empty())
+      return;
+    back.pop_back();
+    walk.insert(walk.end(), back.rbegin(), back.rend());
+    walk.push_back(nodes_[step.head]);
+  }
+
+private:
+  // The shortest way to a vertex, from its node.
+  struct Way
+  {
+    float distance = std::numeric_limits<float>::infinity();
+    Index node = no_index, parent = no_index, step = no_index;
+    Class_sums sums;
+  };
+
+  // Takes over what is nearer to the new node than to those before.
+  void add_node(Index v) {
+    ways_.reach(v, {0.f, static_cast<Index>(nodes_.size()), no_index, no_index, {}});
+    nodes_.push_back(v);
+    ways_.grow([&](Index u) {
+      const Way here = ways_[u];
+      for(Index step = mesh_.begin(u); step != mesh_.end(u); ++step) {
+        const float there = here.distance + mesh_.length(u, step);
+        const Way& way = ways_[mesh_.head(step)];
+        // What is reached through u follows it, also where rounding hides that it is nearer.
+        const bool follows = way.parent == u && way.step == step && way.node != here.node;
+        if(follows || there < (std::min)(way.distance, spacing_))
+          ways_.reach(mesh_.head(step),
+                      {there, here.node, u, step, here.sums + mesh_.sums(u, step, classes_)});
+      }
+    });
+  }
+
+  void add_steps(Index v) {
+    const Way& here = ways_[v];
+    for(Index step = mesh_.begin(v); step != mesh_.end(v); ++step) {
+      const Way& there = ways_[mesh_.head(step)];
+      if(there.node == no_index)
+        continue;
+      Class_sums sums = here.sums + mesh_.sums(v, step, classes_);
+      sums.add(-1, there.sums);
+      if(there.node == here.node && sums.is_zero())
+        continue;
+      add_step({there.node, here.distance + mesh_.length(v, step) + there.distance, v, step, sums},
+               steps_[here.node]);
+    }
+  }
+
+  // Where a node has a great many handles around it, those found first are enough.
+  static void add_step(const Step& step, std::vector<Step>& steps) {
+    constexpr std::size_t largest_number = 256;
+    for(Step& other : steps)
+      if(other.head == step.head && other.sums == step.sums) {
+        if(step.length < other.length)
+          other = step;
+        return;
+      }
+    if(steps.size() < largest_number)
+      steps.push_back(step);
+  }
+
+  void append_edges(Index v, Index step, std::vector<Index>& walk) const {
+    mesh_.for_each_edge(v, step, [&](Index, Index to) { walk.push_back(to); });
+  }
+
+  // What follows the node of a vertex on the way to it.
+  void append_way(Index v, std::vector<Index>& walk) const {
+    std::vector<Index> vertices;
+    for(Index u = v; ways_[u].parent != no_index; u = ways_[u].parent)
+      vertices.push_back(u);
+    for(auto u = vertices.rbegin(); u != vertices.rend(); ++u)
+      append_edges(ways_[*u].parent, ways_[*u].step, walk);
+  }
+
+  const Mesh& mesh_;
+  const Edge_classes& classes_;
+  float spacing_;
+  Shortest_paths<Way> ways_; // by vertex
+  std::vector<Index> nodes_;
+  std::vector<std::vector<Step>> steps_; // by node
+};
+
+/// A graph to search for loops on: the edges of the mesh, or of a better triangulation of the same
+/// surface, or steps between some of the vertices of one of these. Its steps from a vertex have
+/// consecutive numbers; for each stands a walk on the edges of the surface, which is the mesh or a
+/// subdivision of it. Steps to hubs of caps are infinitely long.
+class Search_mesh
+{
+public:
+  explicit Search_mesh(const Flat_mesh& mesh)
+      : mesh_(mesh)
+      , surface_(&mesh)
+      , number_of_vertices_(mesh.number_of_vertices())
+      , begin_(mesh.row_begin.data())
+      , heads_(mesh.neighbor.data()) {}
+
+  /// places of another such mesh that are nowhere nearer to each other than \p spacing, and steps
+  /// between them of each class; see `Step_coarsening`. Their walks are those of the other mesh,
+  /// which has been counted.
+  Search_mesh(const Search_mesh& finer, const Edge_classes& classes, double spacing)
+      : mesh_(finer.mesh_)
+      , finer_(&finer)
+      , surface_(finer.surface_)
+      , subdivision_(finer.subdivision_) {
+    const Step_coarsening<Search_mesh> coarsening(finer, classes, spacing);
+    nodes_ = coarsening.nodes();
+    for(Index v = 0; v < finer.number_of_vertices(); ++v)
+      node_of_.push_back(coarsening.node(v));
+    for(Index node = 0; node < nodes_.size(); ++node) {
+      add_vertex();
+      for(const auto& step : coarsening.steps(node)) {
+        add_step(step.head, step.length);
+        coarsening.append_walk(step, walks_);
+      }
+    }
+    take_steps();
+  }
+
+  Search_mesh(const Search_mesh&) = delete;
+  Search_mesh& operator=(const Search_mesh&) = delete;
+
+  /// replaces the edges of the mesh by those of a triangulation with up to so many more vertices,
+  /// or about twice as many in all if the mesh has few: ways along edges are poor where triangles
+  /// are long and thin.
+  void refine(std::size_t number_of_vertices) {
+    const std::size_t n = (std::max)(number_of_vertices, mesh_.number_of_vertices());
+    // An even mesh of n vertices has 2n triangles of area s^2 sqrt(3) / 4.
+    const double longest = std::sqrt(1.5 * 2.31 * area() / double(2 * n));
+    Intrinsic_triangulation triangulation(mesh_);
+    triangulation.split(longest, n + number_of_vertices);
+    subdivision_ = std::make_shared<const Subdivision>(
+        Subdivision{triangulation.subdivision(), triangulation.places(), triangulation.corners()});
+    surface_ = &subdivision_->mesh;
+    triangulation.make_delaunay();
+    add_edges(triangulation);
+    take_steps();
+  }
+
+  /// computes the lengths of all edges once: it pays if many searches follow.
+  void measure() {
+    if(has_walks())
+      return;
+    lengths_.resize(mesh_.neighbor.size());
+    for(Index v = 0; v < number_of_vertices(); ++v)
+      for(Index s = begin(v); s != end(v); ++s)
+        lengths_[s] = length_of_edge(v, head(s));
+  }
+
+  /// counts what the steps cross.
+  void count(const Edge_classes& classes) {
+    sums_.assign(own_heads_.size(), {});
+    steps_.clear();
+    for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
+      for(Index s = begin(v); s != end(v); ++s) {
+        for_each_edge(v, s, [&](Index from, Index to) {
+          const Index u = corner(from), w = corner(to);
+          if(u != w && classes.has_crossing(u))
+            sums_[s].add(1, classes.edge(u, mesh_.ring(u).position(w)).sums);
+        });
+        if(!sums_[s].is_zero())
+          note_step(v, s, classes);
+      }
+    std::sort(steps_.begin(), steps_.end());
+  }
+
+  /// how often a step from `v` crosses a loop, in net numbers, by the edge classes that were last
+  /// counted.
+  int number(Index v, Index step, Index loop, const Edge_classes& classes) const {
+    int sum = 0;
+    for_each_edge(v, step, [&](Index from, Index to) {
+      classes.for_each_term(corner(from), corner(to),
+                            [&](Index other, int number) { sum += other == loop ? number : 0; });
+    });
+    return sum;
+  }
+
+  /// calls `f(vertex, step)` for steps, among which are all that cross a loop in net numbers, in
+  /// one direction at least.
+  template <typename Function>
+  void for_each_step_across(const Crossing_loop& loop, Index number, const Function& f) const {
+    if(!has_walks()) {
+      for(const Crossing& c : loop) {
+        const Index v = mesh_.is_hub(c.left) ? c.right : c.left;
+        f(v, begin(v) + mesh_.ring(v).position(v == c.left ? c.right : c.left));
+      }
+      return;
+    }
+    for(auto s = std::lower_bound(steps_.begin(), steps_.end(), Step{number, 0, 0});
+        s != steps_.end() && s->loop == number; ++s)
+      f(s->vertex, s->step);
+  }
+
+  std::size_t number_of_vertices() const { return number_of_vertices_; }
+  const Vector& point(Index v) const { return surface_->points[vertex_of_walks(v)]; }
+
+  /// not of a coarse mesh.
+  bool is_hub(Index v) const { return mesh_.is_hub(v); }
+
+  /// the vertex on the edges along which steps lead.
+  Index vertex_of_walks(Index v) const { return nodes_.empty() ? v : nodes_[v]; }
+
+  /// the steps from a vertex are those from `begin()` to `end()`.
+  Index begin(Index v) const { return begin_[v]; }
+  Index end(Index v) const { return begin_[v + 1]; }
+  Index head(Index step) const { return heads_[step]; }
+
+  float length(Index v, Index step) const {
+    return lengths_.empty() ? length_of_edge(v, head(step)) : lengths_[step];
+  }
+
+  /// what a step from `v` crosses, by the edge classes that were last counted.
+  Class_sums sums(Index v, Index step, const Edge_classes& classes) const {
+    if(has_walks())
+      return sums_[step];
+    return classes.has_crossing(v) ? classes.edge(v, step - begin(v)).sums : Class_sums();
+  }
+
+  /// the corner of the mesh that stands for a vertex on the edges along which steps lead.
+  Index corner(Index v) const { return subdivision_ == nullptr ? v : subdivision_->corners[v]; }
+
+  /// calls `f(from, to)` for the edges along which a step from `v` leads.
+  template <typename Function> void for_each_edge(Index v, Index step, const Function& f) const {
+    if(!has_walks())
+      return f(v, head(step));
+    Index from = vertex_of_walks(v);
+    for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
+      f(from, walks_[i]);
+      from = walks_[i];
+    }
+  }
+
+  /// the loop on the mesh along a closed walk on these edges without spurs. It crosses the edges of
+  /// the mesh where it crosses those of the subdivision that lie on them.
+  Crossing_loop loop_along(const std::vector<Index>& walk) const {
+    if(subdivision_ == nullptr)
+      return pushed_left(mesh_, walk);
+    Crossing_loop loop;
+    for(const Crossing& c : pushed_left(*surface_, walk)) {
+      const Place &left = subdivision_->places[c.left], &right = subdivision_->places[c.right];
+      if(const std::optional<Crossing> crossing = crossing_between(left, right, c.ratio))
+        loop.push_back(*crossing);
+    }
+    remove_backtracks(loop);
+    return loop;
+  }
+
+  /// a vertex near a place, by steps towards it from a corner near it that is no hub.
+  Index vertex_near(const Vector& place, Index corner) const {
+    if(finer_ != nullptr)
+      return node_of_[finer_->vertex_near(place, corner)];
+    Index v = corner;
+    for(double best = squared_distance(v, place);;) {
+      const Index from = v;
+      for(Index s = begin(from); s != end(from); ++s)
+        if(const double d = squared_distance(head(s), place); d < best && !mesh_.is_hub(head(s))) {
+          best = d;
+          v = head(s);
+        }
+      if(v == from)
+        return v;
+    }
+  }
+
+  /// of the surface.
+  double area() const {
+    double sum = 0.;
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
+      const Ring ring = mesh_.ring(v);
+      for(Index p = 0; p < ring.size(); ++p) {
+        const Index a = ring[p], b = ring[ring.next(p)];
+        if(v < a && v < b && !mesh_.is_hub(v) && !mesh_.is_spoke(a, b))
+          sum += 0.5 *
+                 norm(cross(mesh_.points[a] - mesh_.points[v], mesh_.points[b] - mesh_.points[v]));
+      }
+    }
+    return sum;
+  }
+
+private:
+  using Place = Intrinsic_triangulation::Place;
+
+  struct Subdivision
+  {
+    Flat_mesh mesh; // points and rings
+    std::vector<Place> places;
+    std::vector<Index> corners;
+  };
+
+  // A step that crosses a loop.
+  struct Step
+  {
+    Index loop, vertex, step;
+
+    bool operator<(const Step& s) const { return loop != s.loop ? loop < s.loop : step < s.step; }
+  };
+
+  void note_step(Index v, Index step, const Edge_classes& classes) {
+    for_each_edge(v, step, [&](Index from, Index to) {
+      classes.for_each_term(corner(from), corner(to), [&](Index loop, int) {
+        steps_.push_back({loop, v, step});
+      });
+    });
+  }
+
+  bool has_walks() const { return !walk_begin_.empty(); }
+
+  float length_of_edge(Index u, Index v) const {
+    return mesh_.is_spoke(u, v) ? std::numeric_limits<float>::infinity()
+                                : static_cast<float>(mesh_.edge_length(u, v));
+  }
+
+  // Of an edge of the subdivision, if it lies on one of the mesh.
+  static std::optional<Crossing> crossing_between(const Place& left, const Place& right, double r) {
+    const auto is_vertex = [](const Place& p) { return p.source == p.target; };
+    const Place edge = !is_vertex(left)    ? left
+                       : !is_vertex(right) ? right
+                                           : Place{left.source, right.source, 0.};
+    const auto ratio = [&](const Place& p) {
+      return !is_vertex(p) ? (p.source == edge.source && p.target == edge.target ? p.ratio : -1.)
+             : p.source == edge.source ? 0.
+             : p.source == edge.target ? 1.
+                                       : -1.;
+    };
+    const double from = ratio(left), to = ratio(right);
+    if(left.source == no_index || right.source == no_index || from < 0. || to < 0.)
+      return std::nullopt;
+    const double at = rounded_product(1. - r, from) + rounded_product(r, to);
+    return from < to ? Crossing{edge.source, edge.target, at}
+                     : Crossing{edge.target, edge.source, 1. - at};
+  }
+
+  double squared_distance(Index v, const Vector& place) const {
+    const Vector to = place - point(v);
+    return dot(to, to);
+  }
+
+  // ---- steps with walks
+
+  // The steps that are added next are from the next vertex.
+  void add_vertex() { own_begin_.push_back(static_cast<Index>(own_heads_.size())); }
+
+  // Its walk is to be appended.
+  void add_step(Index head, float length) {
+    own_heads_.push_back(head);
+    lengths_.push_back(length);
+    walk_begin_.push_back(static_cast<Index>(walks_.size()));
+  }
+
+  void add_edges(const Intrinsic_triangulation& triangulation) {
+    std::vector<std::vector<Index>> halfedges(triangulation.number_of_vertices()); // by source
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      halfedges[triangulation.source(h)].push_back(h);
+    for(const std::vector<Index>& of_vertex : halfedges) {
+      add_vertex();
+      for(const Index h : of_vertex) {
+        add_step(triangulation.target(h), static_cast<float>(triangulation.length(h)));
+        const std::vector<Index> walk = triangulation.walk(h);
+        walks_.insert(walks_.end(), walk.begin(), walk.end());
+      }
+    }
+  }
+
+  void take_steps() {
+    number_of_vertices_ = own_begin_.size();
+    add_vertex();
+    walk_begin_.push_back(static_cast<Index>(walks_.size()));
+    begin_ = own_begin_.data();
+    heads_ = own_heads_.data();
+  }
+
+  const Flat_mesh& mesh_;
+  // The mesh of which this has a part of the vertices, if there is one, those, and by vertex there
+  // the nearest of them.
+  const Search_mesh* finer_ = nullptr;
+  std::vector<Index> nodes_, node_of_;
+  const Flat_mesh* surface_;
+  std::shared_ptr<const Subdivision> subdivision_; // unless the mesh is the surface
+  std::size_t number_of_vertices_ = 0;
+  const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
+  std::vector<Index> own_begin_, own_heads_;
+  std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
+  std::vector<Class_sums> sums_;          // by step
+  std::vector<Step> steps_;               // that cross loops, by loop
+  std::vector<float> lengths_;            // by step, of the mesh as well if measured
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_SEARCH_MESH_H

@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_UNIMODULAR_SYSTEM_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_UNIMODULAR_SYSTEM_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A number modulo the Mersenne prime 2^61 - 1.
+using Residue = std::uint64_t;
+
+constexpr Residue field_size = (Residue(1) << 61) - 1;
+
+inline Residue sum(Residue a, Residue b) {
+  return a + b >= field_size ? a + b - field_size : a + b;
+}
+
+inline Residue difference(Residue a, Residue b) { return a >= b ? a - b : a + field_size - b; }
+
+/// by halves, for not all compilers have integers of 128 bits.
+inline Residue product(Residue a, Residue b) {
+  // (a1 2^31 + a0) (b1 2^31 + b0), and 2^62 = 2
+  constexpr Residue low = (Residue(1) << 31) - 1;
+  const Residue a0 = a & low, a1 = a >> 31, b0 = b & low, b1 = b >> 31;
+  const Residue middle = a1 * b0 + a0 * b1; // below 2^62
+  const Residue middle_low = middle & ((Residue(1) << 30) - 1), middle_high = middle >> 30;
+  const Residue result = 2 * a1 * b1 + middle_high + (middle_low << 31) + a0 * b0;
+  const Residue folded = (result & field_size) + (result >> 61);
+  return folded >= field_size ? folded - field_size : folded;
+}
+
+/// by Fermat's little theorem.
+inline Residue inverse(Residue a) {
+  Residue result = 1;
+  for(Residue exponent = field_size - 2; exponent != 0; exponent >>= 1) {
+    if((exponent & 1) != 0)
+      result = product(result, a);
+    a = product(a, a);
+  }
+  return result;
+}
+
+inline Residue residue_of(std::int64_t x) {
+  const std::int64_t r = x % static_cast<std::int64_t>(field_size);
+  return r < 0 ? field_size - static_cast<Residue>(-r) : static_cast<Residue>(r);
+}
+
+/// the integer of smallest size in a class.
+inline std::int64_t smallest_integer_of(Residue a) {
+  return a <= field_size / 2 ? static_cast<std::int64_t>(a)
+                             : -static_cast<std::int64_t>(field_size - a);
+}
+
+/// A sparse vector of integers, sorted by index, without zeros: coordinates of a class in a basis,
+/// or intersection numbers with one.
+using Class_vector = std::vector<std::pair<Index, std::int64_t>>;
+
+/// No factor and no coordinate of a sum of multiples is larger, so that products fit and sums of
+/// them do.
+constexpr std::int64_t largest_coordinate = std::int64_t(1) << 30;
+
+inline bool is_too_large(std::int64_t x) {
+  return x > largest_coordinate || x < -largest_coordinate;
+}
+
+/// the coordinate at an index.
+inline std::int64_t coordinate(const Class_vector& v, Index i) {
+  const auto it =
+      std::lower_bound(v.begin(), v.end(), i, [](const auto& c, Index j) { return c.first < j; });
+  return it != v.end() && it->first == i ? it->second : 0;
+}
+
+/// the sum of the products of coordinates at the same index.
+inline std::int64_t product_sum(const Class_vector& v, const Class_vector& w) {
+  std::int64_t sum = 0;
+  for(const auto& [i, value] : w)
+    sum += value * coordinate(v, i);
+  return sum;
+}
+
+/// sums coordinates at the same index and leaves out zeros.
+inline void normalize(Class_vector& v) {
+  std::sort(v.begin(), v.end());
+  std::size_t kept = 0;
+  for(std::size_t i = 0; i < v.size();) {
+    auto sum = v[i];
+    for(++i; i < v.size() && v[i].first == sum.first; ++i)
+      sum.second += v[i].second;
+    if(sum.second != 0)
+      v[kept++] = sum;
+  }
+  v.resize(kept);
+}
+
+/// adds a multiple of another vector. Returns `false` if a coordinate becomes too large.
+inline bool add_multiple(Class_vector& v, std::int64_t factor, const Class_vector& w) {
+  if(factor == 0)
+    return true;
+  if(is_too_large(factor))
+    return false;
+  Class_vector sum;
+  sum.reserve(v.size() + w.size());
+  auto a = v.begin();
+  for(const auto& [index, value] : w) {
+    for(; a != v.end() && a->first < index; ++a)
+      sum.push_back(*a);
+    const std::int64_t before = a != v.end() && a->first == index ? (a++)->second : 0;
+    const std::int64_t x = before + factor * value;
+    if(is_too_large(x))
+      return false;
+    if(x != 0)
+      sum.emplace_back(index, x);
+  }
+  sum.insert(sum.end(), a, v.end());
+  v = std::move(sum);
+  return true;
+}
+
+/*!
+A sparse system of linear equations with an integer matrix of determinant 1 or -1, which has an
+integer solution for each integer right side. It is factorized modulo a large prime: such a matrix
+is regular modulo any, and no number grows. What is found is tried in the equations themselves, in
+integers.
+
+The next pivot is in a row with the fewest entries, and there in the column with the fewest
+(Markowitz): for loops that cross few others, fill-in is small.
+*/
+class Unimodular_system
+{
+public:
+  /// takes the rows of the matrix.
+  explicit Unimodular_system(std::vector<Class_vector> rows)
+      : rows_(std::move(rows)) {
+    factorize();
+  }
+
+  /// whether the matrix is regular modulo the prime. If not, its determinant is not 1 or -1.
+  bool is_regular() const { return steps_.size() == rows_.size(); }
+
+  /// the solution x of A x = b; nothing if it has coordinates that are too large.
+  std::optional<Class_vector> solve(const Class_vector& b) const {
+    CGAL_precondition(is_regular());
+    std::vector<Residue> values(rows_.size(), 0);
+    for(const auto& [row, value] : b)
+      values[row] = residue_of(value);
+    eliminate(values);
+    const std::vector<Residue> x = substitute(values);
+    Class_vector solution;
+    for(Index i = 0; i < x.size(); ++i)
+      if(x[i] != 0) {
+        const std::int64_t value = smallest_integer_of(x[i]);
+        if(is_too_large(value))
+          return std::nullopt;
+        solution.emplace_back(i, value);
+      }
+    if(!solves(x, b))
+      return std::nullopt;
+    return solution;
+  }
+
+private:
+  using Entry = std::pair<Index, Residue>; // column or row, and value
+  using Row = std::vector<Entry>;          // by column
+
+  struct Step
+  {
+    Index row, column;
+    Residue inverse;  // of the pivot
+    Row rest;         // of the row, columns whose pivots come later
+    Row subtractions; // the rows from which multiples of this one were subtracted
+  };
+
+  void factorize() {
+    std::vector<Row> rows(rows_.size());
+    std::vector<std::set<Index>> columns(rows_.size());
+    std::set<std::pair<std::size_t, Index>> by_size;
+    for(Index r = 0; r < rows_.size(); ++r) {
+      for(const auto& [column, value] : rows_[r]) {
+        rows[r].emplace_back(column, residue_of(value));
+        columns[column].insert(r);
+      }
+      by_size.emplace(rows[r].size(), r);
+    }
+    while(!by_size.empty()) {
+      const Index r = by_size.begin()->second;
+      by_size.erase(by_size.begin());
+      if(rows[r].empty())
+        return;
+      eliminate_with(r, rows, columns, by_size);
+    }
+  }
+
+  void eliminate_with(Index r,
+                      std::vector<Row>& rows,
+                      std::vector<std::set<Index>>& columns,
+                      std::set<std::pair<std::size_t, Index>>& by_size) {
+    Step step;
+    step.rest = std::move(rows[r]);
+    const auto pivot =
+        std::min_element(step.rest.begin(), step.rest.end(), [&](const Entry& a, const Entry& b) {
+          return columns[a.first].size() < columns[b.first].size();
+        });
+    step.row = r;
+    step.column = pivot->first;
+    step.inverse = inverse(pivot->second);
+    step.rest.erase(pivot);
+    for(const Entry& e : step.rest)
+      columns[e.first].erase(r);
+    columns[step.column].erase(r);
+    for(Index other : columns[step.column]) {
+      by_size.erase({rows[other].size(), other});
+      const auto entry =
+          std::lower_bound(rows[other].begin(), rows[other].end(), Entry(step.column, 0));
+      const Residue factor = product(entry->second, step.inverse);
+      rows[other].erase(entry);
+      step.subtractions.emplace_back(other, factor);
+      subtract(rows[other], other, factor, step.rest, columns);
+      by_size.emplace(rows[other].size(), other);
+    }
+    columns[step.column].clear();
+    steps_.push_back(std::move(step));
+  }
+
+  static void subtract(Row& row,
+                       Index number,
+                       Residue factor,
+                       const Row& other,
+                       std::vector<std::set<Index>>& columns) {
+    Row result;
+    auto a = row.begin();
+    for(const Entry& e : other) {
+      for(; a != row.end() && a->first < e.first; ++a)
+        result.push_back(*a);
+      const bool is_there = a != row.end() && a->first == e.first;
+      const Residue value = difference(is_there ? (a++)->second : 0, product(factor, e.second));
+      if(value != 0)
+        result.emplace_back(e.first, value);
+      if(value != 0 && !is_there)
+        columns[e.first].insert(number);
+      if(value == 0 && is_there)
+        columns[e.first].erase(number);
+    }
+    result.insert(result.end(), a, row.end());
+    row = std::move(result);
+  }
+
+  void eliminate(std::vector<Residue>& values) const {
+    for(const Step& step : steps_)
+      if(values[step.row] != 0)
+        for(const auto& [row, factor] : step.subtractions)
+          values[row] = difference(values[row], product(factor, values[step.row]));
+  }
+
+  std::vector<Residue> substitute(const std::vector<Residue>& values) const {
+    std::vector<Residue> x(rows_.size(), 0);
+    for(auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+      Residue sum = values[step->row];
+      for(const auto& [column, value] : step->rest)
+        if(x[column] != 0)
+          sum = difference(sum, product(value, x[column]));
+      x[step->column] = product(sum, step->inverse);
+    }
+    return x;
+  }
+
+  bool solves(const std::vector<Residue>& x, const Class_vector& b) const {
+    for(Index r = 0; r < rows_.size(); ++r) {
+      std::int64_t sum = -coordinate(b, r);
+      for(const auto& [column, value] : rows_[r])
+        sum += value * smallest_integer_of(x[column]);
+      if(sum != 0)
+        return false;
+    }
+    return true;
+  }
+
+  std::vector<Class_vector> rows_;
+  std::vector<Step> steps_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_UNIMODULAR_SYSTEM_H

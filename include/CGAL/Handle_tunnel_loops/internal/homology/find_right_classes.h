@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_FIND_RIGHT_CLASSES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_FIND_RIGHT_CLASSES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// computes the relations of the loops of pairs, handles and tunnels in turn.
+using Relate_pairs = std::function<Loop_relations(const std::vector<Flat_pair>&)>;
+
+/// What `find_right_classes()` is to do.
+struct Class_options
+{
+  Basis_kind kind = Basis_kind::PURE;
+  bool do_link = true; ///< without, nothing is known of sides
+  bool do_shorten = true;
+  double offset = 0.; ///< by which loops are moved that linking numbers do not name
+};
+
+/// changes pairs, which are a basis, to pairs of the kind that is wanted: makes them pure where
+/// their linking numbers allow, and as short as it can. Returns the relations of the pairs, if it
+/// has come to know them.
+CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution execution,
+                                                               const Flat_mesh& mesh,
+                                                               const Class_options& options,
+                                                               const Relate_pairs& relate,
+                                                               std::vector<Flat_pair>& pairs,
+                                                               Progress& progress);
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes_impl.h>
+#endif
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_FIND_RIGHT_CLASSES_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_FIND_RIGHT_CLASSES_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_FIND_RIGHT_CLASSES_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/homology/Class_shortening.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+namespace right_classes {
+
+inline bool is_any_new(const std::vector<Index>& before) {
+  return std::find(before.begin(), before.end(), no_index) != before.end();
+}
+
+// Shortens pairs that `before` names; the loops that are replaced have no name afterwards.
+inline void shorten(Class_shortening& shortening,
+                    std::vector<Flat_pair>& pairs,
+                    const std::vector<char>& is_pure,
+                    std::vector<Index>& before) {
+  std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
+  std::vector<char> is_new;
+  for(Index b : before)
+    is_new.push_back(b == no_index);
+  const std::vector<Index> sources = shortening.run(loops, is_pure, is_new);
+  for(std::size_t k = 0; k < pairs.size(); ++k)
+    pairs[k] = {std::move(loops[2 * k]), std::move(loops[2 * k + 1])};
+  const std::vector<Index> first = before;
+  for(std::size_t i = 0; i < sources.size(); ++i)
+    before[i] = sources[i] == no_index ? no_index : first[sources[i]];
+}
+
+// Where new loops do not bound although their classes should, the surface crosses itself, and the
+// pairs that there were take their places again. Returns whether there are any.
+inline bool take_back(const std::vector<Flat_pair>& first,
+                      const std::vector<char>& is_pure,
+                      const Loop_relations& relations,
+                      std::vector<Flat_pair>& pairs) {
+  const std::vector<char> inside = relations.bounds_alone(true),
+                          outside = relations.bounds_alone(false);
+  std::set<std::size_t> components;
+  for(std::size_t k = 0; k < pairs.size(); ++k)
+    if(is_pure[k] && (!inside[2 * k] || !outside[2 * k + 1]))
+      components.insert(relations.components[2 * k]);
+  for(std::size_t k = 0; k < pairs.size(); ++k)
+    if(components.count(relations.components[2 * k]) != 0)
+      pairs[k] = first[k];
+  return !components.empty();
+}
+
+} // namespace right_classes
+
+CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution execution,
+                                                               const Flat_mesh& mesh,
+                                                               const Class_options& options,
+                                                               const Relate_pairs& relate,
+                                                               std::vector<Flat_pair>& pairs,
+                                                               Progress& progress) {
+  // Parts of the time, about, when they begin or end.
+  constexpr double first_linking = 0.25, second_linking = 0.75;
+  std::optional<Loop_relations> relations;
+  Class_shortening shortening(execution, mesh, progress);
+  if(options.do_link) {
+    relations = relate(pairs);
+    const std::vector<Flat_pair> first = pairs;
+    progress.advance(first_linking);
+    Purification purification(execution, mesh, options.do_shorten, progress);
+    std::vector<Index> before = purification.run(pairs, *relations);
+    if(options.do_shorten)
+      right_classes::shorten(shortening, pairs, purification.is_pure(), before);
+    progress.advance(second_linking);
+    if(!right_classes::is_any_new(before))
+      relations->renumber(before);
+    else {
+      relations = relate(pairs);
+      if(right_classes::take_back(first, purification.is_pure(), *relations, pairs))
+        relations.reset();
+    }
+  }
+  if(options.kind == Basis_kind::SHORTEST) {
+    std::vector<Index> before(2 * pairs.size(), Index(0));
+    shortening.forget_pairs();
+    if(options.do_shorten)
+      right_classes::shorten(shortening, pairs, std::vector<char>(pairs.size(), 0), before);
+    match_loops(mesh, pairs);
+    relations.reset();
+  }
+  return relations;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_FIND_RIGHT_CLASSES_IMPL_H

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CROSSING_LOOP_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CROSSING_LOOP_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A loop passes an edge, with one end of it to the left and the other to the right. The place is
+/// `left + ratio * (right - left)`; a loop that goes through a vertex passes the edges on one side
+/// of it at ratio 0 or 1. The place is geometry; the class of the loop rests on the ends alone.
+/// Edges to hubs of caps are passed at their other end, whatever the ratio says.
+struct Crossing
+{
+  Index left;
+  Index right;
+  double ratio;
+};
+
+/// A closed curve as the cyclic sequence of the edges it passes. Consecutive edges belong to one
+/// triangle, hence share an end: the left ends are a closed walk on the edges that is homotopic to
+/// the loop, and so are the right ends.
+using Crossing_loop = std::vector<Crossing>;
+
+/// the vertex ahead of a crossing, opposite to the edge.
+inline Index apex_ahead(const Flat_mesh& mesh, const Crossing& c) {
+  return after(mesh.ring(c.left), mesh.ring(c.right), c.left, c.right);
+}
+
+/// the ratio of a crossing on the surface.
+inline double ratio_on_surface(const Flat_mesh& mesh, const Crossing& c) {
+  return mesh.is_hub(c.right) ? 0. : mesh.is_hub(c.left) ? 1. : c.ratio;
+}
+
+inline Vector position(const Flat_mesh& mesh, const Crossing& c) {
+  const Vector& p = mesh.points[c.left];
+  return p + ratio_on_surface(mesh, c) * (mesh.points[c.right] - p);
+}
+
+/// the length in the unit of `mesh.points`.
+inline double length(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  double sum = 0.;
+  if(loop.empty())
+    return sum;
+  Vector previous = position(mesh, loop.back());
+  for(const Crossing& c : loop) {
+    const Vector p = position(mesh, c);
+    sum += norm(p - previous);
+    previous = p;
+  }
+  return sum;
+}
+
+/// the length of the left side up to each crossing, and at last all of it.
+inline void
+measure_left_side(const Flat_mesh& mesh, const Crossing_loop& loop, std::vector<double>& along) {
+  along.resize(loop.size() + 1);
+  along[0] = 0.;
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const Index u = loop[i].left, v = loop[i + 1 == loop.size() ? 0 : i + 1].left;
+    along[i + 1] = along[i] + mesh.edge_length(u, v);
+  }
+}
+
+/// calls `f(u, v)` for each edge of the closed walk along the left ends.
+template <typename Function> void for_each_left_edge(const Crossing_loop& loop, const Function& f) {
+  if(loop.empty())
+    return;
+  Index previous = loop.back().left;
+  for(const Crossing& c : loop) {
+    if(c.left != previous)
+      f(previous, c.left);
+    previous = c.left;
+  }
+}
+
+template <typename Edge> bool is_backtrack(const Edge& a, const Edge& b) {
+  return a.left == b.right && a.right == b.left;
+}
+
+/// whether each crossing and the next one are two edges of the triangle ahead, or the same edge
+/// there and back: that the sequence is a loop.
+inline bool are_consecutive(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const Crossing &c = loop[i], &next = loop[i + 1 == loop.size() ? 0 : i + 1];
+    const Ring ring = mesh.ring(c.left);
+    if(ring.position(c.right) == ring.size())
+      return false;
+    const Index apex = ring.after(c.right);
+    const bool passes_left = next.left == c.left && next.right == apex;
+    const bool passes_right = next.left == apex && next.right == c.right;
+    if(!passes_left && !passes_right && !is_backtrack(c, next))
+      return false;
+  }
+  return true;
+}
+
+/// takes out where a loop comes back at its end on the way by which it began.
+template <typename Edge> void remove_backtracks_at_ends(std::vector<Edge>& edges) {
+  std::size_t first = 0, last = edges.size();
+  while(last - first >= 2 && is_backtrack(edges[last - 1], edges[first])) {
+    ++first;
+    --last;
+  }
+  edges.erase(edges.begin() + last, edges.end());
+  edges.erase(edges.begin(), edges.begin() + first);
+}
+
+/// takes out pairs of consecutive crossings of one edge in opposite directions.
+inline void remove_backtracks(Crossing_loop& loop) {
+  Crossing_loop reduced;
+  reduced.reserve(loop.size());
+  for(const Crossing& c : loop)
+    if(!reduced.empty() && is_backtrack(reduced.back(), c))
+      reduced.pop_back();
+    else
+      reduced.push_back(c);
+  loop = std::move(reduced);
+  remove_backtracks_at_ends(loop);
+}
+
+/// takes out, from a closed walk on the vertices, each step there and back.
+inline void remove_spurs(std::vector<Index>& walk) {
+  std::vector<Index> reduced;
+  reduced.reserve(walk.size());
+  for(Index v : walk) {
+    if(!reduced.empty() && reduced.back() == v)
+      continue;
+    if(reduced.size() >= 2 && reduced[reduced.size() - 2] == v)
+      reduced.pop_back();
+    else
+      reduced.push_back(v);
+  }
+  std::size_t first = 0, last = reduced.size();
+  for(bool changed = true; changed && last - first >= 2;) {
+    changed = true;
+    if(reduced[first] == reduced[last - 1])
+      --last;
+    else if(last - first >= 3 && reduced[first + 1] == reduced[last - 1])
+      ++first;
+    else if(last - first >= 3 && reduced[first] == reduced[last - 2])
+      --last;
+    else
+      changed = false;
+  }
+  walk.assign(reduced.begin() + first, reduced.begin() + last);
+}
+
+/// pushes a closed walk on the edges a little to its left. The walk must have no spurs.
+inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>& walk) {
+  Crossing_loop loop;
+  for(std::size_t i = 0; i < walk.size(); ++i) {
+    const Index v = walk[i];
+    const Index from = walk[i == 0 ? walk.size() - 1 : i - 1];
+    const Index to = walk[i + 1 == walk.size() ? 0 : i + 1];
+    const Ring ring = mesh.ring(v);
+    const Index end = ring.position(to);
+    for(Index p = ring.previous(ring.position(from)); p != end; p = ring.previous(p))
+      loop.push_back({ring[p], v, 1.});
+  }
+  remove_backtracks(loop);
+  return loop;
+}
+
+/// A pair of loops in the terms of the flat mesh.
+struct Flat_pair
+{
+  Crossing_loop handle, tunnel;
+};
+
+/// The end of a crossing that lies on one side of its loop.
+using Crossing_end = Index Crossing::*;
+
+/// The short way along a loop from one of its crossings to another, for host and device alike.
+class Shorter_arc
+{
+public:
+  /// \p along is the length of one side of the loop up to each crossing, and at last all of it.
+  CGAL_HTL_HOST_DEVICE Shorter_arc(const Crossing* loop, Index size, const double* along)
+      : loop_(loop)
+      , size_(size)
+      , along_(along) {}
+
+  /// sets out from the crossing of which `from` is the end `from_end` to that of which `to` is the
+  /// end `to_end`. An end that occurs several times is taken where the way is shortest. Returns
+  /// false where there are no such crossings.
+  CGAL_HTL_HOST_DEVICE bool find(Crossing_end from_end, Index from, Crossing_end to_end, Index to) {
+    first_ = last_ = no_index;
+    CGAL_HTL_NO_UNROLL
+    for(Index i = 0; i < size_; ++i)
+      if(loop_[i].*from_end == from)
+        CGAL_HTL_NO_UNROLL
+    for(Index j = 0; j < size_; ++j)
+      if(loop_[j].*to_end == to && (first_ == no_index || distance(i, j) < distance(first_, last_)))
+      {
+        first_ = i;
+        last_ = j;
+      }
+    if(first_ == no_index)
+      return false;
+    const double forward = along_[last_] - along_[first_] + (last_ < first_ ? along_[size_] : 0.);
+    is_forward_ = forward <= along_[size_] - forward;
+    return true;
+  }
+
+  /// calls `f` for the crossings on the way, the first and the last included.
+  CGAL_HTL_CALLS_ANY_FUNCTION
+  template <typename Function> CGAL_HTL_HOST_DEVICE void for_each(const Function& f) const {
+    f(loop_[first_]);
+    CGAL_HTL_NO_UNROLL
+    for(Index i = first_; i != last_;) {
+      i = is_forward_ ? (i + 1 == size_ ? 0 : i + 1) : (i == 0 ? size_ - 1 : i - 1);
+      f(loop_[i]);
+    }
+  }
+
+private:
+  CGAL_HTL_HOST_DEVICE double distance(Index i, Index j) const {
+    const double d = along_[i] - along_[j], one_way = d < 0. ? -d : d;
+    return one_way < along_[size_] - one_way ? one_way : along_[size_] - one_way;
+  }
+
+  const Crossing* loop_;
+  Index size_;
+  const double* along_;
+  Index first_ = no_index, last_ = no_index;
+  bool is_forward_ = true;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CROSSING_LOOP_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_PASSES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_PASSES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What the passes are to do, whoever does them.
+struct Pass_options : Solver_options
+{
+  bool do_keep_layers = false; ///< of the vertices, in the initial pass
+  bool do_keep_times = false;
+
+  /// whether more is asked for than loops, so that the initial pass is run without handles, too.
+  bool asks_for_fronts() const { return do_log_fronts || do_keep_layers || do_keep_times; }
+};
+
+/// The passes of a method (paper, section 4), which `Loop_pipeline` calls in their order, each
+/// once, and its diffusion: `Field_passes`, or those of the reference.
+class Passes
+{
+public:
+  virtual ~Passes() = default;
+
+  /// paper, 4.1: finds handle loops, as many as the genus.
+  virtual void initial_pass(Progress& progress, Statistics& statistics) = 0;
+
+  /// what the initial pass tells of the vertices, as far as the options ask for it.
+  virtual Swept_vertices take_swept_vertices() = 0;
+
+  /// paper, 4.2: finds a tunnel loop for each handle loop.
+  virtual void tunnel_pass(Progress& progress, Statistics& statistics) = 0;
+
+  /// paper, 4.3: looks for better handle loops.
+  virtual void refinement_pass(Progress& progress, Statistics& statistics) = 0;
+
+  /// makes all loops as short as it can.
+  virtual void shorten(Progress& progress) = 0;
+
+  /// the pairs; which loop of a pair is the handle remains to be seen.
+  virtual std::vector<Flat_pair> take_pairs() = 0;
+
+  /// paper, 6: the arrival times of a field that starts from vertices and their neighbours, `never`
+  /// in components without one. May be called at any time, and more than once.
+  virtual std::vector<Time>
+  diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
+};
+
+/// The passes one after the other, from a mesh to pairs of loops.
+class Loop_pipeline
+{
+public:
+  Loop_pipeline(Passes& passes, const Pass_options& options, Progress& progress)
+      : passes_(passes)
+      , options_(options)
+      , progress_(progress) {}
+
+  std::vector<Flat_pair> run(Statistics& statistics) {
+    run_initial_pass(statistics);
+    run_stage(Stage::TUNNEL, [&] { passes_.tunnel_pass(progress_, statistics); });
+    if(options_.do_refine_handles)
+      run_stage(Stage::REFINE, [&] { passes_.refinement_pass(progress_, statistics); });
+    if(options_.do_tighten)
+      run_stage(Stage::SHORTEN, [&] { passes_.shorten(progress_); });
+    return passes_.take_pairs();
+  }
+
+  /// the first of them alone, which is all there is to do where there are no handles.
+  void run_initial_pass(Statistics& statistics) {
+    run_stage(Stage::INITIAL, [&] { passes_.initial_pass(progress_, statistics); });
+  }
+
+private:
+  template <typename Function> void run_stage(Stage stage, const Function& f) {
+    progress_.start(stage);
+    f();
+    progress_.end(stage);
+  }
+
+  Passes& passes_;
+  Pass_options options_;
+  Progress& progress_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_PASSES_H

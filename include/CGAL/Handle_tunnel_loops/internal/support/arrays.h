@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARRAYS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARRAYS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// The number of a vertex, a loop, a cell.
+using Index = std::uint32_t;
+constexpr Index no_index = (std::numeric_limits<Index>::max)();
+
+/// As many neighbours as rows of a fixed length have room for: valences vary at random, and a
+/// mispredicted branch costs as much as the work itself.
+constexpr Index stencil_width = 8;
+
+/// the same number for both directions of an edge, by the numbers of its ends.
+constexpr std::uint64_t edge_key(std::uint64_t u, std::uint64_t v) {
+  return u < v ? u << 32 | v : v << 32 | u;
+}
+
+/// An array that somebody else owns, in the memory of the host or of the device.
+template <typename T> class Span
+{
+public:
+  Span() = default;
+
+  CGAL_HTL_HOST_DEVICE Span(T* data, std::size_t size)
+      : data_(data)
+      , size_(size) {}
+
+  /// of what may be changed, where it need not be.
+  template <typename U, typename = std::enable_if_t<std::is_same<const U, T>::value>>
+  CGAL_HTL_HOST_DEVICE Span(const Span<U>& other)
+      : data_(other.data())
+      , size_(other.size()) {}
+
+  CGAL_HTL_HOST_DEVICE T* data() const { return data_; }
+  CGAL_HTL_HOST_DEVICE std::size_t size() const { return size_; }
+  CGAL_HTL_HOST_DEVICE bool empty() const { return size_ == 0; }
+  CGAL_HTL_HOST_DEVICE T& operator[](std::size_t i) const { return data_[i]; }
+  CGAL_HTL_HOST_DEVICE T* begin() const { return data_; }
+  CGAL_HTL_HOST_DEVICE T* end() const { return data_ + size_; }
+
+private:
+  T* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// Leaves elements that are not given a value without one.
+template <typename T> struct Uninitialized_allocator : std::allocator<T>
+{
+  template <typename U> struct rebind
+  {
+    using other = Uninitialized_allocator<U>;
+  };
+
+  Uninitialized_allocator() = default;
+  template <typename U> Uninitialized_allocator(const Uninitialized_allocator<U>&) noexcept {}
+
+  template <typename U> void construct(U* place) { ::new(static_cast<void*>(place)) U; }
+  template <typename U, typename... Values> void construct(U* place, Values&&... values) {
+    ::new(static_cast<void*>(place)) U(std::forward<Values>(values)...);
+  }
+};
+
+/// A vector whose `resize()` touches no memory: large arrays are filled by several threads, and the
+/// first touch, for which the system has to find and clear the memory, is then theirs too.
+template <typename T> using Uninitialized_vector = std::vector<T, Uninitialized_allocator<T>>;
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARRAYS_H

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_HANDLE_REMOVER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_HANDLE_REMOVER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops_solver.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/iterator.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Which handles are to be removed: those that fulfil all conditions, and of these, smallest first,
+/// as many as the target genus asks for. The size of a handle is the length of the loop that it
+/// would be removed along.
+template <typename Pair> struct Handle_selection : Removal_options
+{
+  std::function<bool(const Pair&)> filter;
+
+  /// turns pairs of loops into tasks: first the handles that are to be removed, smallest first,
+  /// then those that are kept. Throws `std::invalid_argument` if the selection makes no sense.
+  template <typename TriangleMesh, typename VertexIndexMap>
+  std::vector<Removal_task> tasks(const TriangleMesh& tm,
+                                  VertexIndexMap vertex_index,
+                                  const std::vector<Pair>& pairs,
+                                  std::size_t genus) const {
+    if(target_genus && *target_genus > genus)
+      throw std::invalid_argument("the target genus is " + std::to_string(*target_genus) +
+                                  ", but the surface has genus " + std::to_string(genus));
+    std::vector<Removal_task> selected, kept;
+    for(std::size_t i = 0; i < pairs.size(); ++i) {
+      const Loop& first = pairs[i].loop(first_type(pairs[i]));
+      Removal_task task;
+      task.pair = i;
+      task.choices = {choice(first, tm, vertex_index),
+                      choice(pairs[i].partner(first), tm, vertex_index)};
+      task.choices.back().is_allowed = method == Removal_method::CHEAPEST;
+      (is_wanted(pairs[i], first) ? selected : kept).push_back(std::move(task));
+    }
+    if(box && selected.empty())
+      throw std::invalid_argument("no loop that a handle could be removed along lies in the box");
+    std::stable_sort(selected.begin(), selected.end(),
+                     [](const Removal_task& a, const Removal_task& b) {
+                       return a.choices.front().length < b.choices.front().length;
+                     });
+    const std::size_t number =
+        target_genus ? (std::min)(selected.size(), genus - *target_genus) : selected.size();
+    selected.insert(selected.end(), kept.begin(), kept.end());
+    for(std::size_t i = number; i < selected.size(); ++i)
+      selected[i].state = Removal_task::State::KEPT;
+    return selected;
+  }
+
+private:
+  using Loop = typename Pair::Loop;
+
+  // The one that is tried first.
+  Loop_type first_type(const Pair& pair) const {
+    if(method == Removal_method::CUT)
+      return Loop_type::HANDLE;
+    if(method == Removal_method::FILL)
+      return Loop_type::TUNNEL;
+    return pair.tunnel().length() < pair.handle().length() ? Loop_type::TUNNEL : Loop_type::HANDLE;
+  }
+
+  bool is_wanted(const Pair& pair, const Loop& first) const {
+    return (!maximal_length || first.length() < *maximal_length) && (!box || lies_in_box(first)) &&
+           (!filter || filter(pair));
+  }
+
+  bool lies_in_box(const Loop& loop) const {
+    return std::all_of(loop.points().begin(), loop.points().end(), [&](const auto& p) {
+      const Bbox_3 b = p.bbox();
+      return box->xmin() <= b.xmin() && b.xmax() <= box->xmax() && box->ymin() <= b.ymin() &&
+             b.ymax() <= box->ymax() && box->zmin() <= b.zmin() && b.zmax() <= box->zmax();
+    });
+  }
+
+  template <typename TriangleMesh, typename VertexIndexMap>
+  static Loop_choice choice(const Loop& loop, const TriangleMesh& tm, VertexIndexMap vertex_index) {
+    Loop_choice choice{loop.type(), loop.length(), {}};
+    for(const typename Loop::Step& step : loop.steps())
+      choice.places.push_back({static_cast<Index>(get(vertex_index, source(step.halfedge, tm))),
+                               static_cast<Index>(get(vertex_index, target(step.halfedge, tm))),
+                               step.ratio});
+    return choice;
+  }
+};
+
+/// `CGAL::remove_handles()`, step by step.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+class Handle_remover
+{
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
+  using Const_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  using Solver = Handle_tunnel_loops_solver<TriangleMesh, Const_point_map, Geom_traits>;
+  using Pair = typename Solver::Pair;
+  using Ask = std::function<bool(double)>;
+
+public:
+  Handle_remover(TriangleMesh& tm, const NamedParameters& np)
+      : tm_(tm)
+      , np_(np)
+      , options_(get(internal_np::removal_options, Removal_options()))
+      , ask_(get(internal_np::callback, Ask())) {}
+
+  Removal_report operator()() {
+    const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm_, np_);
+    const auto face_index = CGAL::get_initialized_face_index_map(tm_, np_);
+    find_pairs(vertex_index, face_index);
+    std::vector<Removal_task> tasks =
+        selection().tasks(tm_, vertex_index, pairs_, report_.genus_before);
+    Mesh_link<TriangleMesh, Vertex_point_map> link(
+        tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
+                                          get_property_map(vertex_point, tm_)));
+    Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
+    remove_handles(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.2 * done); });
+    describe(tasks, report_.removed, report_.refused);
+    if(options_.maximal_neck_length > 0.)
+      describe(remove_necks(execution, mesh, options_), report_.removed_necks,
+               report_.refused_necks);
+    check(mesh);
+    ask(1.);
+    if(!get(internal_np::dry_run, false)) {
+      write_back(mesh, link);
+      find_remaining_pairs();
+    }
+    return std::move(report_);
+  }
+
+private:
+  static constexpr Execution execution = execution_of<ConcurrencyTag>();
+
+  template <typename Tag, typename Default> auto get(Tag tag, const Default& value) const {
+    return parameters::choose_parameter(parameters::get_parameter(np_, tag), value);
+  }
+  template <typename Tag>
+  static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+  // Asks no more once it was told to stop.
+  void ask(double done) {
+    if(ask_ && !ask_(done)) {
+      ask_ = nullptr;
+      throw Interrupted_exception();
+    }
+  }
+
+  // The solver checks the mesh, whoever finds the loops.
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  void find_pairs(VertexIndexMap vertex_index, FaceIndexMap face_index) {
+    Solver solver(ConcurrencyTag(), tm_, np_);
+    report_.genus_before = solver.genus();
+    report_.components_before = solver.number_of_components();
+    if constexpr(is_given<internal_np::known_loops_t>) {
+      const auto& known = parameters::get_parameter(np_, internal_np::known_loops);
+      pairs_.assign(known.begin(), known.end());
+      check_pairs(vertex_index, face_index);
+    } else
+      solver.template find_loops<ConcurrencyTag>(
+          std::back_inserter(pairs_),
+          parameters::callback(Ask([this](double done) { return !ask_ || ask_(0.7 * done); })));
+  }
+
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  void check_pairs(VertexIndexMap vertex_index, FaceIndexMap face_index) const {
+    using Loop = typename Pair::Loop;
+    std::vector<const Loop*> loops;
+    for(const Pair& pair : pairs_)
+      loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
+    Loop_certifier<TriangleMesh, VertexIndexMap, FaceIndexMap> certifier(tm_, vertex_index,
+                                                                         face_index);
+    certifier.set_loops(execution, loops);
+    if(!certifier.are_closed_on_surface())
+      throw std::invalid_argument("the loops are not of this mesh: " +
+                                  certifier.failures().front());
+  }
+
+  // The size of a neck is a limit for handles, too, unless these have one of their own.
+  Handle_selection<Pair> selection() const {
+    if(!(options_.maximal_neck_length >= 0.))
+      throw std::invalid_argument("the maximal length of a neck is negative");
+    if(!(options_.minimal_piece_share >= 0. && options_.minimal_piece_share <= 0.5))
+      throw std::invalid_argument("the share of a piece is not in [0, 0.5]");
+    if(options_.maximal_length && !(*options_.maximal_length > 0.))
+      throw std::invalid_argument("the maximal length is not positive");
+    Handle_selection<Pair> wanted{options_, {}};
+    if(!wanted.maximal_length && options_.maximal_neck_length > 0.)
+      wanted.maximal_length = options_.maximal_neck_length;
+    if constexpr(is_given<internal_np::filter_t>)
+      wanted.filter = parameters::get_parameter(np_, internal_np::filter);
+    return wanted;
+  }
+
+  // That what is promised is so.
+  void check(const Surgery_mesh& mesh) {
+    const Surface_count count = count_surface(execution, mesh);
+    report_.genus_after = count.genus;
+    report_.components_after = count.components;
+    if(report_.genus_after + report_.removed.size() != report_.genus_before ||
+       report_.components_after != report_.components_before + report_.removed_necks.size())
+      throw std::logic_error("handles were removed, but the genus does not say so");
+  }
+
+  // Patches are numbered as handles are described.
+  void describe(const std::vector<Removal_task>& tasks,
+                std::vector<Removed_handle>& removed,
+                std::vector<Refused_handle>& refused) {
+    for(const Removal_task& task : tasks)
+      if(task.state == Removal_task::State::REMOVED) {
+        patches_.push_back({task.end_of_faces, patches_.size()});
+        removed.push_back(task.removed());
+      } else if(task.state == Removal_task::State::REFUSED)
+        refused.push_back(task.refused());
+  }
+
+  // Patches follow each other without gaps.
+  std::size_t patch_of(Index face) const {
+    return std::upper_bound(patches_.begin(), patches_.end(),
+                            std::make_pair(face, (std::numeric_limits<std::size_t>::max)()))
+        ->second;
+  }
+
+  void write_back(const Surgery_mesh& mesh, Mesh_link<TriangleMesh, Vertex_point_map>& link) {
+    auto vertices = get(internal_np::vertex_output_iterator, Emptyset_iterator());
+    auto faces = get(internal_np::face_output_iterator, Emptyset_iterator());
+    std::sort(patches_.begin(), patches_.end());
+    link.write_back(
+        mesh, [&](Index, auto v) { *vertices++ = v; },
+        [&](Index number, auto f) {
+          *faces++ = f;
+          if constexpr(is_given<internal_np::face_patch_t>)
+            put(parameters::get_parameter(np_, internal_np::face_patch), f, patch_of(number));
+        });
+  }
+
+  // With no index maps of the caller, which know the mesh as it was.
+  void find_remaining_pairs() {
+    if constexpr(is_given<internal_np::output_iterator_t>) {
+      auto pairs = parameters::get_parameter(np_, internal_np::output_iterator);
+      const auto traits = parameters::choose_parameter<Geom_traits>(
+          parameters::get_parameter(np_, internal_np::geom_traits));
+      const auto point =
+          parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
+                                       get_const_property_map(vertex_point, tm_));
+      Solver solver(ConcurrencyTag(), tm_, parameters::vertex_point_map(point).geom_traits(traits));
+      solver.template find_loops<ConcurrencyTag>(pairs);
+    }
+  }
+
+  TriangleMesh& tm_;
+  const NamedParameters& np_;
+  const Removal_options options_;
+  Ask ask_;
+  std::vector<Pair> pairs_;
+  Removal_report report_;
+  std::vector<std::pair<Index, std::size_t>> patches_; // ends of their faces, and numbers
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_HANDLE_REMOVER_H

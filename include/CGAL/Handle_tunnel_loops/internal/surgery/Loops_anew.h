@@ -1,0 +1,372 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_ANEW_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_ANEW_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_nearby.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops_solver.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Finds loops for handles that have lost theirs: near these, not much longer, and such that they do
+not separate the surface. That is what a handle can be removed along, even if nothing is known of
+its partner, nor whether it is cut or filled.
+*/
+class Loops_nearby
+{
+public:
+  explicit Loops_nearby(const Surgery_mesh& mesh)
+      : mesh_(mesh)
+      , searches_([&mesh] { return std::make_unique<Search>(mesh); }) {}
+
+  /// copies of the tasks, of which those are open that were not done and have such loops now, apart
+  /// from all that were found before.
+  std::vector<Removal_task> operator()(Execution execution,
+                                       const std::vector<Removal_task>& tasks) {
+    is_taken_.resize(mesh_.vertex_bound(), 0);
+    lost_.resize(tasks.size());
+    std::vector<std::size_t> lost;
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      if(is_lost(tasks[i]) && lost_[i].number_found < most_loops) {
+        lost_[i].loops = tasks[i].choices;
+        lost.push_back(i);
+      }
+    std::vector<std::vector<Closed_walk>> walks(lost.size());
+    for_each_index(
+        execution, lost.size(),
+        [&](std::size_t i) { walks[i] = find(*searches_.borrow(), lost[i], tasks); }, 1);
+    std::vector<Removal_task> nearby(tasks.size());
+    for(Removal_task& task : nearby)
+      task.state = Removal_task::State::KEPT;
+    for(std::size_t i = 0; i < lost.size(); ++i) {
+      lost_[lost[i]].number_found += walks[i].empty() ? most_loops : walks[i].size();
+      give(walks[i], tasks[lost[i]], nearby[lost[i]]);
+    }
+    return nearby;
+  }
+
+private:
+  static constexpr std::size_t most_loops = 8; // of one handle, but for those that come with them
+
+  // What one thread works with.
+  struct Search
+  {
+    explicit Search(const Surgery_mesh& mesh)
+        : loops_around(mesh) {}
+
+    Loops_around_vertex loops_around;
+    Separation separates;
+  };
+
+  // What is known of a task.
+  struct Lost
+  {
+    std::vector<Loop_choice> loops; // empty if it never was
+    std::size_t number_found = 0;   // of new ones; most_loops if nothing more is found
+  };
+
+  // If it may be cut or filled, whatever its new loop is.
+  static bool is_lost(const Removal_task& task) {
+    return (task.state == Removal_task::State::DAMAGED ||
+            task.state == Removal_task::State::REFUSED) &&
+           std::all_of(task.choices.begin(), task.choices.end(),
+                       [](const Loop_choice& choice) { return choice.is_allowed; });
+  }
+
+  // Those of the walks that are new.
+  void give(const std::vector<Closed_walk>& walks, const Removal_task& lost, Removal_task& task) {
+    for(const Closed_walk& walk : walks)
+      if(is_new(walk)) {
+        task.choices.push_back({lost.choices.front().type, length(mesh_, walk), places_of(walk)});
+        for(Index v : walk)
+          is_taken_[v] = 1;
+      }
+    if(task.choices.empty())
+      return;
+    task.state = Removal_task::State::OPEN;
+    task.pair = lost.pair;
+    task.are_types_known = false;
+  }
+
+  // It may cross others, but not go along them.
+  bool is_new(const Closed_walk& walk) const {
+    return 2 * std::count_if(walk.begin(), walk.end(), [this](Index v) { return is_taken_[v]; }) <
+           static_cast<std::ptrdiff_t>(walk.size());
+  }
+
+  // Near the loops of the handle; or, as it may have been removed along a loop that was found for
+  // another one, near the loops of that.
+  std::vector<Closed_walk>
+  find(Search& search, std::size_t task, const std::vector<Removal_task>& tasks) const {
+    const std::vector<Loop_choice>& lost = lost_[task].loops;
+    std::vector<Closed_walk> found = find_as_long(search, lost, tasks);
+    for(std::size_t other : others_removed(task, tasks))
+      if(found.empty())
+        found = find_as_long(search, lost_[other].loops, tasks);
+    return !found.empty() ? found : find_longer(search, lost, tasks);
+  }
+
+  // No longer than some loops, near one of them.
+  std::vector<Closed_walk> find_as_long(Search& search,
+                                        const std::vector<Loop_choice>& lost,
+                                        const std::vector<Removal_task>& tasks) const {
+    for(const Loop_choice& loop : lost)
+      for(Index root : roots(loop)) {
+        std::vector<Closed_walk> found =
+            useful(search, walks_around(search, root, loop.length), lost, tasks);
+        if(!found.empty())
+          return found;
+      }
+    return {};
+  }
+
+  // Not much longer ones, the shortest ones near all of them.
+  std::vector<Closed_walk> find_longer(Search& search,
+                                       const std::vector<Loop_choice>& lost,
+                                       const std::vector<Removal_task>& tasks) const {
+    constexpr double most_growth = 1.5;
+    std::vector<Closed_walk> walks;
+    for(const Loop_choice& loop : lost)
+      for(Index root : roots(loop))
+        for(Closed_walk& walk : walks_around(search, root, most_growth * loop.length))
+          walks.push_back(std::move(walk));
+    std::stable_sort(walks.begin(), walks.end(),
+                     [this](const Closed_walk& a, const Closed_walk& b) {
+                       return length(mesh_, a) < length(mesh_, b);
+                     });
+    return useful(search, std::move(walks), lost, tasks);
+  }
+
+  // The nearest ones of those that had lost their loops.
+  std::vector<std::size_t> others_removed(std::size_t task,
+                                          const std::vector<Removal_task>& tasks) const {
+    constexpr std::size_t most = 3;
+    std::vector<std::pair<double, std::size_t>> others;
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      if(!lost_[i].loops.empty() && tasks[i].state == Removal_task::State::REMOVED)
+        others.push_back(
+            {CGAL::squared_distance(place(lost_[task].loops), place(lost_[i].loops)), i});
+    std::sort(others.begin(), others.end());
+    std::vector<std::size_t> nearest;
+    for(std::size_t k = 0; k < (std::min)(most, others.size()); ++k)
+      nearest.push_back(others[k].second);
+    return nearest;
+  }
+
+  Surgery_mesh::Point place(const std::vector<Loop_choice>& loops) const {
+    return point_at(mesh_, loops.front().places.front());
+  }
+
+  // The first ones of some walks that are of use.
+  std::vector<Closed_walk> useful(Search& search,
+                                  std::vector<Closed_walk> walks,
+                                  const std::vector<Loop_choice>& lost,
+                                  const std::vector<Removal_task>& tasks) const {
+    constexpr std::size_t enough = 4;
+    std::vector<Closed_walk> found;
+    for(std::size_t i = 0; i < walks.size() && found.size() < enough; ++i)
+      if(walks[i].size() >= 3 && is_simple(walks[i]) && is_new(walks[i]) &&
+         is_nearer_than_kept(walks[i], lost, tasks) &&
+         !search.separates(mesh_, sides_of(mesh_, walks[i])))
+        found.push_back(std::move(walks[i]));
+    return found;
+  }
+
+  // Some vertices of the surface where a loop was.
+  std::vector<Index> roots(const Loop_choice& loop) const {
+    constexpr std::size_t most = 4;
+    std::vector<Index> left;
+    for(const Place_on_edge& place : loop.places)
+      if(mesh_.outgoing(place.source) != no_index)
+        left.push_back(place.source);
+    std::vector<Index> roots;
+    for(std::size_t k = 0; k < (std::min)(most, left.size()); ++k)
+      roots.push_back(left[k * left.size() / most]);
+    return roots;
+  }
+
+  std::vector<Closed_walk> walks_around(Search& search, Index root, double most_length) const {
+    constexpr std::size_t most_vertices = 1 << 14;
+    std::vector<Closed_walk> walks;
+    for(const Closed_walk& walk : search.loops_around(root, most_length / 2., most_vertices)) {
+      walks.push_back(shortened(mesh_, walk));
+      if(length(mesh_, walks.back()) > most_length)
+        walks.pop_back();
+    }
+    return walks;
+  }
+
+  // Not to remove another handle instead.
+  bool is_nearer_than_kept(const Closed_walk& walk,
+                           const std::vector<Loop_choice>& lost,
+                           const std::vector<Removal_task>& tasks) const {
+    std::vector<Surgery_mesh::Point> points;
+    for(Index v : walk)
+      points.push_back(mesh_.point(v));
+    const double length_of_walk = length(mesh_, walk);
+    const auto distance_from = [&](const std::vector<Loop_choice>& loops) {
+      double least = (std::numeric_limits<double>::infinity)();
+      for(const Loop_choice& loop : loops)
+        least = (std::min)(least, loop_distance(mesh_, points, length_of_walk, loop));
+      return least;
+    };
+    const double distance = distance_from(lost);
+    return std::none_of(tasks.begin(), tasks.end(), [&](const Removal_task& other) {
+      return other.state == Removal_task::State::KEPT && distance_from(other.choices) < distance;
+    });
+  }
+
+  static std::vector<Place_on_edge> places_of(const Closed_walk& walk) {
+    std::vector<Place_on_edge> places;
+    for(std::size_t i = 0; i < walk.size(); ++i)
+      places.push_back({walk[i], after(walk, i), 0.});
+    return places;
+  }
+
+  const Surgery_mesh& mesh_;
+  Workspace_pool<Search> searches_;
+  std::vector<Lost> lost_;     // by task
+  std::vector<char> is_taken_; // by vertex, by loops that were found
+};
+
+/// A mesh under surgery as a `Surface_mesh`, for what finds loops on such a one.
+class Surface_copy
+{
+public:
+  using Mesh = Surface_mesh<Surgery_mesh::Point>;
+
+  explicit Surface_copy(const Surgery_mesh& original) {
+    Mesh_link<Mesh, std::decay_t<decltype(mesh_.points())>> link(mesh_, mesh_.points());
+    link.write_back(
+        original, [this](Index number, Mesh::Vertex_index) { numbers_.push_back(number); },
+        [](Index, Mesh::Face_index) {});
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+
+  /// where a loop on the copy lies on the original.
+  template <typename Loop> std::vector<Place_on_edge> places(const Loop& loop) const {
+    std::vector<Place_on_edge> places;
+    for(const auto& step : loop.steps())
+      places.push_back({numbers_[source(step.halfedge, mesh_)],
+                        numbers_[target(step.halfedge, mesh_)], step.ratio});
+    return places;
+  }
+
+private:
+  Mesh mesh_;
+  std::vector<Index> numbers_; // by vertex
+};
+
+/// Finds the loops of a surface from which some handles were removed, and which of them are those
+/// of handles that are still there: they lie where these had theirs.
+class Loops_anew
+{
+  using Mesh = Surface_copy::Mesh;
+  using Pair = Handle_tunnel_pair<Mesh>;
+
+public:
+  Loops_anew(Execution execution, const Surgery_mesh& mesh)
+      : mesh_(mesh)
+      , copy_(mesh) {
+    find(execution);
+  }
+
+  /// gives new loops to those that are damaged. Those that are not found stay as they are.
+  void give_to(std::vector<Removal_task>& tasks) const {
+    std::vector<std::size_t> old;
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      if(tasks[i].state != Removal_task::State::REMOVED && !tasks[i].is_of_neck())
+        old.push_back(i);
+    // If all handles are known, the last ones have nothing else left.
+    const bool are_all_known = old.size() == pairs_.size();
+    std::vector<std::tuple<double, std::size_t, std::size_t>> distances;
+    for(std::size_t i : old)
+      for(std::size_t k = 0; k < pairs_.size(); ++k) {
+        const double d = distance(tasks[i], pairs_[k]);
+        if(are_all_known || d < 1.)
+          distances.push_back({d, i, k});
+      }
+    std::sort(distances.begin(), distances.end());
+    std::vector<char> is_named(tasks.size(), 0), is_taken(pairs_.size(), 0);
+    for(const auto& [d, i, k] : distances)
+      if(!is_named[i] && !is_taken[k]) {
+        is_named[i] = is_taken[k] = 1;
+        if(tasks[i].state == Removal_task::State::DAMAGED)
+          give(pairs_[k], tasks[i]);
+      }
+  }
+
+private:
+  void find(Execution execution) {
+    Handle_tunnel_loops_solver<Mesh> solver(copy_.mesh());
+    if(execution.is_parallel())
+      solver.find_loops<Parallel_if_available_tag>(std::back_inserter(pairs_));
+    else
+      solver.find_loops(std::back_inserter(pairs_));
+  }
+
+  // How far a loop of a pair is from where a task has one of the same kind.
+  double distance(const Removal_task& task, const Pair& pair) const {
+    double least = (std::numeric_limits<double>::infinity)();
+    for(const Loop_choice& choice : task.choices) {
+      const Pair::Loop& loop = pair.loop(choice.type);
+      least = (std::min)(least, loop_distance(mesh_, loop.points(), loop.length(), choice));
+    }
+    return least;
+  }
+
+  void give(const Pair& pair, Removal_task& task) const {
+    for(Loop_choice& choice : task.choices) {
+      const Pair::Loop& loop = pair.loop(choice.type);
+      choice.length = loop.length();
+      choice.places = copy_.places(loop);
+    }
+    std::stable_sort(
+        task.choices.begin(), task.choices.end(), [](const Loop_choice& a, const Loop_choice& b) {
+          return std::make_pair(!a.is_allowed, a.length) < std::make_pair(!b.is_allowed, b.length);
+        });
+    task.state = Removal_task::State::OPEN;
+  }
+
+  const Surgery_mesh& mesh_;
+  Surface_copy copy_;
+  std::vector<Pair> pairs_;
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_ANEW_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_PLACED_BOXES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_PLACED_BOXES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// Finds those of many things that are near those of others, by their boxes. Things that are near
+/// each other are kept in groups, each with one box: 12 bytes for each of them.
+class Placed_boxes
+{
+public:
+  Placed_boxes() = default;
+
+  /// of numbers 0 .. n - 1; `box(i)` is the box of the i-th, which may be empty.
+  template <typename Function>
+  Placed_boxes(Execution execution, std::size_t n, const Function& box)
+      : order_(order(execution, n, box)) {
+    std::vector<Box<3>> boxes((n + group_size - 1) / group_size, Box<3>::empty());
+    for_each_index(execution, boxes.size(), [&](std::size_t group) {
+      for(std::size_t i = group * group_size; i < (std::min)(n, (group + 1) * group_size); ++i)
+        boxes[group].extend(box(order_[i]));
+    });
+    tree_ = Box_tree<3>(std::move(boxes));
+  }
+
+  /// calls `f(i, j)` for those of these and of others whose boxes meet; `box(i)` and `other_box(j)`
+  /// are what the boxes were made from.
+  template <typename Box_of, typename Box_of_other, typename Function>
+  void for_each_meeting(const Placed_boxes& others,
+                        const Box_of& box,
+                        const Box_of_other& other_box,
+                        const Function& f,
+                        Execution execution = Execution()) const {
+    constexpr std::size_t grain = 32;
+    for_each_index(
+        execution, others.tree_.size(),
+        [&](std::size_t other) { meet_group(others, other, box, other_box, f); }, grain);
+  }
+
+private:
+  static constexpr std::size_t group_size = 8;
+
+  template <typename Box_of, typename Box_of_other, typename Function>
+  void meet_group(const Placed_boxes& others,
+                  std::size_t other,
+                  const Box_of& box,
+                  const Box_of_other& other_box,
+                  const Function& f) const {
+    const Box<3>& around = others.tree_.box(other);
+    tree_.for_each_meeting(around, [&](Index group, const Box<3>&) {
+      for_each_of(group, [&](Index i) {
+        const Box<3> b = box(i);
+        if(b.meets(around))
+          others.for_each_of(other, [&](Index j) {
+            if(b.meets(other_box(j)))
+              f(i, j);
+          });
+      });
+    });
+  }
+
+  template <typename Function> void for_each_of(std::size_t group, const Function& f) const {
+    const std::size_t begin = group * group_size;
+    for(std::size_t i = begin; i < (std::min)(order_.size(), begin + group_size); ++i)
+      f(order_[i]);
+  }
+
+  // Those near each other follow each other: they are halved again and again where they extend
+  // farthest, so that one far away makes no neighbours of others that are none.
+  template <typename Function>
+  static std::vector<Index> order(Execution execution, std::size_t n, const Function& box) {
+    std::vector<Index> order(n);
+    std::vector<std::array<double, 3>> corners(n);
+    for_each_index(execution, n, [&](std::size_t i) {
+      order[i] = static_cast<Index>(i);
+      corners[i] = box(i).low;
+    });
+    for(std::size_t parts = 1; parts * group_size < n; parts *= 2)
+      for_each_index(
+          execution, parts,
+          [&](std::size_t i) {
+            const auto at = [&](std::size_t part) { return order.begin() + part * n / parts / 2; };
+            halve(at(2 * i), at(2 * i + 1), at(2 * i + 2), corners);
+          },
+          1);
+    return order;
+  }
+
+  // What is empty has infinite corners.
+  template <typename Iterator>
+  static void halve(Iterator begin,
+                    Iterator middle,
+                    Iterator end,
+                    const std::vector<std::array<double, 3>>& corners) {
+    Box<3> extent = Box<3>::empty();
+    for(Iterator i = begin; i != end; ++i)
+      extent.extend({corners[*i], corners[*i]});
+    std::size_t axis = 0;
+    for(std::size_t d = 1; d < 3; ++d)
+      if(extent.high[d] - extent.low[d] > extent.high[axis] - extent.low[axis])
+        axis = d;
+    std::nth_element(begin, middle, end,
+                     [&](Index a, Index b) { return corners[a][axis] < corners[b][axis]; });
+  }
+
+  std::vector<Index> order_;
+  Box_tree<3> tree_{std::vector<Box<3>>()};
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_PLACED_BOXES_H

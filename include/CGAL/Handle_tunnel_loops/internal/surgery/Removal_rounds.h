@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
+/// none is open at the end. Loops that cross where another handle was removed are led around it, or
+/// found anew on the surface as it is by then. \p ask is told what part is done, and throws to
+/// stop.
+CGAL_HTL_CORE void remove_handles(Execution execution,
+                                  Surgery_mesh& mesh,
+                                  std::vector<Removal_task>& tasks,
+                                  const std::function<void(double)>& ask);
+
+/// cuts a mesh apart at its necks, as far as that can be; what becomes of each is in its task.
+CGAL_HTL_CORE std::vector<Removal_task>
+remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted);
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds_impl.h>
+#endif
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_H

@@ -1,0 +1,376 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/reeb/find_necks.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_surgery.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_candidate.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/*!
+Removes handles from a mesh: takes out a region and closes its holes by caps, which lowers the genus
+by one and leaves the rest of the surface as it is, in one piece. That all this is so is decided on
+the mesh as it is by then: what the region is and that the rest is in one piece by counting, that
+the caps meet nothing by exact predicates.
+
+Handles far from each other are removed in the same round, regions and caps being made by all
+threads; what is taken is decided in the order of the tasks. A handle that cannot be removed in one
+way is tried in the next one in the next round. Loops of other handles are led around what was
+removed.
+*/
+class Removal_rounds
+{
+public:
+  Removal_rounds(Execution execution, Surgery_mesh& mesh)
+      : execution_(execution)
+      , mesh_(mesh)
+      , meet_mesh_(mesh) {
+    look_which_side_is_out();
+  }
+
+  /// \p ask is called again and again, and throws to stop.
+  void operator()(std::vector<Removal_task>& tasks, const std::function<void()>& ask) {
+    start(tasks);
+    for(Candidates chosen; !(chosen = choose()).empty(); ask()) {
+      ask();
+      meet_mesh_.update(execution_);
+      for_each_index(
+          execution_, chosen.size(),
+          [&](std::size_t i) { chosen[i]->surgery()->find_caps(mesh_, meet_mesh_); }, 1);
+      ask();
+      find_harmless_strips(chosen);
+      put_in_.clear();
+      for(Removal_candidate* candidate : chosen)
+        carry_out(*candidate);
+    }
+  }
+
+private:
+  using Candidates = std::vector<Removal_candidate*>;
+  using Caps = Handle_surgery::Caps;
+
+  /// the number of a candidate, and which loop of it.
+  using Loop = std::pair<std::size_t, std::size_t>;
+
+  void start(std::vector<Removal_task>& tasks) {
+    candidates_.clear();
+    for(Removal_task& task : tasks)
+      if(!task.is_done())
+        candidates_.emplace_back(task);
+    for_each_index(
+        execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_walks(mesh_); },
+        16);
+    loops_at_.clear();
+    for(std::size_t i = 0; i < candidates_.size(); ++i)
+      for(std::size_t k = 0; k < candidates_[i].walks().size(); ++k)
+        note({i, k});
+  }
+
+  // Where a loop leads.
+  void note(const Loop& loop) {
+    for(Index v : candidates_[loop.first].walks()[loop.second]) {
+      const auto [begin, end] = loops_at_.equal_range(v);
+      if(std::none_of(begin, end, [&](const auto& at) { return at.second == loop; }))
+        loops_at_.insert({v, loop});
+    }
+  }
+
+  // ---- what is tried in a round
+
+  Candidates choose() {
+    Region_layout layout(mesh_);
+    for(Removal_candidate& candidate : candidates_)
+      if(!candidate.is_done())
+        candidate.reserve(layout);
+    for_each_index(
+        execution_, candidates_.size(),
+        [&](std::size_t i) {
+          if(!candidates_[i].is_done())
+            candidates_[i].propose(mesh_, layout);
+        },
+        1);
+    Candidates chosen;
+    for(Removal_candidate& candidate : candidates_)
+      if(is_ready(candidate, layout)) {
+        layout.claim(candidate.surgery()->vertices());
+        chosen.push_back(&candidate);
+      }
+    return chosen;
+  }
+
+  // Not if there is nothing left to be tried, or if it has to wait for the next round.
+  bool is_ready(Removal_candidate& candidate, const Region_layout& layout) {
+    while(!candidate.is_done()) {
+      if(!layout.is_free(candidate.surgery()->vertices()) && candidate.choice().fits_into_room())
+        candidate.propose_again(layout);
+      if(!candidate.surgery() || !layout.is_free(candidate.surgery()->vertices()))
+        return false;
+      if(find_companions(candidate))
+        return true;
+      candidate.fail("there are other handles around");
+      candidate.propose(mesh_, layout);
+    }
+    return false;
+  }
+
+  // Whether a region holds no other handles than those of candidates.
+  bool find_companions(Removal_candidate& candidate) {
+    Handle_surgery& surgery = *candidate.surgery();
+    surgery.companions.clear();
+    const std::size_t number = surgery.region().number_of_handles() - 1;
+    if(number == 0)
+      return true;
+    const auto is_inside = [&](const Closed_walk& walk) {
+      return walk.size() >= 3 && std::all_of(walk.begin(), walk.end(),
+                                             [&](Index v) { return is_in(v, surgery.vertices()); });
+    };
+    for(Removal_candidate& other : candidates_)
+      if(&other != &candidate && !other.is_done() &&
+         std::all_of(other.walks().begin(), other.walks().end(), is_inside))
+        surgery.companions.push_back(&other.task());
+    return surgery.companions.size() == number;
+  }
+
+  // Where they are few, each is looked at when its turn comes.
+  void find_harmless_strips(const Candidates& chosen) {
+    constexpr std::size_t few = 4;
+    std::vector<Handle_surgery*> open;
+    std::vector<const Cut_region*> strips;
+    for(Removal_candidate* candidate : chosen)
+      if(Handle_surgery& surgery = *candidate->surgery();
+         surgery.caps() == Caps::GOOD && surgery.is_strip() && !candidate->task().is_of_neck() &&
+         !surgery.is_subdivided())
+      {
+        open.push_back(&surgery);
+        strips.push_back(&surgery.region());
+      }
+    if(open.size() < few)
+      return;
+    const std::vector<char> separates = separating_strips(execution_, mesh_, strips);
+    for(std::size_t i = 0; i < open.size(); ++i)
+      open[i]->is_harmless = !separates[i];
+    are_others_whole_ = true;
+  }
+
+  // ---- what is done
+
+  void carry_out(Removal_candidate& candidate) {
+    if(candidate.is_done())
+      return; // with another one
+    const Handle_surgery& surgery = *candidate.surgery();
+    if(surgery.caps() == Caps::NOT_TRIANGULATED)
+      return candidate.fail("the holes cannot be triangulated");
+    if(surgery.caps() == Caps::SELF_CROSSING)
+      return candidate.fail_at_loop();
+    if(surgery.caps() == Caps::IN_THE_WAY)
+      return candidate.fail("the caps would meet the surface");
+    Placed_patch placed(mesh_, surgery.patch(), mesh_.vertex_bound());
+    // What was put in in this round is part of the mesh in the next one only.
+    if(std::any_of(put_in_.begin(), put_in_.end(),
+                   [&](const Placed_patch& other) { return placed.meets(other); }))
+      return;
+    const bool separates = surgery.is_strip() && this->separates(surgery);
+    if(separates && !candidate.task().is_of_neck())
+      return candidate.fail_along_loop();
+    if(!separates && candidate.task().is_of_neck())
+      return candidate.fail("the loop does not separate the surface");
+    put_in(candidate, placed);
+    put_in_.push_back(std::move(placed));
+  }
+
+  bool separates(const Handle_surgery& surgery) {
+    if(surgery.is_harmless && are_others_whole_)
+      return false;
+    const bool separates = separates_(mesh_, surgery.sides(mesh_));
+    if(!separates)
+      are_others_whole_ = false; // it is taken out too
+    return separates;
+  }
+
+  void put_in(Removal_candidate& candidate, const Placed_patch& placed) {
+    const Handle_surgery& surgery = *candidate.surgery();
+    CGAL_precondition(surgery.caps() == Caps::GOOD);
+    Removal_task& task = candidate.task();
+    describe(candidate, placed);
+    const Index first_face = put_in_place(mesh_, surgery.out(), surgery.patch());
+    task.end_of_faces = mesh_.face_bound();
+    for(Removal_task* companion : surgery.companions)
+      companion->become_like(task);
+    // The parts of faces around the discs come first.
+    const Index first_of_discs = first_face + static_cast<Index>(placed.number_of_parts());
+    lead_around(Detour(mesh_, first_of_discs, candidate.partner()), surgery.vertices());
+    candidate.surgery().reset();
+  }
+
+  void describe(Removal_candidate& candidate, const Placed_patch& patch) const {
+    Removal_task& task = candidate.task();
+    const Handle_surgery& surgery = *candidate.surgery();
+    double area = 0., volume = 0.;
+    for(std::size_t i = patch.number_of_parts(); i < patch.triangles().size(); ++i)
+      area += patch.triangles()[i].area();
+    for(Index f : surgery.out())
+      volume += volume_below(placed_triangle(mesh_, f));
+    for(const Placed_triangle& t : patch.triangles())
+      volume -= volume_below(t);
+    const double number = static_cast<double>(1 + surgery.companions.size());
+    task.choice = candidate.choice().loop;
+    task.is_whole = !surgery.is_strip();
+    task.area = area / number;
+    task.volume = volume / number;
+    if(!task.are_types_known)
+      task.choices[task.choice].type = volume < 0. ? Loop_type::TUNNEL : Loop_type::HANDLE;
+    task.state = Removal_task::State::REMOVED;
+  }
+
+  // Those that come to a vertex of what was taken out, or came to it before they were led
+  // elsewhere.
+  void lead_around(const Detour& detour, const std::vector<Index>& vertices) {
+    std::vector<Loop> near;
+    for(Index v : vertices)
+      for(auto [it, end] = loops_at_.equal_range(v); it != end; ++it)
+        near.push_back(it->second);
+    make_set(near);
+    for(const Loop& loop : near) {
+      Removal_candidate& candidate = candidates_[loop.first];
+      if(!candidate.is_done() && candidate.lead_around(mesh_, detour, loop.second))
+        note(loop);
+    }
+  }
+
+  // ---- the volume that the surface with its caps bounds
+
+  // Where there is a boundary, inside is behind the faces.
+  void look_which_side_is_out() {
+    Index first = 0;
+    while(first < mesh_.face_bound() && !mesh_.is_alive(first))
+      ++first;
+    if(first == mesh_.face_bound())
+      return;
+    origin_ = mesh_.point(mesh_.corners(first)[0]);
+    double sum = 0.;
+    for(Index f = first; f < mesh_.face_bound(); ++f)
+      if(mesh_.is_alive(f))
+        sum += volume_below(placed_triangle(mesh_, f));
+    outward_ = sum < 0. && mesh_.number_of_hubs() == 0 ? -1. : 1.;
+  }
+
+  // Of what lies between a face and the origin: positive if that is inside. It makes no difference
+  // whether the faces of the surface point outwards.
+  double volume_below(const Placed_triangle& t) const {
+    return outward_ * CGAL::volume(origin_, t.points[0], t.points[1], t.points[2]);
+  }
+
+  const Execution execution_;
+  Surgery_mesh& mesh_;
+  Mesh_contacts meet_mesh_;
+  Surgery_mesh::Point origin_; // a vertex
+  double outward_ = 1.;
+  Separation separates_;
+  std::vector<Removal_candidate> candidates_;     // the tasks that were open
+  std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
+  // In this round.
+  std::vector<Placed_patch> put_in_;
+  bool are_others_whole_ = false; // no strip was taken out that is not one of the harmless ones
+};
+
+/// removes handles along other loops nearby, as long as there are any that were not tried.
+inline void remove_along_loops_nearby(Execution execution,
+                                      Removal_rounds& remove,
+                                      const Surgery_mesh& mesh,
+                                      std::vector<Removal_task>& tasks,
+                                      const std::function<void()>& ask) {
+  Loops_nearby find_nearby(mesh);
+  for(;;) {
+    std::vector<Removal_task> nearby = find_nearby(execution, tasks);
+    if(number_with(Removal_task::State::OPEN, nearby) == 0)
+      break;
+    remove(nearby, ask);
+    for(std::size_t k = 0; k < tasks.size(); ++k)
+      if(nearby[k].state == Removal_task::State::REMOVED)
+        tasks[k] = std::move(nearby[k]);
+  }
+}
+
+/// says of those that are left that they are refused.
+inline void give_up(std::vector<Removal_task>& tasks) {
+  for(Removal_task& task : tasks)
+    if(task.state == Removal_task::State::DAMAGED)
+      task.state = Removal_task::State::REFUSED;
+}
+
+CGAL_HTL_CORE void remove_handles(Execution execution,
+                                  Surgery_mesh& mesh,
+                                  std::vector<Removal_task>& tasks,
+                                  const std::function<void(double)>& ask) {
+  using State = Removal_task::State;
+  const auto ask_now = [&] {
+    ask(double(number_with(State::REMOVED, tasks)) / double(tasks.size()));
+  };
+  Removal_rounds remove(execution, mesh);
+  for(std::size_t before = 0;; before = number_with(State::REMOVED, tasks)) {
+    remove(tasks, ask_now);
+    remove_along_loops_nearby(execution, remove, mesh, tasks, ask_now);
+    if(number_with(State::DAMAGED, tasks) == 0 || number_with(State::REMOVED, tasks) == before)
+      break;
+    Loops_anew(execution, mesh).give_to(tasks);
+  }
+  give_up(tasks);
+  CGAL_postcondition(number_with(State::OPEN, tasks) == 0);
+}
+
+CGAL_HTL_CORE std::vector<Removal_task>
+remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted) {
+  const Surface_copy copy(mesh);
+  std::vector<Removal_task> tasks;
+  for(const auto& neck :
+      find_necks(execution, copy.mesh(), copy.mesh().points(), get(vertex_index, copy.mesh()),
+                 Surgery_mesh::Kernel(), wanted.maximal_neck_length, wanted.minimal_piece_share))
+  {
+    tasks.emplace_back();
+    tasks.back().are_types_known = false;
+    tasks.back().choices.push_back({Loop_type::HANDLE, neck.length(), copy.places(neck)});
+  }
+  Removal_rounds(execution, mesh)(tasks, [] {});
+  give_up(tasks);
+  return tasks;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_IMPL_H

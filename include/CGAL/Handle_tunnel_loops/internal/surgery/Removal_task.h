@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_TASK_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_TASK_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A loop that a handle may be removed along.
+struct Loop_choice
+{
+  Loop_type type;
+  double length;
+  std::vector<Place_on_edge> places;
+  bool is_allowed = true; ///< or only here because it crosses the other one once
+};
+
+/// how far a loop, given by its points, is from the nearest of others: the mean distance, against a
+/// quarter of its length.
+inline double loop_distance(const Surgery_mesh& mesh,
+                            const std::vector<Surgery_mesh::Point>& points,
+                            double length,
+                            const Loop_choice& other) {
+  // A few points tell as much as all.
+  constexpr std::size_t number_of_points = 32;
+  const std::size_t step = 1 + points.size() / number_of_points;
+  const std::size_t step_of_other = 1 + other.places.size() / (4 * number_of_points);
+  double sum = 0.;
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < points.size(); i += step, ++number) {
+    double least = (std::numeric_limits<double>::infinity)();
+    for(std::size_t j = 0; j < other.places.size(); j += step_of_other)
+      least = (std::min)(least, CGAL::squared_distance(points[i], point_at(mesh, other.places[j])));
+    sum += std::sqrt(least);
+  }
+  return sum / (static_cast<double>(number) * length / 4.);
+}
+
+/// A handle to be removed, or a neck, and what has become of it.
+struct Removal_task
+{
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  enum class State {
+    OPEN,
+    REMOVED,
+    REFUSED,
+    DAMAGED, ///< like REFUSED, but its loops were led around others, or lost by that
+    KEPT     ///< a handle that is not to be removed
+  };
+
+  std::size_t pair = none;          ///< its number; none for a neck
+  std::vector<Loop_choice> choices; ///< in the order in which they are to be tried
+  bool are_types_known = true;      ///< or what is taken away will tell
+
+  bool is_of_neck() const { return pair == none; }
+
+  /// whether the choices are the two loops of a handle, which cross once; or they are any loops.
+  bool has_both_loops() const { return are_types_known && choices.size() == 2; }
+
+  State state = State::OPEN;
+  bool is_done() const { return state != State::OPEN; }
+  std::vector<std::string> reasons; ///< by choice, why not along this one
+
+  // Of a handle that was removed.
+  std::size_t choice = 0;
+  bool is_whole = false;  ///< taken out with its surroundings
+  double area = 0.;       ///< of the caps
+  double volume = 0.;     ///< of what was taken away, or put in if negative
+  Index end_of_faces = 0; ///< that were put in: none of a higher number is one of them
+
+  /// was removed together with another one.
+  void become_like(const Removal_task& other) {
+    CGAL_precondition(!is_done() && other.state == State::REMOVED);
+    state = other.state;
+    is_whole = other.is_whole;
+    area = other.area;
+    volume = other.volume;
+    end_of_faces = other.end_of_faces;
+  }
+
+  // ---- for the report
+
+  Removed_handle removed() const {
+    CGAL_precondition(state == State::REMOVED);
+    const Removal_way along_loop =
+        choices[choice].type == Loop_type::HANDLE ? Removal_way::CUT : Removal_way::FILL;
+    return {pair, is_whole ? Removal_way::WHOLE : along_loop, choices[choice].length, area, volume};
+  }
+
+  Refused_handle refused() const {
+    CGAL_precondition(state == State::REFUSED);
+    std::string why;
+    for(std::size_t i = 0; i < choices.size(); ++i)
+      if(choices[i].is_allowed)
+        why += std::string(i == 0 ? "" : "; ") +
+               (choices[i].type == Loop_type::HANDLE ? "cut: " : "fill: ") + reasons[i];
+    return {pair, choices.front().length, why};
+  }
+};
+
+inline std::size_t number_with(Removal_task::State state, const std::vector<Removal_task>& tasks) {
+  return static_cast<std::size_t>(std::count_if(
+      tasks.begin(), tasks.end(), [&](const Removal_task& task) { return task.state == state; }));
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_TASK_H

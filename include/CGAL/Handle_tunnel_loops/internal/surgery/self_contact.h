@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SELF_CONTACT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SELF_CONTACT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
+/// the surface is not the boundary of a solid. Decided exactly, of faces whose boxes meet. Takes
+/// about as long as reading the mesh, unless faces are so long and thin that the boxes of most of
+/// them meet. (`Polygon_mesh_processing::does_self_intersect()` says the same, but does not let
+/// itself be interrupted, and copies the mesh.)
+template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
+bool touches_itself(Execution execution,
+                    const TriangleMesh& tm,
+                    VertexPointMap point,
+                    VertexIndexMap index) {
+  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> all(
+      faces(tm).begin(), faces(tm).end());
+  const auto triangle = [&](std::size_t i) {
+    Placed_triangle t;
+    std::size_t corner = 0;
+    for(const auto v : CGAL::vertices_around_face(halfedge(all[i], tm), tm)) {
+      const auto& p = get(point, v);
+      t.vertices[corner] = static_cast<Index>(get(index, v));
+      t.points[corner++] = {p.x(), p.y(), p.z()};
+    }
+    return t;
+  };
+  std::atomic<bool> is_found(false);
+  std::vector<Box<3>> boxes(all.size());
+  for_each_index(execution, all.size(), [&](std::size_t i) {
+    const Placed_triangle t = triangle(i);
+    boxes[i] = t.box();
+    if(t.is_degenerate())
+      is_found = true;
+  });
+  const auto box = [&](std::size_t i) { return boxes[i]; };
+  const Placed_boxes near(execution, all.size(), box);
+  near.for_each_meeting(
+      near, box, box,
+      [&](Index i, Index j) {
+        if(i < j && !is_found && are_in_contact(triangle(i), triangle(j)))
+          is_found = true;
+      },
+      execution);
+  return is_found;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SELF_CONTACT_H
