@@ -14,7 +14,6 @@
 
 #include "mend/mending.h"
 #include "mesh_types.h"
-#include "read/mesh_builder.h"
 #include "read/soup_diagnosis.h"
 
 #include <CGAL/Handle_tunnel_loops_solver.h>

@@ -14,8 +14,7 @@
 
 #include "failure.h"
 #include "mesh_types.h"
-#include "read/loops_binding.h"
-#include "read/loops_json_reader.h"
+#include "read/loops_reader.h"
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/boost/graph/generators.h>

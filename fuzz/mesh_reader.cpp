@@ -13,7 +13,6 @@
 
 #include "failure.h"
 #include "mend/mending.h"
-#include "read/mesh_builder.h"
 #include "read/soup_diagnosis.h"
 #include "read/soup_reader.h"
 

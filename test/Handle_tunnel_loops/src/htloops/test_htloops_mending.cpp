@@ -73,7 +73,7 @@ long long euler_characteristic(const Soup& soup) {
   for(const Corners& face : faces_of(soup))
     for_each_side(face, [&](std::uint32_t u, std::uint32_t v) {
       vertices.insert(u);
-      edges.insert(key_of_edge(u, v));
+      edges.insert(edge_key(u, v));
     });
   return static_cast<long long>(vertices.size()) - static_cast<long long>(edges.size()) +
          static_cast<long long>(soup.faces.size());
