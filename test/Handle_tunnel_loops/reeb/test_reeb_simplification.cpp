@@ -168,7 +168,7 @@ TEST_P(Simplification, OfRoughHeightsIsLeafByLeaf) {
         values.push_back(p[0] + 0.3 * p[1] + 0.1 * p[2] + noise * random.uniform(0., 1.));
       expect_leaf_by_leaf(mesh, values, threshold);
     }
-  EXPECT_GT(taken_off, std::size_t(number_of_cases(500)));
+  EXPECT_GT(taken_off, std::size_t((std::min)(100, number_of_cases(500))));
   EXPECT_GT(left, 10u);
 }
 
