@@ -12,7 +12,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 
 #include <CGAL/tags.h>
 
@@ -36,13 +36,14 @@ inline Tuned_run run_tuned(const impl::Flat_mesh& mesh, const impl::device::Tuni
   const auto nothing = [](Stage) {};
   impl::Progress progress({}, nothing, nothing, run.statistics, impl::Progress::stages_of_loops());
   const impl::device::Solver* solver = nullptr;
-  impl::Field_passes passes(impl::execution_of<CGAL::Parallel_if_available_tag>(), mesh, mesh.seeds,
-                            impl::Pass_options(), [&] {
-                              auto made = impl::device::make_cuda_solver(mesh, {}, tuning);
-                              solver = made.get();
-                              return made;
-                            });
-  impl::Loop_pipeline(passes, impl::Pass_options(), progress).run(run.statistics);
+  impl::Field_passes<impl::device::Solver> passes(
+      impl::execution_of<CGAL::Parallel_if_available_tag>(), mesh, mesh.seeds, impl::Pass_options(),
+      [&] {
+        auto made = impl::device::make_cuda_solver(mesh, {}, tuning);
+        solver = made.get();
+        return made;
+      });
+  impl::run_passes(passes, impl::Pass_options(), progress, run.statistics);
   run.costs = solver->costs();
   return run;
 }

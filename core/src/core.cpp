@@ -12,7 +12,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_growth_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/diffusion_times_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/make_host_passes_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/find_loops_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel_impl.h>

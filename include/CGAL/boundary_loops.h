@@ -15,8 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
@@ -111,13 +110,10 @@ OutputIterator boundary_loops(const TriangleMesh& tm,
   const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
   const Vertex_point_map point = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                                   get_const_property_map(vertex_point, tm));
-  impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
-      builder(execution, tm, vertex_index, point);
-  const impl::Flat_mesh mesh = builder.build();
-  const auto vertices = builder.take_vertices();
+  const impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  const impl::Flat_mesh& mesh = surface.mesh;
   const auto traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
-  const impl::Loop_converter<TriangleMesh, Vertex_point_map, Geom_traits> convert(tm, point, traits,
-                                                                                  vertices);
+  const auto convert = surface.converter(traits);
   std::vector<impl::Crossing_loop> flat_loops;
   const auto kind = choose_parameter(get_parameter(np, internal_np::basis_kind),
                                      Handle_tunnel_loops::Basis_kind::PURE);

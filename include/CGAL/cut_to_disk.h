@@ -159,8 +159,7 @@ OutputIterator cut_to_disk(const TriangleMesh& tm,
   Solver solver(ConcurrencyTag(), tm, np);
   const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
   impl::Cut_request<TriangleMesh, std::decay_t<decltype(vertex_index)>> request(
-      impl::execution_of<ConcurrencyTag>(), tm, vertex_index, impl::Solver_access::mesh(solver),
-      impl::Solver_access::vertices(solver));
+      impl::execution_of<ConcurrencyTag>(), vertex_index, solver.prepared_surface());
   impl::read_parameters(request, np);
   impl::check_rules(request.problem());
   const auto add = [&](const auto& loop) { request.add_loop(loop); };

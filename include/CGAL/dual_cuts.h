@@ -93,12 +93,11 @@ OutputIterator dual_cuts(const TriangleMesh& tm,
   const Vertex_point_map point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
-  impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>, Vertex_point_map>
-      builder(execution, tm, vertex_index, point);
-  const impl::Flat_mesh mesh = builder.build();
-  const auto vertices = builder.take_vertices();
+  const impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  const impl::Flat_mesh& mesh = surface.mesh;
+  const auto& vertices = surface.vertices;
   impl::Cut_request<TriangleMesh, std::decay_t<decltype(vertex_index)>> request(
-      execution, tm, vertex_index, mesh, vertices);
+      execution, vertex_index, surface);
   request.use_lengths();
   request.open_at_boundaries();
   for(const auto& pair : pairs)

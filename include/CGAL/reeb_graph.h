@@ -15,9 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/check_constants.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Passes_of_tag.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/diffusion_times.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_computation.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -178,7 +176,6 @@ reeb_graph(const TriangleMesh& tm,
         impl::execution_of<ConcurrencyTag>(), tm, np);
   }();
   const auto diffusion = [&](const impl::Flat_mesh& mesh, Statistics& statistics) {
-    impl::check_constants(given.field_constants);
     impl::Pass_options options;
     options.field_constants = given.field_constants;
     options.literal_rules = given.literal_rules;

@@ -5,8 +5,8 @@
 The concept `HandleTunnelLoopsBackend` describes who computes the fields of the passes on one mesh,
 and reads off them what is handed over: contours at saddles, closed walks, and arrival times where
 these are asked for. Fields themselves stay where they are, in the memory of the processor or of a
-device. In the package it is the abstract class `CGAL::Handle_tunnel_loops::internal::Backend`, from
-which models derive (see \ref HTLDesign); names of it may change.
+device. It is the template parameter of the passes on arrival times (see \ref HTLDesign); names of
+it may change.
 
 All models give the same answers to the last bit: the formulas are those of
 `internal/field/phase_field.h`, in single precision, and arrival times are integers.

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/passes/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #ifdef CGAL_LINKED_WITH_CUDA
@@ -86,7 +86,7 @@ template <> struct Passes_of_tag<Cuda_if_available_tag> : device::Passes_if_ther
 // Depends on a type, so that nobody is refused who does not use it.
 template <typename Tag> struct Passes_without_cuda : Passes_of_tag<Parallel_if_available_tag>
 {
-  template <typename... Arguments> static std::unique_ptr<Passes> make(const Arguments&...) {
+  static std::unique_ptr<Passes> make(const Flat_mesh&, std::vector<Index>, const Pass_options&) {
     static_assert(std::is_void<Tag>::value,
                   "Cuda_tag is used but the program is not linked with Handle_tunnel_loops::cuda");
     return nullptr;
@@ -100,8 +100,8 @@ template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Parallel
 {
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
-    return make_host_passes(execution_of<Cuda_if_available_tag>(), mesh, std::move(seeds), options,
-                            "the program is not linked with Handle_tunnel_loops::cuda");
+    return host_passes(execution_of<Cuda_if_available_tag>(), mesh, std::move(seeds), options,
+                       "the program is not linked with Handle_tunnel_loops::cuda");
   }
 };
 

@@ -16,8 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Capped_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Closed_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
@@ -129,7 +129,6 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
   namespace impl = Handle_tunnel_loops::internal;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Pair = typename std::iterator_traits<typename PairRange::const_iterator>::value_type;
   const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
   const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto point = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -141,20 +140,14 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
                            .do_compute_linking;
   const bool is_closed = impl::is_closed_after_check(execution, tm, vertex_index);
   CGAL_expensive_precondition(impl::are_loops_of(tm, pairs));
-  if(is_closed)
-    return impl::certify(execution,
-                         impl::certification<Pair>(tm, point, vertex_index,
-                                                   CGAL::get_initialized_face_index_map(tm, np),
-                                                   kind),
-                         pairs, do_link);
-  impl::Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index)>,
-                          std::decay_t<decltype(point)>>
-      builder(execution, tm, vertex_index, point);
-  const impl::Flat_mesh mesh = builder.build();
-  const impl::Capped_surface<typename Pair::Loop::Point> capped(mesh, builder.take_vertices(),
-                                                                point);
-  return impl::certify(execution, impl::certification_of_capped(capped, kind),
-                       capped.pairs(pairs, tm, vertex_index), do_link);
+  if(is_closed) {
+    const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
+    const impl::Closed_surface surface(tm, point, vertex_index, face_index);
+    return impl::certify(execution, surface, kind, pairs, do_link);
+  }
+  const impl::Prepared_surface prepared(execution, tm, vertex_index, point);
+  const impl::Capped_surface surface(prepared, vertex_index);
+  return impl::certify(execution, surface, kind, surface.pairs(pairs), do_link);
 }
 
 } // namespace CGAL

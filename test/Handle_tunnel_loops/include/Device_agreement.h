@@ -7,6 +7,7 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -80,8 +81,8 @@ struct Tally
   }
 };
 
-inline std::vector<Dual_walks> expect_same(Backend& solver,
-                                           Backend& host,
+inline std::vector<Dual_walks> expect_same(device::Solver& solver,
+                                           Host_backend& host,
                                            const Step_coefficients& k,
                                            const Dual_loop_query& query) {
   const std::vector<Dual_walks> found = solver.dual_walks(query, k, go_on);
@@ -98,8 +99,10 @@ inline std::vector<Dual_walks> expect_same(Backend& solver,
 }
 
 // All passes on a mesh, one after the other.
-inline Tally
-expect_agreement(Backend& solver, const Flat_mesh& mesh, Index seed, const Field_constants& c) {
+inline Tally expect_agreement(device::Solver& solver,
+                              const Flat_mesh& mesh,
+                              Index seed,
+                              const Field_constants& c) {
   const Step_coefficients k = step_coefficients(c), searching = coefficients_for_searching(k);
   Host_backend host(Execution(), mesh);
   const std::vector<Handle_candidate> handles = solver.initial_field({seed}, k, go_on);

@@ -5,8 +5,7 @@
 #include "Torus_loops.h"
 #include "random_input.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Passes_of_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>
 
 #include <gtest/gtest.h>
@@ -29,7 +28,7 @@ struct Pairs
     Pass_options options;
     options.do_tighten = false;
     const auto passes = Passes_of_tag<CGAL::Sequential_tag>::make(mesh, {0}, options);
-    for(Flat_pair& pair : Loop_pipeline(*passes, options, progress).run(statistics)) {
+    for(Flat_pair& pair : run_passes(*passes, options, progress, statistics)) {
       handles.push_back(std::move(pair.handle));
       tunnels.push_back(std::move(pair.tunnel));
     }

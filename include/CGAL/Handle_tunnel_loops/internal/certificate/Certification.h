@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -33,35 +34,23 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Computes a `Certificate` step by step.
-template <typename TriangleMesh,
-          typename Pair,
-          typename VertexPointMap,
-          typename VertexIndexMap,
-          typename FaceIndexMap>
-class Certification
+/// Computes a `Certificate` step by step, of pairs on a closed surface: the caller's own, or one
+/// that has its caps (`Closed_surface`, `Capped_surface`), which must outlive it.
+template <typename Surface, typename Pair> class Certification
 {
-  using Certifier = Loop_certifier<TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using Mesh = typename Surface::Mesh;
+  using Vertex_point_map = decltype(std::declval<const Surface&>().point());
+  using Vertex_index_map = decltype(std::declval<const Surface&>().vertex_index());
+  using Face_index_map = decltype(std::declval<const Surface&>().face_index());
+  using Certifier = Loop_certifier<Mesh, Vertex_index_map, Face_index_map>;
   using Loop = typename Pair::Loop;
-  using Boundaries =
-      std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>>;
 
 public:
-  Certification(const TriangleMesh& tm,
-                VertexPointMap point,
-                VertexIndexMap vertex_index,
-                FaceIndexMap face_index,
-                Basis_kind kind = Basis_kind::PURE)
-      : tm_(tm)
-      , point_(point)
-      , vertex_index_(vertex_index)
-      , certifier_(tm, vertex_index, face_index) {
+  explicit Certification(const Surface& surface, Basis_kind kind = Basis_kind::PURE)
+      : surface_(surface)
+      , certifier_(surface.mesh(), surface.vertex_index(), surface.face_index()) {
     certificate_.basis_kind = kind;
   }
-
-  /// takes the boundary curves of the surface, of which the mesh has the caps as well; first of
-  /// all.
-  void set_boundaries(Boundaries boundaries) { boundaries_ = std::move(boundaries); }
 
   /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
   /// on the surface. What follows is for such loops only.
@@ -89,9 +78,9 @@ public:
   /// linking numbers as well. After `check_basis()`.
   void relate(Execution execution, bool do_link) {
     CGAL_precondition(certificate_.closed_on_surface);
-    Loop_linker<TriangleMesh, Loop, VertexPointMap, VertexIndexMap> linker(tm_, point_,
-                                                                           vertex_index_);
-    linker.set_boundaries(boundaries_);
+    Loop_linker<Mesh, Loop, Vertex_point_map, Vertex_index_map> linker(
+        surface_.mesh(), surface_.point(), surface_.vertex_index());
+    linker.set_boundaries(surface_.boundaries());
     linker.set_loops(
         execution, loops_, [this](const auto& f) { return certifier_.component(f); },
         certifier_.number_of_components());
@@ -237,21 +226,23 @@ private:
     }
   }
 
-  const TriangleMesh& tm_;
-  VertexPointMap point_;
-  VertexIndexMap vertex_index_;
+  const Surface& surface_;
   Certificate certificate_;
   Certifier certifier_;
-  Boundaries boundaries_;
   Loop_relations relations_;
   bool are_related_ = false;
   std::vector<const Loop*> loops_;
 };
 
 /// the whole of it, but for names.
-template <typename Certification, typename PairRange>
-Certificate
-certify(Execution execution, Certification certification, const PairRange& pairs, bool do_link) {
+template <typename Surface, typename PairRange>
+Certificate certify(Execution execution,
+                    const Surface& surface,
+                    Basis_kind kind,
+                    const PairRange& pairs,
+                    bool do_link) {
+  using Pair = typename std::iterator_traits<typename PairRange::const_iterator>::value_type;
+  Certification<Surface, Pair> certification(surface, kind);
   if(certification.are_closed(execution, pairs)) {
     certification.check_basis(execution);
     if(certification.are_as_many_as_asked_for())
@@ -275,30 +266,6 @@ bool are_loops_of(const TriangleMesh& tm, const PairRange& pairs) {
   return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
     return is_loop(pair.handle()) && is_loop(pair.tunnel());
   });
-}
-
-template <typename Pair,
-          typename TriangleMesh,
-          typename VertexPointMap,
-          typename VertexIndexMap,
-          typename FaceIndexMap>
-Certification<TriangleMesh, Pair, VertexPointMap, VertexIndexMap, FaceIndexMap>
-certification(const TriangleMesh& tm,
-              VertexPointMap point,
-              VertexIndexMap vertex_index,
-              FaceIndexMap face_index,
-              Basis_kind kind) {
-  return {tm, point, vertex_index, face_index, kind};
-}
-
-/// that of a surface with boundary, looked at with its caps.
-template <typename CappedSurface>
-auto certification_of_capped(const CappedSurface& capped, Basis_kind kind) {
-  auto result = internal::certification<typename CappedSurface::Pair>(
-      capped.mesh(), capped.mesh().points(), capped.vertex_index(), get(face_index, capped.mesh()),
-      kind);
-  result.set_boundaries(capped.boundaries());
-  return result;
 }
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -36,18 +37,6 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Lets what cuts a surface open use the arrays in which a solver keeps it.
-struct Solver_access
-{
-  template <typename Solver> static const Flat_mesh& mesh(const Solver& solver) {
-    return solver.mesh_;
-  }
-  /// the vertex of each index of the flat mesh.
-  template <typename Solver> static const auto& vertices(const Solver& solver) {
-    return solver.vertices_;
-  }
-};
-
 /// Turns what a caller wants of a cut, in terms of the mesh, into a `Cut_problem`.
 template <typename TriangleMesh, typename VertexIndexMap> class Cut_request
 {
@@ -56,20 +45,20 @@ template <typename TriangleMesh, typename VertexIndexMap> class Cut_request
   using edge_descriptor = typename Graph_traits::edge_descriptor;
 
 public:
-  /// `vertices` are those of the mesh, by index of the flat mesh.
+  /// The surface must outlive it.
+  template <typename VertexPointMap>
   Cut_request(Execution execution,
-              const TriangleMesh& tm,
               VertexIndexMap index,
-              const Flat_mesh& mesh,
-              const std::vector<vertex_descriptor>& vertices)
+              const Prepared_surface<TriangleMesh, VertexPointMap>& surface)
       : execution_(execution)
-      , tm_(tm)
+      , tm_(surface.tm)
       , index_(index)
-      , vertices_(vertices)
-      , problem_(execution, mesh)
-      , flat_index_(bound(mesh), no_index) {
-    for_each_index(execution, vertices.size(),
-                   [&](std::size_t i) { flat_index_[mesh.original[i]] = static_cast<Index>(i); });
+      , vertices_(surface.vertices)
+      , problem_(execution, surface.mesh)
+      , flat_index_(bound(surface.mesh), no_index) {
+    for_each_index(execution, vertices_.size(), [&](std::size_t i) {
+      flat_index_[surface.mesh.original[i]] = static_cast<Index>(i);
+    });
   }
 
   void use_lengths() {

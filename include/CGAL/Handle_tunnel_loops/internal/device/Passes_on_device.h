@@ -66,13 +66,13 @@ private:
 /// On a device as long as there is one that does it, else on the processor. What fails on the
 /// device begins anew on the processor, and so does all that comes later; what the device has found
 /// before is kept, since the processor would find the same.
-class Fallback_backend : public Backend
+class Fallback_backend
 {
 public:
   /// \p make_device may throw `Device_exception`.
   Fallback_backend(Execution execution,
                    const Flat_mesh& mesh,
-                   const std::function<std::unique_ptr<Backend>()>& make_device)
+                   const std::function<std::unique_ptr<device::Solver>()>& make_device)
       : execution_(execution)
       , mesh_(mesh) {
     try {
@@ -87,43 +87,42 @@ public:
 
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,
-                                              const Callback& callback) override {
+                                              const Callback& callback) {
     is_initial_field_of_device_ = false;
     repeat_ = [this, seeds, k, callback] {
       host_->initial_field(seeds, k, [&](double) { return callback(0.); });
     };
-    auto handles = run([&](Backend& backend) { return backend.initial_field(seeds, k, callback); });
+    auto handles = run([&](auto& backend) { return backend.initial_field(seeds, k, callback); });
     is_initial_field_of_device_ = device_ != nullptr;
     return handles;
   }
 
-  std::vector<Time> arrival_times() override {
-    return run_on_times([](Backend& backend) { return backend.arrival_times(); });
+  std::vector<Time> arrival_times() {
+    return run_on_times([](auto& backend) { return backend.arrival_times(); });
   }
 
-  Front_log front_log() override {
-    return run_on_times([](Backend& backend) { return backend.front_log(); });
+  Front_log front_log() {
+    return run_on_times([](auto& backend) { return backend.front_log(); });
   }
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
-                                     const Step_coefficients& k) override {
-    return run([&](Backend& backend) { return backend.times_from_loops(loops, index, k); });
+                                     const Step_coefficients& k) {
+    return run([&](auto& backend) { return backend.times_from_loops(loops, index, k); });
   }
 
   std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
                                         const Step_coefficients& k,
-                                        const Callback& callback) override {
-    return run([&](Backend& b) { return b.times_from_vertices(vertices, k, callback); });
+                                        const Callback& callback) {
+    return run([&](auto& b) { return b.times_from_vertices(vertices, k, callback); });
   }
 
-  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
-                                     const Step_coefficients& k,
-                                     const Callback& callback) override {
-    return run([&](Backend& backend) { return backend.dual_walks(query, k, callback); });
+  std::vector<Dual_walks>
+  dual_walks(const Dual_loop_query& query, const Step_coefficients& k, const Callback& callback) {
+    return run([&](auto& backend) { return backend.dual_walks(query, k, callback); });
   }
 
-  void report(Statistics& statistics) const override {
+  void report(Statistics& statistics) const {
     if(device_)
       return device_->report(statistics);
     CGAL_assertion(host_.has_value());
@@ -136,20 +135,21 @@ public:
 
 private:
   // The answer of the device, or that of the processor if the device fails.
-  template <typename Function> std::invoke_result_t<Function, Backend&> run(const Function& f) {
+  template <typename Function>
+  std::invoke_result_t<Function, Host_backend&> run(const Function& f) {
     if(device_)
       try {
         return f(*device_);
       } catch(const Device_exception& e) {
         leave_device(e);
       }
-    return f(static_cast<Backend&>(*host_));
+    return f(*host_);
   }
 
   // The same of what rests on the last initial field.
   template <typename Function>
-  std::invoke_result_t<Function, Backend&> run_on_times(const Function& f) {
-    return run([&](Backend& backend) {
+  std::invoke_result_t<Function, Host_backend&> run_on_times(const Function& f) {
+    return run([&](auto& backend) {
       if(!device_ && !host_->has_arrival_times())
         repeat_();
       return f(backend);
@@ -180,7 +180,7 @@ private:
 
   Execution execution_;
   const Flat_mesh& mesh_;
-  std::unique_ptr<Backend> device_; // one of the two
+  std::unique_ptr<device::Solver> device_; // one of the two
   std::optional<Host_backend> host_;
   std::size_t device_bytes_ = 0; // of the device that failed
   bool has_device_failed_ = false;
@@ -201,7 +201,7 @@ struct Passes_on_device
 
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
-    return std::make_unique<Field_passes>(
+    return std::make_unique<Field_passes<Solver>>(
         execution_of<Parallel_if_available_tag>(), mesh, std::move(seeds), options,
         [&mesh, where = options.device] { return make_cuda_solver(mesh, where); });
   }
@@ -224,22 +224,21 @@ struct Passes_if_there_is_a_device
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     const Execution execution = execution_of<Parallel_if_available_tag>();
-    return std::make_unique<Field_passes>(
-        execution, mesh, std::move(seeds), options,
-        [execution, &mesh, where = options.device] { return backend(execution, mesh, where); });
+    return std::make_unique<Field_passes<Fallback_backend>>(
+        execution, mesh, std::move(seeds), options, [execution, &mesh, where = options.device] {
+          return std::make_unique<Fallback_backend>(execution, mesh,
+                                                    [&] { return solver(mesh, where); });
+        });
   }
 
 private:
-  static std::unique_ptr<Backend>
-  backend(Execution execution, const Flat_mesh& mesh, const Device_options& options) {
+  static std::unique_ptr<Solver> solver(const Flat_mesh& mesh, const Device_options& options) {
     const std::size_t n = mesh.number_of_vertices();
     if(n < options.least_vertices)
-      return std::make_unique<Host_backend>(execution, mesh,
-                                            "a mesh of " + std::to_string(n) +
-                                                " vertices does not pay for a device, but " +
-                                                std::to_string(options.least_vertices) + " do");
-    return std::make_unique<Fallback_backend>(execution, mesh,
-                                              [&] { return make_cuda_solver(mesh, options); });
+      throw No_device_exception("a mesh of " + std::to_string(n) +
+                                " vertices does not pay for a device, but " +
+                                std::to_string(options.least_vertices) + " do");
+    return make_cuda_solver(mesh, options);
   }
 };
 

@@ -13,15 +13,18 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -58,10 +61,50 @@ struct Costs
   std::map<std::string, Kernel_cost> kernels; ///< by the name of their type, if they were timed
 };
 
-/// A backend that says what it cost.
-class Solver : public Backend
+/// Computes the fields of the passes on a device; see `Field_passes`.
+class Solver
 {
 public:
+  virtual ~Solver() = default;
+
+  /// the field of the initial pass: what its saddles offer as handles, in their order.
+  ///
+  /// \param seeds the vertices to start from, one in each component
+  /// \param callback is called by the calling thread
+  virtual std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
+                                                      const Step_coefficients& k,
+                                                      const Callback& callback) = 0;
+
+  /// the arrival times of the last initial field.
+  virtual std::vector<Time> arrival_times() = 0;
+
+  /// the layers of the last initial field, and what happened to its fronts.
+  virtual Front_log front_log() = 0;
+
+  /// the arrival times of one field from both sides of all loops, none of which it crosses.
+  virtual std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
+                                             const Crossing_index& index,
+                                             const Step_coefficients& k) = 0;
+
+  /// the arrival times of one field from vertices, the same one more than once or not: these first,
+  /// their neighbours next; `never` where it does not come.
+  ///
+  /// \param callback is called by the calling thread
+  virtual std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
+                                                const Step_coefficients& k,
+                                                const Callback& callback) = 0;
+
+  /// the fields of the loop passes: what is found for each of the numbers of the query.
+  ///
+  /// \param callback may be called by several threads at a time
+  virtual std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
+                                             const Step_coefficients& k,
+                                             const Callback& callback) = 0;
+
+  /// says what it is, and what it took.
+  virtual void report(Statistics& statistics) const = 0;
+
+  /// what all of that has cost.
   virtual Costs costs() const = 0;
 };
 

@@ -20,6 +20,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 /// \file phase_field.h
 /// The formulas of the field at one vertex, for host and device alike.
@@ -148,6 +149,18 @@ steepest_descent(const Mesh& mesh, Index v, const Time_of& time, const Is_allowe
     }
   }
   return next;
+}
+
+/// throws `std::invalid_argument` if no front would move with these constants, or too slowly.
+inline void check_constants(const Field_constants& c) {
+  const bool are_finite = std::isfinite(c.mobility) && std::isfinite(c.gradient_coefficient) &&
+                          std::isfinite(c.penalty) && std::isfinite(c.driving_force);
+  if(!(are_finite && c.mobility > 0. && c.gradient_coefficient > 0. && c.penalty > 0. &&
+       c.driving_force > c.penalty))
+    throw std::invalid_argument("the field's constants must be positive, and the driving force "
+                                "must be larger than the penalty");
+  if(!(c.step >= smallest_step && c.step <= 1.))
+    throw std::invalid_argument("the field's time step must be in [1/1024, 1]");
 }
 
 } // namespace internal

@@ -14,8 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Basis_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>
@@ -42,7 +42,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// What the passes have in common: where fields come from, and how loops are handled side by side.
-struct Pass_context
+template <typename Backend> struct Pass_context
 {
   Execution execution; ///< watched by the progress
   const Flat_mesh& mesh;
@@ -73,10 +73,10 @@ struct Pass_context
 
 /// For each of several disjoint contours the way from its left side around to its right side
 /// (paper, 4.2): it crosses this contour once, and none that comes later.
-class Tunnel_pass
+template <typename Backend> class Tunnel_pass
 {
 public:
-  Tunnel_pass(const Pass_context& context,
+  Tunnel_pass(const Pass_context<Backend>& context,
               const std::vector<Crossing_loop>& contours,
               const Crossing_index& index)
       : context_(context)
@@ -173,7 +173,7 @@ private:
     context_.progress.advance_one(tunnels_.size());
   }
 
-  const Pass_context& context_;
+  const Pass_context<Backend>& context_;
   const std::vector<Crossing_loop>& contours_;
   const Crossing_index& index_;
   std::vector<Crossing_loop> tunnels_;
@@ -182,11 +182,11 @@ private:
 /// For each tunnel the way from its left side around to its right side (paper, 4.3), which becomes
 /// the handle if it is shorter and the loops remain a basis. Where they would not, because the
 /// tunnels of several pairs led to one handle, the next best way is tried.
-class Refinement_pass
+template <typename Backend> class Refinement_pass
 {
 public:
   /// \p contours is the index of the contours that cross each tunnel as `Tunnel_pass` says.
-  Refinement_pass(const Pass_context& context,
+  Refinement_pass(const Pass_context<Backend>& context,
                   std::vector<Crossing_loop>& handles,
                   const std::vector<Crossing_loop>& tunnels,
                   const Crossing_index& contours)
@@ -289,7 +289,7 @@ private:
     return kept;
   }
 
-  const Pass_context& context_;
+  const Pass_context<Backend>& context_;
   std::vector<Crossing_loop>& handles_;
   const std::vector<Crossing_loop>& tunnels_;
   Crossing_index index_; // of the tunnels
@@ -298,9 +298,16 @@ private:
   std::vector<char> is_refined_;
 };
 
-/// The passes on arrival times: handles are read off them exactly, and loops are tightened. The
-/// fields are computed by a backend.
-class Field_passes : public Passes
+/*!
+The passes on arrival times: handles are read off them exactly, and loops are tightened.
+
+\tparam Backend computes the fields of the passes on one mesh, and what is read off them where they
+  are: in the memory of the processor or of a device. All that leaves it are arrays of times, and
+  loops. `Host_backend`, `device::Solver`, or `Fallback_backend` for whichever is there: they give
+  the same answers to the last bit. `device::Solver` says what the functions do; each throws
+  `Interrupted_exception` when its callback says so.
+*/
+template <typename Backend> class Field_passes : public Passes
 {
 public:
   /// makes the backend, which may take a while, when it is needed first.
@@ -333,7 +340,7 @@ public:
       contours_.push_back(std::move(candidate.loop));
     handles_ = contours_;
     is_refined_.assign(handles_.size(), 0);
-    const Pass_context context = context_with(progress);
+    const auto context = context_with(progress);
     context.for_each(handles_.size(),
                      [&](std::size_t k) { context.tighten(handles_[k], few_rounds); });
   }
@@ -341,9 +348,9 @@ public:
   Swept_vertices take_swept_vertices() override { return std::move(swept_); }
 
   void tunnel_pass(Progress& progress, Statistics& statistics) override {
-    const Pass_context context = context_with(progress);
+    const auto context = context_with(progress);
     contour_index_ = std::make_unique<Crossing_index>(mesh_, contours_);
-    tunnels_ = Tunnel_pass(context, contours_, *contour_index_).run();
+    tunnels_ = Tunnel_pass<Backend>(context, contours_, *contour_index_).run();
     CGAL_assertion(tunnels_.size() == handles_.size());
     std::vector<Time> times;
     for(std::size_t k = 0; k < tunnels_.size(); ++k)
@@ -361,8 +368,8 @@ public:
   }
 
   void refinement_pass(Progress& progress, Statistics& statistics) override {
-    const Pass_context context = context_with(progress);
-    Refinement_pass pass(context, handles_, tunnels_, *contour_index_);
+    const auto context = context_with(progress);
+    Refinement_pass<Backend> pass(context, handles_, tunnels_, *contour_index_);
     statistics.kept_sweep_handles = pass.run();
     is_refined_ = pass.is_refined();
     statistics.refined_handles = static_cast<std::size_t>(
@@ -371,7 +378,7 @@ public:
   }
 
   void shorten(Progress& progress) override {
-    const Pass_context context = context_with(progress);
+    const auto context = context_with(progress);
     context.for_each(handles_.size(), [&](std::size_t k) {
       if(!is_refined_[k])
         context.tighten(handles_[k]);
@@ -432,7 +439,7 @@ private:
     return true;
   }
 
-  Pass_context context_with(Progress& progress) const {
+  Pass_context<Backend> context_with(Progress& progress) const {
     return {execution_.watched_by(progress),
             mesh_,
             *backend_,

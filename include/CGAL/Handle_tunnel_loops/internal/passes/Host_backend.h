@@ -20,8 +20,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Parallel_paths.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <CGAL/assertions.h>
 
@@ -213,7 +214,7 @@ private:
 };
 
 /// On the processor, in a narrow band; the loop passes side by side.
-class Host_backend : public Backend
+class Host_backend
 {
 public:
   /// \p fallback says why it is not a device, if one was asked for.
@@ -225,21 +226,21 @@ public:
 
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,
-                                              const Callback& callback) override {
+                                              const Callback& callback) {
     times_ = times_from_vertices(seeds, k, callback);
     CGAL_assertion_msg(std::find(times_.begin(), times_.end(), never) == times_.end(),
                        "there is a seed in each component");
     return find_handle_candidates(execution_, mesh_, times_);
   }
 
-  std::vector<Time> arrival_times() override { return times_; }
+  std::vector<Time> arrival_times() { return times_; }
 
   bool has_arrival_times() const { return !times_.empty(); }
 
   /// takes those of an initial field elsewhere for its own.
   void set_arrival_times(std::vector<Time> times) { times_ = std::move(times); }
 
-  Front_log front_log() override {
+  Front_log front_log() {
     Processor_executor executor(execution_);
     const Span<const Time> times(times_.data(), times_.size());
     return Front_layers<Processor_executor>(executor, mesh_, view_of(mesh_), times).run();
@@ -247,7 +248,7 @@ public:
 
   std::vector<Time> times_from_loops(const std::vector<Crossing_loop>& loops,
                                      const Crossing_index& index,
-                                     const Step_coefficients& k) override {
+                                     const Step_coefficients& k) {
     Narrow_band band(mesh_, stencils_, k);
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
       if(index.has_crossing(v))
@@ -266,7 +267,7 @@ public:
 
   std::vector<Time> times_from_vertices(const std::vector<Index>& vertices,
                                         const Step_coefficients& k,
-                                        const Callback& callback) override {
+                                        const Callback& callback) {
     Narrow_band band(mesh_, stencils_, k);
     add_sources_with_rings(band, mesh_, vertices);
     grow(band, mesh_.number_of_vertices(), [&](double part) {
@@ -276,14 +277,13 @@ public:
     return band.take_times();
   }
 
-  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query,
-                                     const Step_coefficients& k,
-                                     const Callback& callback) override {
+  std::vector<Dual_walks>
+  dual_walks(const Dual_loop_query& query, const Step_coefficients& k, const Callback& callback) {
     return query.bars_only_own ? dual_walks_with<Only_loop>(query, k, callback)
                                : dual_walks_with<Loops_from>(query, k, callback);
   }
 
-  void report(Statistics& statistics) const override {
+  void report(Statistics& statistics) const {
     statistics.backend = "host";
     statistics.fallback = fallback_;
   }

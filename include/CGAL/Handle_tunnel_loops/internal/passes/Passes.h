@@ -35,8 +35,9 @@ struct Pass_options : Solver_options
   bool asks_for_fronts() const { return do_log_fronts || do_keep_layers || do_keep_times; }
 };
 
-/// The passes of a method (paper, section 4), which `Loop_pipeline` calls in their order, each
-/// once, and its diffusion: `Field_passes`, or those of the reference.
+/// The passes of a method (paper, section 4), which `run_passes()` calls in their order, each once,
+/// and its diffusion: `Field_passes`, or those of the reference. This is the seam between the order
+/// of a computation and whoever does it.
 class Passes
 {
 public:
@@ -64,42 +65,6 @@ public:
   /// in components without one. May be called at any time, and more than once.
   virtual std::vector<Time>
   diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
-};
-
-/// The passes one after the other, from a mesh to pairs of loops.
-class Loop_pipeline
-{
-public:
-  Loop_pipeline(Passes& passes, const Pass_options& options, Progress& progress)
-      : passes_(passes)
-      , options_(options)
-      , progress_(progress) {}
-
-  std::vector<Flat_pair> run(Statistics& statistics) {
-    run_initial_pass(statistics);
-    run_stage(Stage::TUNNEL, [&] { passes_.tunnel_pass(progress_, statistics); });
-    if(options_.do_refine_handles)
-      run_stage(Stage::REFINE, [&] { passes_.refinement_pass(progress_, statistics); });
-    if(options_.do_tighten)
-      run_stage(Stage::SHORTEN, [&] { passes_.shorten(progress_); });
-    return passes_.take_pairs();
-  }
-
-  /// the first of them alone, which is all there is to do where there are no handles.
-  void run_initial_pass(Statistics& statistics) {
-    run_stage(Stage::INITIAL, [&] { passes_.initial_pass(progress_, statistics); });
-  }
-
-private:
-  template <typename Function> void run_stage(Stage stage, const Function& f) {
-    progress_.start(stage);
-    f();
-    progress_.end(stage);
-  }
-
-  Passes& passes_;
-  Pass_options options_;
-  Progress& progress_;
 };
 
 } // namespace internal

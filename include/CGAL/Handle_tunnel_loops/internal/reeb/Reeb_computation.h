@@ -15,8 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_finishing.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
@@ -141,11 +140,16 @@ template <typename TriangleMesh, typename NamedParameters> class Reeb_computatio
   static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
 public:
+  Reeb_computation(const Reeb_computation&) = delete;
+
   Reeb_computation(Execution execution, const TriangleMesh& tm, const NamedParameters& np)
       : execution_(execution)
       , np_(np)
       , vertex_index_(CGAL::get_initialized_vertex_index_map(tm, np))
-      , point_(
+      , surface_(
+            execution,
+            tm,
+            vertex_index_,
             parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                          get_const_property_map(vertex_point, tm)))
       , traits_(parameters::choose_parameter<Geom_traits>(
@@ -154,17 +158,8 @@ public:
             parameters::get_parameter(np, internal_np::reeb_options), Reeb_options())) {
     if(!(options_.threshold >= 0. && options_.threshold <= 1.))
       throw std::invalid_argument("the threshold of the simplification must be in [0, 1]");
-    const auto began = Clock::now();
-    Flat_mesh_builder<TriangleMesh, std::decay_t<decltype(vertex_index_)>, Vertex_point_map>
-        builder(execution, tm, vertex_index_, point_);
-    mesh_ = builder.build();
-    vertices_ = builder.take_vertices();
-    statistics_.number_of_vertices = mesh_.number_of_vertices() - mesh_.number_of_hubs;
-    statistics_.number_of_faces = mesh_.number_of_faces() - mesh_.number_of_faces_of_caps();
-    statistics_.number_of_components = mesh_.seeds.size();
-    statistics_.number_of_boundaries = mesh_.number_of_hubs;
-    statistics_.genus = mesh_.genus;
-    statistics_.seconds_of_adaptor = seconds_since(began);
+    surface_.describe(statistics_);
+    statistics_.seconds_of_adaptor = seconds_since(began_);
   }
 
   /// the vertices at which the parameters want a diffusion to start, if they say so.
@@ -178,7 +173,7 @@ public:
     if(given.empty())
       return {};
     std::vector<Index> flat_index;
-    for(Index i = 0; i < mesh_.number_of_vertices() - mesh_.number_of_hubs; ++i) {
+    for(Index i = 0; i < mesh_.first_hub; ++i) {
       flat_index.resize((std::max)(flat_index.size(), std::size_t(mesh_.original[i]) + 1),
                         no_index);
       flat_index[mesh_.original[i]] = static_cast<Index>(i);
@@ -209,7 +204,7 @@ public:
   Reeb_statistics run_on_times(const FindTimes& find_times, Graph& graph) {
     const auto began = Clock::now();
     Statistics statistics;
-    const std::vector<Time> times = find_times(static_cast<const Flat_mesh&>(mesh_), statistics);
+    const std::vector<Time> times = find_times(mesh_, statistics);
     statistics_.backend = statistics.backend;
     statistics_.fallback = statistics.fallback;
     statistics_.seconds_of_function = seconds_since(began);
@@ -242,10 +237,11 @@ private:
     }
     if constexpr(is_given<internal_np::vertex_value_map_t>) {
       const auto map = parameters::get_parameter(np_, internal_np::vertex_value_map);
-      for(Index v = 0; v < mesh_.number_of_vertices() - mesh_.number_of_hubs; ++v)
+      for(Index v = 0; v < mesh_.first_hub; ++v)
         put(map, vertices_[v], value(v));
     }
-    Reeb_converter<TriangleMesh, Vertex_point_map, Geom_traits>(point_, traits_, mesh_, vertices_)
+    Reeb_converter<TriangleMesh, Vertex_point_map, Geom_traits>(surface_.point, traits_, mesh_,
+                                                                vertices_)
         .convert(execution_, std::move(flat), value, graph);
     statistics_.seconds_of_finishing += seconds_since(began);
     return statistics_;
@@ -253,7 +249,7 @@ private:
 
   // What is at a hub is said to be at a vertex on its curve.
   template <typename Key> void name_hubs(const Key& key) {
-    vertices_.resize(mesh_.number_of_vertices() - mesh_.number_of_hubs);
+    vertices_.resize(mesh_.first_hub);
     for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
       vertices_.push_back(vertices_[middle_of_curve(mesh_, hub, key)]);
   }
@@ -270,11 +266,12 @@ private:
   const NamedParameters& np_;
   decltype(CGAL::get_initialized_vertex_index_map(
       std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>())) vertex_index_;
-  Vertex_point_map point_;
+  Clock::time_point began_ = Clock::now();
+  Prepared_surface<TriangleMesh, Vertex_point_map> surface_;
+  const Flat_mesh& mesh_ = surface_.mesh;
+  std::vector<vertex_descriptor>& vertices_ = surface_.vertices;
   Geom_traits traits_;
   Reeb_options options_;
-  Flat_mesh mesh_;
-  std::vector<vertex_descriptor> vertices_; // by index of the flat mesh
   Reeb_statistics statistics_;
 };
 

@@ -14,8 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -75,17 +74,13 @@ find_necks(Execution execution,
            const GeomTraits& traits,
            double maximal_length,
            double minimal_share) {
-  using Builder = Flat_mesh_builder<TriangleMesh, VertexIndexMap, VertexPointMap>;
-  Builder builder(execution, tm, index, point);
-  const Flat_mesh mesh = builder.build();
-  const auto vertices = builder.take_vertices();
-  const Loop_converter<TriangleMesh, VertexPointMap, GeomTraits> convert(tm, point, traits,
-                                                                         vertices);
+  const Prepared_surface surface(execution, tm, index, point);
+  const auto convert = surface.converter(traits);
   std::vector<
       Loop_on_surface<TriangleMesh, typename boost::property_traits<VertexPointMap>::value_type>>
       necks;
-  for(const Flat_neck& neck :
-      find_flat_necks(execution, mesh, {maximal_length / 2. / mesh.half_scale, minimal_share}))
+  for(const Flat_neck& neck : find_flat_necks(
+          execution, surface.mesh, {maximal_length / 2. / surface.mesh.half_scale, minimal_share}))
     necks.push_back(convert(neck.loop, Loop_type::HANDLE, necks.size()));
   return necks;
 }

@@ -425,7 +425,7 @@ struct Passes_of_reference
   };
 
   static std::unique_ptr<Passes>
-  make(const Flat_mesh& mesh, const std::vector<Index>& seeds, const Pass_options& options) {
+  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return std::make_unique<Reference_passes>(mesh, seeds, options);
   }
 };

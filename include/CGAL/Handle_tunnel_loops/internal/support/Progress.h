@@ -91,6 +91,13 @@ public:
     throw_if_interrupted();
   }
 
+  /// does what a stage consists of.
+  template <typename Function> void run(Stage stage, const Function& f) {
+    start(stage);
+    f();
+    end(stage);
+  }
+
   /// tells how far the stage has come, in [0, 1]; for one thread only.
   void advance(double part) {
     CGAL_precondition(part >= 0. && part <= 1.);

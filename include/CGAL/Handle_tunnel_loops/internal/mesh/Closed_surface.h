@@ -7,13 +7,14 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CAPPED_SURFACE_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CAPPED_SURFACE_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CLOSED_SURFACE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CLOSED_SURFACE_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions.h>
@@ -29,27 +30,69 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// A surface with boundary once more, with its caps, as a closed mesh of the points of the caller.
-template <typename Point> class Capped_surface
+/// What relates loops and certifies them needs a closed surface: here the caller's own.
+template <typename TriangleMesh,
+          typename VertexPointMap,
+          typename VertexIndexMap,
+          typename FaceIndexMap>
+class Closed_surface
 {
-  using Vertex_index = typename CGAL::Surface_mesh<Point>::Vertex_index;
-
 public:
+  using Mesh = TriangleMesh;
+  using Walk = std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>;
+
+  Closed_surface(const Mesh& tm,
+                 VertexPointMap point,
+                 VertexIndexMap vertex_index,
+                 FaceIndexMap face_index)
+      : tm_(tm)
+      , point_(point)
+      , vertex_index_(vertex_index)
+      , face_index_(face_index) {}
+
+  const Mesh& mesh() const { return tm_; }
+  VertexPointMap point() const { return point_; }
+  VertexIndexMap vertex_index() const { return vertex_index_; }
+  FaceIndexMap face_index() const { return face_index_; }
+
+  /// the boundary curves, of which the mesh has the caps as well, with the surface to their left.
+  std::vector<Walk> boundaries() const { return {}; }
+
+  /// the same pairs on this surface.
+  template <typename PairRange> const PairRange& pairs(const PairRange& given) const {
+    return given;
+  }
+
+private:
+  const Mesh& tm_;
+  VertexPointMap point_;
+  VertexIndexMap vertex_index_;
+  FaceIndexMap face_index_;
+};
+
+/// A surface with boundary once more, with its caps, as a closed mesh of the points of the caller.
+template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
+class Capped_surface
+{
+public:
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
   using Mesh = CGAL::Surface_mesh<Point>;
   using Halfedge = typename Mesh::Halfedge_index;
   using Loop = Loop_on_surface<Mesh, Point>;
   using Pair = Handle_tunnel_pair<Mesh, Point>;
   using Walk = std::vector<Halfedge>;
-  using Vertex_index_map = typename Mesh::template Property_map<Vertex_index, Index>;
 
-  /// \p vertices are those of the flat mesh but for its hubs. A hub is in the middle of its curve.
-  template <typename Vertex, typename VertexPointMap>
-  Capped_surface(const Flat_mesh& mesh, const std::vector<Vertex>& vertices, VertexPointMap point) {
+  /// A hub is in the middle of its curve. The caller's mesh must outlive it; the arrays need not.
+  Capped_surface(const Prepared_surface<TriangleMesh, VertexPointMap>& surface,
+                 VertexIndexMap index_of_caller)
+      : tm_(surface.tm)
+      , index_of_caller_(index_of_caller) {
+    const Flat_mesh& mesh = surface.mesh;
     mesh_.reserve(static_cast<size_type>(mesh.number_of_vertices()),
                   static_cast<size_type>(mesh.neighbor.size() / 2),
                   static_cast<size_type>(mesh.number_of_faces()));
-    for(const Vertex& v : vertices)
-      mesh_.add_vertex(get(point, v));
+    for(const auto v : surface.vertices)
+      mesh_.add_vertex(get(surface.point, v));
     for(Index hub = mesh.first_hub; hub < mesh.number_of_vertices(); ++hub)
       mesh_.add_vertex(middle(mesh.ring(hub)));
     index_vertices(mesh);
@@ -61,35 +104,27 @@ public:
   }
 
   const Mesh& mesh() const { return mesh_; }
+  auto point() const { return mesh_.points(); }
+  auto face_index() const { return get(CGAL::face_index, mesh_); }
 
   /// the indices of the caller; of the hubs, larger ones.
-  Vertex_index_map vertex_index() const { return vertex_index_; }
+  auto vertex_index() const { return vertex_index_; }
 
   /// the boundary curves, with the surface to their left.
   const std::vector<Walk>& boundaries() const { return boundaries_; }
 
-  /// the same loop, given on the mesh of the caller with these indices of vertices.
-  template <typename TriangleMesh, typename VertexIndexMap>
-  Loop loop(const Loop_on_surface<TriangleMesh, Point>& given,
-            const TriangleMesh& tm,
-            VertexIndexMap index) const {
-    std::vector<typename Loop::Step> steps;
-    for(const auto& step : given.steps())
-      steps.push_back(this->step(step, tm, index));
-    return Loop(std::move(steps), given.points(), given.length(), given.type(), given.pair_index());
-  }
-
-  template <typename PairRange, typename TriangleMesh, typename VertexIndexMap>
-  std::vector<Pair>
-  pairs(const PairRange& given, const TriangleMesh& tm, VertexIndexMap index) const {
+  /// the same pairs, given on the mesh of the caller.
+  template <typename PairRange> std::vector<Pair> pairs(const PairRange& given) const {
     std::vector<Pair> result;
     for(const auto& pair : given)
-      result.emplace_back(loop(pair.handle(), tm, index), loop(pair.tunnel(), tm, index));
+      result.emplace_back(loop(pair.handle()), loop(pair.tunnel()));
     return result;
   }
 
 private:
   using size_type = typename Mesh::size_type;
+  using Vertex_index = typename Mesh::Vertex_index;
+  using Loop_of_caller = Loop_on_surface<TriangleMesh, Point>;
 
   static Vertex_index vertex(Index v) { return Vertex_index(static_cast<size_type>(v)); }
 
@@ -174,28 +209,31 @@ private:
     }
   }
 
+  Loop loop(const Loop_of_caller& given) const {
+    std::vector<typename Loop::Step> steps;
+    for(const auto& step : given.steps())
+      steps.push_back(this->step(step));
+    return Loop(std::move(steps), given.points(), given.length(), given.type(), given.pair_index());
+  }
+
   // A step on an edge that has an end on the boundary begins at the other one: walks are moved
   // there.
-  template <typename Step, typename TriangleMesh, typename VertexIndexMap>
-  typename Loop::Step step(const Step& given, const TriangleMesh& tm, VertexIndexMap index) const {
-    const auto null = boost::graph_traits<TriangleMesh>::null_halfedge();
-    if(given.halfedge == null)
+  typename Loop::Step step(const typename Loop_of_caller::Step& given) const {
+    if(given.halfedge == boost::graph_traits<TriangleMesh>::null_halfedge())
       return {Mesh::null_halfedge(), given.ratio};
-    const Index u = flat_index_[get(index, source(given.halfedge, tm))];
-    const Index v = flat_index_[get(index, target(given.halfedge, tm))];
-    const auto h = mesh_.halfedge(vertex(u), vertex(v));
-    if(!given.is_vertex() && is_border(source(given.halfedge, tm), tm) && 1. - given.ratio != 1.)
+    const auto from = source(given.halfedge, tm_), to = target(given.halfedge, tm_);
+    const auto h = mesh_.halfedge(vertex(flat_index_[get(index_of_caller_, from)]),
+                                  vertex(flat_index_[get(index_of_caller_, to)]));
+    const bool is_on_boundary = static_cast<bool>(CGAL::is_border(from, tm_));
+    if(!given.is_vertex() && is_on_boundary && 1. - given.ratio != 1.)
       return {mesh_.opposite(h), 1. - given.ratio};
     return {h, given.ratio};
   }
 
-  template <typename Vertex, typename TriangleMesh>
-  static bool is_border(Vertex v, const TriangleMesh& tm) {
-    return static_cast<bool>(CGAL::is_border(v, tm));
-  }
-
+  const TriangleMesh& tm_;
+  VertexIndexMap index_of_caller_;
   Mesh mesh_;
-  Vertex_index_map vertex_index_;
+  typename Mesh::template Property_map<Vertex_index, Index> vertex_index_;
   std::vector<Index> flat_index_;     // by caller's index
   std::vector<Halfedge> halfedge_at_; // out of a vertex, by place in the rings; while it is built
   std::vector<Walk> boundaries_;
@@ -205,4 +243,4 @@ private:
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CAPPED_SURFACE_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CLOSED_SURFACE_H

@@ -7,20 +7,52 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_DIFFUSION_TIMES_IMPL_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_DIFFUSION_TIMES_IMPL_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_RUN_PASSES_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_RUN_PASSES_IMPL_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Offset_growth.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/diffusion_times.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+CGAL_HTL_CORE std::unique_ptr<Passes> host_passes(Execution execution,
+                                                  const Flat_mesh& mesh,
+                                                  std::vector<Index> seeds,
+                                                  const Pass_options& options,
+                                                  std::string fallback) {
+  return std::make_unique<Field_passes<Host_backend>>(
+      execution, mesh, std::move(seeds), options, [execution, &mesh, fallback] {
+        return std::make_unique<Host_backend>(execution, mesh, fallback);
+      });
+}
+
+CGAL_HTL_CORE void run_initial_pass(Passes& passes, Progress& progress, Statistics& statistics) {
+  progress.run(Stage::INITIAL, [&] { passes.initial_pass(progress, statistics); });
+}
+
+CGAL_HTL_CORE std::vector<Flat_pair> run_passes(Passes& passes,
+                                                const Pass_options& options,
+                                                Progress& progress,
+                                                Statistics& statistics) {
+  run_initial_pass(passes, progress, statistics);
+  progress.run(Stage::TUNNEL, [&] { passes.tunnel_pass(progress, statistics); });
+  if(options.do_refine_handles)
+    progress.run(Stage::REFINE, [&] { passes.refinement_pass(progress, statistics); });
+  if(options.do_tighten)
+    progress.run(Stage::SHORTEN, [&] { passes.shorten(progress); });
+  return passes.take_pairs();
+}
 
 /// the vertices on both sides of the handle loops.
 inline std::vector<Index> vertices_beside_handles(const Flat_mesh& mesh,
@@ -72,9 +104,10 @@ CGAL_HTL_CORE std::vector<Time> diffusion_times(Passes& passes,
                                                 const std::vector<Index>& sources,
                                                 Progress& progress,
                                                 Statistics& statistics) {
+  check_constants(options.field_constants);
   std::vector<Index> start = sources;
   if(sources.empty() && mesh.genus > 0)
-    start = vertices_beside_handles(mesh, Loop_pipeline(passes, options, progress).run(statistics));
+    start = vertices_beside_handles(mesh, run_passes(passes, options, progress, statistics));
   progress.start(Stage::DIFFUSION);
   const std::vector<Index> seeds = seeds_of_others(mesh, start);
   if(!seeds.empty())
@@ -89,4 +122,4 @@ CGAL_HTL_CORE std::vector<Time> diffusion_times(Passes& passes,
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_DIFFUSION_TIMES_IMPL_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_RUN_PASSES_IMPL_H

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What a computation is asked for.
+struct Loop_request
+{
+  Pass_options passes;
+  Class_options classes;
+  std::vector<Index> seeds; ///< one in each component
+  std::function<void(const Swept_vertices&)> put_swept_vertices;
+
+  /// who does the passes, see `Passes_of_tag`.
+  std::unique_ptr<Passes> (*make_passes)(const Flat_mesh&, std::vector<Index>, const Pass_options&);
+};
+
+/// The mesh of a caller, for what knows no type of mesh: it holds pairs of loops on it, and looks
+/// at them there. See `Loops_of_caller`.
+class Caller_mesh
+{
+public:
+  virtual ~Caller_mesh() = default;
+
+  /// takes pairs.
+  virtual void convert(Execution execution, const std::vector<Flat_pair>& pairs) = 0;
+
+  /// the relations of their loops, handles and tunnels in turn.
+  virtual Loop_relations relate(Execution execution) const = 0;
+
+  /// certifies and names them, by the relations if these are known. Begins two stages, and leaves
+  /// the second to be ended.
+  virtual Certificate certify(Execution execution,
+                              const Class_options& wanted,
+                              std::optional<Loop_relations> relations,
+                              Progress& progress) = 0;
+};
+
+/// One computation: the passes, the right classes, the caller's own loops, their certificate and
+/// their names. The pairs are with \p caller afterwards.
+///
+/// \throws Uncertified_loops_exception, Interrupted_exception, std::invalid_argument, and what the
+///   passes throw
+CGAL_HTL_CORE Certificate find_loops(Execution execution,
+                                     const Flat_mesh& mesh,
+                                     const Loop_request& request,
+                                     Caller_mesh& caller,
+                                     Progress& progress,
+                                     Statistics& statistics);
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/passes/find_loops_impl.h>
+#endif
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// the passes, as far as there is anything to do for them.
+inline std::vector<Flat_pair> pairs_of_passes(const Flat_mesh& mesh,
+                                              const Loop_request& request,
+                                              Progress& progress,
+                                              Statistics& statistics) {
+  std::vector<Flat_pair> pairs;
+  if(mesh.genus == 0 && !request.passes.asks_for_fronts())
+    return pairs;
+  const auto passes = request.make_passes(mesh, request.seeds, request.passes);
+  if(mesh.genus == 0)
+    run_initial_pass(*passes, progress, statistics);
+  else
+    pairs = run_passes(*passes, request.passes, progress, statistics);
+  request.put_swept_vertices(passes->take_swept_vertices());
+  return pairs;
+}
+
+CGAL_HTL_CORE Certificate find_loops(Execution execution,
+                                     const Flat_mesh& mesh,
+                                     const Loop_request& request,
+                                     Caller_mesh& caller,
+                                     Progress& progress,
+                                     Statistics& statistics) {
+  check_constants(request.passes.field_constants);
+  Class_options classes = request.classes;
+  if(request.passes.literal_rules.finite_offset)
+    classes.offset =
+        request.passes.literal_rules.offset * mesh.in_units_of_caller(mean_edge_length(mesh));
+  std::vector<Flat_pair> pairs = pairs_of_passes(mesh, request, progress, statistics);
+  execution = execution.watched_by(progress);
+  std::optional<Loop_relations> relations;
+  const auto relate = [&](const std::vector<Flat_pair>& now) {
+    caller.convert(execution, now);
+    return caller.relate(execution);
+  };
+  if(!pairs.empty())
+    progress.run(Stage::CLASSES, [&] {
+      relations = find_right_classes(execution, mesh, classes, relate, pairs, progress);
+    });
+  progress.run(Stage::CONVERT, [&] { caller.convert(execution, pairs); });
+  Certificate certificate;
+  if(mesh.genus == 0 && mesh.number_of_hubs > 0) { // without handles there is nothing to relate
+    progress.start(Stage::CLASSIFY);
+    certificate = Certificate::of_no_loops(classes.kind, classes.do_link);
+  } else
+    certificate = caller.certify(execution, classes, std::move(relations), progress);
+  if(!certificate)
+    throw Uncertified_loops_exception("the loops found fail their certificate: " +
+                                      certificate.failure);
+  progress.end(Stage::CLASSIFY);
+  return certificate;
+}
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_IMPL_H
