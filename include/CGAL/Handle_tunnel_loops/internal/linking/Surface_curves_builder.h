@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,80 +38,61 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Scales the axes of points so that most of them spread about as far along each: what is squeezed
+inline int binary_exponent(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// how far most points spread along an axis: half the median distance to the median, or if this is
+/// zero half the largest.
+inline double spread_along(int axis, const std::vector<Vector>& points) {
+  if(points.empty())
+    return 0.;
+  std::vector<double> numbers;
+  for(const Vector& p : points)
+    numbers.push_back(p[axis] / 2.);
+  const auto median = [&] {
+    const auto middle = numbers.begin() + numbers.size() / 2;
+    std::nth_element(numbers.begin(), middle, numbers.end());
+    return *middle;
+  };
+  const double center = median();
+  for(double& x : numbers)
+    x = std::abs(x - center);
+  const double distance = median();
+  return distance > 0. ? distance : *std::max_element(numbers.begin(), numbers.end());
+}
+
+/// the exponent that is nearest to the wanted one and lets all bits of all coordinates survive.
+inline int allowed_exponent(int axis, const std::vector<Vector>& points, int wanted) {
+  int lowest = INT_MAX, highest = INT_MIN;
+  for(const Vector& p : points)
+    if(p[axis] != 0.) {
+      lowest = (std::min)(lowest, binary_exponent(p[axis]));
+      highest = (std::max)(highest, binary_exponent(p[axis]));
+    }
+  if(lowest > highest)
+    return 0;
+  constexpr int largest = 1000, smallest = -960;
+  return (std::min)((std::max)(wanted, (std::min)(0, smallest - lowest)),
+                    (std::max)(0, largest - highest));
+}
+
+/// scales the axes of points so that most of them spread about as far along each: what is squeezed
 /// to a line, or nearly, is seen from the side then. The axes are scaled by powers of two, and not
 /// so far that this is not exact, so that whatever linear maps leave as it is stays the same.
-class Even_axes
-{
-public:
-  explicit Even_axes(std::vector<Vector>& points)
-      : points_(points)
-      , numbers_(points.size()) {}
-
-  void scale() {
-    for(int d = 0; d < 3; ++d)
-      if(const int exponent = allowed(d, -exponent_of(spread(d))); exponent != 0)
-        for(Vector& p : points_)
-          p[d] = std::ldexp(p[d], exponent);
+inline void even_axes(std::vector<Vector>& points) {
+  for(int d = 0; d < 3; ++d) {
+    const int wanted = -binary_exponent(spread_along(d, points));
+    if(const int exponent = allowed_exponent(d, points, wanted); exponent != 0)
+      for(Vector& p : points)
+        p[d] = std::ldexp(p[d], exponent);
   }
+}
 
-private:
-  static int exponent_of(double x) {
-    int exponent = 0;
-    std::frexp(x, &exponent);
-    return exponent;
-  }
-
-  // The median distance to the median, or if this is zero the largest.
-  double spread(int d) {
-    const auto take_all = [&](double from) {
-      for(std::size_t i = 0; i < points_.size(); ++i)
-        numbers_[i] = std::abs(points_[i][d] / 2. - from);
-    };
-    if(points_.empty())
-      return 0.;
-    for(std::size_t i = 0; i < points_.size(); ++i)
-      numbers_[i] = points_[i][d] / 2.;
-    take_all(median());
-    const double distance = median();
-    return distance > 0. ? distance : *std::max_element(numbers_.begin(), numbers_.end());
-  }
-
-  double median() {
-    const auto middle = numbers_.begin() + numbers_.size() / 2;
-    std::nth_element(numbers_.begin(), middle, numbers_.end());
-    return *middle;
-  }
-
-  // The exponent that is nearest to the wanted one and lets all bits of all numbers survive.
-  int allowed(int d, int wanted) const {
-    int lowest = INT_MAX, highest = INT_MIN;
-    for(const Vector& p : points_)
-      if(p[d] != 0.) {
-        lowest = (std::min)(lowest, exponent_of(p[d]));
-        highest = (std::max)(highest, exponent_of(p[d]));
-      }
-    if(lowest > highest)
-      return 0;
-    constexpr int largest = 1000, smallest = -960;
-    return (std::min)((std::max)(wanted, (std::min)(0, smallest - lowest)),
-                      (std::max)(0, largest - highest));
-  }
-
-  std::vector<Vector>& points_;
-  std::vector<double> numbers_;
-};
-
-/// An edge of a walk, and the place of that edge in the sequence of all walks.
-struct Edge_position
-{
-  std::uint64_t key;
-  std::size_t position;
-
-  bool operator<(const Edge_position& p) const {
-    return key != p.key ? key < p.key : position < p.position;
-  }
-};
+/// The key of an edge of a walk, and the place of that edge in the sequence of all walks.
+using Edge_position = std::pair<std::uint64_t, std::size_t>;
 
 CGAL_HTL_CORE void sort_positions(Execution execution, std::vector<Edge_position>& positions);
 
@@ -140,7 +122,7 @@ public:
       pieces[i].index_bound = index_bound(walks[i], pieces[i].entered);
     });
     number_vertices(execution, walks, pieces);
-    Even_axes(curves_.vertices).scale(); // linking numbers stay what they are
+    even_axes(curves_.vertices); // linking numbers stay what they are
     number_edges(execution, walks);
     for_each_loop(execution, walks, [&](std::size_t i) {
       add_copy(pieces[i].entered, static_cast<Index>(i), pieces[i]);
@@ -273,8 +255,8 @@ private:
     sort_positions(execution, places);
     std::vector<Index> number(all.size(), no_index); // of edges, by the first place of each
     for(std::size_t i = 0; i < places.size(); ++i)
-      if(i == 0 || places[i].key != places[i - 1].key)
-        number[places[i].position] = 0;
+      if(i == 0 || places[i].first != places[i - 1].first)
+        number[places[i].second] = 0;
     for(std::size_t i = 0; i < all.size(); ++i)
       if(number[i] != no_index) {
         number[i] = static_cast<Index>(firsts_.size());
@@ -294,12 +276,11 @@ private:
   void note_edges(const std::vector<Edge_position>& places, const std::vector<Index>& number) {
     first_at_.assign(originals_.size() + 1, 0);
     for(std::size_t i = 0; i < places.size(); ++i)
-      if(i == 0 || places[i].key != places[i - 1].key) {
-        ++first_at_[(places[i].key >> 32) + 1];
-        edges_.emplace_back(static_cast<Index>(places[i].key), number[places[i].position]);
+      if(i == 0 || places[i].first != places[i - 1].first) {
+        ++first_at_[(places[i].first >> 32) + 1];
+        edges_.emplace_back(static_cast<Index>(places[i].first), number[places[i].second]);
       }
-    for(std::size_t v = 1; v < first_at_.size(); ++v)
-      first_at_[v] += first_at_[v - 1];
+    std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
   }
 
   // The number of an edge, or none.
