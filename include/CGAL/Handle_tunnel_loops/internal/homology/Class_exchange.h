@@ -109,11 +109,12 @@ out.
 class Partner_search
 {
 public:
-  Partner_search(const Flat_mesh& mesh, const Search_mesh& search_mesh, const Edge_classes& classes)
+  /// The mesh to search on has been counted.
+  Partner_search(const Flat_mesh& mesh, const Search_mesh& search_mesh)
       : mesh_(mesh)
       , search_mesh_(search_mesh)
-      , distances_(search_mesh, classes)
-      , search_(search_mesh, classes) {}
+      , distances_(search_mesh)
+      , search_(search_mesh) {}
 
   /// looks for the targets along loop \p number, that all of them have to cross; see `Class_search`
   /// for the walls. The places are \p spacing times what is looked for apart.

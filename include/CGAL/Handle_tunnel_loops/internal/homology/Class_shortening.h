@@ -17,12 +17,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <memory>
@@ -165,8 +162,7 @@ private:
         [&](std::size_t i) {
           const auto& [k, mesh] = wanted[i];
           if(*mesh == nullptr)
-            *mesh =
-                std::make_unique<Search_mesh>(search_mesh_, edge_classes, std::ldexp(spacing_, k));
+            *mesh = std::make_unique<Search_mesh>(search_mesh_, std::ldexp(spacing_, k));
           (*mesh)->count(edge_classes);
         },
         1);
@@ -299,9 +295,8 @@ private:
     prepare_levels(levels, edge_classes);
     std::map<int, Workspace_pool<Partner_search>> searches;
     for(int k : levels)
-      searches.try_emplace(k, [this, k, &edge_classes] {
-        return std::make_unique<Partner_search>(mesh_, mesh_of_level(k), edge_classes);
-      });
+      searches.try_emplace(
+          k, [this, k] { return std::make_unique<Partner_search>(mesh_, mesh_of_level(k)); });
     std::vector<std::vector<Candidate>> found(tasks.size());
     const std::vector<std::size_t> allowed = allowed_visits(tasks.size(), efforts, visits);
     std::vector<std::size_t> left = allowed;
