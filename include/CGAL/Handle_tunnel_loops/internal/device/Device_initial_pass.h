@@ -13,12 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Saddle_contours.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
 
 #include <algorithm>
 #include <chrono>

@@ -13,7 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
@@ -63,30 +62,6 @@ sides_of(const Flat_mesh& mesh, const Dual_loop_query& search, const std::vector
   return sides;
 }
 
-/// The same in the memory of an executor.
-template <typename Executor> class Device_sides
-{
-  template <typename T> using Buffer = typename Executor::template Buffer<T>;
-
-public:
-  Device_sides(Executor& executor, const Host_sides& sides)
-      : crossings_(uploaded(executor, sides.crossings))
-      , pass_(uploaded(executor, sides.pass))
-      , begin_(uploaded(executor, sides.begin))
-      , along_(uploaded(executor, sides.along)) {}
-
-  std::size_t number_of_crossings() const { return crossings_.span().size(); }
-
-  Loop_sides view() const {
-    return {crossings_.span(), pass_.span(), begin_.span(), along_.span()};
-  }
-
-private:
-  Buffer<Crossing> crossings_;
-  Buffer<Index> pass_, begin_;
-  Buffer<double> along_;
-};
-
 /*!
 A batch of loop passes that run at the same time, in one table of pages and one band, so that one
 large pass and many small ones both fill the device. The fields run a few steps at a time on the
@@ -130,7 +105,10 @@ public:
       : executor_(executor)
       , wanted_walks_(wanted_walks)
       , number_of_passes_(sides.loops.size())
-      , sides_(executor, sides)
+      , crossings_(uploaded(executor, sides.crossings))
+      , pass_(uploaded(executor, sides.pass))
+      , begin_(uploaded(executor, sides.begin))
+      , along_(uploaded(executor, sides.along))
       , loops_(uploaded(executor, sides.loops))
       , directory_(filled(executor,
                           number_of_passes_ * rows_per_pass(mesh.number_of_vertices()),
@@ -235,6 +213,10 @@ private:
     return (number_of_vertices + page_size - 1) / page_size;
   }
 
+  Loop_sides sides() const {
+    return {crossings_.span(), pass_.span(), begin_.span(), along_.span()};
+  }
+
   Meeting_list meeting_list() const {
     return {meetings_.span(), &control_.span().data()->number_of_meetings};
   }
@@ -242,8 +224,8 @@ private:
   void start() {
     using Round = typename Start_passes<Domain>::Round;
     const auto make = [&](Round round) {
-      executor_.for_each(sides_.number_of_crossings(),
-                         Start_passes<Domain>{field_, sides_.view(), meeting_list(), round});
+      executor_.for_each(crossings_.span().size(),
+                         Start_passes<Domain>{field_, sides(), meeting_list(), round});
     };
     make(Round::LEFT);
     make(Round::RIGHT);
@@ -289,7 +271,7 @@ private:
                                                          wanted_walks_};
     const Walk_list out = {walks_.span(), walk_vertices_.span(), walk_counters_.span().data()};
     executor_.for_each(number_of_passes_,
-                       Close_walks<Domain>(field_, sides_.view(), meetings_.span(), passes, out));
+                       Close_walks<Domain>(field_, sides(), meetings_.span(), passes, out));
     clear(control_.span().data()->number_of_meetings);
   }
 
@@ -309,7 +291,9 @@ private:
   Executor& executor_;
   Index wanted_walks_;
   std::size_t number_of_passes_;
-  Device_sides<Executor> sides_;
+  Buffer<Crossing> crossings_;
+  Buffer<Index> pass_, begin_;
+  Buffer<double> along_;
   Buffer<Index> loops_;
   Buffer<Index> directory_;
   Buffer<Page> pages_;

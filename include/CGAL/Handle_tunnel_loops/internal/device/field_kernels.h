@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/field/atomics.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 

@@ -12,10 +12,14 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Front_event.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -192,11 +196,22 @@ public:
     });
   }
 
-  /// calls `f` for the crossings around lower component `i` of the contour just below the saddle;
-  /// with those of the arcs, they are all of its contours.
+  /// calls `f` for the crossings from one lower component to the next over the gap between them, or
+  /// back around all the lower components. From one to itself they are those of the contour just
+  /// below the saddle; with those of the arcs, they are all of its contours.
   template <typename Function>
-  CGAL_HTL_HOST_DEVICE void trace_lower_component(Index i, const Function& f) const {
-    join(i, i, f);
+  CGAL_HTL_HOST_DEVICE void join(Index at, Index leaving, const Function& f) const {
+    if(leaving == at + 1) {
+      const Index end = lower_components_[leaving].first;
+      for(Index p = ring_.next(lower_components_[at].last); p != end; p = ring_.next(p))
+        f(Crossing{center_, ring_[p], smallest_ratio});
+      return;
+    }
+    for(Index p = lower_components_[at].last;; p = ring_.previous(p)) {
+      f(Crossing{ring_[p], center_, largest_ratio});
+      if(p == lower_components_[leaving].first)
+        break;
+    }
   }
 
   /// calls `f` for the crossings of the arc that leaves lower component `i`, one after the other.
@@ -290,23 +305,6 @@ private:
     return size;
   }
 
-  // From one lower component to the next over the gap between them, or back around all the lower
-  // components.
-  template <typename Function>
-  CGAL_HTL_HOST_DEVICE void join(Index at, Index leaving, const Function& f) const {
-    if(leaving == at + 1) {
-      const Index end = lower_components_[leaving].first;
-      for(Index p = ring_.next(lower_components_[at].last); p != end; p = ring_.next(p))
-        f(Crossing{center_, ring_[p], smallest_ratio});
-      return;
-    }
-    for(Index p = lower_components_[at].last;; p = ring_.previous(p)) {
-      f(Crossing{ring_[p], center_, largest_ratio});
-      if(p == lower_components_[leaving].first)
-        break;
-    }
-  }
-
   const Mesh_view& mesh_;
   Span<const Time> time_;
   Index center_;
@@ -355,6 +353,37 @@ struct Walk_contours
     saddle.find_handles();
   }
 };
+
+/// Two different contours meet at a saddle: a handle. `loop` is the shorter of the two, just below
+/// the saddle, with the earlier side on its left.
+struct Handle_candidate
+{
+  Crossing_loop loop;
+  Index saddle;
+  Index foot_a, foot_b; ///< earlier neighbours of the saddle, within either contour
+};
+
+/// The fronts of a sweep. Each lies in a layer from the event, or the minimum, with which it begins
+/// to the event with which it ends; layers are numbered from 1 in the order in which they begin.
+struct Front_log
+{
+  std::vector<Front_event> events; ///< in the order of arrival
+  std::vector<Index> layer;        ///< by vertex; where a front ends, that of the front, or of one
+};
+
+/// What a sweep tells of each vertex; empty where nobody asks.
+struct Swept_vertices
+{
+  std::vector<Index> layers; ///< from 1, see `Front_log`
+  std::vector<double> times; ///< in steps of the field
+};
+
+inline std::vector<double> times_in_steps(const std::vector<Time>& times) {
+  std::vector<double> steps(times.size());
+  std::transform(times.begin(), times.end(), steps.begin(),
+                 [](Time time) { return double(time) / ticks_per_step; });
+  return steps;
+}
 
 /// A handle that was found at a lower component of a saddle.
 struct Found_handle
