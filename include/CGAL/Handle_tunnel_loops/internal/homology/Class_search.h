@@ -104,8 +104,7 @@ public:
 
   void take(std::uint64_t key, double length, std::vector<Index> walk) {
     Class& found = classes_.at(key);
-    found.here.length = length;
-    found.here.vertices = std::move(walk);
+    found.here = {length, std::move(walk)};
     found.shortest = (std::min)(found.shortest, length);
     for(Index t : found.targets)
       targets_[t].limit = (std::min)(targets_[t].limit, slack * length);

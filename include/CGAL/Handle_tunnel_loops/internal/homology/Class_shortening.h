@@ -298,8 +298,10 @@ private:
       searches.try_emplace(
           k, [this, k] { return std::make_unique<Partner_search>(mesh_, mesh_of_level(k)); });
     std::vector<std::vector<Candidate>> found(tasks.size());
-    const std::vector<std::size_t> allowed = allowed_visits(tasks.size(), efforts, visits);
-    std::vector<std::size_t> left = allowed;
+    const std::size_t patience = patience_within(visits, efforts, tasks.size());
+    std::vector<std::size_t> left; // of the visits, by task
+    for(std::size_t n = 0; n < tasks.size(); ++n)
+      left.push_back(patience * efforts.effort(n).visits);
     for_each_index(
         execution_, tasks.size(),
         [&](std::size_t n) {
@@ -309,32 +311,27 @@ private:
         },
         1);
     progress_.throw_if_interrupted();
-    close_loops(tasks, allowed, efforts, left, visits);
+    close_loops(tasks, efforts, patience, left, visits);
     candidates_.clear();
     for(std::vector<Candidate>& part : found)
       std::move(part.begin(), part.end(), std::back_inserter(candidates_));
     return !efforts.is_empty();
   }
 
-  // What is expected may be too little: a search that has to be begun again costs all of it once
-  // more.
-  static std::vector<std::size_t>
-  allowed_visits(std::size_t number_of_tasks, const Search_plan& efforts, double visits) {
-    std::vector<std::size_t> allowed;
+  // By how much more is allowed than expected, which may be too little: a search that has to be
+  // begun again costs all of it once more.
+  static std::size_t
+  patience_within(double visits, const Search_plan& efforts, std::size_t number_of_tasks) {
+    double planned = 1.;
     for(std::size_t n = 0; n < number_of_tasks; ++n)
-      allowed.push_back(efforts.effort(n).visits);
-    const double planned = std::accumulate(allowed.begin(), allowed.end(), 1.);
-    const std::size_t factor =
-        static_cast<std::size_t>(std::clamp(0.3 * visits / planned, 1., most_patience));
-    for(std::size_t& number : allowed)
-      number *= factor;
-    return allowed;
+      planned += double(efforts.effort(n).visits);
+    return static_cast<std::size_t>(std::clamp(0.3 * visits / planned, 1., most_patience));
   }
 
   // What has been searched to its end is closed. Takes what was spent from the visits.
   void close_loops(const std::vector<Task>& tasks,
-                   const std::vector<std::size_t>& allowed,
                    const Search_plan& efforts,
+                   std::size_t patience,
                    const std::vector<std::size_t>& left,
                    double& visits) {
     std::vector<char> is_exhausted(loops_->size(), 0), is_left_out(loops_->size(), 0);
@@ -342,7 +339,7 @@ private:
     for(std::size_t n = 0; n < tasks.size(); ++n) {
       const std::size_t planned = efforts.effort(n).visits;
       planned_for_all += double(planned);
-      spent += double(allowed[n] - left[n]);
+      spent += double(patience * planned - left[n]);
       for(Index i : tasks[n].targets)
         if(planned == 0)
           is_left_out[i] = 1; // the others may leave something

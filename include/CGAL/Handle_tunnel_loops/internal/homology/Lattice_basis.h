@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -27,103 +28,78 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/*!
-Chooses a basis of the lattice that vectors span. Vectors are taken as they are, the smallest first,
-as long as elimination by those taken before leaves a 1 or -1 in them, which is to say nearly
-always; what is left is brought to echelon form by Euclid's algorithm.
-*/
-class Lattice_basis
-{
-public:
-  explicit Lattice_basis(std::vector<Class_vector> generators) {
-    std::stable_sort(
-        generators.begin(), generators.end(),
-        [](const Class_vector& a, const Class_vector& b) { return size(a) < size(b); });
-    std::vector<Class_vector> rest;
-    for(Class_vector& v : generators) {
-      Class_vector reduced = v;
-      is_exact_ = is_exact_ && reduce(reduced);
-      if(!take(v, reduced) && !reduced.empty())
-        rest.push_back(std::move(reduced));
-    }
-    for(Class_vector& v : rest)
-      is_exact_ = is_exact_ && reduce(v);
-    while(is_exact_ && !rest.empty())
-      take_echelon_row(rest);
-  }
+// Without those that are zero.
+inline void remove_zeros(std::vector<Class_vector>& rows) {
+  rows.erase(std::remove_if(rows.begin(), rows.end(), [](const auto& v) { return v.empty(); }),
+             rows.end());
+}
 
-  /// the basis; nothing if a number became too large.
-  std::optional<std::vector<Class_vector>> take_basis() {
-    if(!is_exact_)
-      return std::nullopt;
-    return std::move(basis_);
-  }
-
-private:
-  struct Pivot
-  {
-    Index column;
-    Class_vector row;
+// Has only the first of rows, none of them zero, begin in the first column, by Euclid's algorithm.
+// Returns `false` if a number became too large.
+inline bool make_echelon_row(std::vector<Class_vector>& rows) {
+  const auto is_smaller = [](const Class_vector& a, const Class_vector& b) {
+    return std::make_pair(a.front().first, std::abs(a.front().second)) <
+           std::make_pair(b.front().first, std::abs(b.front().second));
   };
-
-  static std::int64_t size(const Class_vector& v) {
-    std::int64_t sum = 0;
-    for(const auto& entry : v)
-      sum += std::abs(entry.second);
-    return sum;
+  for(bool changed = true; changed;) {
+    std::iter_swap(rows.begin(), std::min_element(rows.begin(), rows.end(), is_smaller));
+    changed = false;
+    const auto [column, least] = rows[0].front();
+    for(std::size_t i = 1; i < rows.size(); ++i)
+      if(rows[i].front().first == column) {
+        if(!add_multiple(rows[i], -(rows[i].front().second / least), rows[0]))
+          return false;
+        changed = changed || (!rows[i].empty() && rows[i].front().first == column);
+      }
+    remove_zeros(rows);
   }
+  return true;
+}
 
-  bool reduce(Class_vector& v) const {
-    for(const Pivot& p : pivots_)
-      if(!add_multiple(v, -coordinate(v, p.column) * coordinate(p.row, p.column), p.row))
-        return false;
-    return true;
-  }
-
-  bool take(const Class_vector& v, const Class_vector& reduced) {
+/// a basis of the lattice that vectors span; nothing if a number became too large. Vectors are
+/// taken as they are, the smallest first, as long as elimination by those taken before leaves a 1
+/// or -1 in them, which is to say nearly always; what is left is brought to echelon form.
+inline std::optional<std::vector<Class_vector>>
+lattice_basis(std::vector<Class_vector> generators) {
+  const auto size = [](const Class_vector& v) {
+    return std::accumulate(
+        v.begin(), v.end(), std::int64_t(0),
+        [](std::int64_t sum, const auto& c) { return sum + std::abs(c.second); });
+  };
+  std::stable_sort(generators.begin(), generators.end(),
+                   [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  std::vector<Class_vector> basis, rest;
+  std::vector<std::pair<Index, Class_vector>> pivots; // columns, and rows
+  const auto reduce = [&](Class_vector& v) {
+    return std::all_of(pivots.begin(), pivots.end(), [&](const auto& pivot) {
+      const auto& [column, row] = pivot;
+      return add_multiple(v, -coordinate(v, column) * coordinate(row, column), row);
+    });
+  };
+  for(Class_vector& v : generators) {
+    Class_vector reduced = v;
+    if(!reduce(reduced))
+      return std::nullopt;
     const auto unit = std::find_if(reduced.begin(), reduced.end(),
-                                   [](const auto& entry) { return std::abs(entry.second) == 1; });
-    if(unit == reduced.end())
-      return false;
-    pivots_.push_back({unit->first, reduced});
-    basis_.push_back(v);
-    return true;
+                                   [](const auto& c) { return std::abs(c.second) == 1; });
+    if(unit != reduced.end()) {
+      pivots.emplace_back(unit->first, reduced);
+      basis.push_back(std::move(v));
+    } else
+      rest.push_back(std::move(reduced));
   }
-
-  // The lattice of all rows that begin in the first column gives one row, and others without it.
-  void take_echelon_row(std::vector<Class_vector>& rows) {
-    const auto leading = [](const Class_vector& v) { return v.front().first; };
-    rows.erase(std::remove_if(rows.begin(), rows.end(), [](const auto& v) { return v.empty(); }),
-               rows.end());
-    if(rows.empty())
-      return;
-    const auto smallest = [&] {
-      return std::min_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
-        return std::make_pair(leading(a), std::abs(a.front().second)) <
-               std::make_pair(leading(b), std::abs(b.front().second));
-      });
-    };
-    for(bool changed = true; changed && is_exact_;) {
-      std::iter_swap(rows.begin(), smallest());
-      changed = false;
-      for(std::size_t i = 1; i < rows.size() && is_exact_; ++i)
-        if(!rows[i].empty() && leading(rows[i]) == leading(rows[0])) {
-          is_exact_ =
-              add_multiple(rows[i], -(rows[i].front().second / rows[0].front().second), rows[0]);
-          changed = changed || (!rows[i].empty() && leading(rows[i]) == leading(rows[0]));
-        }
-      rows.erase(
-          std::remove_if(rows.begin() + 1, rows.end(), [](const auto& v) { return v.empty(); }),
-          rows.end());
-    }
-    basis_.push_back(std::move(rows.front()));
-    rows.erase(rows.begin());
+  for(Class_vector& v : rest)
+    if(!reduce(v))
+      return std::nullopt;
+  remove_zeros(rest);
+  while(!rest.empty()) {
+    if(!make_echelon_row(rest))
+      return std::nullopt;
+    basis.push_back(std::move(rest.front()));
+    rest.erase(rest.begin());
   }
-
-  std::vector<Pivot> pivots_;
-  std::vector<Class_vector> basis_;
-  bool is_exact_ = true; // no number has become too large
-};
+  return basis;
+}
 
 /// A matching between as many rows as columns, by augmenting paths: what is matched stays matched,
 /// with others if need be.

@@ -290,8 +290,7 @@ private:
                       part->end());
           generators.push_back(std::move(*part));
         }
-    std::optional<std::vector<Class_vector>> others =
-        Lattice_basis(std::move(generators)).take_basis();
+    std::optional<std::vector<Class_vector>> others = lattice_basis(std::move(generators));
     if(!others)
       return std::nullopt;
     for(Class_vector& a : *others)

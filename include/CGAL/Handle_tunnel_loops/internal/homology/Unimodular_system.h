@@ -33,10 +33,6 @@ using Residue = std::uint64_t;
 
 constexpr Residue field_size = (Residue(1) << 61) - 1;
 
-inline Residue sum(Residue a, Residue b) {
-  return a + b >= field_size ? a + b - field_size : a + b;
-}
-
 inline Residue difference(Residue a, Residue b) { return a >= b ? a - b : a + field_size - b; }
 
 /// by halves, for not all compilers have integers of 128 bits.
