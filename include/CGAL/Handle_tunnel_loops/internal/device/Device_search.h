@@ -138,7 +138,7 @@ public:
       , walk_vertices_(executor.template make<Index>(
             room.walk_size * wanted_walks * (sides.crossings.size() + 16 * number_of_passes_)))
       , walk_counters_(filled(executor, 1, Walk_counters()))
-      , field_(Domain(mesh,
+      , field_{Domain(mesh,
                       walls,
                       {directory_.span(),
                        static_cast<Index>(rows_per_pass(mesh.number_of_vertices())), pages_.span(),
@@ -155,7 +155,7 @@ public:
                  band_sizes_.span(),
                  updates_.span(),
                  number_of_updates},
-                control_.span().data()}) {}
+                control_.span().data()}} {}
 
   /// runs the passes until nothing is left to find. Returns false if the callback says so.
   bool run(const Step_coefficients& k, const Tuning& tuning, const Callback& callback) {
@@ -201,7 +201,7 @@ public:
     }
     const std::vector<std::uint64_t> updates = downloaded(executor_, updates_);
     for(std::size_t i = 0; i < found.size(); ++i)
-      found[i].has_given_up = updates[i] >= field_.arrays().passes.enough_updates;
+      found[i].has_given_up = updates[i] >= field_.arrays.passes.enough_updates;
     return found;
   }
 
@@ -267,11 +267,10 @@ private:
     if(seen_.number_of_meetings == 0)
       return;
     const Buffer<Index> begins = uploaded(executor_, sort_meetings());
-    const typename Close_walks<Domain>::Passes passes = {begins.span(), numbers_of_walks_.span(),
-                                                         wanted_walks_};
     const Walk_list out = {walks_.span(), walk_vertices_.span(), walk_counters_.span().data()};
     executor_.for_each(number_of_passes_,
-                       Close_walks<Domain>(field_, sides(), meetings_.span(), passes, out));
+                       Close_walks<Domain>{field_, sides(), meetings_.span(), begins.span(),
+                                           numbers_of_walks_.span(), wanted_walks_, out});
     clear(control_.span().data()->number_of_meetings);
   }
 

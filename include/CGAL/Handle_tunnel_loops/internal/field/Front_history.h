@@ -212,7 +212,7 @@ private:
   void resolve(Index saddle) {
     const Index begin = fronts_.begins[saddle];
     const Index k = fronts_.begins[saddle + 1] - begin;
-    const Contour_cycles cycles({fronts_.lower_components.data() + begin, k});
+    const Contour_cycles cycles = {{fronts_.lower_components.data() + begin, k}};
     layer_at_.resize(k);
     for(Index at = 0; at < k; ++at)
       layer_at_[at] = layer_of_end_[begin + cycles.first_of_contour(at)];

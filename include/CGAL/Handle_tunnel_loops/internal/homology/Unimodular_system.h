@@ -110,28 +110,41 @@ inline void normalize(Class_vector& v) {
   v.resize(kept);
 }
 
+/// a sparse vector, sorted by index, with others in place of the entries at the indices of `w`:
+/// `f(index, before, value)`, where `before` is the entry of `v` or zero, `value` that of `w`.
+template <typename Number, typename Function>
+std::vector<std::pair<Index, Number>> combined(const std::vector<std::pair<Index, Number>>& v,
+                                               const std::vector<std::pair<Index, Number>>& w,
+                                               const Function& f) {
+  std::vector<std::pair<Index, Number>> result;
+  result.reserve(v.size() + w.size());
+  auto a = v.begin();
+  for(const auto& [index, value] : w) {
+    for(; a != v.end() && a->first < index; ++a)
+      result.push_back(*a);
+    const Number before = a != v.end() && a->first == index ? (a++)->second : 0;
+    if(const Number x = f(index, before, value); x != 0)
+      result.emplace_back(index, x);
+  }
+  result.insert(result.end(), a, v.end());
+  return result;
+}
+
 /// adds a multiple of another vector. Returns `false` if a coordinate becomes too large.
 inline bool add_multiple(Class_vector& v, std::int64_t factor, const Class_vector& w) {
   if(factor == 0)
     return true;
   if(is_too_large(factor))
     return false;
-  Class_vector sum;
-  sum.reserve(v.size() + w.size());
-  auto a = v.begin();
-  for(const auto& [index, value] : w) {
-    for(; a != v.end() && a->first < index; ++a)
-      sum.push_back(*a);
-    const std::int64_t before = a != v.end() && a->first == index ? (a++)->second : 0;
+  bool fits = true;
+  Class_vector sum = combined(v, w, [&](Index, std::int64_t before, std::int64_t value) {
     const std::int64_t x = before + factor * value;
-    if(is_too_large(x))
-      return false;
-    if(x != 0)
-      sum.emplace_back(index, x);
-  }
-  sum.insert(sum.end(), a, v.end());
-  v = std::move(sum);
-  return true;
+    fits = fits && !is_too_large(x);
+    return x;
+  });
+  if(fits)
+    v = std::move(sum);
+  return fits;
 }
 
 /*!
@@ -232,34 +245,19 @@ private:
       const Residue factor = product(entry->second, step.inverse);
       rows[other].erase(entry);
       step.subtractions.emplace_back(other, factor);
-      subtract(rows[other], other, factor, step.rest, columns);
+      rows[other] =
+          combined(rows[other], step.rest, [&](Index column, Residue before, Residue value) {
+            const Residue x = difference(before, product(factor, value));
+            if(x != 0 && before == 0)
+              columns[column].insert(other);
+            if(x == 0 && before != 0)
+              columns[column].erase(other);
+            return x;
+          });
       by_size.emplace(rows[other].size(), other);
     }
     columns[step.column].clear();
     steps_.push_back(std::move(step));
-  }
-
-  static void subtract(Row& row,
-                       Index number,
-                       Residue factor,
-                       const Row& other,
-                       std::vector<std::set<Index>>& columns) {
-    Row result;
-    auto a = row.begin();
-    for(const Entry& e : other) {
-      for(; a != row.end() && a->first < e.first; ++a)
-        result.push_back(*a);
-      const bool is_there = a != row.end() && a->first == e.first;
-      const Residue value = difference(is_there ? (a++)->second : 0, product(factor, e.second));
-      if(value != 0)
-        result.emplace_back(e.first, value);
-      if(value != 0 && !is_there)
-        columns[e.first].insert(number);
-      if(value == 0 && is_there)
-        columns[e.first].erase(number);
-    }
-    result.insert(result.end(), a, row.end());
-    row = std::move(result);
   }
 
   void eliminate(std::vector<Residue>& values) const {

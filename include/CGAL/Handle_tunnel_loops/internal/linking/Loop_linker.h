@@ -77,8 +77,8 @@ public:
     for_each_index(
         execution, loops_.size(),
         [this](std::size_t i) { walks_[i] = walker_.straight(*loops_[i]); }, 1);
-    Builder builder(tm_, point_, vertex_index_);
-    const Surface_curves curves = builder.build(execution, walks_, relations_.outward);
+    const Surface_curves curves =
+        Builder(tm_, point_, vertex_index_).build(execution, walks_, relations_.outward);
     relations_.intersections = internal::link(execution, curves, false).intersections;
   }
 
@@ -171,8 +171,7 @@ private:
 
   // Whether another round may do better.
   bool link_walks(Execution execution) {
-    Builder builder(tm_, point_, vertex_index_);
-    const Surface_curves curves = build_with_boundaries(execution, builder);
+    const Surface_curves curves = curves_with_boundaries(execution);
     relations_.problems = lasting_problems_;
     const bool do_link = relations_.problems.size() < loops_.size();
     Linking numbers = internal::link(execution, curves, do_link);
@@ -191,8 +190,8 @@ private:
     bool is_any_avoided = false;
     for(const Contact& contact : numbers.contacts)
       if(is_any_loop_at(contact, curves)) {
-        note_contact(contact, curves, builder);
-        avoid(contact, curves, builder);
+        note_contact(contact, curves);
+        avoid(contact, curves);
         is_any_avoided = true;
       }
     for(const Matrix_entry& e : numbers.defect)
@@ -202,14 +201,12 @@ private:
   }
 
   // The numbers of the boundary curves come after those of the loops.
-  Surface_curves build_with_boundaries(Execution execution, Builder& builder) const {
-    if(boundaries_.empty())
-      return builder.build(execution, walks_, relations_.outward);
+  Surface_curves curves_with_boundaries(Execution execution) const {
     std::vector<Walk> walks = walks_;
     walks.insert(walks.end(), boundaries_.begin(), boundaries_.end());
     std::vector<int> outward = relations_.outward;
     outward.resize(walks.size(), 1);
-    return builder.build(execution, walks, std::move(outward));
+    return Builder(tm_, point_, vertex_index_).build(execution, walks, std::move(outward));
   }
 
   void note_linked_boundaries() {
@@ -240,7 +237,7 @@ private:
   }
 
   // The vertices that the edge and the corner share are to be avoided, or all if they share none.
-  void avoid(const Contact& contact, const Surface_curves& curves, const Builder& builder) {
+  void avoid(const Contact& contact, const Surface_curves& curves) {
     const Surface_curves::Edge& edge = curves.edges[contact.edge];
     std::vector<Index> vertices = {edge.source, edge.target};
     if(contact.corner != Contact::no_corner) {
@@ -254,14 +251,14 @@ private:
         vertices = shared;
     }
     for(Index v : vertices)
-      walker_.avoid(builder.original(v));
+      walker_.avoid(curves.originals[v]);
   }
 
-  void note_contact(const Contact& contact, const Surface_curves& curves, const Builder& builder) {
+  void note_contact(const Contact& contact, const Surface_curves& curves) {
     const Surface_curves::Edge& edge = curves.edges[contact.edge];
     const std::string problem = "the surface touches itself at the edge " +
-                                std::to_string(builder.original(edge.source)) + " - " +
-                                std::to_string(builder.original(edge.target));
+                                std::to_string(curves.originals[edge.source]) + " - " +
+                                std::to_string(curves.originals[edge.target]);
     for(const Matrix_entry& walk : curves.walks.of(contact.edge))
       add_problem(walk.column, problem);
     if(contact.corner != Contact::no_corner)

@@ -132,9 +132,6 @@ public:
     return std::move(curves_);
   }
 
-  /// the index, in the mesh, of vertex v of the curves.
-  Index original(Index v) const { return originals_[v]; }
-
 private:
   // What is found of each loop by itself.
   struct Piece
@@ -209,16 +206,18 @@ private:
           pieces[i].vertices.push_back(v);
       });
     });
-    originals_ = collect<Index>(execution, bound, [this](std::size_t begin, std::size_t end) {
-      std::vector<Index> seen;
-      for(std::size_t i = begin; i < end; ++i)
-        if(numbers_[i].load(std::memory_order_relaxed) != no_index)
-          seen.push_back(static_cast<Index>(i));
-      return seen;
+    curves_.originals =
+        collect<Index>(execution, bound, [this](std::size_t begin, std::size_t end) {
+          std::vector<Index> seen;
+          for(std::size_t i = begin; i < end; ++i)
+            if(numbers_[i].load(std::memory_order_relaxed) != no_index)
+              seen.push_back(static_cast<Index>(i));
+          return seen;
+        });
+    for_each_index(execution, curves_.originals.size(), [this](std::size_t n) {
+      set_number(curves_.originals[n], static_cast<Index>(n));
     });
-    for_each_index(execution, originals_.size(),
-                   [this](std::size_t n) { set_number(originals_[n], static_cast<Index>(n)); });
-    curves_.vertices.resize(originals_.size());
+    curves_.vertices.resize(curves_.originals.size());
     for_each_loop(execution, walks, [&](std::size_t i) {
       for(vertex_descriptor v : pieces[i].vertices)
         curves_.vertices[number_of(v)] = coordinates(point_, v);
@@ -274,7 +273,7 @@ private:
 
   // Lists the edges by the vertices at which they begin.
   void note_edges(const std::vector<Edge_position>& places, const std::vector<Index>& number) {
-    first_at_.assign(originals_.size() + 1, 0);
+    first_at_.assign(curves_.originals.size() + 1, 0);
     for(std::size_t i = 0; i < places.size(); ++i)
       if(i == 0 || places[i].first != places[i - 1].first) {
         ++first_at_[(places[i].first >> 32) + 1];
@@ -336,7 +335,6 @@ private:
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
   Surface_curves curves_;
-  std::vector<Index> originals_;                  // by vertex of the curves
   std::unique_ptr<std::atomic<Index>[]> numbers_; // of vertices, by index in the mesh
   Walk firsts_;                                   // by edge: how it was passed first
   std::vector<std::pair<Index, Index>> edges_;    // the end, and the number

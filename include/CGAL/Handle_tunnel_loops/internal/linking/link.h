@@ -211,6 +211,7 @@ struct Surface_curves
   };
 
   std::vector<Vector> vertices;
+  std::vector<Index> originals; ///< by vertex, its index in the mesh
   std::vector<Edge> edges;
   std::vector<Corner> corners;
   Chains walks;             ///< by edge: how often each loop's walk runs along it
