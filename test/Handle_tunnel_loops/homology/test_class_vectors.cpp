@@ -5,7 +5,6 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
 
 #include <gtest/gtest.h>

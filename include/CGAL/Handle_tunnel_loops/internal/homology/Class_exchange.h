@@ -13,7 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -21,7 +20,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -77,12 +75,6 @@ public:
                      static_cast<std::size_t>(discs[i] * (1. + places[i] / spacing)) + 200};
       planned += double(efforts_[i].visits);
     }
-  }
-
-  /// whether there is nothing to search.
-  bool is_empty() const {
-    return std::none_of(efforts_.begin(), efforts_.end(),
-                        [](const Search_effort& e) { return e.visits > 0; });
   }
 
   /// whether there was not enough for all.

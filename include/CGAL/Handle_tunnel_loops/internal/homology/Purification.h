@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>

@@ -60,20 +60,6 @@ struct Class_sums
 class Edge_classes
 {
 public:
-  /// A loop that crosses an edge, as often as `number` says, from left to right.
-  struct Term
-  {
-    Index loop;
-    int number;
-  };
-
-  /// An edge from a vertex: `terms()` from `first` to the `first` of the next.
-  struct Edge
-  {
-    Class_sums sums;
-    Index first;
-  };
-
   /// \p is_pure says by pair whether its loops bound on their sides. If so, handles and tunnels
   /// have sums of their own; if not, there are no loops that must not be crossed.
   Edge_classes(const Flat_mesh& mesh, const Crossing_index& index, const std::vector<char>& is_pure)
@@ -86,12 +72,10 @@ public:
     edges_.push_back({{}, static_cast<Index>(terms_.size())});
   }
 
-  /// whether any loop crosses an edge at `v`.
-  bool has_crossing(Index v) const { return first_[v] != no_index; }
-
-  /// the edge from `v` to its neighbour in this position of its ring, if there are crossings at
-  /// `v`.
-  const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
+  /// the sums of the edge from `v` to its neighbour in this position of its ring.
+  Class_sums sums_at(Index v, Index position) const {
+    return has_crossing(v) ? edge(v, position).sums : Class_sums();
+  }
 
   /// the sums of a way from `u` along an edge to `v`, or on the spot.
   Class_sums sums(Index u, Index v) const {
@@ -108,6 +92,24 @@ public:
   }
 
 private:
+  // An edge from a vertex: its terms from `first` to the `first` of the next.
+  struct Edge
+  {
+    Class_sums sums;
+    Index first;
+  };
+
+  // A loop that crosses an edge, as often as `number` says, from left to right.
+  struct Term
+  {
+    Index loop;
+    int number;
+  };
+
+  // whether any loop crosses an edge at `v`; of edges only there anything is known.
+  bool has_crossing(Index v) const { return first_[v] != no_index; }
+  const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
+
   static std::vector<Class_sums> random_weights(const std::vector<char>& is_pure) {
     std::mt19937_64 random;
     std::vector<Class_sums> weights;
@@ -396,7 +398,6 @@ public:
   }
 
   std::size_t number_of_vertices() const { return number_of_vertices_; }
-  const Vector& point(Index v) const { return surface_->points[vertex_of_walks(v)]; }
 
   /// not of a coarse mesh.
   bool is_hub(Index v) const { return mesh_.is_hub(v); }
@@ -415,9 +416,7 @@ public:
 
   /// what a step from `v` crosses.
   Class_sums sums(Index v, Index step) const {
-    if(has_walks())
-      return sums_[step];
-    return classes_->has_crossing(v) ? classes_->edge(v, step - begin(v)).sums : Class_sums();
+    return has_walks() ? sums_[step] : classes_->sums_at(v, step - begin(v));
   }
 
   /// the corner of the mesh that stands for a vertex on the edges along which steps lead.
@@ -510,7 +509,7 @@ private:
   }
 
   double squared_distance(Index v, const Vector& place) const {
-    const Vector to = place - point(v);
+    const Vector to = place - surface_->points[vertex_of_walks(v)];
     return dot(to, to);
   }
 

@@ -24,7 +24,6 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <mutex>
 #include <random>
 #include <utility>
