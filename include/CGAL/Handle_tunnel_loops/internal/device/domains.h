@@ -94,11 +94,8 @@ private:
 class Whole_mesh_domain
 {
 public:
-  explicit Whole_mesh_domain(const Mesh_view& mesh)
-      : mesh_(mesh) {}
-
-  /// all loops are walls.
-  Whole_mesh_domain(const Mesh_view& mesh, const Wall_arrays<Loops_from>& walls)
+  /// All loops are walls.
+  explicit Whole_mesh_domain(const Mesh_view& mesh, const Wall_arrays<Loops_from>& walls = {})
       : mesh_(mesh)
       , walls_(walls) {}
 

@@ -287,10 +287,9 @@ private:
 
   CGAL_HTL_HOST_DEVICE Index loop_size(Index start, Index i) const {
     Index size = 0;
-    cycles().for_each(start, i, [&](Index at, Index leaving) {
-      join(at, leaving, [&](const Crossing&) { ++size; });
-      size += lower_components[leaving].arc_size;
-    });
+    trace_contour(
+        start, i, [&](const Crossing&) { ++size; },
+        [&](Index leaving) { size += lower_components[leaving].arc_size; });
     return size;
   }
 };

@@ -73,9 +73,8 @@ itself, or bends, that may be another sign.
 */
 template <typename TriangleMesh, typename VertexPointMap> class Offset_classifier
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
 public:
   /// \p offset is in the unit of the points; if it is 0 the derivative is compared.

@@ -101,9 +101,8 @@ CGAL_HTL_CORE void sort_positions(Execution execution, std::vector<Edge_position
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
 class Surface_curves_builder
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
 public:
   using Walk = std::vector<halfedge_descriptor>;
