@@ -89,7 +89,6 @@ public:
     if(std::find(is_wanted_.begin(), is_wanted_.end(), 1) == is_wanted_.end())
       return;
     const auto all = parts_of(faces(tm));
-    find_extents(execution, all);
     find_volumes(execution, all);
     find_signs();
     find_nesting(execution, all);
@@ -199,16 +198,13 @@ private:
     });
   }
 
-  template <typename Faces> void find_extents(Execution execution, const Faces& all) {
-    if(parts_.size() == 1 && all.size() > 0) {
-      parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
-      return;
-    }
-    add_up(execution, all, &Part::extent,
-           [this](Extent& extent, std::size_t, face_descriptor f) { extent.add(triangle(f)); });
-  }
-
+  // A box is of use only where there are several.
   template <typename Faces> void find_volumes(Execution execution, const Faces& all) {
+    if(parts_.size() == 1 && all.size() > 0)
+      parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
+    else
+      add_up(execution, all, &Part::extent,
+             [this](Extent& extent, std::size_t, face_descriptor f) { extent.add(triangle(f)); });
     add_up(execution, all, &Part::volume,
            [this](Volume& volume, std::size_t component, face_descriptor f) {
              if(is_wanted_[component])
