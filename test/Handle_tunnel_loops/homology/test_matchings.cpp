@@ -4,7 +4,6 @@
 #include "Loops_of_classes.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
-#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #ifndef HTL_TEST_FRONT_LABELS_H
 #define HTL_TEST_FRONT_LABELS_H
 
-#include <CGAL/Handle_tunnel_loops/internal/field/atomics.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>

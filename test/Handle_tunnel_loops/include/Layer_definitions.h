@@ -4,7 +4,6 @@
 #include "Reeb_by_levels.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
 

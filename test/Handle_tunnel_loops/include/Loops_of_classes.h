@@ -4,7 +4,7 @@
 #include "Changed_loops.h"
 #include "Crossing_loops.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sum.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "Front_labels.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 
 #include <cstddef>

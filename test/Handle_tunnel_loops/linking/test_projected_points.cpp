@@ -4,7 +4,6 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
@@ -166,6 +165,12 @@ TEST(Collinear, IsDecidedExactly) {
   EXPECT_FALSE(are_collinear({-1e300, 0., 0.}, {1e300, 0., 0.}, {1e-300, 1e-300, 0.}));
 }
 
+Linking linking_of(const Surface_curves& curves) {
+  Linking_numbers numbers(Execution(), curves);
+  numbers.link(Execution());
+  return numbers.take();
+}
+
 // A line of loop 0 beside an edge of loop 1: over it, under it, short of it, or touching it.
 class Line_and_edge : public testing::Test
 {
@@ -181,10 +186,9 @@ protected:
     curves.walks.finish(1);
     curves.crossings.finish(1);
     curves.outward = {1, 1};
-    Linking_numbers numbers(curves);
-    numbers.link(Execution());
-    contacts = numbers.contacts().size();
-    value = numbers.linking().empty() ? 0 : numbers.linking().front().value;
+    const Linking found = linking_of(curves);
+    contacts = found.contacts.size();
+    value = found.linking.empty() ? 0 : found.linking.front().value;
   }
 
   std::size_t contacts = 0;
@@ -359,11 +363,10 @@ protected:
     curves.walks.finish(n);
     curves.crossings.finish(n);
     curves.outward = {1, 1};
-    Linking_numbers numbers(curves);
-    numbers.link(Execution());
-    for(const auto& contact : numbers.contacts())
+    const Linking found = linking_of(curves);
+    for(const Contact& contact : found.contacts)
       contacts.emplace(contact.corner, contact.edge);
-    for(const Matrix_entry& e : numbers.linking())
+    for(const Matrix_entry& e : found.linking)
       value += e.value;
   }
 
@@ -445,9 +448,7 @@ TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
   curves.walks.finish(2);
   curves.crossings.finish(2);
   curves.outward = {1, 1};
-  Linking_numbers numbers(curves);
-  numbers.link(Execution());
-  EXPECT_TRUE(numbers.contacts().empty());
+  EXPECT_TRUE(linking_of(curves).contacts.empty());
 }
 
 TEST(Boxes, AreFoundWhereTheyMeet) {
@@ -496,9 +497,9 @@ TEST(Chains_of_loops, AddUp) {
     chains.finish(elements);
     std::map<std::pair<Index, Index>, int> found;
     for(Index element = 0; element < elements; ++element)
-      for(const Chains::Term& t : chains.of(element)) {
+      for(const Matrix_entry& t : chains.of(element)) {
         EXPECT_NE(t.value, 0);
-        EXPECT_TRUE(found.emplace(std::pair(element, t.loop), t.value).second);
+        EXPECT_TRUE(found.emplace(std::pair(element, t.column), t.value).second);
       }
     for(auto it = expected.begin(); it != expected.end();)
       it = it->second == 0 ? expected.erase(it) : std::next(it);

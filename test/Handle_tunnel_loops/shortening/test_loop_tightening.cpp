@@ -4,7 +4,7 @@
 #include "Crossing_loops.h"
 #include "Torus_loops.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_growth.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <gtest/gtest.h>

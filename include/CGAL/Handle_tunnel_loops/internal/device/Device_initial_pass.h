@@ -13,12 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Saddle_contours.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
 
 #include <algorithm>
 #include <chrono>
@@ -47,11 +46,11 @@ struct Start_field
 
   CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
     const Source& source = sources[i];
-    const Located_cell cell = field.domain().located(source.vertex);
+    const Located_cell cell = field.domain.located(source.vertex);
     if(round == Round::BAND)
       Neighbors<Whole_mesh_domain>(field, cell).activate(Field_state());
     else if(field.add_source(cell, source.time, 0))
-      fetch_add(field.arrays().control->state.number_of_reached, Index(1));
+      fetch_add(field.arrays.control->state.number_of_reached, Index(1));
   }
 };
 
@@ -161,7 +160,7 @@ private:
     arrays.passes.last_step = last_step.span();
     arrays.control = control.span().data();
     costs_.largest_bytes = (std::max)(costs_.largest_bytes, executor_.bytes_in_use());
-    const Field<Whole_mesh_domain> field(domain, arrays);
+    const Field<Whole_mesh_domain> field = {domain, arrays};
     start(field, sources);
     make_steps(field, k, callback);
   }
@@ -179,14 +178,14 @@ private:
     const Index n = static_cast<Index>(mesh_.number_of_vertices());
     const auto began = std::chrono::steady_clock::now();
     Field_control control = {};
-    executor_.download(&control, Span<Field_control>(field.arrays().control, 1));
+    executor_.download(&control, Span<Field_control>(field.arrays.control, 1));
     control.state.next_list_size = control.counters.added[0].value;
     Time pause = 0;
     do {
       pause += steps_per_run_;
       executor_.run(Field_steps<Whole_mesh_domain>(field, k, {n, pause, pause}),
                     control.state.next_list_size);
-      executor_.download(&control, Span<Field_control>(field.arrays().control, 1));
+      executor_.download(&control, Span<Field_control>(field.arrays.control, 1));
       if(!callback(double(control.state.number_of_reached) / double(n)))
         throw Interrupted_exception();
     } while(control.state.step == pause);

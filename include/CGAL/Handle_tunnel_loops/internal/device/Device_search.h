@@ -13,7 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/device/Device_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
@@ -63,30 +62,6 @@ sides_of(const Flat_mesh& mesh, const Dual_loop_query& search, const std::vector
   return sides;
 }
 
-/// The same in the memory of an executor.
-template <typename Executor> class Device_sides
-{
-  template <typename T> using Buffer = typename Executor::template Buffer<T>;
-
-public:
-  Device_sides(Executor& executor, const Host_sides& sides)
-      : crossings_(uploaded(executor, sides.crossings))
-      , pass_(uploaded(executor, sides.pass))
-      , begin_(uploaded(executor, sides.begin))
-      , along_(uploaded(executor, sides.along)) {}
-
-  std::size_t number_of_crossings() const { return crossings_.span().size(); }
-
-  Loop_sides view() const {
-    return {crossings_.span(), pass_.span(), begin_.span(), along_.span()};
-  }
-
-private:
-  Buffer<Crossing> crossings_;
-  Buffer<Index> pass_, begin_;
-  Buffer<double> along_;
-};
-
 /*!
 A batch of loop passes that run at the same time, in one table of pages and one band, so that one
 large pass and many small ones both fill the device. The fields run a few steps at a time on the
@@ -130,7 +105,10 @@ public:
       : executor_(executor)
       , wanted_walks_(wanted_walks)
       , number_of_passes_(sides.loops.size())
-      , sides_(executor, sides)
+      , crossings_(uploaded(executor, sides.crossings))
+      , pass_(uploaded(executor, sides.pass))
+      , begin_(uploaded(executor, sides.begin))
+      , along_(uploaded(executor, sides.along))
       , loops_(uploaded(executor, sides.loops))
       , directory_(filled(executor,
                           number_of_passes_ * rows_per_pass(mesh.number_of_vertices()),
@@ -160,7 +138,7 @@ public:
       , walk_vertices_(executor.template make<Index>(
             room.walk_size * wanted_walks * (sides.crossings.size() + 16 * number_of_passes_)))
       , walk_counters_(filled(executor, 1, Walk_counters()))
-      , field_(Domain(mesh,
+      , field_{Domain(mesh,
                       walls,
                       {directory_.span(),
                        static_cast<Index>(rows_per_pass(mesh.number_of_vertices())), pages_.span(),
@@ -177,7 +155,7 @@ public:
                  band_sizes_.span(),
                  updates_.span(),
                  number_of_updates},
-                control_.span().data()}) {}
+                control_.span().data()}} {}
 
   /// runs the passes until nothing is left to find. Returns false if the callback says so.
   bool run(const Step_coefficients& k, const Tuning& tuning, const Callback& callback) {
@@ -223,7 +201,7 @@ public:
     }
     const std::vector<std::uint64_t> updates = downloaded(executor_, updates_);
     for(std::size_t i = 0; i < found.size(); ++i)
-      found[i].has_given_up = updates[i] >= field_.arrays().passes.enough_updates;
+      found[i].has_given_up = updates[i] >= field_.arrays.passes.enough_updates;
     return found;
   }
 
@@ -235,6 +213,10 @@ private:
     return (number_of_vertices + page_size - 1) / page_size;
   }
 
+  Loop_sides sides() const {
+    return {crossings_.span(), pass_.span(), begin_.span(), along_.span()};
+  }
+
   Meeting_list meeting_list() const {
     return {meetings_.span(), &control_.span().data()->number_of_meetings};
   }
@@ -242,8 +224,8 @@ private:
   void start() {
     using Round = typename Start_passes<Domain>::Round;
     const auto make = [&](Round round) {
-      executor_.for_each(sides_.number_of_crossings(),
-                         Start_passes<Domain>{field_, sides_.view(), meeting_list(), round});
+      executor_.for_each(crossings_.span().size(),
+                         Start_passes<Domain>{field_, sides(), meeting_list(), round});
     };
     make(Round::LEFT);
     make(Round::RIGHT);
@@ -285,11 +267,10 @@ private:
     if(seen_.number_of_meetings == 0)
       return;
     const Buffer<Index> begins = uploaded(executor_, sort_meetings());
-    const typename Close_walks<Domain>::Passes passes = {begins.span(), numbers_of_walks_.span(),
-                                                         wanted_walks_};
     const Walk_list out = {walks_.span(), walk_vertices_.span(), walk_counters_.span().data()};
     executor_.for_each(number_of_passes_,
-                       Close_walks<Domain>(field_, sides_.view(), meetings_.span(), passes, out));
+                       Close_walks<Domain>{field_, sides(), meetings_.span(), begins.span(),
+                                           numbers_of_walks_.span(), wanted_walks_, out});
     clear(control_.span().data()->number_of_meetings);
   }
 
@@ -309,7 +290,9 @@ private:
   Executor& executor_;
   Index wanted_walks_;
   std::size_t number_of_passes_;
-  Device_sides<Executor> sides_;
+  Buffer<Crossing> crossings_;
+  Buffer<Index> pass_, begin_;
+  Buffer<double> along_;
   Buffer<Index> loops_;
   Buffer<Index> directory_;
   Buffer<Page> pages_;

@@ -37,29 +37,23 @@ namespace internal {
 
 namespace device {
 
-/// Has a thread start the device, which takes a process some tenths of a second the first time,
-/// while the mesh is prepared; waited for in the end. What fails is for the solver to tell.
-class Device_start
-{
-public:
-  explicit Device_start(Device_options options) {
-    try {
-      if(options.device < 0) // that of this thread, not of the other
-        options.device = current_cuda_device();
-      done_ = std::async(std::launch::async, [options] {
-        try {
-          start_cuda_device(options);
-        } catch(const Device_exception&) {
-        }
-      });
-    } catch(const Device_exception&) {
-    } catch(const std::system_error&) { // there is no thread to be had
-    }
+/// has a thread start the device, which takes a process some tenths of a second the first time.
+/// What fails is for the solver to tell.
+inline std::future<void> start_device(Device_options options) {
+  try {
+    if(options.device < 0) // that of this thread, not of the other
+      options.device = current_cuda_device();
+    return std::async(std::launch::async, [options] {
+      try {
+        start_cuda_device(options);
+      } catch(const Device_exception&) {
+      }
+    });
+  } catch(const Device_exception&) {
+  } catch(const std::system_error&) { // there is no thread to be had
   }
-
-private:
-  std::future<void> done_;
-};
+  return {};
+}
 
 } // namespace device
 
@@ -193,11 +187,9 @@ namespace device {
 /// The passes with fields on a CUDA device; see `Passes_of_tag`.
 struct Passes_on_device
 {
-  struct Head_start : Device_start
-  {
-    Head_start(const Device_options& options, std::size_t)
-        : Device_start(options) {}
-  };
+  static std::future<void> head_start(const Device_options& options, std::size_t) {
+    return start_device(options);
+  }
 
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
@@ -210,16 +202,11 @@ struct Passes_on_device
 /// The same where there is a device and the mesh is worth starting it.
 struct Passes_if_there_is_a_device
 {
-  struct Head_start
-  {
-    Head_start(const Device_options& options, std::size_t number_of_vertices) {
-      if(number_of_vertices >= options.least_vertices)
-        start_.emplace(options);
-    }
-
-  private:
-    std::optional<Device_start> start_;
-  };
+  static std::future<void> head_start(const Device_options& options,
+                                      std::size_t number_of_vertices) {
+    return number_of_vertices < options.least_vertices ? std::future<void>()
+                                                       : start_device(options);
+  }
 
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/field/atomics.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
@@ -117,26 +117,21 @@ template <typename Banded_cell> struct Field_arrays
 };
 
 /// What all steps do to a cell and its neighbours. A domain says what the cells are.
-template <typename Domain> class Field
+template <typename Domain> struct Field
 {
-public:
   using Banded_cell = typename Domain::Banded_cell;
   using Arrays = Field_arrays<Banded_cell>;
 
-  Field(const Domain& domain, const Arrays& arrays)
-      : domain_(domain)
-      , arrays_(arrays) {}
+  Domain domain;
+  Arrays arrays;
 
-  CGAL_HTL_HOST_DEVICE const Domain& domain() const { return domain_; }
-  CGAL_HTL_HOST_DEVICE const Arrays& arrays() const { return arrays_; }
-
-  CGAL_HTL_HOST_DEVICE Time time(Index cell) const { return racy_load(arrays_.time[cell]); }
+  CGAL_HTL_HOST_DEVICE Time time(Index cell) const { return racy_load(arrays.time[cell]); }
   CGAL_HTL_HOST_DEVICE bool is_reached(Index cell) const { return time(cell) != never; }
   CGAL_HTL_HOST_DEVICE std::uint32_t side(Index cell) const {
-    return racy_load(arrays_.state[cell]) & cell_is_right;
+    return racy_load(arrays.state[cell]) & cell_is_right;
   }
   CGAL_HTL_HOST_DEVICE bool may_have_walls(Index cell) const {
-    return domain_.has_walls() && (racy_load(arrays_.state[cell]) & cell_may_have_walls) != 0;
+    return domain.has_walls() && (racy_load(arrays.state[cell]) & cell_may_have_walls) != 0;
   }
 
   /// puts those of the given cells of a pass that are new into the field, and into the band from
@@ -149,15 +144,15 @@ public:
     std::uint32_t walls[stencil_width];
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i) {
-      states[i] = cells[i] == no_index ? cell_is_active : racy_load(arrays_.state[cells[i]]);
-      walls[i] = cells[i] != no_index && domain_.may_have_walls(vertices[i], false)
+      states[i] = cells[i] == no_index ? cell_is_active : racy_load(arrays.state[cells[i]]);
+      walls[i] = cells[i] != no_index && domain.may_have_walls(vertices[i], false)
                      ? cell_may_have_walls
                      : 0u;
     }
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
       if((states[i] & cell_is_active) == 0) // another thread may be faster
-        states[i] = fetch_or(arrays_.state[cells[i]], cell_is_active | walls[i]);
+        states[i] = fetch_or(arrays.state[cells[i]], cell_is_active | walls[i]);
     Index number = 0;
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
@@ -179,7 +174,7 @@ public:
 
   /// notes that the band of a pass has become larger or smaller in a step.
   CGAL_HTL_HOST_DEVICE void change_band_size(Index pass, Time step, int change) const {
-    const Span<Index>& changes = arrays_.passes.band_change[step % 3];
+    const Span<Index>& changes = arrays.passes.band_change[step % 3];
     if(!changes.empty())
       fetch_add(changes[pass], static_cast<Index>(change));
   }
@@ -187,23 +182,20 @@ public:
   /// makes a cell a source: its value is one for ever. Returns false if it is one already; only
   /// sources of one side may be added at a time.
   CGAL_HTL_HOST_DEVICE bool add_source(const Located_cell& c, Time time, std::uint32_t side) const {
-    const std::uint32_t walls = domain_.may_have_walls(c.vertex, true) ? cell_may_have_walls : 0u;
-    if((racy_load(arrays_.state[c.cell]) & cell_is_active) != 0 ||
-       (fetch_or(arrays_.state[c.cell], cell_is_active | side | walls) & cell_is_active) != 0)
+    const std::uint32_t walls = domain.may_have_walls(c.vertex, true) ? cell_may_have_walls : 0u;
+    if((racy_load(arrays.state[c.cell]) & cell_is_active) != 0 ||
+       (fetch_or(arrays.state[c.cell], cell_is_active | side | walls) & cell_is_active) != 0)
       return false;
-    arrays_.value[0][c.cell] = arrays_.value[1][c.cell] = 1.f;
-    racy_store(arrays_.time[c.cell], time);
+    arrays.value[0][c.cell] = arrays.value[1][c.cell] = 1.f;
+    racy_store(arrays.time[c.cell], time);
     return true;
   }
 
 private:
-  CGAL_HTL_HOST_DEVICE Step_counters& counters() const { return arrays_.control->counters; }
+  CGAL_HTL_HOST_DEVICE Step_counters& counters() const { return arrays.control->counters; }
   CGAL_HTL_HOST_DEVICE const Span<Banded_cell>& next_list(const Field_state& now) const {
-    return arrays_.band[list_of_step(now.step + 1)];
+    return arrays.band[list_of_step(now.step + 1)];
   }
-
-  Domain domain_;
-  Arrays arrays_;
 };
 
 /// the next cell on the way back from a cell that is reached to the source that its front set out
@@ -213,15 +205,15 @@ template <typename Domain>
 CGAL_HTL_HOST_DEVICE Index path_back(const Field<Domain>& field, const Located_cell& c) {
   const std::uint32_t side = field.side(c.cell);
   const Index next = steepest_descent(
-      field.domain().mesh(), c.vertex,
+      field.domain.mesh(), c.vertex,
       [&](Index u) {
-        const Index neighbor = field.domain().find(c, u);
+        const Index neighbor = field.domain.find(c, u);
         return neighbor == no_index ? never : field.time(neighbor);
       },
       [&](Index u) {
-        return field.side(field.domain().find(c, u)) == side && !field.domain().is_wall(c, u);
+        return field.side(field.domain.find(c, u)) == side && !field.domain.is_wall(c, u);
       });
-  return next == c.vertex ? no_index : field.domain().find(c, next);
+  return next == c.vertex ? no_index : field.domain.find(c, next);
 }
 
 /*!
@@ -242,8 +234,8 @@ public:
   CGAL_HTL_HOST_DEVICE Neighbors(const Field<Domain>& field, const Located_cell& cell)
       : Neighbors(field,
                   cell,
-                  field.domain().mesh().rows[cell.vertex],
-                  field.domain().mesh().ring(cell.vertex),
+                  field.domain.mesh().rows[cell.vertex],
+                  field.domain.mesh().ring(cell.vertex),
                   field.may_have_walls(cell.cell)) {}
 
   /// the same where all that is asked for has been loaded before.
@@ -328,7 +320,7 @@ public:
   /// has all of them in the band from the next step on.
   CGAL_HTL_HOST_DEVICE void activate(const Field_state& now) const {
     for_each_eight([&](Some some) {
-      field_.domain().insert(some.cells, some.vertices, cell_.pass);
+      field_.domain.insert(some.cells, some.vertices, cell_.pass);
       field_.activate(some.cells, some.vertices, cell_.pass, now);
     });
   }
@@ -336,7 +328,7 @@ public:
 private:
   CGAL_HTL_HOST_DEVICE void find_cells(Some& some) const {
     if(has_walls_) {
-      const std::uint32_t walls = field_.domain().walls_among(some.vertices, cell_);
+      const std::uint32_t walls = field_.domain.walls_among(some.vertices, cell_);
       CGAL_HTL_UNROLL
       for(Index i = 0; i < stencil_width; ++i)
         some.vertices[i] = (walls >> i & 1) != 0 ? no_index : some.vertices[i];
@@ -344,7 +336,7 @@ private:
     CGAL_HTL_UNROLL
     for(Index i = 0; i < stencil_width; ++i)
       some.cells[i] =
-          some.vertices[i] == no_index ? no_index : field_.domain().find(cell_, some.vertices[i]);
+          some.vertices[i] == no_index ? no_index : field_.domain.find(cell_, some.vertices[i]);
   }
 
   template <typename Function> CGAL_HTL_HOST_DEVICE void for_each_eight(const Function& f) const {
@@ -438,11 +430,11 @@ private:
   using Earliest = typename Neighbors_of_cell::Earliest;
 
   CGAL_HTL_HOST_DEVICE const typename Field<Domain>::Arrays& arrays() const {
-    return field_.arrays();
+    return field_.arrays;
   }
-  CGAL_HTL_HOST_DEVICE const Pass_arrays& passes() const { return field_.arrays().passes; }
+  CGAL_HTL_HOST_DEVICE const Pass_arrays& passes() const { return field_.arrays.passes; }
   CGAL_HTL_HOST_DEVICE Step_counters& counters() const { return arrays().control->counters; }
-  CGAL_HTL_HOST_DEVICE const Domain& domain() const { return field_.domain(); }
+  CGAL_HTL_HOST_DEVICE const Domain& domain() const { return field_.domain; }
   CGAL_HTL_HOST_DEVICE Index number_of_passes() const {
     return static_cast<Index>(passes().last_step.size());
   }

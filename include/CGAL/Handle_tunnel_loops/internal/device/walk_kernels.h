@@ -94,9 +94,9 @@ template <typename Domain> struct Look_at_reached
   Meeting_list list;
 
   CGAL_HTL_HOST_DEVICE void operator()(Index i) const {
-    const Located_cell c = field.domain().located(field.arrays().reached[i]);
+    const Located_cell c = field.domain.located(field.arrays.reached[i]);
     note_meetings(field, c, list);
-    field.arrays().back[c.cell] = path_back(field, c);
+    field.arrays.back[c.cell] = path_back(field, c);
   }
 };
 
@@ -116,8 +116,8 @@ template <typename Domain> struct Start_passes
     const Crossing& c = sides.crossings[i];
     if(round == Round::LEFT || round == Round::RIGHT)
       return add_source(pass, round == Round::LEFT ? c.left : c.right);
-    const Index left = field.domain().find_in_pass(pass, c.left);
-    const Index right = field.domain().find_in_pass(pass, c.right);
+    const Index left = field.domain.find_in_pass(pass, c.left);
+    const Index right = field.domain.find_in_pass(pass, c.right);
     if(left == no_index || right == no_index)
       return; // the pass is starved
     if(round == Round::BAND) {
@@ -138,7 +138,7 @@ private:
   }
 
   CGAL_HTL_HOST_DEVICE void add_source(Index pass, Index v) const {
-    const Index cell = field.domain().insert_in_pass(pass, v);
+    const Index cell = field.domain.insert_in_pass(pass, v);
     if(cell != no_index)
       field.add_source({cell, v, pass}, 0, round == Round::RIGHT ? cell_is_right : 0u);
   }
@@ -174,36 +174,24 @@ best meeting of each step first, none that continues an earlier one, none whose 
 loop other than once or another wall. From a meeting the way goes back to either side, as noted, and
 along the left side of the loop, the short way, to where it began.
 */
-template <typename Domain> class Close_walks
+template <typename Domain> struct Close_walks
 {
-public:
-  /// What each pass is about.
-  struct Passes
-  {
-    Span<const Index> begin; ///< by pass, its first meeting
-    Span<Index> number_of_walks;
-    Index wanted_walks;
-  };
-
-  Close_walks(const Field<Domain>& field,
-              const Loop_sides& sides,
-              const Span<const Meeting>& meetings,
-              const Passes& passes,
-              const Walk_list& out)
-      : field_(field)
-      , sides_(sides)
-      , meetings_(meetings)
-      , passes_(passes)
-      , out_(out) {}
+  Field<Domain> field;
+  Loop_sides sides;
+  Span<const Meeting> meetings;
+  Span<const Index> first_meetings; ///< by pass, and the end
+  Span<Index> numbers_of_walks;     ///< by pass
+  Index wanted_walks;
+  Walk_list out;
 
   CGAL_HTL_HOST_DEVICE void operator()(Index pass) const {
     if(domain().is_starved(pass))
       return;
-    Index& number_of_walks = passes_.number_of_walks[pass];
-    Time& last_step = field_.arrays().passes.last_step[pass];
-    for(Index i = passes_.begin[pass]; i < passes_.begin[pass + 1]; ++i) {
-      const Meeting& meeting = meetings_[i];
-      if(number_of_walks == passes_.wanted_walks || meeting.step > last_step)
+    Index& number_of_walks = numbers_of_walks[pass];
+    Time& last_step = field.arrays.passes.last_step[pass];
+    for(Index i = first_meetings[pass]; i < first_meetings[pass + 1]; ++i) {
+      const Meeting& meeting = meetings[i];
+      if(number_of_walks == wanted_walks || meeting.step > last_step)
         break;
       if(continues_a_meeting(meeting) || !close(meeting, number_of_walks))
         continue;
@@ -213,21 +201,21 @@ public:
         last_step = a_third_later;
       ++number_of_walks;
     }
-    if(number_of_walks == passes_.wanted_walks)
+    if(number_of_walks == wanted_walks)
       last_step = 0;
   }
 
 private:
-  CGAL_HTL_HOST_DEVICE const Domain& domain() const { return field_.domain(); }
+  CGAL_HTL_HOST_DEVICE const Domain& domain() const { return field.domain; }
 
   CGAL_HTL_HOST_DEVICE bool is_marked(Index pass, Index v) const {
     const Index cell = domain().find_in_pass(pass, v);
-    return cell != no_index && (field_.arrays().state[cell] & cell_is_marked) != 0;
+    return cell != no_index && (field.arrays.state[cell] & cell_is_marked) != 0;
   }
 
   CGAL_HTL_HOST_DEVICE void mark(const Meeting& meeting) const {
-    field_.arrays().state[domain().find_in_pass(meeting.pass, meeting.left)] |= cell_is_marked;
-    field_.arrays().state[domain().find_in_pass(meeting.pass, meeting.right)] |= cell_is_marked;
+    field.arrays.state[domain().find_in_pass(meeting.pass, meeting.left)] |= cell_is_marked;
+    field.arrays.state[domain().find_in_pass(meeting.pass, meeting.right)] |= cell_is_marked;
   }
 
   CGAL_HTL_HOST_DEVICE bool is_marked_near(Index pass, Index v) const {
@@ -259,7 +247,7 @@ private:
     return vertex(cell);
   }
 
-  CGAL_HTL_HOST_DEVICE Index back(Index cell) const { return field_.arrays().back[cell]; }
+  CGAL_HTL_HOST_DEVICE Index back(Index cell) const { return field.arrays.back[cell]; }
   CGAL_HTL_HOST_DEVICE Index vertex(Index cell) const { return domain().located(cell).vertex; }
 
   // Whether there is a walk, which is then written.
@@ -267,29 +255,29 @@ private:
     Index to_left = 0, to_right = 0, along = 0;
     const Index left = go_back(meeting.pass, meeting.left, [&](Index) { ++to_left; });
     const Index right = go_back(meeting.pass, meeting.right, [&](Index) { ++to_right; });
-    Shorter_arc way = sides_.way_along(meeting.pass);
+    Shorter_arc way = sides.way_along(meeting.pass);
     if(!way.find(&Crossing::left, left, &Crossing::right, right)) {
-      fetch_add(out_.counters->lost, Index(1));
+      fetch_add(out.counters->lost, Index(1));
       return false;
     }
     if(!is_dual(domain().loop(meeting.pass), way, right))
       return false;
     way.for_each([&](const Crossing&) { ++along; });
     const Index size = to_right + to_left + along;
-    const std::uint64_t begin = fetch_add(out_.counters->vertices, std::uint64_t(size));
-    const Index place = next_place(out_.counters->walks);
-    if(begin + size > out_.vertices.size() || place >= out_.walks.size()) {
+    const std::uint64_t begin = fetch_add(out.counters->vertices, std::uint64_t(size));
+    const Index place = next_place(out.counters->walks);
+    if(begin + size > out.vertices.size() || place >= out.walks.size()) {
       domain().starve(meeting.pass);
       return true;
     }
-    out_.walks[place] = {meeting.pass, rank, begin, size};
+    out.walks[place] = {meeting.pass, rank, begin, size};
     write(meeting, way, begin + to_right);
     return true;
   }
 
   CGAL_HTL_HOST_DEVICE void
   write(const Meeting& meeting, const Shorter_arc& way, std::uint64_t middle) const {
-    Index* before = out_.vertices.data() + middle;
+    Index* before = out.vertices.data() + middle;
     Index* after = before;
     go_back(meeting.pass, meeting.right, [&](Index cell) { *--before = vertex(cell); });
     go_back(meeting.pass, meeting.left, [&](Index cell) { *after++ = vertex(cell); });
@@ -333,12 +321,6 @@ private:
                   [&](Index u, Index v) { sum += domain().walls().crossings(loop, u, v); });
     return sum;
   }
-
-  Field<Domain> field_;
-  Loop_sides sides_;
-  Span<const Meeting> meetings_;
-  Passes passes_;
-  Walk_list out_;
 };
 
 } // namespace device

@@ -12,10 +12,14 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Front_event.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {
@@ -68,12 +72,9 @@ struct Lower_component_arc
 /// The contours at a saddle as cycles of the lower components at which they arrive, when lower
 /// components 0 .. step - 1 have been joined: with step 1 just below the saddle, with as many steps
 /// as there are lower components just above it.
-class Contour_cycles
+struct Contour_cycles
 {
-public:
-  CGAL_HTL_HOST_DEVICE explicit Contour_cycles(
-      const Span<const Lower_component_arc>& lower_components)
-      : lower_components_(lower_components) {}
+  Span<const Lower_component_arc> lower_components;
 
   /// calls `f(at, leaving)` for the lower components at which the contour through `start` arrives,
   /// and those at which it leaves then.
@@ -84,7 +85,7 @@ public:
     do {
       const Index leaving = target(at, step);
       f(at, leaving);
-      at = lower_components_[leaving].arrival;
+      at = lower_components[leaving].arrival;
     } while(at != start);
   }
 
@@ -109,40 +110,32 @@ private:
     return lower_component >= step ? lower_component
                                    : (lower_component + 1 == step ? 0 : lower_component + 1);
   }
-
-  Span<const Lower_component_arc> lower_components_;
 };
 
 /// What one thread knows of a saddle.
-class Saddle_view
+struct Saddle_view
 {
-public:
-  CGAL_HTL_HOST_DEVICE
-  Saddle_view(const Mesh_view& mesh,
-              const Span<const Time>& time,
-              Index center,
-              Span<Lower_component_arc> lower_components)
-      : mesh_(mesh)
-      , time_(time)
-      , center_(center)
-      , ring_(mesh.ring(center))
-      , lower_components_(lower_components) {}
+  const Mesh_view& mesh;
+  Span<const Time> time;
+  Index center;
+  Ring ring; ///< of the center
+  Span<Lower_component_arc> lower_components;
 
   CGAL_HTL_HOST_DEVICE Index number_of_lower_components() const {
-    return static_cast<Index>(lower_components_.size());
+    return static_cast<Index>(lower_components.size());
   }
 
   CGAL_HTL_HOST_DEVICE void find_lower_components() const {
     Index start = 0;
-    while(is_lower(start) || !is_lower(ring_.next(start)))
+    while(is_lower(start) || !is_lower(ring.next(start)))
       ++start; // a later vertex before an earlier one
     Index p = start, found = 0;
     do {
-      const Index q = ring_.next(p);
+      const Index q = ring.next(p);
       if(!is_lower(p) && is_lower(q))
-        lower_components_[found++] = {q, q, ring_[q], no_index, no_index, 0, no_index, no_index, 0};
+        lower_components[found++] = {q, q, ring[q], no_index, no_index, 0, no_index, no_index, 0};
       else if(is_lower(q))
-        lower_components_[found - 1].last = q;
+        lower_components[found - 1].last = q;
       p = q;
     } while(p != start);
   }
@@ -155,7 +148,7 @@ public:
     Index arrived = 0;
     while(arrived + 1 < k)
       for(Index i = 0; i < k && arrived + 1 < k; ++i)
-        if(lower_components_[i].arrival == no_index && advance(lower_components_[i]))
+        if(lower_components[i].arrival == no_index && advance(lower_components[i]))
           ++arrived;
     settle_longest();
   }
@@ -169,14 +162,14 @@ public:
       if(a.has_lower_component)
         continue;
       const bool take_a = b.has_longest || (!a.has_longest && a.size <= b.size);
-      lower_components_[i].handle_start = take_a ? i - 1 : i;
-      lower_components_[i].handle_size = loop_size(lower_components_[i].handle_start, i);
+      lower_components[i].handle_start = take_a ? i - 1 : i;
+      lower_components[i].handle_size = loop_size(lower_components[i].handle_start, i);
     }
   }
 
   /// calls `f` for the crossings of the handle at lower component `i`, one after the other.
   template <typename Function> CGAL_HTL_HOST_DEVICE void trace(Index i, const Function& f) const {
-    trace_contour(lower_components_[i].handle_start, i, f,
+    trace_contour(lower_components[i].handle_start, i, f,
                   [&](Index leaving) { trace_arc(leaving, f); });
   }
 
@@ -192,28 +185,39 @@ public:
     });
   }
 
-  /// calls `f` for the crossings around lower component `i` of the contour just below the saddle;
-  /// with those of the arcs, they are all of its contours.
+  /// calls `f` for the crossings from one lower component to the next over the gap between them, or
+  /// back around all the lower components. From one to itself they are those of the contour just
+  /// below the saddle; with those of the arcs, they are all of its contours.
   template <typename Function>
-  CGAL_HTL_HOST_DEVICE void trace_lower_component(Index i, const Function& f) const {
-    join(i, i, f);
+  CGAL_HTL_HOST_DEVICE void join(Index at, Index leaving, const Function& f) const {
+    if(leaving == at + 1) {
+      const Index end = lower_components[leaving].first;
+      for(Index p = ring.next(lower_components[at].last); p != end; p = ring.next(p))
+        f(Crossing{center, ring[p], smallest_ratio});
+      return;
+    }
+    for(Index p = lower_components[at].last;; p = ring.previous(p)) {
+      f(Crossing{ring[p], center, largest_ratio});
+      if(p == lower_components[leaving].first)
+        break;
+    }
   }
 
   /// calls `f` for the crossings of the arc that leaves lower component `i`, one after the other.
   template <typename Function>
   CGAL_HTL_HOST_DEVICE void trace_arc(Index i, const Function& f) const {
-    Index left = ring_[lower_components_[i].first],
-          right = ring_[ring_.previous(lower_components_[i].first)];
+    Index left = ring[lower_components[i].first],
+          right = ring[ring.previous(lower_components[i].first)];
     for(;;) {
-      f(contour_crossing(left, right, time_[left], time_[right], time_[center_]));
+      f(contour_crossing(left, right, time[left], time[right], time[center]));
       const Index apex = apex_ahead(left, right);
-      if(apex == center_)
+      if(apex == center)
         break;
-      (is_earlier(apex, center_) ? left : right) = apex;
+      (is_earlier(apex, center) ? left : right) = apex;
     }
   }
 
-  CGAL_HTL_HOST_DEVICE Contour_cycles cycles() const { return Contour_cycles(lower_components_); }
+  CGAL_HTL_HOST_DEVICE Contour_cycles cycles() const { return {lower_components}; }
 
 private:
   // A contour, as it is when lower components 0 .. i - 1 have been joined.
@@ -224,35 +228,35 @@ private:
   };
 
   CGAL_HTL_HOST_DEVICE bool is_earlier(Index u, Index v) const {
-    return arrival_key(time_[u], u) < arrival_key(time_[v], v);
+    return arrival_key(time[u], u) < arrival_key(time[v], v);
   }
-  CGAL_HTL_HOST_DEVICE bool is_lower(Index p) const { return is_earlier(ring_[p], center_); }
+  CGAL_HTL_HOST_DEVICE bool is_lower(Index p) const { return is_earlier(ring[p], center); }
 
   CGAL_HTL_HOST_DEVICE void start_arc(Index i) const {
-    Lower_component_arc& lower_component = lower_components_[i];
-    lower_component.left = ring_[lower_component.first];
-    lower_component.right = ring_[ring_.previous(lower_component.first)];
+    Lower_component_arc& lower_component = lower_components[i];
+    lower_component.left = ring[lower_component.first];
+    lower_component.right = ring[ring.previous(lower_component.first)];
     lower_component.arc_size = 1;
   }
 
   CGAL_HTL_HOST_DEVICE Index apex_ahead(Index left, Index right) const {
-    return after(mesh_.ring(left), mesh_.ring(right), left, right);
+    return after(mesh.ring(left), mesh.ring(right), left, right);
   }
 
   CGAL_HTL_HOST_DEVICE bool advance(Lower_component_arc& arc) const {
     const Index apex = apex_ahead(arc.left, arc.right);
-    if(apex == center_) {
+    if(apex == center) {
       arc.arrival = lower_component_that_ends_at(arc.left);
       return true;
     }
-    (is_earlier(apex, center_) ? arc.left : arc.right) = apex;
+    (is_earlier(apex, center) ? arc.left : arc.right) = apex;
     ++arc.arc_size;
     return false;
   }
 
   CGAL_HTL_HOST_DEVICE Index lower_component_that_ends_at(Index v) const {
     Index i = 0;
-    while(ring_[lower_components_[i].last] != v)
+    while(ring[lower_components[i].last] != v)
       ++i;
     return i;
   }
@@ -262,56 +266,32 @@ private:
     Index longest = 0;
     std::uint64_t sum = 0; // of the lower components that are arrived at
     for(Index i = 0; i < number_of_lower_components(); ++i)
-      if(lower_components_[i].arrival == no_index)
+      if(lower_components[i].arrival == no_index)
         longest = i;
       else
-        sum += lower_components_[i].arrival;
+        sum += lower_components[i].arrival;
     const std::uint64_t k = number_of_lower_components();
-    lower_components_[longest].arrival = static_cast<Index>(k * (k - 1) / 2 - sum);
-    lower_components_[longest].arc_size = no_index;
+    lower_components[longest].arrival = static_cast<Index>(k * (k - 1) / 2 - sum);
+    lower_components[longest].arc_size = no_index;
   }
 
   CGAL_HTL_HOST_DEVICE Cycle cycle(Index start, Index i) const {
     Cycle result = {0, false, false};
     cycles().for_each(start, i, [&](Index at, Index leaving) {
       result.has_lower_component = result.has_lower_component || at == i;
-      result.has_longest = result.has_longest || lower_components_[leaving].arc_size == no_index;
-      result.size += lower_components_[leaving].arc_size;
+      result.has_longest = result.has_longest || lower_components[leaving].arc_size == no_index;
+      result.size += lower_components[leaving].arc_size;
     });
     return result;
   }
 
   CGAL_HTL_HOST_DEVICE Index loop_size(Index start, Index i) const {
     Index size = 0;
-    cycles().for_each(start, i, [&](Index at, Index leaving) {
-      join(at, leaving, [&](const Crossing&) { ++size; });
-      size += lower_components_[leaving].arc_size;
-    });
+    trace_contour(
+        start, i, [&](const Crossing&) { ++size; },
+        [&](Index leaving) { size += lower_components[leaving].arc_size; });
     return size;
   }
-
-  // From one lower component to the next over the gap between them, or back around all the lower
-  // components.
-  template <typename Function>
-  CGAL_HTL_HOST_DEVICE void join(Index at, Index leaving, const Function& f) const {
-    if(leaving == at + 1) {
-      const Index end = lower_components_[leaving].first;
-      for(Index p = ring_.next(lower_components_[at].last); p != end; p = ring_.next(p))
-        f(Crossing{center_, ring_[p], smallest_ratio});
-      return;
-    }
-    for(Index p = lower_components_[at].last;; p = ring_.previous(p)) {
-      f(Crossing{ring_[p], center_, largest_ratio});
-      if(p == lower_components_[leaving].first)
-        break;
-    }
-  }
-
-  const Mesh_view& mesh_;
-  Span<const Time> time_;
-  Index center_;
-  Ring ring_;
-  Span<Lower_component_arc> lower_components_;
 };
 
 /// The saddles in the order of their times, and their lower components, one saddle after the other.
@@ -324,7 +304,9 @@ struct Saddle_arrays
   Span<Lower_component_arc> lower_components;
 
   CGAL_HTL_HOST_DEVICE Saddle_view saddle(Index i) const {
-    return {mesh, time, saddles[i], {lower_components.data() + begin[i], begin[i + 1] - begin[i]}};
+    const Index v = saddles[i];
+    return {
+        mesh, time, v, mesh.ring(v), {lower_components.data() + begin[i], begin[i + 1] - begin[i]}};
   }
 };
 
@@ -355,6 +337,37 @@ struct Walk_contours
     saddle.find_handles();
   }
 };
+
+/// Two different contours meet at a saddle: a handle. `loop` is the shorter of the two, just below
+/// the saddle, with the earlier side on its left.
+struct Handle_candidate
+{
+  Crossing_loop loop;
+  Index saddle;
+  Index foot_a, foot_b; ///< earlier neighbours of the saddle, within either contour
+};
+
+/// The fronts of a sweep. Each lies in a layer from the event, or the minimum, with which it begins
+/// to the event with which it ends; layers are numbered from 1 in the order in which they begin.
+struct Front_log
+{
+  std::vector<Front_event> events; ///< in the order of arrival
+  std::vector<Index> layer;        ///< by vertex; where a front ends, that of the front, or of one
+};
+
+/// What a sweep tells of each vertex; empty where nobody asks.
+struct Swept_vertices
+{
+  std::vector<Index> layers; ///< from 1, see `Front_log`
+  std::vector<double> times; ///< in steps of the field
+};
+
+inline std::vector<double> times_in_steps(const std::vector<Time>& times) {
+  std::vector<double> steps(times.size());
+  std::transform(times.begin(), times.end(), steps.begin(),
+                 [](Time time) { return double(time) / ticks_per_step; });
+  return steps;
+}
 
 /// A handle that was found at a lower component of a saddle.
 struct Found_handle

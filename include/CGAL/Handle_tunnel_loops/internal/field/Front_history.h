@@ -144,28 +144,17 @@ struct Measure_closings
 /// numbered as in `Layer_links`, but from zero.
 struct Walked_fronts
 {
-  struct Minima
-  {
-    std::vector<std::uint64_t> keys;
-    std::vector<Index> ends; ///< of the layers that begin there
-  };
-  struct Saddles
-  {
-    std::vector<std::uint64_t> keys;
-    std::vector<Index> begins;                         ///< by saddle, its first lower component
-    std::vector<Lower_component_arc> lower_components; ///< by lower component, as all that follow
-    std::vector<Linked_fronts> linked; ///< in the step of the unfolding at the lower component
-    std::vector<Index> ends;           ///< of the layers just above the gaps
-  };
-  struct Maxima
-  {
-    std::vector<std::uint64_t> keys;
-    std::vector<double> lengths; ///< of the fronts that close
-  };
+  std::vector<std::uint64_t> minima; ///< arrival keys, as those of the others
+  std::vector<Index> ends_of_minima; ///< of the layers that begin there
 
-  Minima minima;
-  Saddles saddles;
-  Maxima maxima;
+  std::vector<std::uint64_t> saddles;
+  std::vector<Index> begins;                         ///< by saddle, its first lower component
+  std::vector<Lower_component_arc> lower_components; ///< by lower component, as the next two
+  std::vector<Linked_fronts> linked;  ///< in the step of the unfolding at the lower component
+  std::vector<Index> ends_above_gaps; ///< of the layers that begin there
+
+  std::vector<std::uint64_t> maxima;
+  std::vector<double> closing_lengths; ///< of the fronts that close
 };
 
 /// Goes through the saddles from the first one on, numbers the layers and writes down what happens.
@@ -174,10 +163,8 @@ class Front_history
 public:
   Front_history(const Flat_mesh& mesh, const Walked_fronts& fronts)
       : mesh_(mesh)
-      , minima_(fronts.minima)
-      , saddles_(fronts.saddles)
-      , maxima_(fronts.maxima)
-      , layer_of_end_(saddles_.lower_components.size() + maxima_.keys.size(), no_index) {
+      , fronts_(fronts)
+      , layer_of_end_(fronts.lower_components.size() + fronts.maxima.size(), no_index) {
     for(const Moment& moment : moments())
       (this->*moment.happen)(moment.number);
   }
@@ -204,53 +191,54 @@ private:
       for(Index i = 0; i < keys.size(); ++i)
         all.push_back({keys[i], happen, i});
     };
-    append(minima_.keys, &Front_history::begin);
-    append(saddles_.keys, &Front_history::resolve);
-    append(maxima_.keys, &Front_history::close);
+    append(fronts_.minima, &Front_history::begin);
+    append(fronts_.saddles, &Front_history::resolve);
+    append(fronts_.maxima, &Front_history::close);
     std::sort(all.begin(), all.end(),
               [](const Moment& a, const Moment& b) { return a.key < b.key; });
     return all;
   }
 
-  void begin(Index i) { layer_of_end_[minima_.ends[i]] = new_layer(); }
+  void begin(Index i) { layer_of_end_[fronts_.ends_of_minima[i]] = new_layer(); }
 
   void close(Index i) {
-    const Index layer = layer_of_end_[saddles_.lower_components.size() + i];
-    log(Front_event_type::CLOSING, maxima_.keys[i], {front(layer, maxima_.lengths[i])}, {});
+    const Index layer = layer_of_end_[fronts_.lower_components.size() + i];
+    log(Front_event_type::CLOSING, fronts_.maxima[i], {front(layer, fronts_.closing_lengths[i])},
+        {});
   }
 
   // One event for each step of the unfolding; in between, layers that no vertex lies in may begin
   // and end.
   void resolve(Index saddle) {
-    const Index begin = saddles_.begins[saddle];
-    const Index k = saddles_.begins[saddle + 1] - begin;
-    const Contour_cycles cycles({saddles_.lower_components.data() + begin, k});
+    const Index begin = fronts_.begins[saddle];
+    const Index k = fronts_.begins[saddle + 1] - begin;
+    const Contour_cycles cycles = {{fronts_.lower_components.data() + begin, k}};
     layer_at_.resize(k);
     for(Index at = 0; at < k; ++at)
       layer_at_[at] = layer_of_end_[begin + cycles.first_of_contour(at)];
     for(Index i = 1; i < k; ++i)
-      if(saddles_.linked[begin + i].do_meet)
+      if(fronts_.linked[begin + i].do_meet)
         meet(saddle, cycles, i);
       else
         part(saddle, cycles, i);
     for(Index at = 0; at < k; ++at)
-      layer_of_end_[saddles_.ends[begin + at]] = layer_at_[at];
+      layer_of_end_[fronts_.ends_above_gaps[begin + at]] = layer_at_[at];
   }
 
   void meet(Index saddle, const Contour_cycles& cycles, Index i) {
-    const Linked_fronts& f = saddles_.linked[saddles_.begins[saddle] + i];
+    const Linked_fronts& f = fronts_.linked[fronts_.begins[saddle] + i];
     const std::vector<Front> before = {front(layer_at_[i - 1], f.below[0]),
                                        front(layer_at_[i], f.below[1])};
     const Index met = enter_new_layer(cycles, i, i + 1);
-    log(Front_event_type::MERGE, saddles_.keys[saddle], before, {front(met, f.above[0])});
+    log(Front_event_type::MERGE, fronts_.saddles[saddle], before, {front(met, f.above[0])});
   }
 
   void part(Index saddle, const Contour_cycles& cycles, Index i) {
-    const Linked_fronts& f = saddles_.linked[saddles_.begins[saddle] + i];
+    const Linked_fronts& f = fronts_.linked[fronts_.begins[saddle] + i];
     const std::vector<Front> before = {front(layer_at_[i], f.below[0])};
     const Index a = enter_new_layer(cycles, i - 1, i + 1);
     const Index b = enter_new_layer(cycles, i, i + 1);
-    log(Front_event_type::SPLIT, saddles_.keys[saddle], before,
+    log(Front_event_type::SPLIT, fronts_.saddles[saddle], before,
         {front(a, f.above[0]), front(b, f.above[1])});
   }
 
@@ -275,9 +263,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  const Walked_fronts::Minima& minima_;
-  const Walked_fronts::Saddles& saddles_;
-  const Walked_fronts::Maxima& maxima_;
+  const Walked_fronts& fronts_;
   std::vector<Index> layer_of_end_;
   std::vector<Index>
       layer_at_; // of the front that arrives at a lower component of the present saddle

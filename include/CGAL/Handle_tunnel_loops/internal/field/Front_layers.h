@@ -15,8 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Front_history.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Saddle_contours.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/atomics.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 
 #include <vector>
@@ -51,10 +49,8 @@ struct Layer_links
   CGAL_HTL_HOST_DEVICE Index number_of_end(Index target) const {
     return target - number_of_vertices();
   }
-  CGAL_HTL_HOST_DEVICE Index end_of_contour(Index lower_component) const {
-    return number_of_vertices() + lower_component;
-  }
-  CGAL_HTL_HOST_DEVICE Index gap_after(Index lower_component) const {
+  /// the end at a lower component, in `link`, and the gap after it, in `first`.
+  CGAL_HTL_HOST_DEVICE Index after_vertices(Index lower_component) const {
     return number_of_vertices() + lower_component;
   }
 
@@ -105,7 +101,7 @@ struct Note_contours
     const Saddle_view view = links.saddles.saddle(saddle);
     const Index contour = begin + view.cycles().first_of_contour(lower_component - begin);
     const auto note_at = [&](const Crossing& c) { note(c.left, c.right, contour); };
-    view.trace_lower_component(lower_component - begin, note_at);
+    view.join(lower_component - begin, lower_component - begin, note_at);
     view.trace_arc(lower_component - begin, note_at);
   }
 
@@ -127,7 +123,7 @@ private:
     Index lower_component = links.number_of_end(links.link[from]);
     while(ring[links.saddles.lower_components[lower_component].last] != previous)
       ++lower_component;
-    return links.gap_after(lower_component);
+    return links.after_vertices(lower_component);
   }
 };
 
@@ -138,7 +134,7 @@ struct Link_to_contours
 
   CGAL_HTL_HOST_DEVICE void operator()(Index v) const {
     if(!links.is_end(links.link[v]) && links.first[v] != no_index)
-      links.link[v] = links.end_of_contour(links.first[v]);
+      links.link[v] = links.after_vertices(links.first[v]);
   }
 };
 
@@ -185,7 +181,7 @@ struct Ends_above_gaps
   Span<Index> end;
 
   CGAL_HTL_HOST_DEVICE void operator()(Index lower_component) const {
-    const Index contour = links.first[links.gap_after(lower_component)];
+    const Index contour = links.first[links.after_vertices(lower_component)];
     end[lower_component] = contour != no_index
                                ? contour
                                : links.number_of_end(links.link[neighbor_up(lower_component)]);
@@ -284,10 +280,15 @@ private:
   }
 
   Walked_fronts walked_fronts() {
-    return {{minima_, ends_of_minima()},
-            {saddles_.keys(), saddles_.begins(), saddles_.lower_components(), linked_fronts(),
-             ends_above_gaps()},
-            {maxima_, lengths_of_closing_fronts()}};
+    return {minima_,
+            ends_of_minima(),
+            saddles_.keys(),
+            saddles_.begins(),
+            saddles_.lower_components(),
+            linked_fronts(),
+            ends_above_gaps(),
+            maxima_,
+            lengths_of_closing_fronts()};
   }
 
   std::vector<Index> ends_of_minima() {

@@ -13,8 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/Sweep_results.h>
-#include <CGAL/Handle_tunnel_loops/internal/field/atomics.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 

@@ -13,7 +13,6 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -21,7 +20,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -79,12 +77,6 @@ public:
     }
   }
 
-  /// whether there is nothing to search.
-  bool is_empty() const {
-    return std::none_of(efforts_.begin(), efforts_.end(),
-                        [](const Search_effort& e) { return e.visits > 0; });
-  }
-
   /// whether there was not enough for all.
   bool is_tight() const { return is_tight_; }
 
@@ -109,11 +101,12 @@ out.
 class Partner_search
 {
 public:
-  Partner_search(const Flat_mesh& mesh, const Search_mesh& search_mesh, const Edge_classes& classes)
+  /// The mesh to search on has been counted.
+  Partner_search(const Flat_mesh& mesh, const Search_mesh& search_mesh)
       : mesh_(mesh)
       , search_mesh_(search_mesh)
-      , distances_(search_mesh, classes)
-      , search_(search_mesh, classes) {}
+      , distances_(search_mesh)
+      , search_(search_mesh) {}
 
   /// looks for the targets along loop \p number, that all of them have to cross; see `Class_search`
   /// for the walls. The places are \p spacing times what is looked for apart.

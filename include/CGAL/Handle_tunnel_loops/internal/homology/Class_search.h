@@ -17,11 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -107,8 +104,7 @@ public:
 
   void take(std::uint64_t key, double length, std::vector<Index> walk) {
     Class& found = classes_.at(key);
-    found.here.length = length;
-    found.here.vertices = std::move(walk);
+    found.here = {length, std::move(walk)};
     found.shortest = (std::min)(found.shortest, length);
     for(Index t : found.targets)
       targets_[t].limit = (std::min)(targets_[t].limit, slack * length);
@@ -192,9 +188,9 @@ partner that is not the one it came from.
 class Partner_distances
 {
 public:
-  Partner_distances(const Search_mesh& mesh, const Edge_classes& classes)
+  /// The mesh has been counted.
+  explicit Partner_distances(const Search_mesh& mesh)
       : mesh_(mesh)
-      , classes_(classes)
       , sides_{Side(mesh), Side(mesh)} {}
 
   /// measures the distances to loop \p number, for walks shorter than `limit`. Takes a visit for
@@ -221,7 +217,7 @@ public:
   double around() const { return around_; }
 
   /// by how much a step crosses the partner, if its sums are not zero.
-  int number(Index v, Index step) const { return mesh_.number(v, step, number_, classes_); }
+  int number(Index v, Index step) const { return mesh_.number(v, step, number_); }
 
   /// the copy in which a walk begins that comes from the partner before copy 0.
   int first_copy(Index v) const { return after(v) <= before(v) ? 0 : -1; }
@@ -292,14 +288,13 @@ private:
         const float there = side.paths[v].distance + mesh_.length(v, step);
         const Index head = mesh_.head(step);
         if(there < side.paths[head].distance && is_wanted(head, there) &&
-           (mesh_.sums(v, step, classes_).is_zero() || number(v, step) == 0))
+           (mesh_.sums(v, step).is_zero() || number(v, step) == 0))
           side.paths.reach(head, {there});
       }
     });
   }
 
   const Search_mesh& mesh_;
-  const Edge_classes& classes_;
   Index number_ = 0;
   std::array<Side, 2> sides_; // after and before the partner
   float around_ = 0.f;        // from the partner to itself
@@ -319,9 +314,9 @@ vertex is visited with more than eight sums: on knots something may be missed.
 class Class_search
 {
 public:
-  Class_search(const Search_mesh& mesh, const Edge_classes& classes)
+  /// The mesh has been counted.
+  explicit Class_search(const Search_mesh& mesh)
       : mesh_(mesh)
-      , classes_(classes)
       , first_(mesh.number_of_vertices(), no_index)
       , lower_bounds_(mesh.number_of_vertices(), 0.f) {}
 
@@ -410,9 +405,8 @@ private:
       there.vertex = mesh_.head(step);
       there.step = step;
       there.distance = here.distance + mesh_.length(here.vertex, step);
-      there.sums = here.sums;
-      const Class_sums sums = mesh_.sums(here.vertex, step, classes_);
-      there.sums.add(1, sums);
+      const Class_sums sums = mesh_.sums(here.vertex, step);
+      there.sums = here.sums + sums;
       there.copy = here.copy;
       if(partner_ != nullptr && !sums.is_zero())
         there.copy += partner_->number(here.vertex, step);
@@ -484,9 +478,8 @@ private:
   Class_vector numbers(const std::vector<Index>& walk) const {
     Class_vector numbers;
     for(std::size_t i = 0; i < walk.size(); ++i)
-      classes_.for_each_term(mesh_.corner(walk[i]),
-                             mesh_.corner(walk[i + 1 == walk.size() ? 0 : i + 1]),
-                             [&](Index loop, int number) { numbers.emplace_back(loop, number); });
+      mesh_.for_each_term(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1],
+                          [&](Index loop, int number) { numbers.emplace_back(loop, number); });
     normalize(numbers);
     return numbers;
   }
@@ -513,7 +506,6 @@ private:
   }
 
   const Search_mesh& mesh_;
-  const Edge_classes& classes_;
   std::vector<Index> first_; // label, by vertex
   std::vector<Label> labels_;
   std::vector<Index> reached_, bounded_;

@@ -17,12 +17,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <memory>
@@ -165,8 +162,7 @@ private:
         [&](std::size_t i) {
           const auto& [k, mesh] = wanted[i];
           if(*mesh == nullptr)
-            *mesh =
-                std::make_unique<Search_mesh>(search_mesh_, edge_classes, std::ldexp(spacing_, k));
+            *mesh = std::make_unique<Search_mesh>(search_mesh_, std::ldexp(spacing_, k));
           (*mesh)->count(edge_classes);
         },
         1);
@@ -224,6 +220,8 @@ private:
     Index partner;
     double length; // of the longest target
     std::vector<Index> targets;
+    Search_effort effort = {};
+    std::size_t left = 0; // of the visits that are allowed
   };
 
   // Every curve with a coordinate in a loop crosses one of the loops in the dual class. Those among
@@ -247,17 +245,18 @@ private:
   }
 
   // All tasks if there are visits enough, else the likely ones; and what is spent on each.
-  std::pair<std::vector<Task>, Search_plan> tasks_within(double visits,
-                                                         const std::vector<Class_vector>& duals) {
+  std::vector<Task> tasks_within(double visits, const std::vector<Class_vector>& duals) {
     const double least_part = (std::min)(1., larger_part * part_);
     const double expected = overestimate_ * visits;
-    std::vector<Task> all = tasks(duals, false);
-    Search_plan plan_of_all = plan(all, expected, least_part);
-    if(!plan_of_all.is_tight())
-      return {std::move(all), std::move(plan_of_all)};
-    std::vector<Task> likely = tasks(duals, true);
-    Search_plan plan_of_likely = plan(likely, expected, least_part);
-    return {std::move(likely), std::move(plan_of_likely)};
+    std::vector<Task> chosen = tasks(duals, false);
+    Search_plan efforts = plan(chosen, expected, least_part);
+    if(efforts.is_tight()) {
+      chosen = tasks(duals, true);
+      efforts = plan(chosen, expected, least_part);
+    }
+    for(std::size_t n = 0; n < chosen.size(); ++n)
+      chosen[n].effort = efforts.effort(n);
+    return chosen;
   }
 
   // Where loops are much longer than need be, there is not enough for all: then shorter ones are
@@ -289,9 +288,7 @@ private:
       return false;
     classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
     const std::vector<Class_vector> duals = dual_classes();
-    const std::pair<std::vector<Task>, Search_plan> planned = tasks_within(visits, duals);
-    const std::vector<Task>& tasks = planned.first;
-    const Search_plan& efforts = planned.second;
+    std::vector<Task> tasks = tasks_within(visits, duals);
     const Edge_classes edge_classes(mesh_, classes_->index(), *is_pure_);
     std::set<int> levels;
     for(const Task& task : tasks)
@@ -299,59 +296,49 @@ private:
     prepare_levels(levels, edge_classes);
     std::map<int, Workspace_pool<Partner_search>> searches;
     for(int k : levels)
-      searches.try_emplace(k, [this, k, &edge_classes] {
-        return std::make_unique<Partner_search>(mesh_, mesh_of_level(k), edge_classes);
-      });
+      searches.try_emplace(
+          k, [this, k] { return std::make_unique<Partner_search>(mesh_, mesh_of_level(k)); });
     std::vector<std::vector<Candidate>> found(tasks.size());
-    const std::vector<std::size_t> allowed = allowed_visits(tasks.size(), efforts, visits);
-    std::vector<std::size_t> left = allowed;
+    const std::size_t patience = patience_within(visits, tasks);
     for_each_index(
         execution_, tasks.size(),
         [&](std::size_t n) {
-          if(left[n] > 0 && progress_.goes_on())
-            found[n] = candidates(tasks[n], duals, efforts.effort(n).spacing, left[n],
-                                  *searches.at(level(part_ * tasks[n].length)).borrow());
+          Task& task = tasks[n];
+          task.left = patience * task.effort.visits;
+          if(task.left > 0 && progress_.goes_on())
+            found[n] = candidates(task, duals, *searches.at(level(part_ * task.length)).borrow());
         },
         1);
     progress_.throw_if_interrupted();
-    close_loops(tasks, allowed, efforts, left, visits);
+    close_loops(tasks, patience, visits);
     candidates_.clear();
     for(std::vector<Candidate>& part : found)
       std::move(part.begin(), part.end(), std::back_inserter(candidates_));
-    return !efforts.is_empty();
+    return std::any_of(tasks.begin(), tasks.end(),
+                       [](const Task& task) { return task.effort.visits > 0; });
   }
 
-  // What is expected may be too little: a search that has to be begun again costs all of it once
-  // more.
-  static std::vector<std::size_t>
-  allowed_visits(std::size_t number_of_tasks, const Search_plan& efforts, double visits) {
-    std::vector<std::size_t> allowed;
-    for(std::size_t n = 0; n < number_of_tasks; ++n)
-      allowed.push_back(efforts.effort(n).visits);
-    const double planned = std::accumulate(allowed.begin(), allowed.end(), 1.);
-    const std::size_t factor =
-        static_cast<std::size_t>(std::clamp(0.3 * visits / planned, 1., most_patience));
-    for(std::size_t& number : allowed)
-      number *= factor;
-    return allowed;
+  // By how much more is allowed than expected, which may be too little: a search that has to be
+  // begun again costs all of it once more.
+  static std::size_t patience_within(double visits, const std::vector<Task>& tasks) {
+    double planned = 1.;
+    for(const Task& task : tasks)
+      planned += double(task.effort.visits);
+    return static_cast<std::size_t>(std::clamp(0.3 * visits / planned, 1., most_patience));
   }
 
   // What has been searched to its end is closed. Takes what was spent from the visits.
-  void close_loops(const std::vector<Task>& tasks,
-                   const std::vector<std::size_t>& allowed,
-                   const Search_plan& efforts,
-                   const std::vector<std::size_t>& left,
-                   double& visits) {
+  void close_loops(const std::vector<Task>& tasks, std::size_t patience, double& visits) {
     std::vector<char> is_exhausted(loops_->size(), 0), is_left_out(loops_->size(), 0);
     double planned_for_all = 0., spent = 0.;
-    for(std::size_t n = 0; n < tasks.size(); ++n) {
-      const std::size_t planned = efforts.effort(n).visits;
+    for(const Task& task : tasks) {
+      const std::size_t planned = task.effort.visits;
       planned_for_all += double(planned);
-      spent += double(allowed[n] - left[n]);
-      for(Index i : tasks[n].targets)
+      spent += double(patience * planned - task.left);
+      for(Index i : task.targets)
         if(planned == 0)
           is_left_out[i] = 1; // the others may leave something
-        else if(left[n] == 0)
+        else if(task.left == 0)
           is_exhausted[i] = 1; // it takes more than was thought
     }
     visits -= spent;
@@ -377,18 +364,15 @@ private:
     return duals;
   }
 
-  std::vector<Candidate> candidates(const Task& task,
-                                    const std::vector<Class_vector>& duals,
-                                    double spacing,
-                                    std::size_t& visits,
-                                    Partner_search& search) const {
+  std::vector<Candidate>
+  candidates(Task& task, const std::vector<Class_vector>& duals, Partner_search& search) const {
     const bool is_pure = (*is_pure_)[task.partner / 2], is_tunnel = task.partner % 2 == 0;
     std::vector<Search_targets::Target> wanted;
     for(Index i : task.targets)
       wanted.push_back({part_ * poor_edges * lengths_[i], &duals[i]});
     Search_targets targets(std::move(wanted));
-    search.run((*loops_)[task.partner], task.partner, is_pure && is_tunnel, spacing, targets,
-               visits);
+    search.run((*loops_)[task.partner], task.partner, is_pure && is_tunnel, task.effort.spacing,
+               targets, task.left);
     std::vector<Candidate> candidates;
     for(const Search_targets::Found& found : targets.take_found()) {
       if(found.walk.size() < 3)

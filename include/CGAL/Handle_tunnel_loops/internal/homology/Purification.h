@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/homology/Lattice_basis.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
-#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
@@ -36,6 +34,149 @@
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
+
+/// Closed walks of given classes: loops one after the other, each as often as it is asked for,
+/// joined by paths with few edges, there and back. A workspace that can be used again.
+class Loop_sum
+{
+public:
+  Loop_sum(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
+      : mesh_(mesh)
+      , loops_(loops)
+      , labels_(mesh.number_of_vertices()) {}
+
+  /// a closed walk of the class with these coordinates in the loops, which lie on one component.
+  std::vector<Index> walk(const Class_vector& coordinates) {
+    CGAL_precondition(!coordinates.empty());
+    walks_.clear();
+    for(const auto& [i, factor] : coordinates)
+      walks_.push_back(repeated(left_side(loops_[i], factor > 0), std::abs(factor)));
+    join_all();
+    std::vector<Index> all = std::move(walks_[joined(0)]);
+    remove_spurs(all);
+    return all;
+  }
+
+private:
+  static std::vector<Index> left_side(const Crossing_loop& loop, bool forward) {
+    std::vector<Index> walk;
+    for(const Crossing& c : loop)
+      if(walk.empty() || walk.back() != c.left)
+        walk.push_back(c.left);
+    while(walk.size() > 1 && walk.back() == walk.front())
+      walk.pop_back();
+    if(!forward)
+      std::reverse(walk.begin(), walk.end());
+    return walk;
+  }
+
+  static std::vector<Index> repeated(const std::vector<Index>& walk, std::int64_t number) {
+    std::vector<Index> result;
+    for(std::int64_t i = 0; i < number; ++i)
+      result.insert(result.end(), walk.begin(), walk.end());
+    return result;
+  }
+
+  // How a vertex is reached, and from which walk.
+  struct Label
+  {
+    Index parent = no_index;
+    Index walk = no_index;
+  };
+
+  // The walks as a forest, whose trees are those that have been joined.
+  struct Node
+  {
+    Index parent;
+    Index height = 0;
+  };
+
+  // Joins walks where the regions meet that grow around them, the nearest to each other first: by
+  // the number of edges, since what is joined is tightened anyway.
+  void join_all() {
+    nodes_.clear();
+    for(Index w = 0; w < walks_.size(); ++w)
+      nodes_.push_back({w});
+    std::size_t parts = walks_.size();
+    for(Index w = 0; w < walks_.size(); ++w)
+      for(Index v : std::vector<Index>(walks_[w]))
+        if(labels_[v].walk == no_index)
+          reach(v, {no_index, w});
+        else
+          parts -= join(v, v, labels_[v].walk, w);
+    for(std::size_t i = 0; parts > 1; ++i) {
+      CGAL_assertion_msg(i < reached_.size(), "the loops of a class lie on one component");
+      const Index v = reached_[i];
+      for(Index u : mesh_.ring(v))
+        if(labels_[u].walk == no_index)
+          reach(u, {v, labels_[v].walk});
+        else
+          parts -= join(v, u, labels_[v].walk, labels_[u].walk);
+    }
+    for(Index v : reached_)
+      labels_[v] = Label();
+    reached_.clear();
+  }
+
+  // Joins the walks of which `a` and `b` have become parts, where `u` and `v` have been reached
+  // from these. Returns whether they were two.
+  bool join(Index u, Index v, Index a, Index b) {
+    a = joined(a);
+    b = joined(b);
+    if(a == b)
+      return false;
+    std::vector<Index> way = way_back(u); // to a walk
+    std::reverse(way.begin(), way.end());
+    if(u != v) {
+      const std::vector<Index> other_way = way_back(v);
+      way.insert(way.end(), other_way.begin(), other_way.end());
+    }
+    if(nodes_[a].height <= nodes_[b].height) {
+      std::swap(a, b);
+      std::reverse(way.begin(), way.end());
+    }
+    nodes_[b].parent = a;
+    nodes_[a].height = (std::max)(nodes_[a].height, nodes_[b].height + 1);
+    splice(walks_[a], way, walks_[b]);
+    return true;
+  }
+
+  // The walk that has become the one of all in its tree.
+  Index joined(Index w) const {
+    while(nodes_[w].parent != w)
+      w = nodes_[w].parent;
+    return w;
+  }
+
+  // Leads a walk along a way that begins on it, around another walk at its end, and back.
+  static void
+  splice(std::vector<Index>& walk, const std::vector<Index>& way, std::vector<Index>& around) {
+    std::rotate(around.begin(), std::find(around.begin(), around.end(), way.back()), around.end());
+    std::vector<Index> detour(way.begin(), way.end() - 1);
+    detour.insert(detour.end(), around.begin(), around.end());
+    detour.insert(detour.end(), way.rbegin(), way.rend() - 1);
+    walk.insert(std::find(walk.begin(), walk.end(), way.front()), detour.begin(), detour.end());
+  }
+
+  void reach(Index v, const Label& label) {
+    reached_.push_back(v);
+    labels_[v] = label;
+  }
+
+  std::vector<Index> way_back(Index v) const {
+    std::vector<Index> way;
+    for(; v != no_index; v = labels_[v].parent)
+      way.push_back(v);
+    return way;
+  }
+
+  const Flat_mesh& mesh_;
+  const std::vector<Crossing_loop>& loops_;
+  std::vector<Label> labels_; // by vertex
+  std::vector<Index> reached_;
+  std::vector<std::vector<Index>> walks_; // those that have been joined are at the root
+  std::vector<Node> nodes_;               // by walk
+};
 
 /*!
 From any basis in pairs to one in which all handles bound inside and all tunnels outside, on every
@@ -148,8 +289,7 @@ private:
                       part->end());
           generators.push_back(std::move(*part));
         }
-    std::optional<std::vector<Class_vector>> others =
-        Lattice_basis(std::move(generators)).take_basis();
+    std::optional<std::vector<Class_vector>> others = lattice_basis(std::move(generators));
     if(!others)
       return std::nullopt;
     for(Class_vector& a : *others)

@@ -19,13 +19,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -61,20 +60,6 @@ struct Class_sums
 class Edge_classes
 {
 public:
-  /// A loop that crosses an edge, as often as `number` says, from left to right.
-  struct Term
-  {
-    Index loop;
-    int number;
-  };
-
-  /// An edge from a vertex: `terms()` from `first` to the `first` of the next.
-  struct Edge
-  {
-    Class_sums sums;
-    Index first;
-  };
-
   /// \p is_pure says by pair whether its loops bound on their sides. If so, handles and tunnels
   /// have sums of their own; if not, there are no loops that must not be crossed.
   Edge_classes(const Flat_mesh& mesh, const Crossing_index& index, const std::vector<char>& is_pure)
@@ -87,14 +72,17 @@ public:
     edges_.push_back({{}, static_cast<Index>(terms_.size())});
   }
 
-  /// whether any loop crosses an edge at `v`.
-  bool has_crossing(Index v) const { return first_[v] != no_index; }
+  /// the sums of the edge from `v` to its neighbour in this position of its ring.
+  Class_sums sums_at(Index v, Index position) const {
+    return has_crossing(v) ? edge(v, position).sums : Class_sums();
+  }
 
-  /// the edge from `v` to its neighbour in this position of its ring, if there are crossings at
-  /// `v`.
-  const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
+  /// the sums of a way from `u` along an edge to `v`, or on the spot.
+  Class_sums sums(Index u, Index v) const {
+    return has_crossing(u) && u != v ? edge(u, mesh_.ring(u).position(v)).sums : Class_sums();
+  }
 
-  /// calls `f(loop, number)` for the loops that cross the edge from `u` to `v`.
+  /// calls `f(loop, number)` for the loops that cross such a way.
   template <typename Function> void for_each_term(Index u, Index v, const Function& f) const {
     if(!has_crossing(u) || u == v)
       return;
@@ -104,6 +92,24 @@ public:
   }
 
 private:
+  // An edge from a vertex: its terms from `first` to the `first` of the next.
+  struct Edge
+  {
+    Class_sums sums;
+    Index first;
+  };
+
+  // A loop that crosses an edge, as often as `number` says, from left to right.
+  struct Term
+  {
+    Index loop;
+    int number;
+  };
+
+  // whether any loop crosses an edge at `v`; of edges only there anything is known.
+  bool has_crossing(Index v) const { return first_[v] != no_index; }
+  const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
+
   static std::vector<Class_sums> random_weights(const std::vector<char>& is_pure) {
     std::mt19937_64 random;
     std::vector<Class_sums> weights;
@@ -156,7 +162,7 @@ the nearest of them. There is a step between two nodes where an edge leads from 
 to a vertex of the other, of each class the shortest, and from a node to itself where its vertices
 lie around a handle: so walks of all classes are left.
 
-`Mesh` is one of steps, as `Search_mesh`.
+`Mesh` is one of steps, which have been counted, as `Search_mesh`.
 */
 template <typename Mesh> class Step_coarsening
 {
@@ -170,9 +176,8 @@ public:
     Class_sums sums;
   };
 
-  Step_coarsening(const Mesh& mesh, const Edge_classes& classes, double spacing)
+  Step_coarsening(const Mesh& mesh, double spacing)
       : mesh_(mesh)
-      , classes_(classes)
       , spacing_(static_cast<float>(spacing))
       , ways_(mesh.number_of_vertices()) {
     for(Index v = 0; v < ways_.size(); ++v)
@@ -198,14 +203,9 @@ public:
   void append_walk(const Step& step, std::vector<Index>& walk) const {
     append_way(step.from, walk);
     append_edges(step.from, step.step, walk);
-    const Index there = mesh_.head(step.step);
-    std::vector<Index> back;
-    append_way(there, back);
-    if(back.empty())
-      return;
-    back.pop_back();
-    walk.insert(walk.end(), back.rbegin(), back.rend());
-    walk.push_back(nodes_[step.head]);
+    std::vector<Index> back(1, nodes_[step.head]);
+    append_way(mesh_.head(step.step), back);
+    walk.insert(walk.end(), back.rbegin() + 1, back.rend());
   }
 
 private:
@@ -230,7 +230,7 @@ private:
         const bool follows = way.parent == u && way.step == step && way.node != here.node;
         if(follows || there < (std::min)(way.distance, spacing_))
           ways_.reach(mesh_.head(step),
-                      {there, here.node, u, step, here.sums + mesh_.sums(u, step, classes_)});
+                      {there, here.node, u, step, here.sums + mesh_.sums(u, step)});
       }
     });
   }
@@ -241,7 +241,7 @@ private:
       const Way& there = ways_[mesh_.head(step)];
       if(there.node == no_index)
         continue;
-      Class_sums sums = here.sums + mesh_.sums(v, step, classes_);
+      Class_sums sums = here.sums + mesh_.sums(v, step);
       sums.add(-1, there.sums);
       if(there.node == here.node && sums.is_zero())
         continue;
@@ -277,7 +277,6 @@ private:
   }
 
   const Mesh& mesh_;
-  const Edge_classes& classes_;
   float spacing_;
   Shortest_paths<Way> ways_; // by vertex
   std::vector<Index> nodes_;
@@ -301,12 +300,12 @@ public:
   /// places of another such mesh that are nowhere nearer to each other than \p spacing, and steps
   /// between them of each class; see `Step_coarsening`. Their walks are those of the other mesh,
   /// which has been counted.
-  Search_mesh(const Search_mesh& finer, const Edge_classes& classes, double spacing)
+  Search_mesh(const Search_mesh& finer, double spacing)
       : mesh_(finer.mesh_)
       , finer_(&finer)
       , surface_(finer.surface_)
       , subdivision_(finer.subdivision_) {
-    const Step_coarsening<Search_mesh> coarsening(finer, classes, spacing);
+    const Step_coarsening<Search_mesh> coarsening(finer, spacing);
     nodes_ = coarsening.nodes();
     for(Index v = 0; v < finer.number_of_vertices(); ++v)
       node_of_.push_back(coarsening.node(v));
@@ -350,32 +349,36 @@ public:
         lengths_[s] = length_of_edge(v, head(s));
   }
 
-  /// counts what the steps cross.
+  /// counts what the steps cross, for all that asks for it until this is called again.
   void count(const Edge_classes& classes) {
+    classes_ = &classes;
     sums_.assign(own_heads_.size(), {});
-    steps_.clear();
+    steps_across_.clear();
     for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
         for_each_edge(v, s, [&](Index from, Index to) {
-          const Index u = corner(from), w = corner(to);
-          if(u != w && classes.has_crossing(u))
-            sums_[s].add(1, classes.edge(u, mesh_.ring(u).position(w)).sums);
+          sums_[s] = sums_[s] + classes.sums(corner(from), corner(to));
         });
         if(!sums_[s].is_zero())
-          note_step(v, s, classes);
+          for_each_edge(v, s, [&](Index from, Index to) {
+            for_each_term(from, to,
+                          [&](Index loop, int) { steps_across_[loop].emplace_back(v, s); });
+          });
       }
-    std::sort(steps_.begin(), steps_.end());
   }
 
-  /// how often a step from `v` crosses a loop, in net numbers, by the edge classes that were last
-  /// counted.
-  int number(Index v, Index step, Index loop, const Edge_classes& classes) const {
+  /// how often a step from `v` crosses a loop, in net numbers.
+  int number(Index v, Index step, Index loop) const {
     int sum = 0;
     for_each_edge(v, step, [&](Index from, Index to) {
-      classes.for_each_term(corner(from), corner(to),
-                            [&](Index other, int number) { sum += other == loop ? number : 0; });
+      for_each_term(from, to, [&](Index other, int number) { sum += other == loop ? number : 0; });
     });
     return sum;
+  }
+
+  /// calls `f(loop, number)` for the loops that cross an edge along which a step leads.
+  template <typename Function> void for_each_term(Index from, Index to, const Function& f) const {
+    classes_->for_each_term(corner(from), corner(to), f);
   }
 
   /// calls `f(vertex, step)` for steps, among which are all that cross a loop in net numbers, in
@@ -389,13 +392,12 @@ public:
       }
       return;
     }
-    for(auto s = std::lower_bound(steps_.begin(), steps_.end(), Step{number, 0, 0});
-        s != steps_.end() && s->loop == number; ++s)
-      f(s->vertex, s->step);
+    if(const auto steps = steps_across_.find(number); steps != steps_across_.end())
+      for(const auto& [v, step] : steps->second)
+        f(v, step);
   }
 
   std::size_t number_of_vertices() const { return number_of_vertices_; }
-  const Vector& point(Index v) const { return surface_->points[vertex_of_walks(v)]; }
 
   /// not of a coarse mesh.
   bool is_hub(Index v) const { return mesh_.is_hub(v); }
@@ -412,11 +414,9 @@ public:
     return lengths_.empty() ? length_of_edge(v, head(step)) : lengths_[step];
   }
 
-  /// what a step from `v` crosses, by the edge classes that were last counted.
-  Class_sums sums(Index v, Index step, const Edge_classes& classes) const {
-    if(has_walks())
-      return sums_[step];
-    return classes.has_crossing(v) ? classes.edge(v, step - begin(v)).sums : Class_sums();
+  /// what a step from `v` crosses.
+  Class_sums sums(Index v, Index step) const {
+    return has_walks() ? sums_[step] : classes_->sums_at(v, step - begin(v));
   }
 
   /// the corner of the mesh that stands for a vertex on the edges along which steps lead.
@@ -490,22 +490,6 @@ private:
     std::vector<Index> corners;
   };
 
-  // A step that crosses a loop.
-  struct Step
-  {
-    Index loop, vertex, step;
-
-    bool operator<(const Step& s) const { return loop != s.loop ? loop < s.loop : step < s.step; }
-  };
-
-  void note_step(Index v, Index step, const Edge_classes& classes) {
-    for_each_edge(v, step, [&](Index from, Index to) {
-      classes.for_each_term(corner(from), corner(to), [&](Index loop, int) {
-        steps_.push_back({loop, v, step});
-      });
-    });
-  }
-
   bool has_walks() const { return !walk_begin_.empty(); }
 
   float length_of_edge(Index u, Index v) const {
@@ -515,17 +499,8 @@ private:
 
   // Of an edge of the subdivision, if it lies on one of the mesh.
   static std::optional<Crossing> crossing_between(const Place& left, const Place& right, double r) {
-    const auto is_vertex = [](const Place& p) { return p.source == p.target; };
-    const Place edge = !is_vertex(left)    ? left
-                       : !is_vertex(right) ? right
-                                           : Place{left.source, right.source, 0.};
-    const auto ratio = [&](const Place& p) {
-      return !is_vertex(p) ? (p.source == edge.source && p.target == edge.target ? p.ratio : -1.)
-             : p.source == edge.source ? 0.
-             : p.source == edge.target ? 1.
-                                       : -1.;
-    };
-    const double from = ratio(left), to = ratio(right);
+    const Place edge = Place::edge_of(left, right);
+    const double from = left.ratio_on(edge), to = right.ratio_on(edge);
     if(left.source == no_index || right.source == no_index || from < 0. || to < 0.)
       return std::nullopt;
     const double at = rounded_product(1. - r, from) + rounded_product(r, to);
@@ -534,7 +509,7 @@ private:
   }
 
   double squared_distance(Index v, const Vector& place) const {
-    const Vector to = place - point(v);
+    const Vector to = place - surface_->points[vertex_of_walks(v)];
     return dot(to, to);
   }
 
@@ -583,9 +558,10 @@ private:
   const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
   std::vector<Index> own_begin_, own_heads_;
   std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
-  std::vector<Class_sums> sums_;          // by step
-  std::vector<Step> steps_;               // that cross loops, by loop
   std::vector<float> lengths_;            // by step, of the mesh as well if measured
+  const Edge_classes* classes_ = nullptr; // that were last counted
+  std::vector<Class_sums> sums_;          // by step, these two only if steps have walks:
+  std::map<Index, std::vector<std::pair<Index, Index>>> steps_across_; // and vertices, by loop
 };
 
 } // namespace internal

@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -32,10 +34,6 @@ namespace internal {
 using Residue = std::uint64_t;
 
 constexpr Residue field_size = (Residue(1) << 61) - 1;
-
-inline Residue sum(Residue a, Residue b) {
-  return a + b >= field_size ? a + b - field_size : a + b;
-}
 
 inline Residue difference(Residue a, Residue b) { return a >= b ? a - b : a + field_size - b; }
 
@@ -114,28 +112,41 @@ inline void normalize(Class_vector& v) {
   v.resize(kept);
 }
 
+/// a sparse vector, sorted by index, with others in place of the entries at the indices of `w`:
+/// `f(index, before, value)`, where `before` is the entry of `v` or zero, `value` that of `w`.
+template <typename Number, typename Function>
+std::vector<std::pair<Index, Number>> combined(const std::vector<std::pair<Index, Number>>& v,
+                                               const std::vector<std::pair<Index, Number>>& w,
+                                               const Function& f) {
+  std::vector<std::pair<Index, Number>> result;
+  result.reserve(v.size() + w.size());
+  auto a = v.begin();
+  for(const auto& [index, value] : w) {
+    for(; a != v.end() && a->first < index; ++a)
+      result.push_back(*a);
+    const Number before = a != v.end() && a->first == index ? (a++)->second : 0;
+    if(const Number x = f(index, before, value); x != 0)
+      result.emplace_back(index, x);
+  }
+  result.insert(result.end(), a, v.end());
+  return result;
+}
+
 /// adds a multiple of another vector. Returns `false` if a coordinate becomes too large.
 inline bool add_multiple(Class_vector& v, std::int64_t factor, const Class_vector& w) {
   if(factor == 0)
     return true;
   if(is_too_large(factor))
     return false;
-  Class_vector sum;
-  sum.reserve(v.size() + w.size());
-  auto a = v.begin();
-  for(const auto& [index, value] : w) {
-    for(; a != v.end() && a->first < index; ++a)
-      sum.push_back(*a);
-    const std::int64_t before = a != v.end() && a->first == index ? (a++)->second : 0;
+  bool fits = true;
+  Class_vector sum = combined(v, w, [&](Index, std::int64_t before, std::int64_t value) {
     const std::int64_t x = before + factor * value;
-    if(is_too_large(x))
-      return false;
-    if(x != 0)
-      sum.emplace_back(index, x);
-  }
-  sum.insert(sum.end(), a, v.end());
-  v = std::move(sum);
-  return true;
+    fits = fits && !is_too_large(x);
+    return x;
+  });
+  if(fits)
+    v = std::move(sum);
+  return fits;
 }
 
 /*!
@@ -236,34 +247,19 @@ private:
       const Residue factor = product(entry->second, step.inverse);
       rows[other].erase(entry);
       step.subtractions.emplace_back(other, factor);
-      subtract(rows[other], other, factor, step.rest, columns);
+      rows[other] =
+          combined(rows[other], step.rest, [&](Index column, Residue before, Residue value) {
+            const Residue x = difference(before, product(factor, value));
+            if(x != 0 && before == 0)
+              columns[column].insert(other);
+            if(x == 0 && before != 0)
+              columns[column].erase(other);
+            return x;
+          });
       by_size.emplace(rows[other].size(), other);
     }
     columns[step.column].clear();
     steps_.push_back(std::move(step));
-  }
-
-  static void subtract(Row& row,
-                       Index number,
-                       Residue factor,
-                       const Row& other,
-                       std::vector<std::set<Index>>& columns) {
-    Row result;
-    auto a = row.begin();
-    for(const Entry& e : other) {
-      for(; a != row.end() && a->first < e.first; ++a)
-        result.push_back(*a);
-      const bool is_there = a != row.end() && a->first == e.first;
-      const Residue value = difference(is_there ? (a++)->second : 0, product(factor, e.second));
-      if(value != 0)
-        result.emplace_back(e.first, value);
-      if(value != 0 && !is_there)
-        columns[e.first].insert(number);
-      if(value == 0 && is_there)
-        columns[e.first].erase(number);
-    }
-    result.insert(result.end(), a, row.end());
-    row = std::move(result);
   }
 
   void eliminate(std::vector<Residue>& values) const {
@@ -299,6 +295,81 @@ private:
   std::vector<Class_vector> rows_;
   std::vector<Step> steps_;
 };
+
+// ---- lattices
+
+// Without those that are zero.
+inline void remove_zeros(std::vector<Class_vector>& rows) {
+  rows.erase(std::remove_if(rows.begin(), rows.end(), [](const auto& v) { return v.empty(); }),
+             rows.end());
+}
+
+// Has only the first of rows, none of them zero, begin in the first column, by Euclid's algorithm.
+// Returns `false` if a number became too large.
+inline bool make_echelon_row(std::vector<Class_vector>& rows) {
+  const auto is_smaller = [](const Class_vector& a, const Class_vector& b) {
+    return std::make_pair(a.front().first, std::abs(a.front().second)) <
+           std::make_pair(b.front().first, std::abs(b.front().second));
+  };
+  for(bool changed = true; changed;) {
+    std::iter_swap(rows.begin(), std::min_element(rows.begin(), rows.end(), is_smaller));
+    changed = false;
+    const auto [column, least] = rows[0].front();
+    for(std::size_t i = 1; i < rows.size(); ++i)
+      if(rows[i].front().first == column) {
+        if(!add_multiple(rows[i], -(rows[i].front().second / least), rows[0]))
+          return false;
+        changed = changed || (!rows[i].empty() && rows[i].front().first == column);
+      }
+    remove_zeros(rows);
+  }
+  return true;
+}
+
+/// a basis of the lattice that vectors span; nothing if a number became too large. Vectors are
+/// taken as they are, the smallest first, as long as elimination by those taken before leaves a 1
+/// or -1 in them, which is to say nearly always; what is left is brought to echelon form.
+inline std::optional<std::vector<Class_vector>>
+lattice_basis(std::vector<Class_vector> generators) {
+  const auto size = [](const Class_vector& v) {
+    return std::accumulate(
+        v.begin(), v.end(), std::int64_t(0),
+        [](std::int64_t sum, const auto& c) { return sum + std::abs(c.second); });
+  };
+  std::stable_sort(generators.begin(), generators.end(),
+                   [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  std::vector<Class_vector> basis, rest;
+  std::vector<std::pair<Index, Class_vector>> pivots; // columns, and rows
+  const auto reduce = [&](Class_vector& v) {
+    return std::all_of(pivots.begin(), pivots.end(), [&](const auto& pivot) {
+      const auto& [column, row] = pivot;
+      return add_multiple(v, -coordinate(v, column) * coordinate(row, column), row);
+    });
+  };
+  for(Class_vector& v : generators) {
+    Class_vector reduced = v;
+    if(!reduce(reduced))
+      return std::nullopt;
+    const auto unit = std::find_if(reduced.begin(), reduced.end(),
+                                   [](const auto& c) { return std::abs(c.second) == 1; });
+    if(unit != reduced.end()) {
+      pivots.emplace_back(unit->first, reduced);
+      basis.push_back(std::move(v));
+    } else
+      rest.push_back(std::move(reduced));
+  }
+  for(Class_vector& v : rest)
+    if(!reduce(v))
+      return std::nullopt;
+  remove_zeros(rest);
+  while(!rest.empty()) {
+    if(!make_echelon_row(rest))
+      return std::nullopt;
+    basis.push_back(std::move(rest.front()));
+    rest.erase(rest.begin());
+  }
+  return basis;
+}
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

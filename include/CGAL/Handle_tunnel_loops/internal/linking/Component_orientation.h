@@ -12,14 +12,13 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -28,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -71,8 +69,7 @@ its faces look out of the solid as they are oriented.
 template <typename TriangleMesh, typename VertexPointMap, typename ComponentOfFace>
 class Component_orientation
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using face_descriptor = typename Graph_traits::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
 public:
   /// \p component maps a face to the number of its component. What is asked for later are
@@ -92,7 +89,6 @@ public:
     if(std::find(is_wanted_.begin(), is_wanted_.end(), 1) == is_wanted_.end())
       return;
     const auto all = parts_of(faces(tm));
-    find_extents(execution, all);
     find_volumes(execution, all);
     find_signs();
     find_nesting(execution, all);
@@ -111,40 +107,28 @@ public:
   }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   // A box around points, and the first of them: as far as is known, in the given part of the faces.
   struct Extent
   {
-    explicit Extent(std::size_t p = 0)
-        : part(p) {}
-
-    std::size_t part;
+    std::size_t part = 0;
     Vector first = {0., 0., 0.};
-    Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+    Box<3> box = Box<3>::empty();
 
-    bool is_empty() const { return low[0] > high[0]; }
+    bool is_empty() const { return box.low[0] > box.high[0]; }
 
     void add(const Triangle& t) {
       if(is_empty())
         first = t[0];
       for(const Vector& p : t)
-        extend(p, p);
+        box.extend({p, p});
     }
 
-    void add(const Extent& e) {
-      if(is_empty() || e.part < part) {
+    void add(const Extent& e, std::size_t part_of_e) {
+      if(is_empty() || part_of_e < part) {
         first = e.first;
-        part = e.part;
+        part = part_of_e;
       }
-      extend(e.low, e.high);
-    }
-
-    void extend(const Vector& l, const Vector& h) {
-      for(int d = 0; d < 3; ++d) {
-        low[d] = (std::min)(low[d], l[d]);
-        high[d] = (std::max)(high[d], h[d]);
-      }
+      box.extend(e.box);
     }
   };
 
@@ -152,8 +136,6 @@ private:
   // absolute values of what was added up.
   struct Volume
   {
-    explicit Volume(std::size_t = 0) {}
-
     std::size_t faces = 0;
     double value = 0., magnitude = 0.;
 
@@ -167,7 +149,7 @@ private:
       ++faces;
     }
 
-    void add(const Volume& v) {
+    void add(const Volume& v, std::size_t) {
       faces += v.faces;
       value += v.value;
       magnitude += v.magnitude;
@@ -194,58 +176,51 @@ private:
 
   // ---- boxes and volumes
 
-  // Adds up results by component, where `f(result, component, face)` adds a face. Threads do so for
-  // runs of faces of one component, and end in any order: what becomes of rounding errors is up to
-  // them, but no more than a bound of these is used.
-  template <typename Result, typename Faces, typename F, typename Add>
-  void add_up(Execution execution, const Faces& all, const F& f, const Add& add) {
+  // Adds up results in the parts of components, where `f(result, component, face)` adds a face.
+  // Threads do so for runs of faces of one component, and end in any order: what becomes of
+  // rounding errors is up to them, but no more than a bound of these is used.
+  template <typename Result, typename Faces, typename F>
+  void add_up(Execution execution, const Faces& all, Result Part::*result_of, const F& f) {
     std::mutex mutex;
     all.for_each_part(execution, [&](std::size_t i, auto begin, auto end) {
       std::vector<std::pair<std::size_t, Result>> runs;
       while(begin != end) {
         const std::size_t component = component_(*begin);
         CGAL_precondition(component < parts_.size());
-        Result result(i);
+        Result result;
         for(; begin != end && component_(*begin) == component; ++begin)
           f(result, component, *begin);
         runs.emplace_back(component, result);
       }
       const std::lock_guard<std::mutex> lock(mutex);
       for(const auto& [component, result] : runs)
-        add(parts_[component], result);
+        (parts_[component].*result_of).add(result, i);
     });
   }
 
-  template <typename Faces> void find_extents(Execution execution, const Faces& all) {
-    if(parts_.size() == 1 && all.size() > 0) {
-      parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
-      return;
-    }
-    add_up<Extent>(
-        execution, all,
-        [this](Extent& extent, std::size_t, face_descriptor f) { extent.add(triangle(f)); },
-        [](Part& part, const Extent& extent) { part.extent.add(extent); });
-  }
-
+  // A box is of use only where there are several.
   template <typename Faces> void find_volumes(Execution execution, const Faces& all) {
-    add_up<Volume>(
-        execution, all,
-        [this](Volume& volume, std::size_t component, face_descriptor f) {
-          if(is_wanted_[component])
-            volume.add(triangle(f), parts_[component].extent.first[2]);
-        },
-        [](Part& part, const Volume& volume) { part.volume.add(volume); });
+    if(parts_.size() == 1 && all.size() > 0)
+      parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
+    else
+      add_up(execution, all, &Part::extent,
+             [this](Extent& extent, std::size_t, face_descriptor f) { extent.add(triangle(f)); });
+    add_up(execution, all, &Part::volume,
+           [this](Volume& volume, std::size_t component, face_descriptor f) {
+             if(is_wanted_[component])
+               volume.add(triangle(f), parts_[component].extent.first[2]);
+           });
   }
 
   void find_signs() {
     std::vector<char> is_open(parts_.size(), 0);
     for(std::size_t i = 0; i < parts_.size(); ++i) {
+      Part& part = parts_[i];
       if(has_boundary_[i])
-        parts_[i].sign = 1;
+        part.sign = 1;
       if(!is_wanted_[i] || has_boundary_[i])
         continue;
       // Each term is off by a few roundings, each sum by one; nothing is known of what underflows.
-      Part& part = parts_[i];
       const Volume& volume = part.volume;
       const double error = volume.magnitude * (8. * double(volume.faces) + 16.) * 0x1p-53;
       if(std::abs(volume.value) > error && std::abs(volume.value) > 1e-250)
@@ -271,7 +246,7 @@ private:
   // ---- components within components
 
   bool may_contain(std::size_t outer, std::size_t inner) const {
-    const Extent &a = parts_[outer].extent, &b = parts_[inner].extent;
+    const Box<3>&a = parts_[outer].extent.box, &b = parts_[inner].extent.box;
     bool is_within = outer != inner && !has_boundary_[outer] && !has_boundary_[inner];
     for(int d = 0; d < 3; ++d)
       is_within = is_within && a.low[d] <= b.low[d] && b.high[d] <= a.high[d];

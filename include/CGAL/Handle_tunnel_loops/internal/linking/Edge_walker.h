@@ -23,10 +23,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,9 +39,8 @@ connected.
 */
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap> class Edge_walker
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Members = std::unordered_set<Index>;
   enum class Cluster { DISC, OTHER, UNKNOWN };
 

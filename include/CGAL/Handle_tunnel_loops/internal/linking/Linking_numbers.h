@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
@@ -25,7 +24,6 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <mutex>
 #include <random>
 #include <utility>
@@ -61,9 +59,6 @@ class Linking_numbers
   using Rectangle = Box<2>;
 
 public:
-  explicit Linking_numbers(const Surface_curves& curves)
-      : Linking_numbers(Execution(), curves) {}
-
   Linking_numbers(Execution execution, const Surface_curves& curves)
       : curves_(curves)
       , points_(execution, curves.vertices, next_direction(), 2 * curves.corners.size()) {
@@ -81,23 +76,11 @@ public:
     find_defect();
   }
 
-  /// how often loop i crosses loop j from right to left, less the other way.
-  const Sparse_matrix& intersections() const { return intersections_; }
-
-  /// V.
-  const Sparse_matrix& linking() const { return linking_; }
-
-  /// where the surface touches itself. The numbers of the loops that pass there mean nothing.
-  const std::vector<Contact>& contacts() const { return contacts_; }
-
-  /// whether there are so many contacts that the search for them was given up, as on a surface that
-  /// is a point. Then no number means anything.
-  bool has_too_many_contacts() const { return has_too_many_contacts_; }
-
-  /// V less its transpose less the intersection matrix (with the sign of the side to which the
-  /// faces look). It is empty unless the surface touches itself, or crosses itself near loops; then
-  /// the numbers of these loops mean nothing.
-  const Sparse_matrix& defect() const { return defect_; }
+  /// what has been computed.
+  Linking take() {
+    return {std::move(intersections_), std::move(linking_), std::move(defect_),
+            std::move(contacts_), has_too_many_contacts_};
+  }
 
 private:
   using Edge = Surface_curves::Edge;
@@ -110,16 +93,12 @@ private:
 
   void add_intersections() {
     for(std::size_t e = 0; e < curves_.edges.size(); ++e)
-      for(const Chains::Term& copy : curves_.crossings.of(e))
-        for(const Chains::Term& walk : curves_.walks.of(e))
-          intersections_.push_back({copy.loop, walk.loop, product(copy, walk)});
+      for(const Matrix_entry& copy : curves_.crossings.of(e))
+        for(const Matrix_entry& walk : curves_.walks.of(e))
+          intersections_.push_back({copy.column, walk.column, copy.value * walk.value});
     add_up(intersections_);
     CGAL_postcondition_msg(is_antisymmetric(intersections_),
                            "a copy crosses as often as its loop does");
-  }
-
-  static std::int64_t product(const Chains::Term& a, const Chains::Term& b) {
-    return std::int64_t(a.value) * b.value;
   }
 
   void find_defect() {
@@ -152,12 +131,13 @@ private:
     return !curves_.walks.of(e).empty() && !curves_.crossings.of(e).empty();
   }
 
+  int outward_at(std::size_t e) const { return curves_.outward[curves_.walks.of(e)[0].column]; }
+
   // Which side of the face to the left, and to the right, is seen: 1 is the outer one.
   std::array<int, 2> visible_sides(std::size_t e) const {
     const Edge& edge = curves_.edges[e];
-    const int outward = curves_.outward[curves_.walks.of(e).begin()->loop];
-    return {outward * points_.turn(edge.source, edge.target, edge.left),
-            outward * points_.turn(edge.target, edge.source, edge.right)};
+    return {outward_at(e) * points_.turn(edge.source, edge.target, edge.left),
+            outward_at(e) * points_.turn(edge.target, edge.source, edge.right)};
   }
 
   // Whether no face at a touched edge is seen as a line.
@@ -177,8 +157,8 @@ private:
     if(left == right)
       return left < 0;
     const Edge& edge = curves_.edges[e];
-    const int outward = curves_.outward[curves_.walks.of(e).begin()->loop];
-    const int reflex = outward * points_.side(edge.source, edge.target, edge.left, edge.right);
+    const int reflex =
+        outward_at(e) * points_.side(edge.source, edge.target, edge.left, edge.right);
     if(reflex == 0 || left == 0 || right == 0)
       add_contact({Contact::no_corner, e});
     return reflex > 0;
@@ -187,10 +167,10 @@ private:
   void add_touches() {
     for(std::size_t e = 0; e < curves_.edges.size(); ++e)
       if(is_touched(e) && is_above(e))
-        for(const Chains::Term& copy : curves_.crossings.of(e))
-          for(const Chains::Term& walk : curves_.walks.of(e))
+        for(const Matrix_entry& copy : curves_.crossings.of(e))
+          for(const Matrix_entry& walk : curves_.walks.of(e))
             linking_.push_back(
-                {copy.loop, walk.loop, curves_.outward[walk.loop] * product(copy, walk)});
+                {copy.column, walk.column, curves_.outward[walk.column] * copy.value * walk.value});
   }
 
   // ---- places where a copy is seen to cross a walk
@@ -298,8 +278,8 @@ private:
       return;
     const int sign = crossing(c, e);
     if(sign != 0)
-      for(const Chains::Term& walk : curves_.walks.of(e))
-        entries.push_back({corner.loop, walk.loop, sign * std::int64_t(walk.value)});
+      for(const Matrix_entry& walk : curves_.walks.of(e))
+        entries.push_back({corner.loop, walk.column, sign * walk.value});
   }
 
   static bool touches(const Corner& c, const Edge& edge) {
@@ -331,8 +311,7 @@ private:
   const Surface_curves& curves_;
   std::minstd_rand random_;
   Projected_points points_;
-  Sparse_matrix linking_, intersections_;
-  Sparse_matrix defect_; // V less its transpose less the intersection matrix
+  Sparse_matrix linking_, intersections_, defect_; // see `Linking`
   int number_of_attempts_ = 0;
   std::mutex mutex_; // for contacts_
   std::vector<Contact> contacts_;

@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_relations.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 
@@ -64,8 +63,8 @@ public:
     loops_ = std::move(loops);
     for(const Loop* loop : loops_) {
       CGAL_precondition(!loop->steps().empty());
-      components_.push_back(component(face(loop->steps().front().halfedge, tm_)));
-      CGAL_assertion(components_.back() < number_of_components);
+      relations_.components.push_back(component(face(loop->steps().front().halfedge, tm_)));
+      CGAL_assertion(relations_.components.back() < number_of_components);
     }
     for(const Walk& boundary : boundaries_)
       boundary_components_.push_back(component(face(boundary.front(), tm_)));
@@ -78,24 +77,21 @@ public:
     for_each_index(
         execution, loops_.size(),
         [this](std::size_t i) { walks_[i] = walker_.straight(*loops_[i]); }, 1);
-    Builder builder(tm_, point_, vertex_index_);
-    const Surface_curves curves = builder.build(execution, walks_, outward_);
-    intersections_ = internal::link(execution, curves, false).intersections;
+    const Surface_curves curves =
+        Builder(tm_, point_, vertex_index_).build(execution, walks_, relations_.outward);
+    relations_.intersections = internal::link(execution, curves, false).intersections;
   }
 
   /// computes the intersection and the linking numbers.
   void link(Execution execution) {
-    is_linked_ = true;
+    relations_.is_linked = true;
     for(int round = 0; round < maximum_number_of_rounds; ++round)
       if(!find_walks(execution, round == 0) || !link_walks(execution))
         break;
   }
 
   /// what has been computed.
-  Loop_relations take_relations() {
-    return {std::move(intersections_), std::move(linking_), std::move(problems_),
-            std::move(components_),    std::move(outward_), is_linked_};
-  }
+  Loop_relations take_relations() { return std::move(relations_); }
 
 private:
   static constexpr int maximum_number_of_rounds = 8;
@@ -104,7 +100,7 @@ private:
 
   void add_problem(std::size_t loop, const std::string& problem) {
     if(!is_boundary(loop))
-      problems_.emplace(loop, problem);
+      relations_.problems.emplace(loop, problem);
   }
 
   template <typename ComponentOfFace>
@@ -112,17 +108,17 @@ private:
                     const ComponentOfFace& component,
                     std::size_t number_of_components) {
     std::vector<char> has_loop(number_of_components, 0), has_boundary = has_loop;
-    for(std::size_t c : components_)
+    for(std::size_t c : relations_.components)
       has_loop[c] = 1;
     for(std::size_t c : boundary_components_)
       has_boundary[c] = 1;
     keep_boundaries_if(has_loop);
     const Component_orientation<TriangleMesh, VertexPointMap, ComponentOfFace> sides(
         execution, tm_, point_, component, std::move(has_loop), std::move(has_boundary));
-    for(std::size_t i = 0; i < components_.size(); ++i) {
-      outward_.push_back(sides.outward(components_[i]));
-      if(outward_[i] == 0)
-        lasting_problems_.emplace(i, sides.reason(components_[i]));
+    for(std::size_t i = 0; i < relations_.components.size(); ++i) {
+      relations_.outward.push_back(sides.outward(relations_.components[i]));
+      if(relations_.outward[i] == 0)
+        lasting_problems_.emplace(i, sides.reason(relations_.components[i]));
     }
   }
 
@@ -175,18 +171,17 @@ private:
 
   // Whether another round may do better.
   bool link_walks(Execution execution) {
-    Builder builder(tm_, point_, vertex_index_);
-    const Surface_curves curves = build_with_boundaries(execution, builder);
-    problems_ = lasting_problems_;
-    const bool do_link = problems_.size() < loops_.size();
+    const Surface_curves curves = curves_with_boundaries(execution);
+    relations_.problems = lasting_problems_;
+    const bool do_link = relations_.problems.size() < loops_.size();
     Linking numbers = internal::link(execution, curves, do_link);
-    intersections_ = std::move(numbers.intersections);
-    drop_boundaries(intersections_);
+    relations_.intersections = std::move(numbers.intersections);
+    drop_boundaries(relations_.intersections);
     if(!do_link)
       return false;
-    linking_ = std::move(numbers.linking);
+    relations_.linking = std::move(numbers.linking);
     note_linked_boundaries();
-    drop_boundaries(linking_);
+    drop_boundaries(relations_.linking);
     if(numbers.has_too_many_contacts) {
       for(std::size_t i = 0; i < loops_.size(); ++i)
         add_problem(i, "the surface touches itself in very many places");
@@ -195,8 +190,8 @@ private:
     bool is_any_avoided = false;
     for(const Contact& contact : numbers.contacts)
       if(is_any_loop_at(contact, curves)) {
-        note_contact(contact, curves, builder);
-        avoid(contact, curves, builder);
+        note_contact(contact, curves);
+        avoid(contact, curves);
         is_any_avoided = true;
       }
     for(const Matrix_entry& e : numbers.defect)
@@ -206,21 +201,19 @@ private:
   }
 
   // The numbers of the boundary curves come after those of the loops.
-  Surface_curves build_with_boundaries(Execution execution, Builder& builder) const {
-    if(boundaries_.empty())
-      return builder.build(execution, walks_, outward_);
+  Surface_curves curves_with_boundaries(Execution execution) const {
     std::vector<Walk> walks = walks_;
     walks.insert(walks.end(), boundaries_.begin(), boundaries_.end());
-    std::vector<int> outward = outward_;
+    std::vector<int> outward = relations_.outward;
     outward.resize(walks.size(), 1);
-    return builder.build(execution, walks, std::move(outward));
+    return Builder(tm_, point_, vertex_index_).build(execution, walks, std::move(outward));
   }
 
   void note_linked_boundaries() {
-    for(const Matrix_entry& e : linking_)
+    for(const Matrix_entry& e : relations_.linking)
       if(is_boundary(e.row) != is_boundary(e.column)) {
         const auto [loop, boundary] = std::minmax(e.row, e.column);
-        if(boundary_components_[boundary - loops_.size()] == components_[loop])
+        if(boundary_components_[boundary - loops_.size()] == relations_.components[loop])
           add_problem(loop, "a boundary curve is linked with it");
       }
   }
@@ -235,9 +228,8 @@ private:
 
   // How boundary curves lie to each other is not asked for.
   bool is_any_loop_at(const Contact& contact, const Surface_curves& curves) const {
-    const auto is_of_loop = [this](const Chains::Term& t) { return !is_boundary(t.loop); };
-    const Chains::Terms walks = curves.walks.of(contact.edge),
-                        copies = curves.crossings.of(contact.edge);
+    const auto is_of_loop = [this](const Matrix_entry& t) { return !is_boundary(t.column); };
+    const auto walks = curves.walks.of(contact.edge), copies = curves.crossings.of(contact.edge);
     const bool has_corner = contact.corner != Contact::no_corner;
     return std::any_of(walks.begin(), walks.end(), is_of_loop) ||
            (has_corner ? !is_boundary(curves.corners[contact.corner].loop)
@@ -245,7 +237,7 @@ private:
   }
 
   // The vertices that the edge and the corner share are to be avoided, or all if they share none.
-  void avoid(const Contact& contact, const Surface_curves& curves, const Builder& builder) {
+  void avoid(const Contact& contact, const Surface_curves& curves) {
     const Surface_curves::Edge& edge = curves.edges[contact.edge];
     std::vector<Index> vertices = {edge.source, edge.target};
     if(contact.corner != Contact::no_corner) {
@@ -259,21 +251,21 @@ private:
         vertices = shared;
     }
     for(Index v : vertices)
-      walker_.avoid(builder.original(v));
+      walker_.avoid(curves.originals[v]);
   }
 
-  void note_contact(const Contact& contact, const Surface_curves& curves, const Builder& builder) {
+  void note_contact(const Contact& contact, const Surface_curves& curves) {
     const Surface_curves::Edge& edge = curves.edges[contact.edge];
     const std::string problem = "the surface touches itself at the edge " +
-                                std::to_string(builder.original(edge.source)) + " - " +
-                                std::to_string(builder.original(edge.target));
-    for(const Chains::Term& walk : curves.walks.of(contact.edge))
-      add_problem(walk.loop, problem);
+                                std::to_string(curves.originals[edge.source]) + " - " +
+                                std::to_string(curves.originals[edge.target]);
+    for(const Matrix_entry& walk : curves.walks.of(contact.edge))
+      add_problem(walk.column, problem);
     if(contact.corner != Contact::no_corner)
       add_problem(curves.corners[contact.corner].loop, problem);
     else
-      for(const Chains::Term& copy : curves.crossings.of(contact.edge))
-        add_problem(copy.loop, problem);
+      for(const Matrix_entry& copy : curves.crossings.of(contact.edge))
+        add_problem(copy.column, problem);
   }
 
   const TriangleMesh& tm_;
@@ -281,14 +273,11 @@ private:
   VertexIndexMap vertex_index_;
   Walker walker_;
   std::vector<const Loop*> loops_;
-  std::vector<std::size_t> components_; // by loop
-  std::vector<int> outward_;            // by loop
+  Loop_relations relations_;
   std::vector<Walk> walks_;
   std::vector<Walk> boundaries_; // of components that have loops
   std::vector<std::size_t> boundary_components_;
-  Sparse_matrix intersections_, linking_;
-  bool is_linked_ = false;
-  std::map<std::size_t, std::string> lasting_problems_, problems_;
+  std::map<std::size_t, std::string> lasting_problems_;
 };
 
 } // namespace internal

@@ -13,9 +13,11 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -71,9 +73,8 @@ itself, or bends, that may be another sign.
 */
 template <typename TriangleMesh, typename VertexPointMap> class Offset_classifier
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
 public:
   /// \p offset is in the unit of the points; if it is 0 the derivative is compared.
@@ -130,12 +131,77 @@ private:
   double offset_;
 };
 
+/// About how fast loops become longer when they are moved outwards (paper, 4.5): in floating point,
+/// for choices of which each is right. `Offset_classifier` does the same exactly.
+class Offset_growth
+{
+public:
+  explicit Offset_growth(const Flat_mesh& mesh)
+      : mesh_(mesh)
+      , volume_(mesh.seeds.size(), 0.) {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      volume_[mesh.component[v]] += volume_at(v);
+  }
+
+  /// the derivative of the length by the way along the normals.
+  double operator()(const Crossing_loop& loop) const {
+    CGAL_precondition(!loop.empty());
+    double sum = 0.;
+    Vector p = position(mesh_, loop.back()), n = normal(loop.back());
+    for(const Crossing& c : loop) {
+      const Vector q = position(mesh_, c), m = normal(c);
+      const double distance = norm(q - p);
+      if(distance > 0.)
+        sum += dot(m - n, q - p) / distance;
+      p = q;
+      n = m;
+    }
+    return volume_[mesh_.component[loop.front().left]] < 0. ? -sum : sum;
+  }
+
+private:
+  // Of the cones from the seed over the faces that v is the smallest vertex of, six times.
+  double volume_at(Index v) const {
+    const Vector& origin = mesh_.points[mesh_.seeds[mesh_.component[v]]];
+    const Ring ring = mesh_.ring(v);
+    double sum = 0.;
+    for(Index i = 0; i < ring.size(); ++i) {
+      const Index a = ring[i], b = ring[ring.next(i)];
+      if(v < a && v < b)
+        sum += dot(mesh_.points[v] - origin,
+                   cross(mesh_.points[a] - origin, mesh_.points[b] - origin));
+    }
+    return sum;
+  }
+
+  Vector normal(Index v) const {
+    const Ring ring = mesh_.ring(v);
+    Vector sum = {0., 0., 0.};
+    for(Index i = 0; i < ring.size(); ++i)
+      sum = sum + cross(mesh_.points[ring[i]] - mesh_.points[v],
+                        mesh_.points[ring[ring.next(i)]] - mesh_.points[v]);
+    return normalized(sum);
+  }
+
+  Vector normal(const Crossing& c) const {
+    return normalized((1. - c.ratio) * normal(c.left) + c.ratio * normal(c.right));
+  }
+
+  static Vector normalized(const Vector& a) {
+    const double length = norm(a);
+    return length > 0. ? (1. / length) * a : a;
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<double> volume_; // by component; negative if the faces look inwards
+};
+
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_growth_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
 #endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_OFFSET_CLASSIFIER_H

@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -49,21 +50,19 @@ public:
     double a, b;
   };
 
-  Projected_points(const std::vector<Vector>& vertices, const Direction& direction)
-      : Projected_points(Execution(), vertices, direction, 0) {}
-
-  /// as above; there will be \p number_of_midpoints.
+  /// There will be \p number_of_midpoints.
   Projected_points(Execution execution,
                    const std::vector<Vector>& vertices,
                    const Direction& direction,
-                   std::size_t number_of_midpoints)
+                   std::size_t number_of_midpoints = 0)
       : vertices_(vertices)
       , points_(new Point[vertices.size() + number_of_midpoints]) {
     double largest = 0.;
     for(const Vector& p : vertices)
       for(double x : p)
         largest = (std::max)(largest, std::abs(x));
-    scale_ = scale_for(largest);
+    const double scale = scale_for(largest);
+    scale_of_all_ = {scale, scale, {scale, scale, scale}};
     see_along(execution, direction);
   }
 
@@ -82,7 +81,7 @@ public:
     for_each_index(execution, n, [&](std::size_t i) {
       const auto [u, v] = ends(i);
       CGAL_precondition(u < vertices_.size() && v < vertices_.size());
-      points_[number_of_points_ + i] = midpoint(u, v);
+      points_[number_of_points_ + i] = midpoint(u, v, scale_of_all_);
     });
     number_of_points_ += n;
   }
@@ -99,11 +98,8 @@ public:
   /// the sense in which the projections of three points turn: 1 is counterclockwise.
   int turn(Index p, Index q, Index r) const {
     CGAL_precondition(p < number_of_points_ && q < number_of_points_ && r < number_of_points_);
-    if(const int sense = certain_turn(points_[p], points_[q], points_[r]))
-      return sense;
-    const Scales scales = scales_of<3>({p, q, r});
-    const int sense = certain_turn(close_up(p, scales), close_up(q, scales), close_up(r, scales));
-    return sense != 0 ? sense : exact_turn(p, q, r);
+    return sign([](const auto&... points) { return certain_turn(points...); },
+                [&] { return exact_turn(p, q, r); }, p, q, r);
   }
 
   /// the same with r moved aside by (s, s^2) for an infinitesimal s; zero only if p and q are seen
@@ -122,12 +118,8 @@ public:
   /// 1 if s lies on the side of the plane through p, q and r from which these are seen to turn
   /// counterclockwise; 0 if it lies on the plane.
   int side(Index p, Index q, Index r, Index s) const {
-    if(const int sense = certain_side(points_[p], points_[q], points_[r], points_[s]))
-      return sense;
-    const Scales scales = scales_of<4>({p, q, r, s});
-    const int sense = certain_side(close_up(p, scales), close_up(q, scales), close_up(r, scales),
-                                   close_up(s, scales));
-    return sense != 0 ? sense : exact_side(p, q, r, s);
+    return sign([](const auto&... points) { return certain_side(points...); },
+                [&] { return exact_side(p, q, r, s); }, p, q, r, s);
   }
 
 private:
@@ -154,10 +146,6 @@ private:
     return std::ldexp(1., (std::min)(-exponent - 1, 1000));
   }
 
-  Point midpoint(Index u, Index v) const { return midpoint(u, v, scale_of_all()); }
-
-  Scales scale_of_all() const { return {scale_, scale_, {scale_, scale_, scale_}}; }
-
   Point midpoint(Index u, Index v, const Scales& scales) const {
     const auto sum = [&](int d, double scale) {
       return scale * vertices_[u][d] + scale * vertices_[v][d];
@@ -170,6 +158,16 @@ private:
     p.x = sum(0, scales.x) - direction_.a * sum(2, scales.x);
     p.y = sum(1, scales.y) - direction_.b * sum(2, scales.y);
     return p;
+  }
+
+  // The sign that `certain(points...)` tells, from close by if need be, or else `exact()`.
+  template <typename Certain, typename Exact, typename... Indices>
+  int sign(const Certain& certain, const Exact& exact, Indices... p) const {
+    if(const int sign = certain(points_[p]...))
+      return sign;
+    const Scales scales = scales_of({p...});
+    const int sign = certain(close_up(p, scales)...);
+    return sign != 0 ? sign : exact();
   }
 
   // ---- predicates that may be left undecided: 0
@@ -197,7 +195,7 @@ private:
 
   // ---- from close by
 
-  template <std::size_t N> Scales scales_of(const std::array<Index, N>& points) const {
+  Scales scales_of(std::initializer_list<Index> points) const {
     Vector largest{0., 0., 0.};
     for(Index p : points)
       for(Index v : {points_[p].u, points_[p].v})
@@ -236,12 +234,10 @@ private:
     const auto certain = [&](const Point& a, const Point& b) {
       return certain_sign(b.*coordinate - a.*coordinate, 0x1p-49);
     };
-    if(const int sign = certain(points_[p], points_[q]))
-      return sign;
-    const Scales scales = scales_of<2>({p, q});
-    const int sign = certain(close_up(p, scales), close_up(q, scales));
-    return sign != 0 ? sign
-                     : sign_of(exact_projected_difference(p, q)[coordinate == &Point::x ? 0 : 1]);
+    const auto exact = [&] {
+      return sign_of(exact_projected_difference(p, q)[coordinate == &Point::x ? 0 : 1]);
+    };
+    return sign(certain, exact, p, q);
   }
 
   // The turn from the line through p and q to an infinitesimal step (s, s^2).
@@ -257,7 +253,7 @@ private:
 
   const std::vector<Vector>& vertices_;
   Direction direction_;
-  double scale_; // a power of two that makes the coordinates smaller than 1/2
+  Scales scale_of_all_; // the same for all coordinates
   // Not initialized, so that the threads that fill it are the first to touch it.
   std::unique_ptr<Point[]> points_;
   std::size_t number_of_points_ = 0;

@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,80 +38,61 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
-/// Scales the axes of points so that most of them spread about as far along each: what is squeezed
+inline int binary_exponent(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// how far most points spread along an axis: half the median distance to the median, or if this is
+/// zero half the largest.
+inline double spread_along(int axis, const std::vector<Vector>& points) {
+  if(points.empty())
+    return 0.;
+  std::vector<double> numbers;
+  for(const Vector& p : points)
+    numbers.push_back(p[axis] / 2.);
+  const auto median = [&] {
+    const auto middle = numbers.begin() + numbers.size() / 2;
+    std::nth_element(numbers.begin(), middle, numbers.end());
+    return *middle;
+  };
+  const double center = median();
+  for(double& x : numbers)
+    x = std::abs(x - center);
+  const double distance = median();
+  return distance > 0. ? distance : *std::max_element(numbers.begin(), numbers.end());
+}
+
+/// the exponent that is nearest to the wanted one and lets all bits of all coordinates survive.
+inline int allowed_exponent(int axis, const std::vector<Vector>& points, int wanted) {
+  int lowest = INT_MAX, highest = INT_MIN;
+  for(const Vector& p : points)
+    if(p[axis] != 0.) {
+      lowest = (std::min)(lowest, binary_exponent(p[axis]));
+      highest = (std::max)(highest, binary_exponent(p[axis]));
+    }
+  if(lowest > highest)
+    return 0;
+  constexpr int largest = 1000, smallest = -960;
+  return (std::min)((std::max)(wanted, (std::min)(0, smallest - lowest)),
+                    (std::max)(0, largest - highest));
+}
+
+/// scales the axes of points so that most of them spread about as far along each: what is squeezed
 /// to a line, or nearly, is seen from the side then. The axes are scaled by powers of two, and not
 /// so far that this is not exact, so that whatever linear maps leave as it is stays the same.
-class Even_axes
-{
-public:
-  explicit Even_axes(std::vector<Vector>& points)
-      : points_(points)
-      , numbers_(points.size()) {}
-
-  void scale() {
-    for(int d = 0; d < 3; ++d)
-      if(const int exponent = allowed(d, -exponent_of(spread(d))); exponent != 0)
-        for(Vector& p : points_)
-          p[d] = std::ldexp(p[d], exponent);
+inline void even_axes(std::vector<Vector>& points) {
+  for(int d = 0; d < 3; ++d) {
+    const int wanted = -binary_exponent(spread_along(d, points));
+    if(const int exponent = allowed_exponent(d, points, wanted); exponent != 0)
+      for(Vector& p : points)
+        p[d] = std::ldexp(p[d], exponent);
   }
+}
 
-private:
-  static int exponent_of(double x) {
-    int exponent = 0;
-    std::frexp(x, &exponent);
-    return exponent;
-  }
-
-  // The median distance to the median, or if this is zero the largest.
-  double spread(int d) {
-    const auto take_all = [&](double from) {
-      for(std::size_t i = 0; i < points_.size(); ++i)
-        numbers_[i] = std::abs(points_[i][d] / 2. - from);
-    };
-    if(points_.empty())
-      return 0.;
-    for(std::size_t i = 0; i < points_.size(); ++i)
-      numbers_[i] = points_[i][d] / 2.;
-    take_all(median());
-    const double distance = median();
-    return distance > 0. ? distance : *std::max_element(numbers_.begin(), numbers_.end());
-  }
-
-  double median() {
-    const auto middle = numbers_.begin() + numbers_.size() / 2;
-    std::nth_element(numbers_.begin(), middle, numbers_.end());
-    return *middle;
-  }
-
-  // The exponent that is nearest to the wanted one and lets all bits of all numbers survive.
-  int allowed(int d, int wanted) const {
-    int lowest = INT_MAX, highest = INT_MIN;
-    for(const Vector& p : points_)
-      if(p[d] != 0.) {
-        lowest = (std::min)(lowest, exponent_of(p[d]));
-        highest = (std::max)(highest, exponent_of(p[d]));
-      }
-    if(lowest > highest)
-      return 0;
-    constexpr int largest = 1000, smallest = -960;
-    return (std::min)((std::max)(wanted, (std::min)(0, smallest - lowest)),
-                      (std::max)(0, largest - highest));
-  }
-
-  std::vector<Vector>& points_;
-  std::vector<double> numbers_;
-};
-
-/// An edge of a walk, and the place of that edge in the sequence of all walks.
-struct Edge_position
-{
-  std::uint64_t key;
-  std::size_t position;
-
-  bool operator<(const Edge_position& p) const {
-    return key != p.key ? key < p.key : position < p.position;
-  }
-};
+/// The key of an edge of a walk, and the place of that edge in the sequence of all walks.
+using Edge_position = std::pair<std::uint64_t, std::size_t>;
 
 CGAL_HTL_CORE void sort_positions(Execution execution, std::vector<Edge_position>& positions);
 
@@ -119,9 +101,8 @@ CGAL_HTL_CORE void sort_positions(Execution execution, std::vector<Edge_position
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
 class Surface_curves_builder
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
 public:
   using Walk = std::vector<halfedge_descriptor>;
@@ -140,7 +121,7 @@ public:
       pieces[i].index_bound = index_bound(walks[i], pieces[i].entered);
     });
     number_vertices(execution, walks, pieces);
-    Even_axes(curves_.vertices).scale(); // linking numbers stay what they are
+    even_axes(curves_.vertices); // linking numbers stay what they are
     number_edges(execution, walks);
     for_each_loop(execution, walks, [&](std::size_t i) {
       add_copy(pieces[i].entered, static_cast<Index>(i), pieces[i]);
@@ -149,9 +130,6 @@ public:
     curves_.outward = std::move(outward);
     return std::move(curves_);
   }
-
-  /// the index, in the mesh, of vertex v of the curves.
-  Index original(Index v) const { return originals_[v]; }
 
 private:
   // What is found of each loop by itself.
@@ -227,16 +205,18 @@ private:
           pieces[i].vertices.push_back(v);
       });
     });
-    originals_ = collect<Index>(execution, bound, [this](std::size_t begin, std::size_t end) {
-      std::vector<Index> seen;
-      for(std::size_t i = begin; i < end; ++i)
-        if(numbers_[i].load(std::memory_order_relaxed) != no_index)
-          seen.push_back(static_cast<Index>(i));
-      return seen;
+    curves_.originals =
+        collect<Index>(execution, bound, [this](std::size_t begin, std::size_t end) {
+          std::vector<Index> seen;
+          for(std::size_t i = begin; i < end; ++i)
+            if(numbers_[i].load(std::memory_order_relaxed) != no_index)
+              seen.push_back(static_cast<Index>(i));
+          return seen;
+        });
+    for_each_index(execution, curves_.originals.size(), [this](std::size_t n) {
+      set_number(curves_.originals[n], static_cast<Index>(n));
     });
-    for_each_index(execution, originals_.size(),
-                   [this](std::size_t n) { set_number(originals_[n], static_cast<Index>(n)); });
-    curves_.vertices.resize(originals_.size());
+    curves_.vertices.resize(curves_.originals.size());
     for_each_loop(execution, walks, [&](std::size_t i) {
       for(vertex_descriptor v : pieces[i].vertices)
         curves_.vertices[number_of(v)] = coordinates(point_, v);
@@ -273,8 +253,8 @@ private:
     sort_positions(execution, places);
     std::vector<Index> number(all.size(), no_index); // of edges, by the first place of each
     for(std::size_t i = 0; i < places.size(); ++i)
-      if(i == 0 || places[i].key != places[i - 1].key)
-        number[places[i].position] = 0;
+      if(i == 0 || places[i].first != places[i - 1].first)
+        number[places[i].second] = 0;
     for(std::size_t i = 0; i < all.size(); ++i)
       if(number[i] != no_index) {
         number[i] = static_cast<Index>(firsts_.size());
@@ -292,14 +272,13 @@ private:
 
   // Lists the edges by the vertices at which they begin.
   void note_edges(const std::vector<Edge_position>& places, const std::vector<Index>& number) {
-    first_at_.assign(originals_.size() + 1, 0);
+    first_at_.assign(curves_.originals.size() + 1, 0);
     for(std::size_t i = 0; i < places.size(); ++i)
-      if(i == 0 || places[i].key != places[i - 1].key) {
-        ++first_at_[(places[i].key >> 32) + 1];
-        edges_.emplace_back(static_cast<Index>(places[i].key), number[places[i].position]);
+      if(i == 0 || places[i].first != places[i - 1].first) {
+        ++first_at_[(places[i].first >> 32) + 1];
+        edges_.emplace_back(static_cast<Index>(places[i].first), number[places[i].second]);
       }
-    for(std::size_t v = 1; v < first_at_.size(); ++v)
-      first_at_[v] += first_at_[v - 1];
+    std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
   }
 
   // The number of an edge, or none.
@@ -355,7 +334,6 @@ private:
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
   Surface_curves curves_;
-  std::vector<Index> originals_;                  // by vertex of the curves
   std::unique_ptr<std::atomic<Index>[]> numbers_; // of vertices, by index in the mesh
   Walk firsts_;                                   // by edge: how it was passed first
   std::vector<std::pair<Index, Index>> edges_;    // the end, and the number

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>
+#include <future>
 #include <memory>
 #include <string>
 #include <utility>
@@ -39,11 +40,10 @@ CGAL_HTL_CORE std::unique_ptr<Passes> host_passes(Execution execution,
 /// solvers, which take part in the tests of agreement.
 template <typename ConcurrencyTag> struct Passes_of_tag
 {
-  /// lives while the mesh is prepared: what can be made ready meanwhile.
-  struct Head_start
-  {
-    Head_start(const Device_options&, std::size_t /* number_of_vertices */) {}
-  };
+  /// makes ready what can be while the mesh is prepared, after which it is waited for.
+  static std::future<void> head_start(const Device_options&, std::size_t /* number_of_vertices */) {
+    return {};
+  }
 
   /// \p seeds are the vertices to start from, one in each component.
   static std::unique_ptr<Passes>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_growth.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>

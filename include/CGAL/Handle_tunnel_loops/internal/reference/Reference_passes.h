@@ -416,20 +416,6 @@ private:
   std::vector<Crossing_loop> handles_, tunnels_;
 };
 
-/// See `Passes_of_tag`.
-struct Passes_of_reference
-{
-  struct Head_start
-  {
-    Head_start(const Device_options&, std::size_t) {}
-  };
-
-  static std::unique_ptr<Passes>
-  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
-    return std::make_unique<Reference_passes>(mesh, seeds, options);
-  }
-};
-
 } // namespace reference
 } // namespace internal
 } // namespace Handle_tunnel_loops
