@@ -9,7 +9,6 @@
 
 #include "solve/cut_solver.h"
 
-#include "solve/stopwatch.h"
 #include "solve/thread_limit.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>

@@ -10,7 +10,6 @@
 #include "app/interrupt.h"
 #include "app/solve/boundaries.h"
 #include "app/solve/certification.h"
-#include "app/solve/self_contact.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/help.h"

@@ -12,7 +12,6 @@
 #include "app/failure.h"
 #include "app/solve/cut_solver.h"
 #include "app/solve/dual_cut_solver.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/mesh_writer.h"

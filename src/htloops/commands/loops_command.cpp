@@ -14,7 +14,6 @@
 #include "app/draw/pictures.h"
 #include "app/failure.h"
 #include "app/interrupt.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/rows.h"

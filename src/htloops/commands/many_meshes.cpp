@@ -11,7 +11,7 @@
 
 #include "app/failure.h"
 #include "app/interrupt.h"
-#include "app/solve/stopwatch.h"
+#include "app/solve/progress.h"
 #include "app/solve/thread_limit.h"
 #include "app/write/rows.h"
 #include "commands/command.h"

@@ -16,7 +16,6 @@
 #include "app/read/vertex_data.h"
 #include "app/solve/backends.h"
 #include "app/solve/reeb_solver.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/files.h"

@@ -10,11 +10,9 @@
 #include "app/draw/pages.h"
 #include "app/failure.h"
 #include "app/read/vertex_data.h"
+#include "app/solve/backends.h"
 #include "app/solve/certification.h"
 #include "app/solve/removal_solver.h"
-#include "app/solve/solvers.h"
-#include "app/solve/spread_properties.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/mesh_writer.h"
@@ -111,7 +109,7 @@ Pairs pairs_of(const Mesh& mesh, const Remove_options& options, bool show_progre
   Solve_options solve_options;
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(show_progress);
-  return solve_on_host(mesh, solve_options, bar).pairs;
+  return host_backend.solve(mesh, solve_options, bar).pairs;
 }
 
 Removal_options wish(const Mesh& mesh, const Remove_options& options) {
