@@ -349,7 +349,7 @@ Smooth_surface tube_around(const std::vector<Vector>& line, bool is_closed, doub
   return Tube(line, is_closed, radius).build();
 }
 
-void check_gltf_format(const std::string& file) { format_of(file, gltf_formats); }
+void check_gltf_format(const std::string& file) { check_format(file, gltf_formats); }
 
 void export_gltf(const std::string& file,
                  const Drawn_surface& surface,
@@ -372,10 +372,7 @@ void export_gltf(const std::string& file,
     gltf.add(line.kind + " " + std::to_string(line.index), line.kind,
              tube_around(coordinates(line.points), line.is_closed, relative_radius * diagonal),
              line.colour);
-  const std::string content = gltf.file();
-  Text_writer out(file);
-  out << content;
-  out.finish();
+  write_text(file, gltf.file());
 }
 
 } // namespace htloops

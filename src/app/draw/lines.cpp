@@ -202,7 +202,7 @@ Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
   return result;
 }
 
-void check_lines_format(const std::string& file) { format_of(file, line_formats); }
+void check_lines_format(const std::string& file) { check_format(file, line_formats); }
 
 void export_lines(const std::string& file, const Exported_lines& lines) {
   write_file(file, line_formats, lines);

@@ -171,10 +171,7 @@ void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row) {
 
 // The page is made before its file is begun: while a file is unfinished, an interrupt has to wait.
 void write_page(const std::string& file, const htl_window::Scene& scene) {
-  const std::string page = page_of(scene);
-  Text_writer out(file);
-  out << page;
-  out.finish();
+  write_text(file, page_of(scene));
 }
 
 htl_window::Scene scene_of_loops(const View& view,

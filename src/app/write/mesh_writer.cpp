@@ -139,7 +139,9 @@ void write(const std::string& file, const Written_mesh& written) {
 
 } // namespace
 
-void check_mesh_format(const std::string& file) { format_of(file); }
+void check_mesh_format(const std::string& file) {
+  check_format(name_with_format(file), mesh_formats);
+}
 
 void write_mesh(const std::string& file, const generators::Soup& mesh) { write(file, {mesh, {}}); }
 
