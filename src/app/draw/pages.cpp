@@ -102,22 +102,19 @@ using CGAL::Handle_tunnel_loops::Refused_handle;
 using CGAL::Handle_tunnel_loops::Removal_report;
 using CGAL::Handle_tunnel_loops::Removed_handle;
 
-std::string number(double value) { return formatted("%.6g", value); }
-
 void add_row(htl_window::Table& table, std::vector<std::string> cells, double length) {
   table.rows.push_back(std::move(cells));
   table.lengths.push_back(length);
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Removed_handle& handle) {
-  add_row(table,
-          {name, name_of(handle.by), number(handle.length), number(handle.area),
-           number(handle.volume), ""},
-          handle.length);
+  add_row(table, cells_of(handle, name), handle.length);
+  table.rows.back().emplace_back();
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Refused_handle& handle) {
-  add_row(table, {name, "refused", number(handle.length), "", "", handle.reason}, handle.length);
+  add_row(table, {name, "refused", formatted("%.6g", handle.length), "", "", handle.reason},
+          handle.length);
 }
 
 template <typename Handle>
