@@ -219,7 +219,9 @@ void export_graph(const std::string& file, const Reeb_answer& answer) {
   write_file(file, graph_formats, answer);
 }
 
-void check_coloured_mesh_format(const std::string& file) { check_format(file, coloured_mesh_formats); }
+void check_coloured_mesh_format(const std::string& file) {
+  check_format(file, coloured_mesh_formats);
+}
 
 void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer) {
   write_file(file, coloured_mesh_formats, mesh, answer);

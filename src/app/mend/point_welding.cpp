@@ -203,7 +203,7 @@ private:
   void weld() {
     std::vector<std::uint32_t> first_at(number_of_places_, no_point);
     std::vector<std::uint32_t> welded(soup_.points.size());
-    Change_counter counter;
+    Finding counter;
     for(std::uint32_t v = 0; v < soup_.points.size(); ++v) {
       welded[v] = v;
       if(!is_welded_[v])
@@ -220,8 +220,8 @@ private:
         v = welded[v];
     for(std::uint32_t& v : soup_.further_corners)
       v = welded[v];
-    counter.report(mended_, "vertex welded with another at the same place",
-                   "vertices welded with others at the same place");
+    report(mended_, counter, "vertex welded with another at the same place",
+           "vertices welded with others at the same place");
   }
 
   Mended_soup& mended_;

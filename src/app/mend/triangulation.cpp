@@ -224,7 +224,7 @@ public:
     Soup soup;
     std::vector<std::uint32_t> face_in_file;
     soup.faces.reserve(mended_.soup.faces.size() + mended_.soup.further_corners.size());
-    Change_counter counter;
+    Finding counter;
     for_each_polygon(mended_.soup, [&](std::size_t f, const Corners& corners) {
       if(corners.size() <= 3) {
         add_face(soup, corners);
@@ -239,8 +239,8 @@ public:
     mended_.soup = std::move(soup);
     mended_.face_in_file = std::move(face_in_file);
     keep_diagonals();
-    counter.report(mended_, "face of more than three vertices made triangles",
-                   "faces of more than three vertices made triangles");
+    report(mended_, counter, "face of more than three vertices made triangles",
+           "faces of more than three vertices made triangles");
   }
 
 private:

@@ -84,6 +84,27 @@ no_such_vertex(std::size_t face, long long vertex, std::size_t number_of_vertice
          std::to_string(number_of_vertices) + " (they count from " + std::to_string(first) + ")";
 }
 
+/// How often something was found, and where first.
+class Finding
+{
+public:
+  template <typename Name_of_element> void add(Name_of_element name) {
+    if(count_++ == 0)
+      example_ = name();
+  }
+
+  std::size_t count() const { return count_; }
+
+  /// what was found, without the count: of one element, or of several.
+  std::string words(const std::string& one, const std::string& many) const {
+    return count_ == 1 ? one + ": " + example_ : many + ", the first is " + example_;
+  }
+
+private:
+  std::size_t count_ = 0;
+  std::string example_;
+};
+
 /// Numbers different points as they come. A table with open addressing: most of the time of reading
 /// an STL file goes here.
 class Point_merger

@@ -186,14 +186,14 @@ Mesh_line solve_and_tell(const Loops_options& options) {
 
 // Whatever happens to the mesh, there is a line about it.
 void run_with_line(const Loops_options& options) {
-  Mesh_lines_writer writer(options.jsonl_file);
+  Text_writer out(options.jsonl_file);
   Mesh_line line;
   const Outcome outcome = outcome_of([&] { line = solve_and_tell(options); });
   throw_if_interrupted(); // then there is no answer about the mesh
-  writer.add(outcome.exit_code == 0
-                 ? line
-                 : failed_line(options.mesh_file, outcome.exit_code, outcome.message));
-  writer.finish();
+  write_mesh_line(out, outcome.exit_code == 0
+                           ? line
+                           : Mesh_line{options.mesh_file, outcome.exit_code, outcome.message});
+  out.finish();
   if(outcome.exit_code != 0)
     throw Failure(static_cast<Exit_code>(outcome.exit_code), outcome.message);
 }

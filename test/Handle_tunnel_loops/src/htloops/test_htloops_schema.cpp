@@ -231,14 +231,15 @@ TEST(Mesh_line_schema, fits_what_is_written) {
   const Schema schema("mesh_line");
   const Mesh closed = mesh_of(Recipe{"multi-torus", {3000, 3, 0}}), open = mesh_with_holes();
   {
-    Mesh_lines_writer writer(folder.path("a.jsonl"));
+    Text_writer out(folder.path("a.jsonl"));
     for(const Mesh* const mesh : {&closed, &open}) {
       Answer answer = solved(*mesh);
       Pair_listing listing = list_pairs(*mesh, answer.pairs);
-      writer.add(answered_line("a.off", *mesh, 0.5, std::move(answer), std::move(listing)));
+      write_mesh_line(out,
+                      answered_line("a.off", *mesh, 0.5, std::move(answer), std::move(listing)));
     }
-    writer.add(failed_line("no.off", 2, "no such file"));
-    writer.finish();
+    write_mesh_line(out, {"no.off", 2, "no such file"});
+    out.finish();
   }
   std::istringstream lines(folder.read("a.jsonl"));
   std::vector<json> documents;
