@@ -19,13 +19,9 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <new>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace htl_picture {
 namespace {

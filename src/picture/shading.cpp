@@ -10,7 +10,6 @@
 #include "shading.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 

@@ -12,8 +12,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <stdexcept>

@@ -9,7 +9,6 @@
 
 #include "draw/gltf.h"
 
-#include "draw/surfaces.h"
 #include "failure.h"
 #include "write/files.h"
 #include "write/json_writer.h"
@@ -18,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <map>
 
 namespace htloops {

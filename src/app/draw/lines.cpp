@@ -9,7 +9,6 @@
 
 #include "draw/lines.h"
 
-#include "write/files.h"
 #include "write/tables.h"
 
 namespace htloops {

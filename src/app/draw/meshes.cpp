@@ -9,7 +9,6 @@
 
 #include "draw/meshes.h"
 
-#include "draw/lines.h"
 #include "write/files.h"
 #include "write/mesh_writer.h"
 

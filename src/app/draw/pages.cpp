@@ -11,13 +11,9 @@
 
 #include "draw/surfaces.h"
 #include "write/files.h"
-#include "write/tables.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace htloops {
 namespace {

@@ -9,8 +9,6 @@
 
 #include "draw/view.h"
 
-#include "draw/surfaces.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

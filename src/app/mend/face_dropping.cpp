@@ -8,13 +8,9 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
-#include "read/soup_diagnosis.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include <algorithm>
-#include <array>
 #include <unordered_map>
 #include <utility>
 

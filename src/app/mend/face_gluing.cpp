@@ -8,10 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
-#include "read/soup_diagnosis.h"
 
-#include <algorithm>
 #include <numeric>
 #include <tuple>
 #include <utility>

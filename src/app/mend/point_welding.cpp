@@ -9,10 +9,6 @@
 
 #include "mend/steps.h"
 
-#include "read/soup.h"
-
-#include <algorithm>
-#include <cstddef>
 #include <map>
 #include <utility>
 

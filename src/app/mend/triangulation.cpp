@@ -8,17 +8,13 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <map>
-#include <optional>
 #include <tuple>
 #include <unordered_set>
 #include <utility>

@@ -8,8 +8,6 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
-#include "read/soup_diagnosis.h"
 
 #include <unordered_map>
 

@@ -21,7 +21,6 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
-#include <utility>
 
 namespace htloops {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "read/formats.h"
 #include "read/input_file.h"
-#include "read/soup.h"
 
 #include <algorithm>
 #include <array>

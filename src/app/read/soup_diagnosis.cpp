@@ -9,7 +9,6 @@
 
 #include "read/soup_diagnosis.h"
 
-#include "read/soup.h"
 #include "words.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -18,8 +17,6 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace htloops {
 namespace {

@@ -12,11 +12,9 @@
 #include "interrupt.h"
 #include "read/input_file.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <string>
 #include <system_error>
 
 namespace htloops {

@@ -18,7 +18,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
-#include <functional>
 #include <iterator>
 
 namespace htloops {

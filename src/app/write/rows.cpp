@@ -13,7 +13,6 @@
 #include "write/tables.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace htloops {

@@ -12,14 +12,11 @@
 #include "commands/command.h"
 #include "commands/options.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace htloops {

@@ -12,7 +12,6 @@
 #include "app/draw/meshes.h"
 #include "app/failure.h"
 #include "app/solve/backends.h"
-#include "commands/options.h"
 #include "terminal/terminal.h"
 
 #include <CLI/CLI.hpp>

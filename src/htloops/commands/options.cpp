@@ -28,11 +28,9 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace htloops {
 namespace {
