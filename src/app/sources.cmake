@@ -42,7 +42,6 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/ply_reader.cpp
   read/soup.cpp
   read/soup_diagnosis.cpp
-  read/soup_reader.cpp
   read/sources.cpp
   read/stl_reader.cpp
   read/vertex_data.cpp

@@ -10,10 +10,10 @@
 #include "draw/pages.h"
 
 #include "draw/surfaces.h"
+#include "words.h"
 #include "write/files.h"
 
 #include <filesystem>
-#include <sstream>
 
 namespace htloops {
 namespace {
@@ -144,13 +144,6 @@ htl_window::Scene scene_of(const View& view,
   return scene;
 }
 
-/// adds the paragraphs of a text, a line each.
-void add_paragraphs(htl_window::Scene& scene, const std::string& text) {
-  std::istringstream lines(text);
-  for(std::string line; std::getline(lines, line);)
-    scene.paragraphs.push_back(line);
-}
-
 } // namespace
 
 htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface) {
@@ -176,7 +169,7 @@ htl_window::Scene scene_of_loops(const View& view,
                                  const std::string& choice) {
   htl_window::Scene scene =
       scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
-  add_paragraphs(scene, summary);
+  scene.paragraphs = lines_of(summary);
   add_pairs(scene, answer.pairs, listing, choice);
   add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
   add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
@@ -194,7 +187,7 @@ void write_reeb_page(const std::string& file,
   htl_window::Scene scene =
       scene_of(view, "Reeb graph of", mesh_file, "surface", drawn_surface(cut));
   add_parts(scene.surfaces[0], cut, num_edges(answer.graph));
-  add_paragraphs(scene, summary);
+  scene.paragraphs = lines_of(summary);
   add_arcs(scene, answer, arcs);
   scene.opacity = 0.7;
   write_page(file, scene);
@@ -212,7 +205,7 @@ Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report) {
 void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown) {
   htl_window::Scene scene = scene_of(view, "Handles removed from", shown.mesh_file, "before",
                                      drawn_surface(shown.before));
-  add_paragraphs(scene, summary(shown.report));
+  scene.paragraphs = lines_of(summary(shown.report));
   scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
   add_groups_of_loops(scene);
   scene.table.columns = {{"pair", true}, {"by", false},    {"length", true},

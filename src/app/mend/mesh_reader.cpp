@@ -11,7 +11,6 @@
 
 #include "failure.h"
 #include "interrupt.h"
-#include "read/soup_reader.h"
 
 #include <algorithm>
 #include <utility>

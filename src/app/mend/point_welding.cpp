@@ -28,17 +28,10 @@ struct Counted_edge
   std::uint32_t second() const { return static_cast<std::uint32_t>(edge); }
 };
 
-// A side of a face, with what tells the face from others at the same edge. Of one that is there
-// twice, both are the same: it will be dropped, and until then must not hide that an edge is open.
-struct Side
-{
-  std::uint64_t edge;
-  std::uint32_t face;
-
-  bool operator<(const Side& other) const {
-    return edge != other.edge ? edge < other.edge : face < other.face;
-  }
-};
+// A side of a face, as an edge, with what tells the face from others at the same edge. Of one that
+// is there twice, both are the same: it will be dropped, and until then must not hide that an edge
+// is open.
+using Side = std::pair<std::uint64_t, std::uint32_t>;
 
 // The same for all polygons with the same sides, and nearly always different for others.
 std::uint64_t hash_of(const Corners& corners) {
@@ -123,7 +116,7 @@ private:
     auto kept = begin;
     for(auto side = begin; side != sides_.end();) {
       const auto next = std::find_if(
-          side, sides_.end(), [side](const Side& other) { return other.edge != side->edge; });
+          side, sides_.end(), [side](const Side& other) { return other.first != side->first; });
       if(next == side + 1)
         *kept++ = *side;
       side = next;

@@ -26,25 +26,20 @@ namespace htloops {
 class Soup_face
 {
 public:
-  using value_type = std::uint32_t;
-  using size_type = std::size_t;
-  using iterator = value_type*;
-  using const_iterator = const value_type*;
-
   void resize(std::size_t size) { size_ = size; }
   std::size_t size() const { return size_; }
   bool is_triangle() const { return size_ == 3; }
 
-  value_type& operator[](std::size_t i) { return vertices_[i < 3 ? i : 3]; }
-  value_type operator[](std::size_t i) const { return vertices_[i < 3 ? i : 3]; }
+  std::uint32_t& operator[](std::size_t i) { return vertices_[i < 3 ? i : 3]; }
+  std::uint32_t operator[](std::size_t i) const { return vertices_[i < 3 ? i : 3]; }
 
-  const_iterator begin() const { return vertices_.data(); }
-  const_iterator end() const { return begin() + (size_ < 3 ? size_ : 3); }
-  iterator begin() { return vertices_.data(); }
-  iterator end() { return begin() + (size_ < 3 ? size_ : 3); }
+  const std::uint32_t* begin() const { return vertices_.data(); }
+  const std::uint32_t* end() const { return begin() + (size_ < 3 ? size_ : 3); }
+  std::uint32_t* begin() { return vertices_.data(); }
+  std::uint32_t* end() { return begin() + (size_ < 3 ? size_ : 3); }
 
 private:
-  std::array<value_type, 4> vertices_{}; // the last one takes what is not kept
+  std::array<std::uint32_t, 4> vertices_{}; // the last one takes what is not kept
   std::size_t size_ = 0;
 };
 
@@ -67,6 +62,14 @@ struct Soup
   /// the vertex at which halfedge 3 * face + i, from corner i to corner i + 1, begins.
   std::uint32_t source(std::uint32_t halfedge) const { return faces[halfedge / 3][halfedge % 3]; }
 };
+
+class Input_file;
+
+/// reads OFF, OBJ, PLY and STL, by the extension of the file name.
+/// The vertices keep the order of the file; those of an STL file, which has none, are numbered as
+/// they come, equal points being one vertex. Throws `Failure` if the file cannot be read, ends too
+/// early, or names a vertex that is not there.
+Soup read_soup(const Input_file& file);
 
 /// the halfedge after one in its triangle, where halfedges are numbered by triangles.
 inline std::uint32_t next_in_triangle(std::uint32_t halfedge) {

@@ -17,7 +17,6 @@
 #include "write/pair_listing.h"
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
-#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
 #include <array>

@@ -8,8 +8,8 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/interrupt.h"
-#include "app/solve/boundaries.h"
 #include "app/solve/certification.h"
+#include "app/words.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"

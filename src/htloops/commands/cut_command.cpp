@@ -9,7 +9,6 @@
 
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
-#include "app/failure.h"
 #include "app/solve/cut_solver.h"
 #include "app/solve/dual_cut_solver.h"
 #include "app/words.h"
@@ -19,8 +18,6 @@
 #include "commands/help.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
-
-#include <CGAL/Handle_tunnel_loops/exceptions.h>
 
 #include <cstdio>
 #include <memory>

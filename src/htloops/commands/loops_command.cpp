@@ -198,20 +198,15 @@ void run_with_line(const Loops_options& options) {
     throw Failure(static_cast<Exit_code>(outcome.exit_code), outcome.message);
 }
 
-void run_on_one_mesh(const Loops_options& options) {
-  if(options.jsonl_file.empty())
-    solve_and_tell(options);
-  else
-    run_with_line(options);
-}
-
 void run(Loops_options& options) {
   check_loops_options(options);
   options.mesh_file = options.mesh_files.front();
   if(options.has_many_meshes())
     run_on_many_meshes(options);
+  else if(options.jsonl_file.empty())
+    solve_and_tell(options);
   else
-    run_on_one_mesh(options);
+    run_with_line(options);
 }
 
 constexpr char loops_description[] =
