@@ -13,8 +13,9 @@
 
 #include "failure.h"
 #include "mend/mending.h"
+#include "read/input_file.h"
+#include "read/soup.h"
 #include "read/soup_diagnosis.h"
-#include "read/soup_reader.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "Browser.h"
 
 #include "app/draw/pages.h"
-#include "app/solve/solvers.h"
+#include "app/solve/backends.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -60,7 +60,7 @@ void measure(const std::string& input, int number_of_runs, Browser* browser) {
       throw std::runtime_error("cannot read " + off.name());
     const double t1 = seconds_now();
     htloops::Progress told;
-    answer = htloops::solve_on_host(mesh, {}, told);
+    answer = htloops::host_backend.solve(mesh, {}, told);
     listing = htloops::list_pairs(mesh, answer.pairs);
     const double t2 = seconds_now();
     htloops::write_page(page, htloops::scene_of_loops({}, input, mesh, answer, listing, ""));

@@ -45,8 +45,6 @@ class Unfinished_file
 public:
   Unfinished_file();
   ~Unfinished_file();
-  Unfinished_file(const Unfinished_file&) = delete;
-  Unfinished_file& operator=(const Unfinished_file&) = delete;
 
 private:
   Interrupt_guard guard_;

@@ -10,8 +10,6 @@ set(HTLOOPS_APP_SOURCES
   solve/reeb_answer.cpp
   solve/reeb_solver.cpp
   solve/removal_solver.cpp
-  solve/self_contact.cpp
-  solve/spread_properties.cpp
   solve/thread_limit.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_APP_SOURCES solve/reference_backend.cpp)
@@ -44,7 +42,6 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/ply_reader.cpp
   read/soup.cpp
   read/soup_diagnosis.cpp
-  read/soup_reader.cpp
   read/sources.cpp
   read/stl_reader.cpp
   read/vertex_data.cpp

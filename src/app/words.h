@@ -12,7 +12,9 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace htloops {
 
@@ -26,6 +28,14 @@ inline std::string in_words(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", number);
   return text;
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for(std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
 }
 
 } // namespace htloops

@@ -19,21 +19,16 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <new>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace htl_picture {
 namespace {
 
 static_assert(sizeof(Colour) == 3, "pixels are handed over as they are");
 
-// libpng, with what it has written and what it says. Its errors are jumps, so that each call is
-// made from a function in which nothing has to be destroyed.
+// libpng, with what it has written and what it says.
 class Png
 {
 public:
@@ -48,10 +43,22 @@ public:
   Png(const Png&) = delete;
   Png& operator=(const Png&) = delete;
 
-  void begin(int width, int height) { check(try_to_begin(width, height)); }
-  void write_row(const Colour* row) { check(try_to_write(row)); }
+  void begin(int width, int height) {
+    call([&] {
+      png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
+                   8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                   PNG_FILTER_TYPE_DEFAULT);
+      png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
+      png_write_info(png_, info_);
+    });
+  }
+
+  void write_row(const Colour* row) {
+    call([&] { png_write_row(png_, reinterpret_cast<png_const_bytep>(row)); });
+  }
+
   std::string end() {
-    check(try_to_end());
+    call([&] { png_write_end(png_, info_); });
     return std::move(content_);
   }
 
@@ -74,34 +81,11 @@ private:
       png_error(png, "out of memory");
   }
 
-  void check(bool is_good) const {
-    if(!is_good)
+  // Its errors are jumps to here, from a function in which nothing has to be destroyed.
+  template <typename Call> void call(const Call& use) {
+    if(setjmp(png_jmpbuf(png_)) != 0)
       throw std::runtime_error("cannot write a picture: " + error_);
-  }
-
-  bool try_to_begin(int width, int height) {
-    if(setjmp(png_jmpbuf(png_)) != 0)
-      return false;
-    png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_write_info(png_, info_);
-    return true;
-  }
-
-  bool try_to_write(const Colour* row) {
-    if(setjmp(png_jmpbuf(png_)) != 0)
-      return false;
-    png_write_row(png_, reinterpret_cast<png_const_bytep>(row));
-    return true;
-  }
-
-  bool try_to_end() {
-    if(setjmp(png_jmpbuf(png_)) != 0)
-      return false;
-    png_write_end(png_, info_);
-    return true;
+    use();
   }
 
   std::string content_, error_;
@@ -333,12 +317,10 @@ private:
 
   Vector_3 line_colour(const Line_layer::Sample& sample) const {
     constexpr float border = 0.6f; // of half the width
-    if(scene_.lines[sample.line].is_outlined) {
-      if(sample.across > border)
-        return to_linear({255, 255, 255});
-      return shade_line(to_linear(scene_.lines[sample.line].colour), sample.across / border);
-    }
-    return shade_line(to_linear(scene_.lines[sample.line].colour), sample.across);
+    const Line& line = scene_.lines[sample.line];
+    const float inside = line.is_outlined ? border : 1.f;
+    return sample.across > inside ? to_linear({255, 255, 255})
+                                  : shade_line(to_linear(line.colour), sample.across / inside);
   }
 
   const Scene& scene_;
@@ -378,13 +360,6 @@ std::string encode_picture(const std::vector<Point>& points,
                            const Options& options) {
   return encode_png(options.width, options.height,
                     paint({points, triangles, triangle_colours, lines}, options), options.look);
-}
-
-std::string encode_picture(const std::vector<Point>& points,
-                           const std::vector<Triangle>& triangles,
-                           const std::vector<Line>& lines,
-                           const Options& options) {
-  return encode_picture(points, triangles, {}, lines, options);
 }
 
 } // namespace htl_picture

@@ -65,14 +65,8 @@ bool has_font();
 /// of which takes some 65 bytes.
 void check_size(std::size_t width, std::size_t height);
 
-/// the content of a PNG file. Throws `std::runtime_error` if the size is not one of a picture, or a
-/// coordinate is not finite.
-std::string encode_picture(const std::vector<Point>& points,
-                           const std::vector<Triangle>& triangles,
-                           const std::vector<Line>& lines,
-                           const Options& options = Options());
-
-/// the same with a colour for each triangle.
+/// the content of a PNG file, of triangles that all have a colour, or none. Throws
+/// `std::runtime_error` if the size is not one of a picture, or a coordinate is not finite.
 std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Triangle>& triangles,
                            const std::vector<Colour>& triangle_colours,

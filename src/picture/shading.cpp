@@ -10,7 +10,6 @@
 #include "shading.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -69,34 +68,37 @@ float occlusion(Vector_3 from, Vector_3 normal, Vector_3 occluder) {
   return fading * (std::max)(0.f, height - slack) / std::sqrt(squared + 1e-8f);
 }
 
+/// calls `visit(x, y, number)` for each pixel at which there is a surface; `look` between rows.
+template <typename Visit>
+void for_each_covered(const Seen_surface& seen, const std::function<void()>& look, Visit visit) {
+  for(int y = 0; y < seen.height; ++y) {
+    look();
+    for(int x = 0; x < seen.width; ++x)
+      if(const std::size_t here = std::size_t(y) * seen.width + x; seen.is_covered(here))
+        visit(x, y, here);
+  }
+}
+
 /// the mean over a tile around each pixel, of the pixels that are on the same part of the surface.
 std::vector<float> blur(const std::vector<float>& values,
                         const Seen_surface& seen,
                         const std::function<void()>& look) {
   std::vector<float> blurred(values.size(), 1.f);
-  for(int y = 0; y < seen.height; ++y) {
-    look();
-    for(int x = 0; x < seen.width; ++x) {
-      const std::size_t here = std::size_t(y) * seen.width + x;
-      if(!seen.is_covered(here))
-        continue;
-      float sum = 0.f, count = 0.f;
-      const int first_x = (std::max)(0, x - tile / 2),
-                last_x = (std::min)(seen.width, x + tile / 2);
-      const int first_y = (std::max)(0, y - tile / 2),
-                last_y = (std::min)(seen.height, y + tile / 2);
-      for(int j = first_y; j < last_y; ++j)
-        for(int i = first_x; i < last_x; ++i) {
-          const std::size_t there = std::size_t(j) * seen.width + i;
-          if(!seen.is_covered(there) ||
-             std::abs(seen.points[there].z - seen.points[here].z) > 0.2f * reach)
-            continue;
-          sum += values[there];
-          count += 1.f;
-        }
-      blurred[here] = count > 0.f ? sum / count : values[here];
-    }
-  }
+  for_each_covered(seen, look, [&](int x, int y, std::size_t here) {
+    float sum = 0.f, count = 0.f;
+    const int first_x = (std::max)(0, x - tile / 2), last_x = (std::min)(seen.width, x + tile / 2);
+    const int first_y = (std::max)(0, y - tile / 2), last_y = (std::min)(seen.height, y + tile / 2);
+    for(int j = first_y; j < last_y; ++j)
+      for(int i = first_x; i < last_x; ++i) {
+        const std::size_t there = std::size_t(j) * seen.width + i;
+        if(!seen.is_covered(there) ||
+           std::abs(seen.points[there].z - seen.points[here].z) > 0.2f * reach)
+          continue;
+        sum += values[there];
+        count += 1.f;
+      }
+    blurred[here] = count > 0.f ? sum / count : values[here];
+  });
   return blurred;
 }
 
@@ -183,24 +185,18 @@ openness(const Seen_surface& seen, float pixels_per_unit, const std::function<vo
         spiral(reach * pixels_per_unit, 6.28319f * ((i * 7) % (tile * tile)) / (tile * tile));
 
   std::vector<float> open(seen.points.size(), 1.f);
-  for(int y = 0; y < seen.height; ++y) {
-    look();
-    for(int x = 0; x < seen.width; ++x) {
-      const std::size_t here = std::size_t(y) * seen.width + x;
-      if(!seen.is_covered(here))
+  for_each_covered(seen, look, [&](int x, int y, std::size_t here) {
+    float hidden = 0.f;
+    for(const auto& [dx, dy] : patterns[(y % tile) * tile + x % tile]) {
+      const int i = x + dx, j = y + dy;
+      if(i < 0 || j < 0 || i >= seen.width || j >= seen.height)
         continue;
-      float hidden = 0.f;
-      for(const auto& [dx, dy] : patterns[(y % tile) * tile + x % tile]) {
-        const int i = x + dx, j = y + dy;
-        if(i < 0 || j < 0 || i >= seen.width || j >= seen.height)
-          continue;
-        const std::size_t there = std::size_t(j) * seen.width + i;
-        if(seen.is_covered(there))
-          hidden += occlusion(seen.points[here], seen.normals[here], seen.points[there]);
-      }
-      open[here] = std::clamp(1.f - 2.2f * hidden / number_of_directions, 0.f, 1.f);
+      const std::size_t there = std::size_t(j) * seen.width + i;
+      if(seen.is_covered(there))
+        hidden += occlusion(seen.points[here], seen.normals[here], seen.points[there]);
     }
-  }
+    open[here] = std::clamp(1.f - 2.2f * hidden / number_of_directions, 0.f, 1.f);
+  });
   return blur(open, seen, look);
 }
 

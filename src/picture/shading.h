@@ -11,7 +11,6 @@
 #define HTL_PICTURE_SHADING_H
 
 #include "Camera.h"
-#include "layers.h"
 #include "picture.h"
 
 #include <array>

@@ -12,49 +12,11 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 namespace htl_window {
-namespace {
-
-class Deflation
-{
-public:
-  Deflation() {
-    constexpr int raw_window_bits = -15, memory_level = 9;
-    if(deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, raw_window_bits, memory_level,
-                    Z_DEFAULT_STRATEGY) != Z_OK)
-      throw std::runtime_error("zlib cannot be used");
-  }
-
-  ~Deflation() { deflateEnd(&stream_); }
-
-  Deflation(const Deflation&) = delete;
-  Deflation& operator=(const Deflation&) = delete;
-
-  void add(std::string_view bytes, bool is_last, std::string& result) {
-    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream_.avail_in = static_cast<uInt>(bytes.size());
-    do {
-      constexpr std::size_t step = std::size_t(1) << 18;
-      const std::size_t size = result.size();
-      result.resize(size + step);
-      stream_.next_out = reinterpret_cast<Bytef*>(&result[size]);
-      stream_.avail_out = step;
-      deflate(&stream_, is_last ? Z_FINISH : Z_NO_FLUSH);
-      result.resize(size + step - stream_.avail_out);
-    } while(stream_.avail_out == 0);
-  }
-
-private:
-  z_stream stream_{};
-};
-
-} // namespace
-
 std::string base64_of(std::string_view bytes) {
   constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text((bytes.size() + 2) / 3 * 4, '=');
@@ -72,13 +34,27 @@ std::string base64_of(std::string_view bytes) {
 }
 
 std::string deflated(std::string_view bytes) {
-  Deflation deflation;
+  constexpr int raw_window_bits = -15, memory_level = 9;
+  z_stream stream{};
+  if(deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, raw_window_bits, memory_level,
+                  Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("zlib cannot be used");
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, deflateEnd);
   std::string result;
-  constexpr std::size_t longest = (std::numeric_limits<uInt>::max)();
+  constexpr std::size_t longest = (std::numeric_limits<uInt>::max)(), step = std::size_t(1) << 18;
   do {
     const std::string_view part = bytes.substr(0, longest);
     bytes.remove_prefix(part.size());
-    deflation.add(part, bytes.empty(), result);
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+    stream.avail_in = static_cast<uInt>(part.size());
+    do {
+      const std::size_t size = result.size();
+      result.resize(size + step);
+      stream.next_out = reinterpret_cast<Bytef*>(&result[size]);
+      stream.avail_out = step;
+      deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
+      result.resize(size + step - stream.avail_out);
+    } while(stream.avail_out == 0);
   } while(!bytes.empty());
   return result;
 }

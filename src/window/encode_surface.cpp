@@ -9,7 +9,6 @@
 
 #include "encode_surface.h"
 
-#include <array>
 #include <vector>
 
 namespace htl_window {

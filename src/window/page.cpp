@@ -63,10 +63,7 @@ std::string inside_script(const std::string& json) {
   std::string text;
   text.reserve(json.size());
   for(const char c : json)
-    if(c == '<')
-      text += "\\u003c";
-    else
-      text += c;
+    text += c == '<' ? "\\u003c" : std::string(1, c);
   return text;
 }
 
@@ -152,22 +149,11 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
 std::string html_of(std::string_view text) {
   std::string html;
   for(const char c : text)
-    switch(c) {
-    case '&':
-      html += "&amp;";
-      break;
-    case '<':
-      html += "&lt;";
-      break;
-    case '>':
-      html += "&gt;";
-      break;
-    case '"':
-      html += "&quot;";
-      break;
-    default:
-      html += c;
-    }
+    html += c == '&'   ? "&amp;"
+            : c == '<' ? "&lt;"
+            : c == '>' ? "&gt;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, c);
   return html;
 }
 

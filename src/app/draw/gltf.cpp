@@ -9,7 +9,6 @@
 
 #include "draw/gltf.h"
 
-#include "draw/surfaces.h"
 #include "failure.h"
 #include "write/files.h"
 #include "write/json_writer.h"
@@ -18,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <map>
 
 namespace htloops {
@@ -116,40 +114,23 @@ private:
   Smooth_surface tube_;
 };
 
-using Vector = std::array<double, 3>;
 using Colour = std::array<unsigned char, 3>;
 
-constexpr double infinity = (std::numeric_limits<double>::infinity)();
-
-struct Bounds
-{
-  Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
-
-  void add(const Vector& p) {
-    for(int i = 0; i < 3; ++i) {
-      low[i] = (std::min)(low[i], p[i]);
-      high[i] = (std::max)(high[i], p[i]);
-    }
-  }
-};
-
 // The sums of the normals of the faces around each point.
-std::vector<Vector> normals_of(const Drawn_surface& surface, double unit) {
+std::vector<Vector> normals_of(const Drawn_surface& surface, double diagonal) {
   std::vector<Vector> normals(surface.points.size());
   for(const auto& [a, b, c] : surface.triangles) {
     Vector u, v;
     for(int i = 0; i < 3; ++i) {
-      u[i] = (surface.points[b][i] - surface.points[a][i]) / unit;
-      v[i] = (surface.points[c][i] - surface.points[a][i]) / unit;
+      u[i] = (surface.points[b][i] - surface.points[a][i]) / diagonal;
+      v[i] = (surface.points[c][i] - surface.points[a][i]) / diagonal;
     }
     for(const std::uint32_t corner : {a, b, c})
-      for(int i = 0; i < 3; ++i)
-        normals[corner][i] += u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+      normals[corner] = sum(normals[corner], 1., cross(u, v));
   }
-  for(Vector& n : normals) {
-    const double length = std::hypot(n[0], n[1], n[2]);
-    n = length > 0. ? Vector{n[0] / length, n[1] / length, n[2] / length} : Vector{0., 0., 1.};
-  }
+  for(Vector& n : normals)
+    if((n = unit(n)) == Vector{})
+      n = {0., 0., 1.};
   return normals;
 }
 
@@ -349,7 +330,7 @@ Smooth_surface tube_around(const std::vector<Vector>& line, bool is_closed, doub
   return Tube(line, is_closed, radius).build();
 }
 
-void check_gltf_format(const std::string& file) { format_of(file, gltf_formats); }
+void check_gltf_format(const std::string& file) { check_format(file, gltf_formats); }
 
 void export_gltf(const std::string& file,
                  const Drawn_surface& surface,
@@ -372,10 +353,7 @@ void export_gltf(const std::string& file,
     gltf.add(line.kind + " " + std::to_string(line.index), line.kind,
              tube_around(coordinates(line.points), line.is_closed, relative_radius * diagonal),
              line.colour);
-  const std::string content = gltf.file();
-  Text_writer out(file);
-  out << content;
-  out.finish();
+  write_text(file, gltf.file());
 }
 
 } // namespace htloops

@@ -9,16 +9,11 @@
 
 #include "draw/layers.h"
 
-#include "draw/surfaces.h"
-#include "mesh_types.h"
 #include "solve/reeb_answer.h"
 #include "write/mesh_writer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 

@@ -9,7 +9,6 @@
 
 #include "draw/lines.h"
 
-#include "write/files.h"
 #include "write/tables.h"
 
 namespace htloops {
@@ -77,84 +76,59 @@ void write_lines_polylines(Text_writer& out, const Exported_lines& lines) {
   }
 }
 
-class Vtp_writer
-{
-public:
-  Vtp_writer(Text_writer& out, const Exported_lines& lines)
-      : out_(out)
-      , lines_(lines) {}
+void begin_vtp_array(Text_writer& out,
+                     const char* type,
+                     const std::string& name,
+                     const char* more = "") {
+  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"" << more
+      << " format=\"ascii\">\n";
+}
 
-  void write() {
-    out_ << "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
-            "<Piece NumberOfPoints=\""
-         << lines_.number_of_points() << "\" NumberOfVerts=\"0\" NumberOfLines=\""
-         << lines_.lines.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
-    write_points();
-    write_lines();
-    write_data();
-    out_ << "</Piece>\n</PolyData>\n</VTKFile>\n";
-  }
+// An array with one value per line, the result of `value(line)`.
+template <typename Value>
+void write_vtp_array(Text_writer& out,
+                     const Exported_lines& lines,
+                     const char* type,
+                     const std::string& name,
+                     const Value& value) {
+  begin_vtp_array(out, type, name);
+  for(const Exported_line& line : lines.lines)
+    out << value(line) << '\n';
+  out << "</DataArray>\n";
+}
 
-private:
-  void begin_array(const char* type, const std::string& name, const char* more = "") {
-    out_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"" << more
-         << " format=\"ascii\">\n";
-  }
-
-  void end_array() { out_ << "</DataArray>\n"; }
-
-  // an array with one value per line, the result of `value(line)`.
-  template <typename Value>
-  void write_array(const char* type, const std::string& name, const Value& value) {
-    begin_array(type, name);
-    for(const Exported_line& line : lines_.lines)
-      out_ << value(line) << '\n';
-    end_array();
-  }
-
-  void write_points() {
-    out_ << "<Points>\n";
-    begin_array("Float64", "Points", " NumberOfComponents=\"3\"");
-    for(const Exported_line& line : lines_.lines)
-      for(const Point& point : line.points)
-        out_ << point << '\n';
-    end_array();
-    out_ << "</Points>\n";
-  }
-
-  // A closed line names its first point again at the end.
-  void write_lines() {
-    out_ << "<Lines>\n";
-    begin_array("Int64", "connectivity");
-    std::size_t first = 0;
-    for(const Exported_line& line : lines_.lines) {
-      for(std::size_t i = 0; i <= line.number_of_edges(); ++i)
-        out_ << first + i % line.points.size() << (i < line.number_of_edges() ? ' ' : '\n');
-      first += line.points.size();
-    }
-    end_array();
-    std::size_t end = 0;
-    write_array("Int64", "offsets",
-                [&end](const Exported_line& line) { return end += line.number_of_edges() + 1; });
-    out_ << "</Lines>\n";
-  }
-
-  void write_data() {
-    out_ << "<CellData Scalars=\"kind\">\n";
-    write_array("UInt8", "kind", [](const Exported_line& line) { return line.kind_number; });
-    write_array("Int64", lines_.index_name, [](const Exported_line& line) { return line.index; });
-    write_array("Float64", "length", [](const Exported_line& line) { return line.length; });
-    out_ << "</CellData>\n";
-  }
-
-  Text_writer& out_;
-  const Exported_lines& lines_;
-};
-
-/// the lines as lines of a VTK PolyData with their kind, index and length.
+// The lines as lines of a VTK PolyData with their kind, index and length. A closed line names its
+// first point again at the end.
 void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
-  Vtp_writer(out, lines).write();
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+         "<Piece NumberOfPoints=\""
+      << lines.number_of_points() << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << lines.lines.size()
+      << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<Points>\n";
+  begin_vtp_array(out, "Float64", "Points", " NumberOfComponents=\"3\"");
+  for(const Exported_line& line : lines.lines)
+    for(const Point& point : line.points)
+      out << point << '\n';
+  out << "</DataArray>\n</Points>\n<Lines>\n";
+  begin_vtp_array(out, "Int64", "connectivity");
+  std::size_t first = 0;
+  for(const Exported_line& line : lines.lines) {
+    for(std::size_t i = 0; i <= line.number_of_edges(); ++i)
+      out << first + i % line.points.size() << (i < line.number_of_edges() ? ' ' : '\n');
+    first += line.points.size();
+  }
+  out << "</DataArray>\n";
+  std::size_t end = 0;
+  write_vtp_array(out, lines, "Int64", "offsets",
+                  [&end](const Exported_line& line) { return end += line.number_of_edges() + 1; });
+  out << "</Lines>\n<CellData Scalars=\"kind\">\n";
+  write_vtp_array(out, lines, "UInt8", "kind",
+                  [](const Exported_line& line) { return line.kind_number; });
+  write_vtp_array(out, lines, "Int64", lines.index_name,
+                  [](const Exported_line& line) { return line.index; });
+  write_vtp_array(out, lines, "Float64", "length",
+                  [](const Exported_line& line) { return line.length; });
+  out << "</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 constexpr File_format<void(Text_writer&, const Exported_lines&)> line_formats[] = {
@@ -202,7 +176,7 @@ Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
   return result;
 }
 
-void check_lines_format(const std::string& file) { format_of(file, line_formats); }
+void check_lines_format(const std::string& file) { check_format(file, line_formats); }
 
 void export_lines(const std::string& file, const Exported_lines& lines) {
   write_file(file, line_formats, lines);

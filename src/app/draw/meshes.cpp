@@ -9,7 +9,6 @@
 
 #include "draw/meshes.h"
 
-#include "draw/lines.h"
 #include "write/files.h"
 #include "write/mesh_writer.h"
 
@@ -195,7 +194,7 @@ Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& c
   return result;
 }
 
-void check_selection_format(const std::string& file) { format_of(file, selection_formats); }
+void check_selection_format(const std::string& file) { check_format(file, selection_formats); }
 
 void export_selection(const std::string& file,
                       const Mesh& mesh,
@@ -213,13 +212,15 @@ Exported_lines lines_of(const Reeb_answer& answer) {
   return result;
 }
 
-void check_graph_format(const std::string& file) { format_of(file, graph_formats); }
+void check_graph_format(const std::string& file) { check_format(file, graph_formats); }
 
 void export_graph(const std::string& file, const Reeb_answer& answer) {
   write_file(file, graph_formats, answer);
 }
 
-void check_coloured_mesh_format(const std::string& file) { format_of(file, coloured_mesh_formats); }
+void check_coloured_mesh_format(const std::string& file) {
+  check_format(file, coloured_mesh_formats);
+}
 
 void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer) {
   write_file(file, coloured_mesh_formats, mesh, answer);

@@ -10,14 +10,10 @@
 #include "draw/pages.h"
 
 #include "draw/surfaces.h"
+#include "words.h"
 #include "write/files.h"
-#include "write/tables.h"
 
-#include <cstddef>
 #include <filesystem>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace htloops {
 namespace {
@@ -102,22 +98,19 @@ using CGAL::Handle_tunnel_loops::Refused_handle;
 using CGAL::Handle_tunnel_loops::Removal_report;
 using CGAL::Handle_tunnel_loops::Removed_handle;
 
-std::string number(double value) { return formatted("%.6g", value); }
-
 void add_row(htl_window::Table& table, std::vector<std::string> cells, double length) {
   table.rows.push_back(std::move(cells));
   table.lengths.push_back(length);
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Removed_handle& handle) {
-  add_row(table,
-          {name, name_of(handle.by), number(handle.length), number(handle.area),
-           number(handle.volume), ""},
-          handle.length);
+  add_row(table, cells_of(handle, name), handle.length);
+  table.rows.back().emplace_back();
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Refused_handle& handle) {
-  add_row(table, {name, "refused", number(handle.length), "", "", handle.reason}, handle.length);
+  add_row(table, {name, "refused", formatted("%.6g", handle.length), "", "", handle.reason},
+          handle.length);
 }
 
 template <typename Handle>
@@ -151,13 +144,6 @@ htl_window::Scene scene_of(const View& view,
   return scene;
 }
 
-/// adds the paragraphs of a text, a line each.
-void add_paragraphs(htl_window::Scene& scene, const std::string& text) {
-  std::istringstream lines(text);
-  for(std::string line; std::getline(lines, line);)
-    scene.paragraphs.push_back(line);
-}
-
 } // namespace
 
 htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface) {
@@ -171,10 +157,7 @@ void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row) {
 
 // The page is made before its file is begun: while a file is unfinished, an interrupt has to wait.
 void write_page(const std::string& file, const htl_window::Scene& scene) {
-  const std::string page = page_of(scene);
-  Text_writer out(file);
-  out << page;
-  out.finish();
+  write_text(file, page_of(scene));
 }
 
 htl_window::Scene scene_of_loops(const View& view,
@@ -186,7 +169,7 @@ htl_window::Scene scene_of_loops(const View& view,
                                  const std::string& choice) {
   htl_window::Scene scene =
       scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
-  add_paragraphs(scene, summary);
+  scene.paragraphs = lines_of(summary);
   add_pairs(scene, answer.pairs, listing, choice);
   add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
   add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
@@ -204,7 +187,7 @@ void write_reeb_page(const std::string& file,
   htl_window::Scene scene =
       scene_of(view, "Reeb graph of", mesh_file, "surface", drawn_surface(cut));
   add_parts(scene.surfaces[0], cut, num_edges(answer.graph));
-  add_paragraphs(scene, summary);
+  scene.paragraphs = lines_of(summary);
   add_arcs(scene, answer, arcs);
   scene.opacity = 0.7;
   write_page(file, scene);
@@ -222,7 +205,7 @@ Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report) {
 void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown) {
   htl_window::Scene scene = scene_of(view, "Handles removed from", shown.mesh_file, "before",
                                      drawn_surface(shown.before));
-  add_paragraphs(scene, summary(shown.report));
+  scene.paragraphs = lines_of(summary(shown.report));
   scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
   add_groups_of_loops(scene);
   scene.table.columns = {{"pair", true}, {"by", false},    {"length", true},

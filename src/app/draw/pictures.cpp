@@ -101,9 +101,7 @@ void export_picture(const Picture_options& options,
   }
   // The file is begun when the picture is there, which takes its time, and never by libpng, which
   // would remove what it cannot write to.
-  Text_writer out(file);
-  out << content;
-  out.finish();
+  write_text(file, content);
 }
 
 } // namespace htloops

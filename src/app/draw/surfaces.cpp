@@ -9,12 +9,6 @@
 
 #include "draw/surfaces.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/reeb/arc_shapes.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <utility>
-
 namespace htloops {
 
 std::vector<std::array<double, 3>> coordinates(const std::vector<Point>& points) {

@@ -15,10 +15,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/arc_shapes.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -43,6 +45,20 @@ inline Vector unit(const Vector& a) {
   const double length = std::hypot(a[0], a[1], a[2]);
   return length > 0. ? Vector{a[0] / length, a[1] / length, a[2] / length} : Vector{};
 }
+
+/// The box around points.
+struct Bounds
+{
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+
+  void add(const Vector& p) {
+    for(int i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  }
+};
 
 // Meshes as pictures and pages take them.
 

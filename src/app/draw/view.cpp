@@ -9,8 +9,6 @@
 
 #include "draw/view.h"
 
-#include "draw/surfaces.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,16 +21,11 @@ namespace {
 class Placement
 {
 public:
-  explicit Placement(const std::vector<Vector>& points)
-      : low_(points.front())
-      , high_(low_) {
+  explicit Placement(const std::vector<Vector>& points) {
     for(const Vector& p : points)
-      for(int i = 0; i < 3; ++i) {
-        low_[i] = (std::min)(low_[i], p[i]);
-        high_[i] = (std::max)(high_[i], p[i]);
-      }
+      box_.add(p);
     for(int i = 0; i < 3; ++i) // an extent may be larger than the largest number
-      half_ = (std::max)(half_, high_[i] / 2. - low_[i] / 2.);
+      half_ = (std::max)(half_, box_.high[i] / 2. - box_.low[i] / 2.);
   }
 
   bool is_point() const { return !(half_ > 0.); }
@@ -40,12 +33,12 @@ public:
   Vector operator()(const Vector& p) const {
     Vector q;
     for(int i = 0; i < 3; ++i)
-      q[i] = p[i] / half_ - (low_[i] / 2. + high_[i] / 2.) / half_;
+      q[i] = p[i] / half_ - (box_.low[i] / 2. + box_.high[i] / 2.) / half_;
     return q;
   }
 
 private:
-  Vector low_, high_;
+  Bounds box_;
   double half_ = 0.;
 };
 

@@ -8,26 +8,14 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
-#include "read/soup_diagnosis.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include <algorithm>
-#include <array>
 #include <unordered_map>
 #include <utility>
 
 namespace htloops {
 namespace {
-
-using Vertices = std::array<std::uint32_t, 3>;
-
-Vertices sorted(const Soup_face& face) {
-  Vertices vertices = {face[0], face[1], face[2]};
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
-}
 
 // One of the two orientations that three vertices can have.
 bool is_even(const Soup_face& face) {
@@ -42,35 +30,16 @@ struct Group
   bool cancels = false;             // as many of one orientation as of the other
 };
 
-// The faces at edges at which something is wrong.
-std::vector<std::uint32_t> suspicious_faces(const Soup& soup, const Edge_table& edges) {
-  std::vector<std::uint32_t> suspects;
-  edges.for_each_edge([&](const Edge_table::Edge& edge) {
-    const bool is_sound =
-        edge.size() < 2 ||
-        (edge.size() == 2 && soup.source(edge.halfedge(0)) != soup.source(edge.halfedge(1)));
-    if(!is_sound)
-      for(std::size_t i = 0; i < edge.size(); ++i)
-        suspects.push_back(edge.halfedge(i) / 3);
-  });
-  std::sort(suspects.begin(), suspects.end());
-  suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
-  return suspects;
-}
-
 std::vector<Group> find_groups(const Soup& soup, const Edge_table& edges) {
-  std::vector<std::pair<Vertices, std::uint32_t>> keys;
-  for(const std::uint32_t f : suspicious_faces(soup, edges))
-    keys.emplace_back(sorted(soup.faces[f]), f);
-  std::sort(keys.begin(), keys.end());
+  const std::vector<Corners_of_face> suspects = suspicious_faces(soup, edges);
   std::vector<Group> groups;
-  for(std::size_t i = 0; i < keys.size();) {
+  for(auto next = suspects.begin(); next != suspects.end();) {
     Group group;
     std::size_t number_even = 0;
-    for(const Vertices vertices = keys[i].first; i < keys.size() && keys[i].first == vertices; ++i)
+    for(const auto& corners = next->first; next != suspects.end() && next->first == corners; ++next)
     {
-      group.faces.push_back(keys[i].second);
-      number_even += is_even(soup.faces[keys[i].second]) ? 1 : 0;
+      group.faces.push_back(next->second);
+      number_even += is_even(soup.faces[next->second]) ? 1 : 0;
     }
     group.cancels = 2 * number_even == group.faces.size();
     if(group.faces.size() > 1)
@@ -160,6 +129,18 @@ Corners without_repetitions(Corners corners) {
   return corners;
 }
 
+// Triangles with the same three vertices as another one, where edges have too many faces or faces
+// that run the same way. Both lists are sorted.
+struct Duplicate_faces
+{
+  std::vector<std::uint32_t> duplicates; // all but the first of their kind
+
+  // A flap is a piece of a surface folded onto itself: each of its faces is there once in each
+  // orientation, and where it is fixed to others the surface is closed without it. So it is not
+  // needed at all, and leaving one side of it would leave a boundary.
+  std::vector<std::uint32_t> of_flaps;
+};
+
 Duplicate_faces find_duplicate_faces(const Soup& soup) {
   const Edge_table edges(soup);
   const std::vector<Group> groups = find_groups(soup, edges);
@@ -186,7 +167,7 @@ void drop_degenerate_faces(Mended_soup& mended) {
     return;
   Soup kept;
   std::vector<std::uint32_t> face_in_file;
-  Change_counter dropped, shortened;
+  Finding dropped, shortened;
   for_each_polygon(mended.soup, [&](std::size_t f, const Corners& corners) {
     const auto name = [&] { return name_of_face(mended.face_in_file[f]); };
     const Corners rest = without_repetitions(corners);
@@ -202,16 +183,16 @@ void drop_degenerate_faces(Mended_soup& mended) {
   kept.points = std::move(mended.soup.points);
   mended.soup = std::move(kept);
   mended.face_in_file = std::move(face_in_file);
-  dropped.report(mended, "degenerate face dropped", "degenerate faces dropped");
-  shortened.report(mended, "face relieved of corners that repeat a vertex",
-                   "faces relieved of corners that repeat a vertex");
+  report(mended, dropped, "degenerate face dropped", "degenerate faces dropped");
+  report(mended, shortened, "face relieved of corners that repeat a vertex",
+         "faces relieved of corners that repeat a vertex");
 }
 
 void drop_duplicate_faces(Mended_soup& mended) {
   const Duplicate_faces found = find_duplicate_faces(mended.soup);
   if(found.duplicates.empty() && found.of_flaps.empty())
     return;
-  Change_counter duplicates, flaps;
+  Finding duplicates, flaps;
   std::size_t kept = 0;
   for(std::uint32_t f = 0; f < mended.soup.faces.size(); ++f) {
     const auto name = [&] { return name_of_face(mended.face_in_file[f]); };
@@ -226,9 +207,9 @@ void drop_duplicate_faces(Mended_soup& mended) {
   }
   mended.soup.faces.resize(kept);
   mended.face_in_file.resize(kept);
-  duplicates.report(mended, "duplicate face dropped", "duplicate faces dropped");
-  flaps.report(mended, "face of a flap without thickness dropped",
-               "faces of flaps without thickness dropped");
+  report(mended, duplicates, "duplicate face dropped", "duplicate faces dropped");
+  report(mended, flaps, "face of a flap without thickness dropped",
+         "faces of flaps without thickness dropped");
 }
 
 } // namespace htloops

@@ -8,16 +8,95 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
-#include "read/soup_diagnosis.h"
 
-#include <algorithm>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
 namespace htloops {
 namespace {
+
+// Pieces of faces that have been joined, and which faces of a piece have to be turned for all to
+// agree. Disjoint sets, with a parity for each face.
+class Face_pieces
+{
+public:
+  explicit Face_pieces(std::size_t number_of_faces)
+      : parents_(number_of_faces)
+      , sizes_(number_of_faces, 1)
+      , is_turned_(number_of_faces, false) {
+    std::iota(parents_.begin(), parents_.end(), 0u);
+  }
+
+  // puts two faces into one piece, which agree as they are or if one of them is turned. False if
+  // they are of one piece already and it says otherwise; then nothing is changed.
+  bool join(std::uint32_t f, std::uint32_t g, bool must_turn) {
+    Position a = find(f), b = find(g);
+    const bool is_turned = (a.is_turned != b.is_turned) != must_turn;
+    if(a.root == b.root)
+      return !is_turned;
+    if(sizes_[a.root] < sizes_[b.root])
+      std::swap(a, b);
+    parents_[b.root] = a.root;
+    is_turned_[b.root] = is_turned;
+    sizes_[a.root] += sizes_[b.root];
+    return true;
+  }
+
+  // a face that stands for the piece, always the same until the next call of `join()`.
+  std::uint32_t piece(std::uint32_t f) { return find(f).root; }
+  std::size_t size_of_piece(std::uint32_t f) { return sizes_[find(f).root]; }
+
+  // for each face whether it has to be turned: the fewer of each piece; if they are as many as the
+  // others, not the first.
+  std::vector<bool> turned_faces() {
+    const auto number_of_faces = static_cast<std::uint32_t>(parents_.size());
+    std::vector<std::uint32_t> number_turned(number_of_faces, 0);
+    std::vector<bool> is_seen(number_of_faces, false), is_first_turned(number_of_faces, false);
+    for(std::uint32_t f = 0; f < number_of_faces; ++f) {
+      const Position at = find(f);
+      number_turned[at.root] += at.is_turned ? 1 : 0;
+      if(!is_seen[at.root])
+        is_first_turned[at.root] = at.is_turned;
+      is_seen[at.root] = true;
+    }
+    std::vector<bool> is_turned(number_of_faces);
+    for(std::uint32_t f = 0; f < number_of_faces; ++f) {
+      const Position at = find(f);
+      const std::size_t others = sizes_[at.root] - number_turned[at.root];
+      const bool are_most_turned = number_turned[at.root] > others ||
+                                   (number_turned[at.root] == others && is_first_turned[at.root]);
+      is_turned[f] = at.is_turned != are_most_turned;
+    }
+    return is_turned;
+  }
+
+private:
+  struct Position
+  {
+    std::uint32_t root;
+    bool is_turned; // against the root
+  };
+
+  // Halves the way to the root as it goes.
+  Position find(std::uint32_t f) {
+    bool is_turned = false;
+    while(parents_[f] != f) {
+      const std::uint32_t parent = parents_[f];
+      if(parents_[parent] != parent) {
+        is_turned_[f] = is_turned_[f] != is_turned_[parent];
+        parents_[f] = parents_[parent];
+      }
+      is_turned = is_turned != is_turned_[f];
+      f = parents_[f];
+    }
+    return {f, is_turned};
+  }
+
+  std::vector<std::uint32_t> parents_;
+  std::vector<std::uint32_t> sizes_; // of roots
+  std::vector<bool> is_turned_;      // against the parent
+};
 
 constexpr std::uint32_t no_partner = static_cast<std::uint32_t>(-1);
 
@@ -32,6 +111,13 @@ struct Wing
   int sector = 0; // counted around the edge, from the first wing
 };
 
+// Which faces at an edge with more than two are neighbors: pairs of halfedges, as they are in the
+// soup. The rest stays without neighbor.
+//
+// Going around the edge, one that runs downwards and one that runs upwards after it are a pair,
+// between which there is solid: solids that meet at the edge come apart. Faces of one piece are
+// paired first, the largest piece before the others, so that a surface goes on where a fin stands
+// on it. `is_turned` tells which faces are to be seen turned. Decided exactly.
 class Edge_star
 {
 public:
@@ -152,20 +238,6 @@ private:
   std::vector<std::uint32_t> partner_;
 };
 
-/// which faces at an edge with more than two are neighbors: pairs of halfedges, as they are in the
-/// soup. The rest stays without neighbor.
-///
-/// Going around the edge, one that runs downwards and one that runs upwards after it are a pair,
-/// between which there is solid: solids that meet at the edge come apart. Faces of one piece are
-/// paired first, the largest piece before the others, so that a surface goes on where a fin stands
-/// on it. `is_turned` tells which faces are to be seen turned. Decided exactly.
-std::vector<std::array<std::uint32_t, 2>> pairs_around_edge(const Soup& soup,
-                                                            const Edge_table::Edge& edge,
-                                                            Face_pieces& pieces,
-                                                            const std::vector<bool>& is_turned) {
-  return Edge_star(soup, edge, pieces, is_turned).pairs();
-}
-
 class Gluer
 {
 public:
@@ -206,13 +278,13 @@ private:
   bool glue_at_crowded_edges() {
     std::vector<std::array<std::uint32_t, 2>> pairs;
     std::vector<bool> is_turned; // found out if it is needed
-    Change_counter counter;
+    Finding counter;
     edges_.for_each_edge([&](const Edge_table::Edge& edge) {
       if(edge.size() <= 2)
         return;
       if(is_turned.empty())
         is_turned = pieces_.turned_faces();
-      const auto found = pairs_around_edge(soup_, edge, pieces_, is_turned);
+      const auto found = Edge_star(soup_, edge, pieces_, is_turned).pairs();
       pairs.insert(pairs.end(), found.begin(), found.end());
       counter.add([&] {
         return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]) +
@@ -224,8 +296,8 @@ private:
       is_orientable = glue(h, g) && is_orientable;
     if(!is_orientable)
       return false;
-    counter.report(mended_, "edge with more than two faces split",
-                   "edges with more than two faces split");
+    report(mended_, counter, "edge with more than two faces split",
+           "edges with more than two faces split");
     return true;
   }
 
@@ -234,7 +306,7 @@ private:
 
   void turn_faces() {
     const std::vector<bool> is_turned = pieces_.turned_faces();
-    Change_counter counter;
+    Finding counter;
     const auto place = [&](std::uint32_t h) { return is_turned[h / 3] ? turned(h) : h; };
     Neighbors neighbors(neighbors_.size(), no_halfedge);
     for(std::uint32_t h = 0; h < neighbors_.size(); ++h)
@@ -246,7 +318,7 @@ private:
         std::swap(soup_.faces[f][1], soup_.faces[f][2]);
         counter.add([&] { return name_of_face(mended_.face_in_file[f]); });
       }
-    counter.report(mended_, "face turned over", "faces turned over");
+    report(mended_, counter, "face turned over", "faces turned over");
   }
 
   Mended_soup& mended_;
@@ -257,63 +329,6 @@ private:
 };
 
 } // namespace
-
-Face_pieces::Face_pieces(std::size_t number_of_faces)
-    : parents_(number_of_faces)
-    , sizes_(number_of_faces, 1)
-    , is_turned_(number_of_faces, false) {
-  std::iota(parents_.begin(), parents_.end(), 0u);
-}
-
-// Halves the way to the root as it goes.
-Face_pieces::Position Face_pieces::find(std::uint32_t f) {
-  bool is_turned = false;
-  while(parents_[f] != f) {
-    const std::uint32_t parent = parents_[f];
-    if(parents_[parent] != parent) {
-      is_turned_[f] = is_turned_[f] != is_turned_[parent];
-      parents_[f] = parents_[parent];
-    }
-    is_turned = is_turned != is_turned_[f];
-    f = parents_[f];
-  }
-  return {f, is_turned};
-}
-
-bool Face_pieces::join(std::uint32_t f, std::uint32_t g, bool must_turn) {
-  Position a = find(f), b = find(g);
-  const bool is_turned = (a.is_turned != b.is_turned) != must_turn;
-  if(a.root == b.root)
-    return !is_turned;
-  if(sizes_[a.root] < sizes_[b.root])
-    std::swap(a, b);
-  parents_[b.root] = a.root;
-  is_turned_[b.root] = is_turned;
-  sizes_[a.root] += sizes_[b.root];
-  return true;
-}
-
-std::vector<bool> Face_pieces::turned_faces() {
-  const auto number_of_faces = static_cast<std::uint32_t>(parents_.size());
-  std::vector<std::uint32_t> number_turned(number_of_faces, 0);
-  std::vector<bool> is_seen(number_of_faces, false), is_first_turned(number_of_faces, false);
-  for(std::uint32_t f = 0; f < number_of_faces; ++f) {
-    const Position at = find(f);
-    number_turned[at.root] += at.is_turned ? 1 : 0;
-    if(!is_seen[at.root])
-      is_first_turned[at.root] = at.is_turned;
-    is_seen[at.root] = true;
-  }
-  std::vector<bool> is_turned(number_of_faces);
-  for(std::uint32_t f = 0; f < number_of_faces; ++f) {
-    const Position at = find(f);
-    const std::size_t others = sizes_[at.root] - number_turned[at.root];
-    const bool are_most_turned = number_turned[at.root] > others ||
-                                 (number_turned[at.root] == others && is_first_turned[at.root]);
-    is_turned[f] = at.is_turned != are_most_turned;
-  }
-  return is_turned;
-}
 
 std::optional<Neighbors> glue_faces(Mended_soup& mended) { return Gluer(mended).run(); }
 

@@ -11,10 +11,6 @@
 
 #include "failure.h"
 #include "interrupt.h"
-#include "mend/mending.h"
-#include "mesh_types.h"
-#include "read/soup_diagnosis.h"
-#include "read/soup_reader.h"
 
 #include <algorithm>
 #include <utility>

@@ -9,10 +9,6 @@
 
 #include "mend/steps.h"
 
-#include "read/soup.h"
-
-#include <algorithm>
-#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -32,17 +28,10 @@ struct Counted_edge
   std::uint32_t second() const { return static_cast<std::uint32_t>(edge); }
 };
 
-// A side of a face, with what tells the face from others at the same edge. Of one that is there
-// twice, both are the same: it will be dropped, and until then must not hide that an edge is open.
-struct Side
-{
-  std::uint64_t edge;
-  std::uint32_t face;
-
-  bool operator<(const Side& other) const {
-    return edge != other.edge ? edge < other.edge : face < other.face;
-  }
-};
+// A side of a face, as an edge, with what tells the face from others at the same edge. Of one that
+// is there twice, both are the same: it will be dropped, and until then must not hide that an edge
+// is open.
+using Side = std::pair<std::uint64_t, std::uint32_t>;
 
 // The same for all polygons with the same sides, and nearly always different for others.
 std::uint64_t hash_of(const Corners& corners) {
@@ -127,7 +116,7 @@ private:
     auto kept = begin;
     for(auto side = begin; side != sides_.end();) {
       const auto next = std::find_if(
-          side, sides_.end(), [side](const Side& other) { return other.edge != side->edge; });
+          side, sides_.end(), [side](const Side& other) { return other.first != side->first; });
       if(next == side + 1)
         *kept++ = *side;
       side = next;
@@ -203,7 +192,7 @@ private:
   void weld() {
     std::vector<std::uint32_t> first_at(number_of_places_, no_point);
     std::vector<std::uint32_t> welded(soup_.points.size());
-    Change_counter counter;
+    Finding counter;
     for(std::uint32_t v = 0; v < soup_.points.size(); ++v) {
       welded[v] = v;
       if(!is_welded_[v])
@@ -220,8 +209,8 @@ private:
         v = welded[v];
     for(std::uint32_t& v : soup_.further_corners)
       v = welded[v];
-    counter.report(mended_, "vertex welded with another at the same place",
-                   "vertices welded with others at the same place");
+    report(mended_, counter, "vertex welded with another at the same place",
+           "vertices welded with others at the same place");
   }
 
   Mended_soup& mended_;

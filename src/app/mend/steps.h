@@ -29,30 +29,14 @@
 
 namespace htloops {
 
-/// Counts changes of one kind and remembers the first.
-class Change_counter
-{
-public:
-  template <typename Name_of_element>
-  void add(Name_of_element name_of_element, std::size_t count = 1) {
-    if(count_ == 0 && count != 0)
-      example_ = name_of_element();
-    count_ += count;
-  }
-
-  std::size_t count() const { return count_; }
-
-  /// `one` and `many` are what happened to one element or to several.
-  void report(Mended_soup& mended, const std::string& one, const std::string& many) const {
-    if(count_ != 0)
-      mended.changes.push_back(
-          {count_, (count_ == 1 ? one + ": " : many + ", the first is ") + example_});
-  }
-
-private:
-  std::size_t count_ = 0;
-  std::string example_;
-};
+/// `one` and `many` are what happened to one element or to several.
+inline void report(Mended_soup& mended,
+                   const Finding& finding,
+                   const std::string& one,
+                   const std::string& many) {
+  if(finding.count() != 0)
+    mended.changes.push_back({finding.count(), finding.words(one, many)});
+}
 
 /// The vertices of a face of any size, in their order.
 using Corners = std::vector<std::uint32_t>;
@@ -108,18 +92,6 @@ inline Exact_point exact_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 /// a mesh without such edges as it is.
 void weld_points(Mended_soup& mended);
 
-/// Triangles with the same three vertices as another one, where edges have too many faces or faces
-/// that run the same way. Both lists are sorted.
-struct Duplicate_faces
-{
-  std::vector<std::uint32_t> duplicates; ///< all but the first of their kind
-
-  /// A flap is a piece of a surface folded onto itself: each of its faces is there once in each
-  /// orientation, and where it is fixed to others the surface is closed without it. So it is not
-  /// needed at all, and leaving one side of it would leave a boundary.
-  std::vector<std::uint32_t> of_flaps;
-};
-
 /// takes out corners that name the vertex before them again, and faces of which no three are left.
 void drop_degenerate_faces(Mended_soup& mended);
 
@@ -140,39 +112,6 @@ Triangles triangulate_polygon(const std::vector<Point>& points,
 /// makes triangles of all faces of more than three vertices. Vertices stay; no diagonal becomes an
 /// edge of a further face, if that can be. Points must be finite.
 void triangulate(Mended_soup& mended);
-
-/// Pieces of faces that have been joined, and which faces of a piece have to be turned for all to
-/// agree. Disjoint sets, with a parity for each face.
-class Face_pieces
-{
-public:
-  explicit Face_pieces(std::size_t number_of_faces);
-
-  /// puts two faces into one piece, which agree as they are or if one of them is turned. False if
-  /// they are of one piece already and it says otherwise; then nothing is changed.
-  bool join(std::uint32_t f, std::uint32_t g, bool must_turn);
-
-  /// a face that stands for the piece, always the same until the next call of `join()`.
-  std::uint32_t piece(std::uint32_t f) { return find(f).root; }
-  std::size_t size_of_piece(std::uint32_t f) { return sizes_[find(f).root]; }
-
-  /// for each face whether it has to be turned: the fewer of each piece; if they are as many as the
-  /// others, not the first.
-  std::vector<bool> turned_faces();
-
-private:
-  struct Position
-  {
-    std::uint32_t root;
-    bool is_turned; // against the root
-  };
-
-  Position find(std::uint32_t f);
-
-  std::vector<std::uint32_t> parents_;
-  std::vector<std::uint32_t> sizes_; // of roots
-  std::vector<bool> is_turned_;      // against the parent
-};
 
 /// for each halfedge of a soup of triangles the one of the neighboring face, or `no_halfedge`.
 using Neighbors = std::vector<std::uint32_t>;

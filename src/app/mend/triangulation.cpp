@@ -8,17 +8,13 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <map>
-#include <optional>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -224,7 +220,7 @@ public:
     Soup soup;
     std::vector<std::uint32_t> face_in_file;
     soup.faces.reserve(mended_.soup.faces.size() + mended_.soup.further_corners.size());
-    Change_counter counter;
+    Finding counter;
     for_each_polygon(mended_.soup, [&](std::size_t f, const Corners& corners) {
       if(corners.size() <= 3) {
         add_face(soup, corners);
@@ -239,8 +235,8 @@ public:
     mended_.soup = std::move(soup);
     mended_.face_in_file = std::move(face_in_file);
     keep_diagonals();
-    counter.report(mended_, "face of more than three vertices made triangles",
-                   "faces of more than three vertices made triangles");
+    report(mended_, counter, "face of more than three vertices made triangles",
+           "faces of more than three vertices made triangles");
   }
 
 private:

@@ -8,8 +8,6 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "mend/steps.h"
-#include "read/soup.h"
-#include "read/soup_diagnosis.h"
 
 #include <unordered_map>
 
@@ -35,12 +33,12 @@ public:
     for(std::uint32_t corner = 0; corner < neighbors_.size(); ++corner)
       if(!is_seen_[corner])
         take_fan(corner);
-    Change_counter counter;
+    Finding counter;
     for(std::uint32_t v = 0; v < number_of_vertices; ++v)
       if(number_of_fans_[v] > 1)
         counter.add(
             [&] { return name_of_vertex(v) + " into " + std::to_string(number_of_fans_[v]); });
-    counter.report(mended_, "vertex split", "vertices split");
+    report(mended_, counter, "vertex split", "vertices split");
   }
 
 private:
@@ -93,7 +91,7 @@ public:
       , neighbors_(neighbors) {}
 
   void run() {
-    Change_counter counter;
+    Finding counter;
     for(std::uint32_t h : surplus_edges()) {
       // Where it is by now.
       for(auto moved = moved_.find(h); moved != moved_.end(); moved = moved_.find(h))
@@ -104,8 +102,8 @@ public:
       });
       divide(h);
     }
-    counter.report(mended_, "edge beside another one divided in the middle",
-                   "edges beside others divided in the middle");
+    report(mended_, counter, "edge beside another one divided in the middle",
+           "edges beside others divided in the middle");
   }
 
 private:

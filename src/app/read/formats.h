@@ -41,17 +41,23 @@ Off_header read_off_header(Text_source& text);
 /// are put off to the end of the whole line, so that all other lines keep their numbers.
 std::string join_continued_lines(std::string text);
 
-enum class Ply_type { NONE, INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT, DOUBLE };
+/// A type of the numbers of a PLY file.
+struct Ply_type
+{
+  std::string_view name, other_name;
+  bool is_integer;
+  bool (*read)(Binary_source&, double&); ///< false if there is no number more
+};
 
 /// A number, or a list of numbers preceded by their count, of an element of a PLY file.
 struct Ply_property
 {
   std::string name;
   std::string type_name;
-  Ply_type type = Ply_type::NONE;       ///< of the number or of the items of the list
-  Ply_type count_type = Ply_type::NONE; ///< none if it is no list
+  const Ply_type* type = nullptr;       ///< of the number or of the items of the list
+  const Ply_type* count_type = nullptr; ///< none if it is no list
 
-  bool is_list() const { return count_type != Ply_type::NONE; }
+  bool is_list() const { return count_type != nullptr; }
 };
 
 struct Ply_element
@@ -78,73 +84,55 @@ struct Ply_header
 /// declares a type that PLY does not have.
 Ply_header read_ply_header(Text_source& text);
 
-/// The data of a PLY file in text form: each element has a line.
-class Ply_text_numbers
+/// The data of a PLY file, in binary form, or as text in which each element has a line.
+class Ply_numbers
 {
 public:
-  explicit Ply_text_numbers(const Text_source& data)
-      : text_(data) {}
+  /// the text of the file has been read up to the data.
+  Ply_numbers(const std::string& file,
+              std::string_view content,
+              const Text_source& data,
+              Ply_format format)
+      : is_text_(format == Ply_format::ASCII)
+      , text_(data)
+      , bytes_(file, content, data.position(), format == Ply_format::BINARY_LITTLE_ENDIAN) {}
 
-  void begin_element() { text_.skip_to_content(); }
+  void begin_element() {
+    if(is_text_)
+      text_.skip_to_content();
+  }
 
   /// whether nothing is left of the element.
-  bool end_element() { return text_.is_at_line_end(); }
+  bool end_element() { return !is_text_ || text_.is_at_line_end(); }
 
-  /// fails if there is more than all elements.
-  void end() { text_.expect_end("the last of the elements that the header declares"); }
+  /// fails if there is more than all elements, but for bytes: some programs fill up the last block.
+  void end() {
+    if(is_text_)
+      text_.expect_end("the last of the elements that the header declares");
+  }
 
-  /// reads the next number, which has a type; false if there is none.
-  bool read(Ply_type type, double& value);
+  /// reads the next number; false if there is none.
+  bool read(const Ply_type& type, double& value);
 
   /// throws the `Failure` of a file that is wrong here.
-  [[noreturn]] void fail(const std::string& problem) const { text_.fail(problem); }
+  [[noreturn]] void fail(const std::string& problem) const {
+    if(is_text_)
+      text_.fail(problem);
+    bytes_.fail(problem);
+  }
 
   /// the same for what may be missing because the file was cut off.
   [[noreturn]] void fail_incomplete(const std::string& problem) const {
-    text_.fail_incomplete(problem);
+    if(is_text_)
+      text_.fail_incomplete(problem);
+    bytes_.fail(problem + "; the file ends here");
   }
 
 private:
+  bool is_text_;
   Text_source text_;
+  Binary_source bytes_;
 };
-
-/// The data of a PLY file in binary form.
-class Ply_binary_numbers
-{
-public:
-  explicit Ply_binary_numbers(const Binary_source& data)
-      : data_(data) {}
-
-  void begin_element() {}
-  bool end_element() { return true; }
-  void end() {} // some programs fill up the last block
-  bool read(Ply_type type, double& value);
-
-  [[noreturn]] void fail(const std::string& problem) const { data_.fail(problem); }
-
-  [[noreturn]] void fail_incomplete(const std::string& problem) const {
-    data_.fail(problem + "; the file ends here");
-  }
-
-private:
-  template <typename T> bool read_as(double& value);
-
-  Binary_source data_;
-};
-
-/// calls `use(numbers)` with the numbers of the form that the header declares; the text of the file
-/// has been read up to the data.
-template <typename Use>
-auto with_ply_numbers(const std::string& file,
-                      std::string_view content,
-                      const Text_source& data,
-                      Ply_format format,
-                      Use use) {
-  if(format == Ply_format::ASCII)
-    return use(Ply_text_numbers(data));
-  return use(Ply_binary_numbers(
-      Binary_source(file, content, data.position(), format == Ply_format::BINARY_LITTLE_ENDIAN)));
-}
 
 /// reads the text of an OFF file, also with homogeneous coordinates; colours, normals and texture
 /// coordinates are passed over. Throws `Failure`, naming file and line, if it is malformed.

@@ -21,7 +21,6 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
-#include <utility>
 
 namespace htloops {
 namespace {
@@ -30,11 +29,6 @@ namespace {
   throw_if_interrupted(); // while it waited
   throw Failure(Exit_code::UNREADABLE_FILE, "cannot read " + file + ": " + std::strerror(errno));
 }
-
-struct Close_file
-{
-  void operator()(std::FILE* stream) const { std::fclose(stream); }
-};
 
 std::string read_to_the_end(std::FILE* stream, std::size_t expected_size, const std::string& name) {
   std::string content;
@@ -57,7 +51,8 @@ std::string read_whole_file(const std::string& file) {
   constexpr std::size_t some = std::size_t(1) << 20;
   if(file == "-")
     return read_to_the_end(stdin, some, "the standard input");
-  const std::unique_ptr<std::FILE, Close_file> stream(std::fopen(file.c_str(), "rb"));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
+                                                               std::fclose);
   if(!stream)
     fail(file);
   std::error_code error; // of what is no regular file

@@ -14,7 +14,6 @@
 #include "read/input_file.h"
 
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
-#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 
 #include <array>
 #include <cstddef>

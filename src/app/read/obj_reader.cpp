@@ -9,13 +9,10 @@
 
 #include "read/formats.h"
 #include "read/input_file.h"
-#include "read/soup.h"
-#include "read/sources.h"
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <string_view>
 #include <system_error>
 
 namespace htloops {

@@ -8,7 +8,6 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "read/formats.h"
-#include "read/soup.h"
 #include "words.h"
 
 #include <algorithm>

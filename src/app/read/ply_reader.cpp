@@ -9,13 +9,12 @@
 
 #include "read/formats.h"
 #include "read/input_file.h"
-#include "read/soup.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
-#include <utility>
 
 namespace htloops {
 namespace {
@@ -47,23 +46,29 @@ Ply_element read_element(Text_source& text) {
   return element;
 }
 
-/// the type of a name; none if PLY has no such type.
-Ply_type ply_type(std::string_view name) {
-  static constexpr std::pair<std::string_view, Ply_type> types[] = {
-      {"char", Ply_type::INT8},     {"int8", Ply_type::INT8},     {"uchar", Ply_type::UINT8},
-      {"uint8", Ply_type::UINT8},   {"short", Ply_type::INT16},   {"int16", Ply_type::INT16},
-      {"ushort", Ply_type::UINT16}, {"uint16", Ply_type::UINT16}, {"int", Ply_type::INT32},
-      {"int32", Ply_type::INT32},   {"uint", Ply_type::UINT32},   {"uint32", Ply_type::UINT32},
-      {"float", Ply_type::FLOAT},   {"float32", Ply_type::FLOAT}, {"double", Ply_type::DOUBLE},
-      {"float64", Ply_type::DOUBLE}};
-  for(const auto& [type_name, type] : types)
-    if(type_name == name)
-      return type;
-  return Ply_type::NONE;
+template <typename T> bool read_as(Binary_source& data, double& value) {
+  T number;
+  if(!data.read(number))
+    return false;
+  value = static_cast<double>(number);
+  return true;
 }
 
-bool is_integer(Ply_type type) {
-  return type != Ply_type::NONE && type != Ply_type::FLOAT && type != Ply_type::DOUBLE;
+constexpr Ply_type types[] = {{"char", "int8", true, read_as<std::int8_t>},
+                              {"uchar", "uint8", true, read_as<std::uint8_t>},
+                              {"short", "int16", true, read_as<std::int16_t>},
+                              {"ushort", "uint16", true, read_as<std::uint16_t>},
+                              {"int", "int32", true, read_as<std::int32_t>},
+                              {"uint", "uint32", true, read_as<std::uint32_t>},
+                              {"float", "float32", false, read_as<float>},
+                              {"double", "float64", false, read_as<double>}};
+
+// The type of a name; null if PLY has no such type.
+const Ply_type* ply_type(std::string_view name) {
+  const auto found = std::find_if(std::begin(types), std::end(types), [name](const Ply_type& type) {
+    return name == type.name || name == type.other_name;
+  });
+  return found == std::end(types) ? nullptr : found;
 }
 
 Ply_property read_property(Text_source& text) {
@@ -72,13 +77,13 @@ Ply_property read_property(Text_source& text) {
   if(property.type_name == "list") {
     const std::string_view count_type = text.word();
     property.count_type = ply_type(count_type);
-    if(!is_integer(property.count_type))
+    if(!property.is_list() || !property.count_type->is_integer)
       text.fail("a list whose length is of the type " + in_quotes(count_type) +
                 ", which is no integer type");
     property.type_name = text.word();
   }
   property.type = ply_type(property.type_name);
-  if(property.type == Ply_type::NONE)
+  if(property.type == nullptr)
     text.fail("a property of the unknown type " + in_quotes(property.type_name));
   property.name = text.word();
   return property;
@@ -96,7 +101,7 @@ std::size_t find_property(const Ply_element& element, Is_wanted is_wanted) {
 
 bool is_vertex_list(const Ply_property& property) {
   return (property.name == "vertex_indices" || property.name == "vertex_index") &&
-         property.is_list() && is_integer(property.type);
+         property.is_list() && property.type->is_integer;
 }
 
 std::size_t number_of_vertices(const Ply_header& header) {
@@ -106,10 +111,13 @@ std::size_t number_of_vertices(const Ply_header& header) {
   return count;
 }
 
-template <typename Numbers> class Ply_parser
+class Ply_parser
 {
 public:
-  Ply_parser(const std::string& file, std::size_t size, const Ply_header& header, Numbers numbers)
+  Ply_parser(const std::string& file,
+             std::size_t size,
+             const Ply_header& header,
+             const Ply_numbers& numbers)
       : file_(file)
       , size_(size)
       , header_(header)
@@ -218,7 +226,7 @@ private:
       for(std::size_t i = 0; i < element.properties.size(); ++i) {
         const Ply_property& property = element.properties[i];
         values_[i] =
-            read(element, property, property.is_list() ? property.count_type : property.type);
+            read(element, property, property.is_list() ? *property.count_type : *property.type);
         if(!property.is_list())
           continue;
         if(i == taken)
@@ -242,10 +250,10 @@ private:
                     " is negative");
     const auto length = static_cast<std::size_t>(count);
     for(std::size_t i = 0; i < length; ++i)
-      take(i, length, read(element, property, property.type));
+      take(i, length, read(element, property, *property.type));
   }
 
-  double read(const Ply_element& element, const Ply_property& property, Ply_type type) {
+  double read(const Ply_element& element, const Ply_property& property, const Ply_type& type) {
     double value;
     if(!numbers_.read(type, value))
       numbers_.fail_incomplete("expected " + property.name + " of " + name_of_item(element));
@@ -266,7 +274,7 @@ private:
   const std::string& file_;
   const std::size_t size_;
   const Ply_header& header_;
-  Numbers numbers_;
+  Ply_numbers numbers_;
   const std::size_t number_of_points_;
   Soup soup_;
   std::size_t item_ = 0;
@@ -299,8 +307,10 @@ Ply_header read_ply_header(Text_source& text) {
   text.fail("the header has no end");
 }
 
-bool Ply_text_numbers::read(Ply_type type, double& value) {
-  if(!is_integer(type))
+bool Ply_numbers::read(const Ply_type& type, double& value) {
+  if(!is_text_)
+    return type.read(bytes_, value);
+  if(!type.is_integer)
     return text_.read(value);
   long long integer;
   if(!text_.read(integer) || integer < (std::numeric_limits<std::int32_t>::min)() ||
@@ -310,44 +320,11 @@ bool Ply_text_numbers::read(Ply_type type, double& value) {
   return true;
 }
 
-template <typename T> bool Ply_binary_numbers::read_as(double& value) {
-  T number;
-  if(!data_.read(number))
-    return false;
-  value = static_cast<double>(number);
-  return true;
-}
-
-bool Ply_binary_numbers::read(Ply_type type, double& value) {
-  switch(type) {
-  case Ply_type::INT8:
-    return read_as<std::int8_t>(value);
-  case Ply_type::UINT8:
-    return read_as<std::uint8_t>(value);
-  case Ply_type::INT16:
-    return read_as<std::int16_t>(value);
-  case Ply_type::UINT16:
-    return read_as<std::uint16_t>(value);
-  case Ply_type::INT32:
-    return read_as<std::int32_t>(value);
-  case Ply_type::UINT32:
-    return read_as<std::uint32_t>(value);
-  case Ply_type::FLOAT:
-    return read_as<float>(value);
-  case Ply_type::DOUBLE:
-    return read_as<double>(value);
-  case Ply_type::NONE:
-    break;
-  }
-  return false;
-}
-
 Soup read_ply(const std::string& file, std::string_view content) {
   Text_source text(file, content);
   const Ply_header header = read_ply_header(text);
-  return with_ply_numbers(file, content, text, header.format, [&](auto numbers) {
-    return Ply_parser<decltype(numbers)>(file, content.size(), header, numbers).parse();
-  });
+  const Ply_numbers numbers(file, content, text, header.format);
+  return Ply_parser(file, content.size(), header, numbers).parse();
 }
 
 } // namespace htloops

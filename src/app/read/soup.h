@@ -26,25 +26,20 @@ namespace htloops {
 class Soup_face
 {
 public:
-  using value_type = std::uint32_t;
-  using size_type = std::size_t;
-  using iterator = value_type*;
-  using const_iterator = const value_type*;
-
   void resize(std::size_t size) { size_ = size; }
   std::size_t size() const { return size_; }
   bool is_triangle() const { return size_ == 3; }
 
-  value_type& operator[](std::size_t i) { return vertices_[i < 3 ? i : 3]; }
-  value_type operator[](std::size_t i) const { return vertices_[i < 3 ? i : 3]; }
+  std::uint32_t& operator[](std::size_t i) { return vertices_[i < 3 ? i : 3]; }
+  std::uint32_t operator[](std::size_t i) const { return vertices_[i < 3 ? i : 3]; }
 
-  const_iterator begin() const { return vertices_.data(); }
-  const_iterator end() const { return begin() + (size_ < 3 ? size_ : 3); }
-  iterator begin() { return vertices_.data(); }
-  iterator end() { return begin() + (size_ < 3 ? size_ : 3); }
+  const std::uint32_t* begin() const { return vertices_.data(); }
+  const std::uint32_t* end() const { return begin() + (size_ < 3 ? size_ : 3); }
+  std::uint32_t* begin() { return vertices_.data(); }
+  std::uint32_t* end() { return begin() + (size_ < 3 ? size_ : 3); }
 
 private:
-  std::array<value_type, 4> vertices_{}; // the last one takes what is not kept
+  std::array<std::uint32_t, 4> vertices_{}; // the last one takes what is not kept
   std::size_t size_ = 0;
 };
 
@@ -68,6 +63,14 @@ struct Soup
   std::uint32_t source(std::uint32_t halfedge) const { return faces[halfedge / 3][halfedge % 3]; }
 };
 
+class Input_file;
+
+/// reads OFF, OBJ, PLY and STL, by the extension of the file name.
+/// The vertices keep the order of the file; those of an STL file, which has none, are numbered as
+/// they come, equal points being one vertex. Throws `Failure` if the file cannot be read, ends too
+/// early, or names a vertex that is not there.
+Soup read_soup(const Input_file& file);
+
 /// the halfedge after one in its triangle, where halfedges are numbered by triangles.
 inline std::uint32_t next_in_triangle(std::uint32_t halfedge) {
   return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1;
@@ -83,6 +86,27 @@ no_such_vertex(std::size_t face, long long vertex, std::size_t number_of_vertice
   return name_of_face(face) + " names vertex " + std::to_string(vertex) + " of " +
          std::to_string(number_of_vertices) + " (they count from " + std::to_string(first) + ")";
 }
+
+/// How often something was found, and where first.
+class Finding
+{
+public:
+  template <typename Name_of_element> void add(Name_of_element name) {
+    if(count_++ == 0)
+      example_ = name();
+  }
+
+  std::size_t count() const { return count_; }
+
+  /// what was found, without the count: of one element, or of several.
+  std::string words(const std::string& one, const std::string& many) const {
+    return count_ == 1 ? one + ": " + example_ : many + ", the first is " + example_;
+  }
+
+private:
+  std::size_t count_ = 0;
+  std::string example_;
+};
 
 /// Numbers different points as they come. A table with open addressing: most of the time of reading
 /// an STL file goes here.

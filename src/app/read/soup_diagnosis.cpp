@@ -9,7 +9,6 @@
 
 #include "read/soup_diagnosis.h"
 
-#include "read/soup.h"
 #include "words.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -18,8 +17,6 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace htloops {
 namespace {
@@ -41,33 +38,6 @@ using Disjoint_sets = boost::disjoint_sets_with_storage<Number_map, Number_map>;
 std::string name_of_edge(const Edge_table::Edge& edge) {
   return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]);
 }
-
-// Counts the elements with a defect and remembers the first of them.
-class Finding
-{
-public:
-  template <typename Name_of_element> void add(Name_of_element name) {
-    if(count_++ == 0)
-      example_ = name();
-  }
-
-  std::size_t count() const { return count_; }
-
-  void report(std::vector<Defect>& defects,
-              Mesh_defect kind,
-              const std::string& one,
-              const std::string& many,
-              const std::string& remark = "") const {
-    if(count_ != 0)
-      defects.push_back({kind, count_,
-                         counted(count_, one, many) + remark +
-                             (count_ == 1 ? ": " : ", the first is ") + example_});
-  }
-
-private:
-  std::size_t count_ = 0;
-  std::string example_;
-};
 
 class Diagnostician
 {
@@ -93,6 +63,17 @@ public:
 private:
   std::vector<Defect>& defects() { return diagnosis_.defects; }
 
+  void report(const Finding& finding,
+              Mesh_defect kind,
+              const std::string& one,
+              const std::string& many,
+              const std::string& remark = "") {
+    if(finding.count() != 0)
+      defects().push_back(
+          {kind, finding.count(),
+           std::to_string(finding.count()) + " " + finding.words(one + remark, many + remark)});
+  }
+
   void check_size() {
     constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
     if(soup_.faces.empty())
@@ -108,9 +89,9 @@ private:
     for(std::size_t v = 0; v < soup_.points.size(); ++v)
       if(!is_finite(soup_.points[v]))
         bad_points.add([v] { return name_of_vertex(v); });
-    bad_points.report(defects(), Mesh_defect::NON_FINITE_COORDINATE,
-                      "vertex with a coordinate that is infinite or not a number",
-                      "vertices with coordinates that are infinite or not numbers");
+    report(bad_points, Mesh_defect::NON_FINITE_COORDINATE,
+           "vertex with a coordinate that is infinite or not a number",
+           "vertices with coordinates that are infinite or not numbers");
   }
 
   void check_faces() {
@@ -123,10 +104,10 @@ private:
       else if(face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
         degenerate_faces.add([f] { return name_of_face(f); });
     }
-    not_triangles.report(defects(), Mesh_defect::NOT_TRIANGULATED, "face is not a triangle",
-                         "faces are not triangles");
-    degenerate_faces.report(defects(), Mesh_defect::DEGENERATE_FACE,
-                            "face names the same vertex twice", "faces name the same vertex twice");
+    report(not_triangles, Mesh_defect::NOT_TRIANGULATED, "face is not a triangle",
+           "faces are not triangles");
+    report(degenerate_faces, Mesh_defect::DEGENERATE_FACE, "face names the same vertex twice",
+           "faces name the same vertex twice");
     if(not_triangles.count() + degenerate_faces.count() != 0)
       are_faces_sound_ = false;
   }
@@ -138,7 +119,6 @@ private:
   void check_edges() {
     diagnosis_.edges.reserve(3 * soup_.faces.size() / 2);
     Finding boundary, crowded, disoriented;
-    std::vector<std::uint32_t> suspects; // faces that may have a duplicate
     edges_->for_each_edge([&](const Edge_table::Edge& edge) {
       const std::uint32_t h = edge.halfedge(0);
       const std::uint32_t g = edge.halfedge(edge.size() - 1);
@@ -148,50 +128,35 @@ private:
       } else if(edge.size() > 2) {
         crowded.add(
             [&] { return name_of_edge(edge) + " with " + std::to_string(edge.size()) + " faces"; });
-        for(std::size_t i = 0; i < edge.size(); ++i)
-          suspects.push_back(edge.halfedge(i) / 3);
       } else if(have_same_direction(h, g)) {
         disoriented.add([&] {
           return name_of_edge(edge) + " between faces " + std::to_string(h / 3) + " and " +
                  std::to_string(g / 3);
         });
-        suspects.insert(suspects.end(), {h / 3, g / 3});
       } else {
         diagnosis_.edges.push_back({h, g});
       }
     });
-    report_duplicate_faces(suspects);
-    crowded.report(defects(), Mesh_defect::NON_MANIFOLD_EDGE, "edge has more than two faces",
-                   "edges have more than two faces");
+    if(crowded.count() + disoriented.count() > 0)
+      report_duplicate_faces();
+    report(crowded, Mesh_defect::NON_MANIFOLD_EDGE, "edge has more than two faces",
+           "edges have more than two faces");
     report_unwelded(boundary);
     report_orientation(disoriented);
   }
 
-  // Faces with the same three vertices, whatever their order: they share edges that are suspicious.
-  void report_duplicate_faces(std::vector<std::uint32_t>& suspects) {
-    std::sort(suspects.begin(), suspects.end());
-    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
-    struct Key
-    {
-      std::array<std::uint32_t, 3> vertices;
-      std::uint32_t face;
-    };
-    std::vector<Key> keys;
-    for(const std::uint32_t f : suspects) {
-      keys.push_back({{soup_.faces[f][0], soup_.faces[f][1], soup_.faces[f][2]}, f});
-      std::sort(keys.back().vertices.begin(), keys.back().vertices.end());
-    }
-    std::stable_sort(keys.begin(), keys.end(),
-                     [](const Key& a, const Key& b) { return a.vertices < b.vertices; });
+  // Faces with the same three vertices, whatever their order.
+  void report_duplicate_faces() {
+    const std::vector<Corners_of_face> suspects = suspicious_faces(soup_, *edges_);
     Finding duplicates;
-    for(std::size_t i = 1; i < keys.size(); ++i)
-      if(keys[i].vertices == keys[i - 1].vertices)
+    for(std::size_t i = 1; i < suspects.size(); ++i)
+      if(suspects[i].first == suspects[i - 1].first)
         duplicates.add([&] {
-          return name_of_face(keys[i].face) + " with the vertices of " +
-                 name_of_face(keys[i - 1].face);
+          return name_of_face(suspects[i].second) + " with the vertices of " +
+                 name_of_face(suspects[i - 1].second);
         });
-    duplicates.report(defects(), Mesh_defect::NON_MANIFOLD_EDGE, "face is a duplicate",
-                      "faces are duplicates");
+    report(duplicates, Mesh_defect::NON_MANIFOLD_EDGE, "face is a duplicate",
+           "faces are duplicates");
   }
 
   // A surface may have a boundary. But where no two faces share a vertex, and edges lie on others,
@@ -207,12 +172,12 @@ private:
       places.push_back(merger.number(soup_.points[soup_.source(h)]));
     if(!do_edges_lie_on_others(places))
       return;
-    boundary.report(defects(), Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
-                    ", in " + counted(soup_.faces.size(), "loop", "loops") +
-                        " of three edges: no two faces share a vertex (merging equal points would "
-                        "leave " +
-                        std::to_string(merger.take_points().size()) + " of " +
-                        std::to_string(corners) + " vertices)");
+    report(boundary, Mesh_defect::BOUNDARY_EDGE, "boundary edge", "boundary edges",
+           ", in " + counted(soup_.faces.size(), "loop", "loops") +
+               " of three edges: no two faces share a vertex (merging equal points would "
+               "leave " +
+               std::to_string(merger.take_points().size()) + " of " + std::to_string(corners) +
+               " vertices)");
   }
 
   bool do_faces_share_vertices() const {
@@ -243,12 +208,12 @@ private:
   void report_orientation(const Finding& disoriented) {
     if(disoriented.count() == 0)
       return;
-    disoriented.report(defects(), Mesh_defect::INCONSISTENT_ORIENTATION,
-                       "edge has two faces that are oriented differently",
-                       "edges have two faces that are oriented differently",
-                       is_orientable() ? " (flipping faces would mend it)"
-                                       : " (no flipping of faces mends it: the surface is "
-                                         "not orientable)");
+    report(disoriented, Mesh_defect::INCONSISTENT_ORIENTATION,
+           "edge has two faces that are oriented differently",
+           "edges have two faces that are oriented differently",
+           is_orientable() ? " (flipping faces would mend it)"
+                           : " (no flipping of faces mends it: the surface is "
+                             "not orientable)");
   }
 
   // Each face stands for itself and, shifted by the number of faces, for itself flipped. The
@@ -293,9 +258,9 @@ private:
       if(fans[v] > 1)
         pinched.add(
             [&] { return name_of_vertex(v) + " with " + std::to_string(fans[v]) + " fans"; });
-    pinched.report(defects(), Mesh_defect::NON_MANIFOLD_VERTEX,
-                   "vertex has faces that form more than one fan",
-                   "vertices have faces that form more than one fan");
+    report(pinched, Mesh_defect::NON_MANIFOLD_VERTEX,
+           "vertex has faces that form more than one fan",
+           "vertices have faces that form more than one fan");
   }
 
   const Soup& soup_;
@@ -333,6 +298,23 @@ Edge_table::Edge_table(const Soup& soup)
                 return std::make_pair(a.far_vertex, a.halfedge) <
                        std::make_pair(b.far_vertex, b.halfedge);
               });
+}
+
+std::vector<Corners_of_face> suspicious_faces(const Soup& soup, const Edge_table& edges) {
+  std::vector<Corners_of_face> suspects;
+  edges.for_each_edge([&](const Edge_table::Edge& edge) {
+    const bool is_sound =
+        edge.size() < 2 ||
+        (edge.size() == 2 && soup.source(edge.halfedge(0)) != soup.source(edge.halfedge(1)));
+    for(std::size_t i = 0; !is_sound && i < edge.size(); ++i) {
+      const std::uint32_t f = edge.halfedge(i) / 3;
+      suspects.push_back({{soup.faces[f][0], soup.faces[f][1], soup.faces[f][2]}, f});
+      std::sort(suspects.back().first.begin(), suspects.back().first.end());
+    }
+  });
+  std::sort(suspects.begin(), suspects.end());
+  suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+  return suspects;
 }
 
 Diagnosis diagnose(const Soup& soup) { return Diagnostician(soup).run(); }

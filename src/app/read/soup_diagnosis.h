@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace htloops {
@@ -68,6 +69,12 @@ private:
   std::vector<std::uint32_t> first_; // of each vertex, in the entries; one more at the end
   std::vector<Entry> entries_;       // by their smaller vertex, then the larger, then the halfedge
 };
+
+/// The sorted vertices of a face, and its number.
+using Corners_of_face = std::pair<std::array<std::uint32_t, 3>, std::uint32_t>;
+
+/// the faces at edges at which something is wrong; those with the same vertices follow each other.
+std::vector<Corners_of_face> suspicious_faces(const Soup& soup, const Edge_table& edges);
 
 using CGAL::Handle_tunnel_loops::Mesh_defect;
 

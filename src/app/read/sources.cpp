@@ -12,11 +12,10 @@
 #include "interrupt.h"
 #include "read/input_file.h"
 
-#include <algorithm>
+#include <boost/endian/conversion.hpp>
+
 #include <charconv>
-#include <cstdint>
 #include <cstdlib>
-#include <string>
 #include <system_error>
 
 namespace htloops {
@@ -46,13 +45,6 @@ bool parse(std::string_view word, double& value) {
     return true;
 #endif
   return parse_slowly(word, value);
-}
-
-bool is_little_endian_here() {
-  const std::uint16_t one = 1;
-  unsigned char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
 }
 
 } // namespace
@@ -179,7 +171,8 @@ Binary_source::Binary_source(const std::string& file,
     : file_(&file)
     , content_(content)
     , position_(position)
-    , is_swapped_(is_little_endian != is_little_endian_here()) {}
+    , is_swapped_(is_little_endian !=
+                  (boost::endian::order::native == boost::endian::order::little)) {}
 
 void Binary_source::fail(const std::string& problem) const {
   fail_to_read(*file_, "byte " + std::to_string(position_) + ": " + problem);

@@ -10,8 +10,6 @@
 #include "read/formats.h"
 
 #include "read/input_file.h"
-#include "read/soup.h"
-#include "read/sources.h"
 #include "words.h"
 
 #include <algorithm>

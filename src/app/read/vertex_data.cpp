@@ -14,9 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <initializer_list>
 #include <string_view>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -24,8 +24,7 @@ namespace {
 bool is_coordinate(const std::string& name) { return name == "x" || name == "y" || name == "z"; }
 
 // Nothing if there are fewer numbers than announced.
-template <typename Numbers>
-Vertex_properties read_columns(const Ply_element& vertex, Numbers numbers) {
+Vertex_properties read_columns(const Ply_element& vertex, Ply_numbers numbers) {
   Vertex_properties columns;
   for(const Ply_property& property : vertex.properties)
     columns.push_back({property.name, property.type_name, {}});
@@ -33,7 +32,7 @@ Vertex_properties read_columns(const Ply_element& vertex, Numbers numbers) {
     numbers.begin_element();
     for(std::size_t i = 0; i < columns.size(); ++i) {
       double value;
-      if(!numbers.read(vertex.properties[i].type, value))
+      if(!numbers.read(*vertex.properties[i].type, value))
         return {};
       if(!is_coordinate(columns[i].name))
         columns[i].values.push_back(value);
@@ -54,8 +53,7 @@ Vertex_properties read_from_ply(const std::string& file, std::string_view conten
   if(std::any_of(vertex.properties.begin(), vertex.properties.end(),
                  [](const Ply_property& p) { return p.is_list(); }))
     return {};
-  return with_ply_numbers(file, content, text, header.format,
-                          [&](auto numbers) { return read_columns(vertex, numbers); });
+  return read_columns(vertex, Ply_numbers(file, content, text, header.format));
 }
 
 // Colours are numbers from 0 to 255, or shares of 1.
@@ -140,24 +138,24 @@ Words unread_in_off(const std::string& file, std::string_view text, bool keeps_c
 }
 
 Words unread_in_obj(std::string file_text) {
+  static constexpr std::pair<std::string_view, const char*> names[] = {
+      {"vt", "texture coordinates"},
+      {"vn", "normals"},
+      {"usemtl", "materials"},
+      {"mtllib", "materials"},
+      {"g", "groups"},
+      {"o", "groups"},
+      {"l", "lines"},
+      {"p", "points"}};
   Words found;
   const std::string text = join_continued_lines(std::move(file_text));
   Text_cursor cursor(text);
   for(; cursor.skip_to_content(); cursor.skip_line()) {
     const std::string_view keyword = cursor.word();
-    if(keyword == "vt")
-      add(found, "texture coordinates");
-    else if(keyword == "vn")
-      add(found, "normals");
-    else if(keyword == "usemtl" || keyword == "mtllib")
-      add(found, "materials");
-    else if(keyword == "g" || keyword == "o")
-      add(found, "groups");
-    else if(keyword == "l")
-      add(found, "lines");
-    else if(keyword == "p")
-      add(found, "points");
-    else if(keyword == "v" && numbers_left(cursor) >= 6)
+    for(const auto& [name, words] : names)
+      if(keyword == name)
+        add(found, words);
+    if(keyword == "v" && numbers_left(cursor) >= 6)
       add(found, "vertex colours");
   }
   return found;

@@ -36,11 +36,16 @@ struct Backend
 {
   const char* name;
   bool is_chosen_by_auto;
-  /// null in a build without it.
+  /// null in a build without it. Throws `CGAL::Handle_tunnel_loops::Device_exception` if there is
+  /// no device that takes the mesh, where one was asked for.
   Answer (*solve)(const Mesh&, const Solve_options&, Progress&);
   /// the Reeb graph of a diffusion; null as well.
   void (*diffuse)(const Mesh&, const Reeb_options&, Progress&, Reeb_answer&);
 };
+
+/// The processor's own threads; a CUDA device; that if there is one that takes the mesh, else the
+/// threads; the method of the paper, or its letter, in one thread, which logs the events of fronts.
+extern const Backend host_backend, cuda_backend, automatic_backend, reference_backend;
 
 /// the backend of that name; for "auto" the first that there is of those that may be chosen so.
 /// Throws `Failure` if this build has none.

@@ -13,8 +13,27 @@
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Boundary_check.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/self_contact.h>
 
 namespace htloops {
+namespace {
+
+namespace internal = CGAL::Handle_tunnel_loops::internal;
+
+class Watch_by_function final : public internal::Watch
+{
+public:
+  explicit Watch_by_function(const std::function<void()>& look)
+      : look_(look) {}
+
+  void look() override { look_(); }
+
+private:
+  const std::function<void()>& look_;
+};
+
+} // namespace
 
 CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
                                                const Pairs& pairs,
@@ -32,10 +51,16 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
                                                 const std::vector<Loop>& waists) {
   auto vertex_index = get(boost::vertex_index, mesh);
   auto face_index = get(boost::face_index, mesh);
-  const CGAL::Handle_tunnel_loops::internal::Boundary_check<Mesh, decltype(vertex_index),
-                                                            decltype(face_index), Loop>
-      check(mesh, vertex_index, face_index);
+  const internal::Boundary_check<Mesh, decltype(vertex_index), decltype(face_index), Loop> check(
+      mesh, vertex_index, face_index);
   return check.problems(find_boundaries(mesh, false).curves, curves, waists);
+}
+
+bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {
+  Watch_by_function watch(look);
+  const auto execution = internal::execution_of<CGAL::Parallel_if_available_tag>();
+  return internal::touches_itself(execution.watched_by(watch), mesh, get(CGAL::vertex_point, mesh),
+                                  get(boost::vertex_index, mesh));
 }
 
 } // namespace htloops

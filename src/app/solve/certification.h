@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
 std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
                                                 const std::vector<Loop>& curves,
                                                 const std::vector<Loop>& waists);
+
+/// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
+/// the surface is not the boundary of a solid. Decided exactly. Takes about as long as reading the
+/// mesh, unless faces are so long and thin that the boxes of most of them meet; throws
+/// `Interrupted` soon after a signal.
+bool touches_itself(
+    const Mesh& mesh, const std::function<void()>& look = [] {});
 
 } // namespace htloops
 

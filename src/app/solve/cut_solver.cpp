@@ -9,7 +9,6 @@
 
 #include "solve/cut_solver.h"
 
-#include "solve/stopwatch.h"
 #include "solve/thread_limit.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -19,7 +18,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
-#include <functional>
 #include <iterator>
 
 namespace htloops {

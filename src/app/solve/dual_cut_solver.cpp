@@ -15,7 +15,6 @@
 #include <CGAL/Handle_tunnel_loops_solver.h>
 #include <CGAL/dual_cuts.h>
 
-#include <functional>
 #include <iterator>
 
 namespace htloops {

@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_PROGRESS_H
 #define HTLOOPS_PROGRESS_H
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -35,6 +36,17 @@ public:
   std::function<bool(double)> callback() {
     return [this](double fraction) { return update(fraction); };
   }
+};
+
+/// The wall time since an object was made.
+class Stopwatch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
 };
 
 } // namespace htloops

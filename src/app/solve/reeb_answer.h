@@ -44,8 +44,8 @@ struct Reeb_answer
 /// the word for a type of nodes, as it stands in files and messages.
 const char* name_of(CGAL::Reeb_node_type type);
 
-/// what is given by vertex, as a property map.
-template <typename T> auto map_of_vertices(const Mesh& mesh, const std::vector<T>& values) {
+/// what is given by vertex, or is to be, as a property map.
+template <typename Values> auto map_of_vertices(const Mesh& mesh, Values& values) {
   return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh));
 }
 

@@ -9,30 +9,11 @@
 
 #include "solve/reeb_solver.h"
 
-#include "solve/backends.h"
-#include "solve/library_reeb.h"
-#include "solve/stopwatch.h"
-#include "solve/thread_limit.h"
+#include "solve/library_backend.h"
 
 #include <CGAL/reeb_graph_of_function.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 namespace htloops {
-namespace {
-
-void solve_for_function(const Mesh& mesh,
-                        const Reeb_options& options,
-                        Progress& progress,
-                        Reeb_answer& answer) {
-  const auto value = [&options](Mesh::Vertex_index v) { return options.values[v.idx()]; };
-  answer.statistics = CGAL::reeb_graph_of_function<CGAL::Parallel_if_available_tag>(
-      mesh, boost::make_function_property_map<Mesh::Vertex_index, double>(value), answer.graph,
-      reeb_parameters(options, progress, answer));
-  answer.backend = "host";
-}
-
-} // namespace
 
 const std::map<std::string, CGAL::Reeb_measure>& reeb_measures() {
   static const std::map<std::string, CGAL::Reeb_measure> measures = {
@@ -55,9 +36,12 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
   answer.vertex_arc.assign(mesh.number_of_vertices(), Reeb_answer::no_arc);
   answer.values.assign(mesh.number_of_vertices(), 0.);
   const Stopwatch stopwatch;
-  if(has_values)
-    solve_for_function(mesh, options, progress, answer);
-  else
+  if(has_values) {
+    answer.statistics = CGAL::reeb_graph_of_function<CGAL::Parallel_if_available_tag>(
+        mesh, map_of_vertices(mesh, options.values), answer.graph,
+        reeb_parameters(mesh, options, progress, answer));
+    answer.backend = "host";
+  } else
     choose_backend(options.backend).diffuse(mesh, options, progress, answer);
   answer.total_seconds = stopwatch.seconds();
   progress.end();

@@ -40,6 +40,10 @@ struct Removal_answer
 Removal_answer
 remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress& progress);
 
+/// completes properties that are known for the first vertices: each further one gets the mean of
+/// its neighbours that have a value, in turn from those beside the known ones.
+void spread_properties(const Mesh& mesh, Vertex_properties& properties);
+
 } // namespace htloops
 
 #endif // HTLOOPS_REMOVAL_SOLVER_H

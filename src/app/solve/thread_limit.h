@@ -21,8 +21,6 @@ public:
   /// 0 means as many as the machine has. Without TBB there is one thread, whatever is asked for.
   explicit Thread_limit(int number_of_threads);
   ~Thread_limit();
-  Thread_limit(const Thread_limit&) = delete;
-  Thread_limit& operator=(const Thread_limit&) = delete;
 
   int number_of_threads() const { return number_of_threads_; }
 

@@ -9,9 +9,7 @@
 
 #include "write/documents.h"
 
-#include "mesh_types.h"
 #include "version.h"
-#include "write/json_writer.h"
 #include "write/pair_listing.h"
 #include "write/tables.h"
 

@@ -9,13 +9,13 @@
 
 #include "write/files.h"
 
-#include "failure.h"
+#include "interrupt.h"
 
 #include <cerrno>
 #include <charconv>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <random>
 #include <system_error>
 
@@ -45,17 +45,8 @@ bool is_dangling_link(const fs::path& path) {
   return fs::is_symlink(fs::symlink_status(path, error)) && !fs::exists(path, error);
 }
 
-// Creates the file, which must not exist yet.
-void create(const std::string& file, const std::string& target) {
-  std::FILE* stream = std::fopen(file.c_str(), "wbx");
-  if(stream == nullptr)
-    fail_with_errno(target);
-  std::fclose(stream);
-}
-
-// Renaming would replace a read-only file without asking.
-void check_may_replace(const std::string& file, const std::string& target) {
-  std::FILE* stream = std::fopen(file.c_str(), "r+b");
+void check_opens(const std::string& file, const char* mode, const std::string& target) {
+  std::FILE* stream = std::fopen(file.c_str(), mode);
   if(stream == nullptr)
     fail_with_errno(target);
   std::fclose(stream);
@@ -74,78 +65,62 @@ std::string destination_of(const std::string& target) {
   return error ? path.string() : canonical.string();
 }
 
-Staged_path::Staged_path(const std::string& target)
-    : target_(target)
-    , destination_(destination_of(target)) {
-  std::error_code error;
-  const fs::file_status status = fs::status(destination_, error);
-  if(fs::is_directory(status))
-    fail(target, "it is a folder");
-  if(fs::exists(status) && !fs::is_regular_file(status)) {
-    temporary_ = destination_;
-    return;
-  }
-  if(is_dangling_link(destination_))
-    fail(target, "its links lead nowhere");
-  if(fs::exists(status))
-    check_may_replace(destination_, target);
-  unfinished_.emplace();
-  const std::string temporary = name_of_temporary(destination_);
-  create(temporary, target);
-  temporary_ = temporary;
-  if(fs::exists(status))
-    fs::permissions(temporary_, status.permissions(), error);
-}
-
-Staged_path::~Staged_path() {
-  if(!is_committed_ && !is_in_place())
-    std::remove(temporary_.c_str());
-}
-
-void Staged_path::commit() {
-  if(!is_in_place()) {
+// A name under which a file appears complete or not at all. What is to be seen is written to
+// `temporary()`, in the same folder, and renamed by `commit()`; without that it is removed.
+// What is no regular file (a device, a pipe) is written in place.
+class Staged_path
+{
+public:
+  explicit Staged_path(const std::string& target)
+      : target_(target)
+      , destination_(destination_of(target)) {
     std::error_code error;
-    fs::rename(temporary_, destination_, error);
-    if(error)
-      fail(target_, error.message());
+    const fs::file_status status = fs::status(destination_, error);
+    if(fs::is_directory(status))
+      fail(target, "it is a folder");
+    if(fs::exists(status) && !fs::is_regular_file(status)) {
+      temporary_ = destination_;
+      return;
+    }
+    if(is_dangling_link(destination_))
+      fail(target, "its links lead nowhere");
+    if(fs::exists(status)) // renaming would replace a read-only file without asking
+      check_opens(destination_, "r+b", target);
+    unfinished_.emplace();
+    const std::string temporary = name_of_temporary(destination_);
+    check_opens(temporary, "wbx", target);
+    temporary_ = temporary;
+    if(fs::exists(status))
+      fs::permissions(temporary_, status.permissions(), error);
   }
-  is_committed_ = true;
-}
 
-Atomic_file::Atomic_file(const std::string& target)
-    : stream_(stdout) {
-  if(target == "-")
-    return;
-  path_.emplace(target);
-  stream_ = std::fopen(path_->temporary().c_str(), "wb");
-  if(stream_ == nullptr)
-    fail_with_errno(target);
-}
-
-Atomic_file::~Atomic_file() {
-  // Closed before the temporary file is removed: not every system removes an open file.
-  if(path_ && stream_ != nullptr)
-    std::fclose(stream_);
-}
-
-void Atomic_file::write(const char* data, std::size_t size) {
-  if(std::fwrite(data, 1, size, stream_) != size)
-    fail_with_errno(path_ ? path_->target() : "the standard output");
-}
-
-void Atomic_file::commit() {
-  if(!path_) {
-    if(std::fflush(stream_) != 0)
-      fail_with_errno("the standard output");
-    return;
+  ~Staged_path() {
+    if(!is_committed_ && !is_in_place())
+      std::remove(temporary_.c_str());
   }
-  // Only a successful close tells that the last bytes found room on the disk.
-  std::FILE* stream = stream_;
-  stream_ = nullptr;
-  if(std::fclose(stream) != 0)
-    fail_with_errno(path_->target());
-  path_->commit();
-}
+
+  const std::string& target() const { return target_; }
+  const std::string& temporary() const { return temporary_; }
+
+  void commit() {
+    if(!is_in_place()) {
+      std::error_code error;
+      fs::rename(temporary_, destination_, error);
+      if(error)
+        fail(target_, error.message());
+    }
+    is_committed_ = true;
+  }
+
+private:
+  bool is_in_place() const { return temporary_ == destination_; }
+
+  std::string target_;      // as the user named it
+  std::string destination_; // with symbolic links followed, so that a link stays one
+  std::string temporary_;
+  bool is_committed_ = false;
+  std::optional<Unfinished_file> unfinished_; // while there is something to remove
+};
 
 void check_writable(const std::string& target) {
   if(target != "-")
@@ -164,20 +139,54 @@ void append_number(std::string& text, double value) {
 #endif
 }
 
+Text_writer::Text_writer(const std::string& target)
+    : stream_(stdout) {
+  if(target == "-")
+    return;
+  path_ = std::make_unique<Staged_path>(target);
+  stream_ = std::fopen(path_->temporary().c_str(), "wb");
+  if(stream_ == nullptr)
+    fail_with_errno(target);
+}
+
+Text_writer::~Text_writer() {
+  // Closed before the temporary file is removed: not every system removes an open file.
+  if(path_ && stream_ != nullptr)
+    std::fclose(stream_);
+}
+
 void Text_writer::flush() {
   throw_if_interrupted();
-  file_.write(buffer_.data(), buffer_.size());
+  if(std::fwrite(buffer_.data(), 1, buffer_.size(), stream_) != buffer_.size())
+    fail_with_errno(path_ ? path_->target() : "the standard output");
   buffer_.clear();
 }
 
 void Text_writer::show() {
   flush();
-  file_.show();
+  if(!path_)
+    std::fflush(stream_);
 }
 
 void Text_writer::finish() {
   flush();
-  file_.commit();
+  if(!path_) {
+    if(std::fflush(stream_) != 0)
+      fail_with_errno("the standard output");
+    return;
+  }
+  // Only a successful close tells that the last bytes found room on the disk.
+  std::FILE* stream = stream_;
+  stream_ = nullptr;
+  if(std::fclose(stream) != 0)
+    fail_with_errno(path_->target());
+  path_->commit();
+}
+
+void write_text(const std::string& target, std::string_view text) {
+  Text_writer out(target);
+  out << text;
+  out.finish();
 }
 
 } // namespace htloops

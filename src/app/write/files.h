@@ -11,13 +11,12 @@
 #define HTLOOPS_FILES_H
 
 #include "failure.h"
-#include "interrupt.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <cstddef>
 #include <cstdio>
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -28,59 +27,6 @@ namespace htloops {
 /// there is anything.
 std::string destination_of(const std::string& target);
 
-/// A name under which a file appears complete or not at all. What is to be seen is written to
-/// `temporary()`, in the same folder, and renamed by `commit()`; without that it is removed.
-/// What is no regular file (a device, a pipe) is written in place.
-class Staged_path
-{
-public:
-  /// throws `Failure` if there is no way to write `target`.
-  explicit Staged_path(const std::string& target);
-  ~Staged_path();
-  Staged_path(const Staged_path&) = delete;
-  Staged_path& operator=(const Staged_path&) = delete;
-
-  const std::string& target() const { return target_; }
-  const std::string& temporary() const { return temporary_; }
-
-  void commit();
-
-private:
-  bool is_in_place() const { return temporary_ == destination_; }
-
-  std::string target_;      // as the user named it
-  std::string destination_; // with symbolic links followed, so that a link stays one
-  std::string temporary_;
-  bool is_committed_ = false;
-  std::optional<Unfinished_file> unfinished_; // while there is something to remove
-};
-
-/// A file written through `Staged_path`; the name "-" is the standard output.
-class Atomic_file
-{
-public:
-  explicit Atomic_file(const std::string& target);
-  ~Atomic_file();
-  Atomic_file(const Atomic_file&) = delete;
-  Atomic_file& operator=(const Atomic_file&) = delete;
-
-  /// throws `Failure` if not everything could be written, on a full disk for example.
-  void write(const char* data, std::size_t size);
-
-  /// makes what has been written to the standard output visible.
-  void show() {
-    if(!path_)
-      std::fflush(stream_);
-  }
-
-  /// closes the file and gives it its name; throws like `write()`.
-  void commit();
-
-private:
-  std::optional<Staged_path> path_; // none for the standard output
-  std::FILE* stream_;               // null when closed
-};
-
 /// throws `Failure` if a file of that name could not be written now, and `Interrupted` if a signal
 /// came meanwhile; leaves no trace.
 void check_writable(const std::string& target);
@@ -88,13 +34,16 @@ void check_writable(const std::string& target);
 /// appends the shortest decimal number that reads back as exactly `value`.
 void append_number(std::string& text, double value);
 
-/// A text file written through a buffer; it appears under its name when `finish()` is called.
-/// Throws `Failure` when the file cannot be written and `Interrupted` on Ctrl-C.
+class Staged_path;
+
+/// A text file written through a buffer; it appears under its name when `finish()` is called. The
+/// name "-" is the standard output. Throws `Failure` when the file cannot be written, on a full
+/// disk for example, and `Interrupted` on Ctrl-C.
 class Text_writer
 {
 public:
-  explicit Text_writer(const std::string& target)
-      : file_(target) {}
+  explicit Text_writer(const std::string& target);
+  ~Text_writer();
 
   Text_writer& operator<<(std::string_view text) {
     buffer_ += text;
@@ -103,19 +52,14 @@ public:
 
   Text_writer& operator<<(const char* text) { return *this << std::string_view(text); }
 
-  Text_writer& operator<<(char c) {
-    buffer_ += c;
-    return *this;
-  }
-
-  Text_writer& operator<<(double value) {
-    append_number(buffer_, value);
-    return flush_if_full();
-  }
-
-  template <typename Integer>
-  std::enable_if_t<std::is_integral_v<Integer>, Text_writer&> operator<<(Integer value) {
-    buffer_ += std::to_string(value);
+  template <typename Number>
+  std::enable_if_t<std::is_arithmetic_v<Number>, Text_writer&> operator<<(Number value) {
+    if constexpr(std::is_same_v<Number, char>)
+      buffer_ += value;
+    else if constexpr(std::is_integral_v<Number>)
+      buffer_ += std::to_string(value);
+    else
+      append_number(buffer_, value);
     return flush_if_full();
   }
 
@@ -126,9 +70,8 @@ public:
   void show();
 
 private:
-  static constexpr std::size_t buffer_size = std::size_t(1) << 18;
-
   Text_writer& flush_if_full() {
+    constexpr std::size_t buffer_size = std::size_t(1) << 18;
     if(buffer_.size() >= buffer_size)
       flush();
     return *this;
@@ -136,9 +79,13 @@ private:
 
   void flush();
 
-  Atomic_file file_;
+  std::unique_ptr<Staged_path> path_; // none for the standard output
+  std::FILE* stream_;                 // null when closed
   std::string buffer_;
 };
+
+/// writes a file of one text.
+void write_text(const std::string& target, std::string_view text);
 
 /// How the names of files of a format end, and what writes one; the first argument of `Writer` is
 /// the `Text_writer`.
@@ -160,6 +107,13 @@ const File_format<Writer>& format_of(const std::string& file,
   }
   throw Failure(Exit_code::WRONG_USAGE,
                 "cannot write " + file + ": the name must end in one of" + known);
+}
+
+/// throws the same; without a name, nothing is to be written.
+template <typename Writer, std::size_t n>
+void check_format(const std::string& file, const File_format<Writer> (&formats)[n]) {
+  if(!file.empty())
+    format_of(file, formats);
 }
 
 /// writes a file in the one of some formats that its name tells.

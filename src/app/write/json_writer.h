@@ -17,7 +17,6 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 namespace htloops {
 

@@ -30,14 +30,6 @@ void write_point(Text_writer& out, const char* before, const std::array<double, 
   out << before << point[0] << ' ' << point[1] << ' ' << point[2];
 }
 
-void write_triangle(Text_writer& out,
-                    const char* before,
-                    const std::array<std::uint32_t, 3>& triangle,
-                    std::uint32_t first_index) {
-  out << before << triangle[0] + first_index << ' ' << triangle[1] + first_index << ' '
-      << triangle[2] + first_index << '\n';
-}
-
 void write_points_and_triangles(Text_writer& out,
                                 const Written_mesh& written,
                                 const char* before_point,
@@ -49,8 +41,9 @@ void write_points_and_triangles(Text_writer& out,
       out << ' ' << property.values[v];
     out << '\n';
   }
-  for(const auto& triangle : written.mesh.triangles)
-    write_triangle(out, before_triangle, triangle, first_index);
+  for(const auto& [a, b, c] : written.mesh.triangles)
+    out << before_triangle << a + first_index << ' ' << b + first_index << ' ' << c + first_index
+        << '\n';
 }
 
 void write_off(Text_writer& out, const Written_mesh& written) {
@@ -139,7 +132,9 @@ void write(const std::string& file, const Written_mesh& written) {
 
 } // namespace
 
-void check_mesh_format(const std::string& file) { format_of(file); }
+void check_mesh_format(const std::string& file) {
+  check_format(name_with_format(file), mesh_formats);
+}
 
 void write_mesh(const std::string& file, const generators::Soup& mesh) { write(file, {mesh, {}}); }
 

@@ -13,7 +13,6 @@
 #include "write/tables.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace htloops {
@@ -79,25 +78,20 @@ std::string padded(std::string name, int width) {
 
 } // namespace
 
-Pair_csv_writer::Pair_csv_writer(const std::string& target)
-    : out_(target) {
-  out_ << "mesh,pair,handle_length,tunnel_length,size,handle_bounds,tunnel_bounds,"
-          "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax\n";
-}
-
-void Pair_csv_writer::add(const std::string& mesh_file,
-                          const Answer& answer,
-                          const Pair_listing& listing) {
+void write_pair_rows(Text_writer& out,
+                     const std::string& mesh_file,
+                     const Answer& answer,
+                     const Pair_listing& listing) {
   for(const Listed_pair& pair : listing) {
-    out_ << cell_of(mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
-         << pair.tunnel_length << ',' << pair.size;
-    write_sides(out_, answer, pair.pair);
-    out_ << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();
+    out << cell_of(mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
+        << pair.tunnel_length << ',' << pair.size;
+    write_sides(out, answer, pair.pair);
+    out << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();
     for(int i = 0; i < 3; ++i)
-      out_ << ',' << pair.box.min(i);
+      out << ',' << pair.box.min(i);
     for(int i = 0; i < 3; ++i)
-      out_ << ',' << pair.box.max(i);
-    out_ << '\n';
+      out << ',' << pair.box.max(i);
+    out << '\n';
   }
 }
 
@@ -105,9 +99,10 @@ void write_pair_csv(const std::string& target,
                     const std::string& mesh_file,
                     const Answer& answer,
                     const Pair_listing& listing) {
-  Pair_csv_writer writer(target);
-  writer.add(mesh_file, answer, listing);
-  writer.finish();
+  Text_writer out(target);
+  out << pair_header;
+  write_pair_rows(out, mesh_file, answer, listing);
+  out.finish();
 }
 
 Mesh_line answered_line(const std::string& mesh_file,
@@ -125,17 +120,9 @@ Mesh_line answered_line(const std::string& mesh_file,
           std::move(listing)};
 }
 
-Mesh_line failed_line(const std::string& mesh_file, int exit_code, const std::string& error) {
-  Mesh_line line;
-  line.mesh_file = mesh_file;
-  line.exit_code = exit_code;
-  line.error = error;
-  return line;
-}
-
-void Mesh_lines_writer::add(const Mesh_line& line) {
-  out_ << json_of(line).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
-  out_.show();
+void write_mesh_line(Text_writer& out, const Mesh_line& line) {
+  out << json_of(line).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  out.show();
 }
 
 std::string header_of_lines(const std::vector<std::string>& mesh_files) {

@@ -21,22 +21,19 @@
 
 namespace htloops {
 
-/// Writes a header and a row for each listed pair, as RFC 4180 has it: the mesh, the number, the
-/// lengths, the side on which each loop bounds, and where the shorter loop is. Numbers read back
-/// exactly.
-class Pair_csv_writer
-{
-public:
-  explicit Pair_csv_writer(const std::string& target);
+/// The header before rows of pairs, as RFC 4180 has it.
+constexpr char pair_header[] =
+    "mesh,pair,handle_length,tunnel_length,size,handle_bounds,tunnel_bounds,"
+    "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax\n";
 
-  void add(const std::string& mesh_file, const Answer& answer, const Pair_listing& listing);
-  void finish() { out_.finish(); }
+/// writes a row for each listed pair: the mesh, the number, the lengths, the side on which each
+/// loop bounds, and where the shorter loop is. Numbers read back exactly.
+void write_pair_rows(Text_writer& out,
+                     const std::string& mesh_file,
+                     const Answer& answer,
+                     const Pair_listing& listing);
 
-private:
-  Text_writer out_;
-};
-
-/// writes the pairs of one mesh.
+/// writes a header and the pairs of one mesh.
 void write_pair_csv(const std::string& target,
                     const std::string& mesh_file,
                     const Answer& answer,
@@ -46,12 +43,12 @@ void write_pair_csv(const std::string& target,
 struct Mesh_line
 {
   std::string mesh_file;
-  int exit_code = 0; ///< what follows is known if it is 0
-  std::string error; ///< in words; empty if there is none
+  int exit_code = 0;      ///< what follows is known if it is 0
+  std::string error = {}; ///< in words; empty if there is none
   std::size_t number_of_vertices = 0, number_of_faces = 0;
   double read_seconds = 0.;
-  Answer answer;
-  Pair_listing listing;
+  Answer answer = {};
+  Pair_listing listing = {};
 };
 
 Mesh_line answered_line(const std::string& mesh_file,
@@ -59,22 +56,9 @@ Mesh_line answered_line(const std::string& mesh_file,
                         double read_seconds,
                         Answer answer,
                         Pair_listing listing);
-Mesh_line failed_line(const std::string& mesh_file, int exit_code, const std::string& error);
 
-/// A file with an object of JSON on each line, one for each mesh. On the standard output each is
-/// there at once.
-class Mesh_lines_writer
-{
-public:
-  explicit Mesh_lines_writer(const std::string& target)
-      : out_(target) {}
-
-  void add(const Mesh_line& line);
-  void finish() { out_.finish(); }
-
-private:
-  Text_writer out_;
-};
+/// writes an object of JSON on a line. On the standard output it is there at once.
+void write_mesh_line(Text_writer& out, const Mesh_line& line);
 
 /// the names of the columns of the rows that follow, for a person.
 std::string header_of_lines(const std::vector<std::string>& mesh_files);

@@ -12,16 +12,10 @@
 #include "words.h"
 #include "write/files.h"
 
-#include <CGAL/Bbox_3.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numeric>
-#include <string>
 #include <tuple>
-#include <vector>
 
 namespace htloops {
 namespace {
@@ -43,31 +37,59 @@ std::string words(const std::vector<Loop_linking::Number>& numbers, std::size_t 
   return text + (numbers.size() > largest_number_of_numbers ? "; ..." : "");
 }
 
-std::string in_colour(const std::string& text, CGAL::Loop_type type, bool use_colour) {
-  if(!use_colour)
-    return text;
+std::string in_colour(const std::string& text, CGAL::Loop_type type) {
   const auto [red, green, blue] = colour_of(type);
   return formatted("\033[38;2;%d;%d;%dm", red, green, blue) + text + "\033[0m";
 }
 
+// As wide as the column is.
+std::string padded(const Table_column& column, const std::string& cell) {
+  return formatted("%*s", column.is_number ? column.width : -column.width, cell.c_str());
+}
+
 // Texts in columns; those that tell of a kind of loops in its colour.
-std::string row(const std::vector<std::string>& cells, bool use_colour) {
+template <typename Columns>
+std::string
+row(const Columns& columns, const std::vector<std::string>& cells, bool use_colour = false) {
   std::string line;
   for(std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string cell = padded(pair_columns[i], cells[i]);
+    const std::string cell = padded(columns[i], cells[i]);
     line += i == 0 ? "" : "  ";
-    line += i == 1   ? in_colour(cell, CGAL::Loop_type::HANDLE, use_colour)
-            : i == 2 ? in_colour(cell, CGAL::Loop_type::TUNNEL, use_colour)
-                     : cell;
+    line += use_colour && columns[i].kind ? in_colour(cell, *columns[i].kind) : cell;
   }
   return line + "\n";
 }
 
-std::string header(bool use_colour) {
+// The rows that `row(i)` makes; of a long table only the first and the last ones, unless all are to
+// be shown.
+template <typename Row> std::string table_rows(std::size_t count, bool show_all, Row row) {
+  constexpr std::size_t longest_whole_table = 40;
+  constexpr std::size_t first_rows = 20;
+  constexpr std::size_t last_rows = 5;
+  const bool is_whole = show_all || count <= longest_whole_table;
+  std::string rows;
+  for(std::size_t i = 0; i < count; ++i) {
+    if(!is_whole && i == first_rows) {
+      i = count - last_rows;
+      rows += "  ... " + std::to_string(i - first_rows) + " more (--all shows them)\n";
+    }
+    rows += row(i);
+  }
+  return rows;
+}
+
+// A table of which `cells(i)` are the rows; nothing if there are none.
+template <typename Columns, typename Cells>
+std::string
+table(const Columns& columns, std::size_t count, const Table_options& options, Cells cells) {
+  if(count == 0)
+    return "";
   std::vector<std::string> names;
-  for(const Table_column& column : pair_columns)
+  for(const Table_column& column : columns)
     names.push_back(column.name);
-  return row(names, use_colour);
+  return row(columns, names, options.use_colour) +
+         table_rows(count, options.show_all,
+                    [&](std::size_t i) { return row(columns, cells(i), options.use_colour); });
 }
 
 double total_length(const Pairs& pairs, CGAL::Loop_type type) {
@@ -122,20 +144,6 @@ std::array<double, 3> without_rounding(const std::array<double, 3>& numbers, dou
   return result;
 }
 
-constexpr Table_column boundary_columns[] = {{"boundary", 8, true},
-                                             {"length", 12, true},
-                                             {"waist", 12, true},
-                                             {"edges", 8, true},
-                                             {"centre", 0, false}};
-
-std::string line_of(const std::vector<std::string>& cells, bool has_waists) {
-  std::string line;
-  for(std::size_t i = 0; i < cells.size(); ++i)
-    if(has_waists || i != 2)
-      line += (i == 0 ? "" : "  ") + padded(boundary_columns[i], cells[i]);
-  return line + "\n";
-}
-
 std::string centre_of(const Loop& curve) {
   const CGAL::Bbox_3 box = CGAL::bbox_3(curve.points().begin(), curve.points().end());
   const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
@@ -146,14 +154,6 @@ std::string name_of_node(const Reeb_answer& answer, std::size_t node) {
   return name_of(answer.graph[node].type) + (" " + std::to_string(node));
 }
 
-std::string row(const std::vector<std::string>& cells) {
-  std::string line;
-  for(std::size_t i = 0; i < cells.size(); ++i) {
-    line += (i == 0 ? "" : "  ") + padded(arc_columns[i], cells[i]);
-  }
-  return line + "\n";
-}
-
 using CGAL::Handle_tunnel_loops::Refused_handle;
 using CGAL::Handle_tunnel_loops::Removal_report;
 using CGAL::Handle_tunnel_loops::Removal_way;
@@ -161,45 +161,29 @@ using CGAL::Handle_tunnel_loops::Removed_handle;
 
 constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
 
-// As wide as the number of a pair.
-constexpr char neck[] = " neck";
+constexpr Table_column removal_columns[] = {{"pair", 5, true},
+                                            {"by", 5, false},
+                                            {"length", 12, true},
+                                            {"area", 12, true},
+                                            {"volume", 12, true}};
 
-std::string number_of(std::size_t pair) { return formatted("%5zu", pair); }
-
-std::string row(const Removed_handle& handle, const std::string& number) {
-  return number + formatted("  %-5s  %12.6g  %12.6g  %12.6g\n", name_of(handle.by), handle.length,
-                            handle.area, handle.volume);
+std::string row(const Removed_handle& handle, const std::string& name) {
+  return row(removal_columns, cells_of(handle, name));
 }
 
-std::string row(const Refused_handle& handle, const std::string& number) {
-  return number + formatted("  stays  %12.6g  ", handle.length) + handle.reason + "\n";
-}
-
-/// the rows that `row(i)` makes; of a long table only the first and the last ones, unless all are
-/// to be shown.
-template <typename Row> std::string table_rows(std::size_t count, bool show_all, Row row) {
-  constexpr std::size_t longest_whole_table = 40;
-  constexpr std::size_t first_rows = 20;
-  constexpr std::size_t last_rows = 5;
-  const bool is_whole = show_all || count <= longest_whole_table;
-  std::string rows;
-  for(std::size_t i = 0; i < count; ++i) {
-    if(!is_whole && i == first_rows) {
-      i = count - last_rows;
-      rows += "  ... " + std::to_string(i - first_rows) + " more (--all shows them)\n";
-    }
-    rows += row(i);
-  }
-  return rows;
+std::string row(const Refused_handle& handle, const std::string& name) {
+  return padded(removal_columns[0], name) + formatted("  stays  %12.6g  ", handle.length) +
+         handle.reason + "\n";
 }
 
 // First the handles, then the necks.
 template <typename Handle>
 std::string
 rows(const std::vector<Handle>& handles, const std::vector<Handle>& necks, bool show_all) {
-  return table_rows(handles.size(), show_all,
-                    [&](std::size_t i) { return row(handles[i], number_of(handles[i].pair)); }) +
-         table_rows(necks.size(), show_all, [&](std::size_t i) { return row(necks[i], neck); });
+  return table_rows(
+             handles.size(), show_all,
+             [&](std::size_t i) { return row(handles[i], std::to_string(handles[i].pair)); }) +
+         table_rows(necks.size(), show_all, [&](std::size_t i) { return row(necks[i], "neck"); });
 }
 
 // "30 cut, 13 filled"
@@ -292,11 +276,8 @@ std::vector<std::string> cells_of(const Listed_pair& pair) {
 }
 
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options) {
-  if(listing.empty())
-    return "";
-  return header(options.use_colour) +
-         table_rows(listing.size(), options.show_all,
-                    [&](std::size_t i) { return row(cells_of(listing[i]), options.use_colour); });
+  return table(pair_columns, listing.size(), options,
+               [&](std::size_t i) { return cells_of(listing[i]); });
 }
 
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {
@@ -332,24 +313,24 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
 
 std::string table_of_boundaries(const Boundaries& boundaries, bool show_all) {
   const std::vector<Loop>& curves = boundaries.curves;
-  if(curves.empty())
-    return "";
   const bool has_waists = !boundaries.waists.empty();
+  std::vector<Table_column> columns = {{"boundary", 8, true}, {"length", 12, true}};
+  if(has_waists)
+    columns.push_back({"waist", 12, true});
+  columns.insert(columns.end(), {{"edges", 8, true}, {"centre", 0, false}});
   std::vector<std::size_t> order(curves.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::make_tuple(curves[a].length(), a) < std::make_tuple(curves[b].length(), b);
   });
-  std::vector<std::string> names;
-  for(const Table_column& column : boundary_columns)
-    names.push_back(column.name);
-  return line_of(names, has_waists) + table_rows(curves.size(), show_all, [&](std::size_t row) {
-           const std::size_t i = order[row];
-           return line_of({std::to_string(i), formatted("%.6g", curves[i].length()),
-                           has_waists ? formatted("%.6g", boundaries.waists[i].length()) : "",
-                           std::to_string(curves[i].size()), centre_of(curves[i])},
-                          has_waists);
-         });
+  return table(columns, curves.size(), {show_all}, [&](std::size_t row) {
+    const std::size_t i = order[row];
+    std::vector<std::string> cells = {std::to_string(i), formatted("%.6g", curves[i].length())};
+    if(has_waists)
+      cells.push_back(formatted("%.6g", boundaries.waists[i].length()));
+    cells.insert(cells.end(), {std::to_string(curves[i].size()), centre_of(curves[i])});
+    return cells;
+  });
 }
 
 std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer) {
@@ -376,13 +357,8 @@ std::vector<std::string> cells_of(const Listed_arc& arc) {
 }
 
 std::string table_of_arcs(const std::vector<Listed_arc>& arcs, bool show_all) {
-  if(arcs.empty())
-    return "";
-  std::vector<std::string> names;
-  for(const Table_column& column : arc_columns)
-    names.push_back(column.name);
-  return row(names) +
-         table_rows(arcs.size(), show_all, [&](std::size_t i) { return row(cells_of(arcs[i])); });
+  return table(arc_columns, arcs.size(), {show_all},
+               [&](std::size_t i) { return cells_of(arcs[i]); });
 }
 
 void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arcs) {
@@ -397,6 +373,11 @@ void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arc
 const char* name_of(Removal_way way) {
   constexpr const char* names[] = {"cut", "fill", "whole"};
   return names[static_cast<std::size_t>(way)];
+}
+
+std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name) {
+  return {name, name_of(handle.by), formatted("%.6g", handle.length),
+          formatted("%.6g", handle.area), formatted("%.6g", handle.volume)};
 }
 
 std::string table_of_removals(const Removal_report& report, bool show_all) {

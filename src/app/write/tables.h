@@ -17,12 +17,12 @@
 #include "write/pair_listing.h"
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
-#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,14 +39,10 @@ template <typename... Values> std::string formatted(const char* format, Values..
 struct Table_column
 {
   const char* name;
-  int width;      ///< 0: the last one
-  bool is_number; ///< these stand to the right
+  int width;                                ///< 0: the last one
+  bool is_number;                           ///< these stand to the right
+  std::optional<CGAL::Loop_type> kind = {}; ///< of the loops that it tells of
 };
-
-/// what stands in a column, as wide as that is.
-inline std::string padded(const Table_column& column, const std::string& cell) {
-  return formatted("%*s", column.is_number ? column.width : -column.width, cell.c_str());
-}
 
 /// what was done to the mesh of a file before anything was computed: a line for each kind.
 std::string table_of_changes(const std::string& file, const std::vector<Change>& changes);
@@ -72,8 +68,8 @@ struct Table_options
 };
 
 constexpr Table_column pair_columns[] = {{"pair", 5, true},
-                                         {"handle", 12, true},
-                                         {"tunnel", 12, true},
+                                         {"handle", 12, true, CGAL::Loop_type::HANDLE},
+                                         {"tunnel", 12, true, CGAL::Loop_type::TUNNEL},
                                          {"size", 8, true},
                                          {"centre of the shorter", 34, false},
                                          {"its box", 0, false}};
@@ -118,6 +114,11 @@ void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arc
 
 /// the word for a way, as it stands in files and messages.
 const char* name_of(CGAL::Handle_tunnel_loops::Removal_way way);
+
+/// what stands in the first columns of a table of removals; `name` is the number of a pair, or
+/// neck.
+std::vector<std::string> cells_of(const CGAL::Handle_tunnel_loops::Removed_handle& handle,
+                                  const std::string& name);
 
 /// tables of the handles and necks that were removed, and of those that were refused, for a person.
 std::string table_of_removals(const CGAL::Handle_tunnel_loops::Removal_report& report,

@@ -8,9 +8,9 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/interrupt.h"
-#include "app/solve/boundaries.h"
 #include "app/solve/certification.h"
-#include "app/solve/self_contact.h"
+#include "app/words.h"
+#include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/help.h"
@@ -55,7 +55,7 @@ std::string praise(const Certificate& certificate, bool has_boundary, bool is_bo
 }
 
 void run(const Check_options& options) {
-  check_mesh_options(options);
+  check_mesh_format(options.written_mesh_file);
   const Mesh mesh = read_mesh(options);
   write_read_mesh(options, mesh);
   const Bound_loops loops = read_loops_on(mesh, options.loops_file);

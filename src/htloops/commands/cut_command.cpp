@@ -9,10 +9,8 @@
 
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
-#include "app/failure.h"
 #include "app/solve/cut_solver.h"
 #include "app/solve/dual_cut_solver.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/mesh_writer.h"
@@ -20,8 +18,6 @@
 #include "commands/help.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
-
-#include <CGAL/Handle_tunnel_loops/exceptions.h>
 
 #include <cstdio>
 #include <memory>
@@ -39,10 +35,8 @@ struct Cut_command_options : Common_options
 };
 
 void check_options(const Cut_command_options& options) {
-  if(!options.opened_file.empty())
-    check_opened_mesh_format(options.opened_file);
-  if(!options.selection_file.empty())
-    check_selection_format(options.selection_file);
+  check_opened_mesh_format(options.opened_file);
+  check_selection_format(options.selection_file);
   check_common_options(options);
 }
 
@@ -100,32 +94,33 @@ void run(const Cut_command_options& options) {
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
-  const char group[] = "What to write";
-  add_output_option(command, "-o,--output", options.opened_file, "FILE",
-                    "the opened mesh, with a vertex for each side: .off .obj .ply", group);
-  add_output_option(command, "--selection", options.selection_file, "FILE.selection.txt",
-                    "the edges, as a selection of CGAL", group);
-  add_output_option(command, "--dual", options.dual_file, "FILE.json",
-                    "for each handle and tunnel loop, and all boundary curves but one of each\n"
-                    "component, a cut that crosses it once and no other",
-                    group);
-  add_lines_option(command, options, "the edges", group);
-  add_picture_options(command, options, "the cut", group, false);
-  add_view_options(command, options, group);
+  command.option_defaults()->group("What to write");
+  as_output(command.add_option("-o,--output", options.opened_file,
+                               "the opened mesh, with a vertex for each side: .off .obj .ply"),
+            "FILE");
+  as_output(command.add_option("--selection", options.selection_file,
+                               "the edges, as a selection of CGAL"),
+            "FILE.selection.txt");
+  as_output(command.add_option(
+                "--dual", options.dual_file,
+                "for each handle and tunnel loop, and all boundary curves but one of each\n"
+                "component, a cut that crosses it once and no other"),
+            "FILE.json");
+  add_lines_option(command, options, "the edges");
+  add_picture_options(command, options, "the cut", false);
+  add_view_options(command, options);
 }
 
 void add_computation_options(CLI::App& command, Cut_command_options& options) {
-  const char group[] = "How to compute";
+  command.option_defaults()->group("How to compute");
   command
       .add_option("--through", options.cones,
                   "vertices that the cut has to pass: the cones of a parametrization")
       ->option_text("VERTEX,...")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group(group);
-  command.add_flag("--cut-spheres", options.do_cut_spheres, "cut components of genus 0, too")
-      ->group(group);
-  add_threads_option(command, options, group);
+      ->allow_extra_args(false);
+  command.add_flag("--cut-spheres", options.do_cut_spheres, "cut components of genus 0, too");
+  add_threads_option(command, options);
 }
 
 constexpr char cut_description[] =

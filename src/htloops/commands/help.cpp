@@ -9,17 +9,15 @@
 
 #include "commands/help.h"
 
+#include "app/words.h"
 #include "commands/command.h"
 #include "commands/options.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace htloops {
@@ -116,9 +114,8 @@ std::string roff_of(const std::string& text) {
 
 // Blank lines are between paragraphs.
 std::string paragraphs(const std::string& text) {
-  std::istringstream lines(text);
   std::string roff;
-  for(std::string line; std::getline(lines, line);)
+  for(const std::string& line : lines_of(text))
     roff += line.empty() ? ".PP\n" : roff_of(line) + "\n";
   return roff;
 }

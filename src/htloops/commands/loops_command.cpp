@@ -14,7 +14,6 @@
 #include "app/draw/pictures.h"
 #include "app/failure.h"
 #include "app/interrupt.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/rows.h"
@@ -187,23 +186,16 @@ Mesh_line solve_and_tell(const Loops_options& options) {
 
 // Whatever happens to the mesh, there is a line about it.
 void run_with_line(const Loops_options& options) {
-  Mesh_lines_writer writer(options.jsonl_file);
+  Text_writer out(options.jsonl_file);
   Mesh_line line;
   const Outcome outcome = outcome_of([&] { line = solve_and_tell(options); });
   throw_if_interrupted(); // then there is no answer about the mesh
-  writer.add(outcome.exit_code == 0
-                 ? line
-                 : failed_line(options.mesh_file, outcome.exit_code, outcome.message));
-  writer.finish();
+  write_mesh_line(out, outcome.exit_code == 0
+                           ? line
+                           : Mesh_line{options.mesh_file, outcome.exit_code, outcome.message});
+  out.finish();
   if(outcome.exit_code != 0)
     throw Failure(static_cast<Exit_code>(outcome.exit_code), outcome.message);
-}
-
-void run_on_one_mesh(const Loops_options& options) {
-  if(options.jsonl_file.empty())
-    solve_and_tell(options);
-  else
-    run_with_line(options);
 }
 
 void run(Loops_options& options) {
@@ -211,8 +203,10 @@ void run(Loops_options& options) {
   options.mesh_file = options.mesh_files.front();
   if(options.has_many_meshes())
     run_on_many_meshes(options);
+  else if(options.jsonl_file.empty())
+    solve_and_tell(options);
   else
-    run_on_one_mesh(options);
+    run_with_line(options);
 }
 
 constexpr char loops_description[] =

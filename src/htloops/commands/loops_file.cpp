@@ -12,7 +12,6 @@
 #include "app/failure.h"
 
 #include <cstddef>
-#include <sstream>
 
 namespace htloops {
 
@@ -25,14 +24,6 @@ std::string indented(const std::vector<std::string>& lines) {
     text +=
         "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more such lines";
   return text;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for(std::string line; std::getline(stream, line);)
-    lines.push_back(line);
-  return lines;
 }
 
 void require_none(const std::string& loops_file, const std::vector<std::string>& problems) {

@@ -21,8 +21,6 @@ namespace htloops {
 /// the lines, indented, each after a line break; not too many of them.
 std::string indented(const std::vector<std::string>& lines);
 
-std::vector<std::string> lines_of(const std::string& text);
-
 /// throws the `Failure` of a file of loops if there are problems.
 void require_none(const std::string& loops_file, const std::vector<std::string>& problems);
 

@@ -12,7 +12,6 @@
 #include "app/draw/meshes.h"
 #include "app/failure.h"
 #include "app/solve/backends.h"
-#include "commands/options.h"
 #include "terminal/terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -37,115 +36,102 @@ void add_meshes_argument(CLI::App& command, Loops_options& options) {
 }
 
 void add_output_options(CLI::App& command, Loops_options& options) {
-  const char group[] = "What to write";
-  add_json_option(command, options, "the loops", group);
-  add_output_option(command, "--csv", options.csv_file, "FILE.csv",
-                    "a row of numbers for each pair", group);
-  add_output_option(command, "--jsonl", options.jsonl_file, "FILE.jsonl",
-                    "an object of JSON for each mesh, on a line: genus, sizes, times, error",
-                    group);
-  add_lines_option(command, options, "the loops", group);
-  add_output_option(command, "--events", options.events_file, "FILE.json",
-                    "what happens to the fronts of the first pass, as JSON", group);
-  add_output_option(command, "--layers", options.layers_file, "FILE.ply",
-                    "the mesh with the layers of the first pass, and when its fronts came", group);
-  add_picture_options(command, options, "the loops", group);
-  add_page_option(command, options, "the mesh and the loops", group);
-  add_gltf_option(command, options, "the loops", group);
+  command.option_defaults()->group("What to write");
+  add_json_option(command, options, "the loops");
+  as_output(command.add_option("--csv", options.csv_file, "a row of numbers for each pair"),
+            "FILE.csv");
+  as_output(
+      command.add_option("--jsonl", options.jsonl_file,
+                         "an object of JSON for each mesh, on a line: genus, sizes, times, error"),
+      "FILE.jsonl");
+  add_lines_option(command, options, "the loops");
+  as_output(command.add_option("--events", options.events_file,
+                               "what happens to the fronts of the first pass, as JSON"),
+            "FILE.json");
+  as_output(
+      command.add_option("--layers", options.layers_file,
+                         "the mesh with the layers of the first pass, and when its fronts came"),
+      "FILE.ply");
+  add_picture_options(command, options, "the loops");
+  add_page_option(command, options, "the mesh and the loops");
+  add_gltf_option(command, options, "the loops");
   command
       .add_option("--moment", options.moment,
                   "the layers and fronts of the first pass, in place of the loops, in the picture\n"
                   "and the model: when this part of it had passed, 0 to 1")
       ->option_text("PART")
       ->check(CLI::Range(0., 1.))
-      ->check(why_not_finite)
-      ->group(group);
-  add_view_options(command, options, group);
+      ->check(why_not_finite);
+  add_view_options(command, options);
 }
 
 void add_computation_options(CLI::App& command, Loops_options& options) {
-  const char group[] = "How to compute";
+  command.option_defaults()->group("How to compute");
   command
       .add_option("--backend", options.backend,
                   "auto, host, cuda or reference; default: auto, a CUDA device if there is one")
       ->option_text("NAME")
-      ->check(CLI::IsMember(names_of_backends()))
-      ->group(group);
-  command
-      .add_flag("--literal", options.is_literal,
-                "with --backend reference: the rules of the paper to the letter, and no others;\n"
-                "the loops are not shortened, and named by --classify offset; ends with 1\n"
-                "where they lead to no loops")
-      ->group(group);
-  add_threads_option(command, options, group);
+      ->check(CLI::IsMember(names_of_backends()));
+  command.add_flag(
+      "--literal", options.is_literal,
+      "with --backend reference: the rules of the paper to the letter, and no others;\n"
+      "the loops are not shortened, and named by --classify offset; ends with 1\n"
+      "where they lead to no loops");
+  add_threads_option(command, options);
   command
       .add_option("--jobs", options.number_of_jobs,
                   "how many meshes at once, each in a thread of its own; default: 1")
       ->option_text("N")
-      ->check(CLI::Range(1, 1024))
-      ->group(group);
+      ->check(CLI::Range(1, 1024));
   command
       .add_option("--seed", options.seed,
                   "vertex to grow from, from 0 as in the file; default: the first")
-      ->option_text("VERTEX")
-      ->group(group);
+      ->option_text("VERTEX");
   command
       .add_option("--basis", options.basis,
                   "pure (handles bound inside and tunnels outside; the default) or\n"
                   "shortest (whatever side they bound on: for cutting and parametrization)")
       ->option_text("KIND")
-      ->check(CLI::IsMember({"pure", "shortest"}))
-      ->group(group);
-  command
-      .add_flag("--waists", options.do_find_waists,
-                "for each boundary curve its waist, too: a short loop of its class")
-      ->group(group);
-  command
-      .add_flag("--no-refine", options.do_not_refine, "keep the handles of the first pass: faster")
-      ->group(group);
-  command
-      .add_flag("--no-tighten", options.do_not_tighten,
-                "do not tighten the loops, nor look for shorter ones: faster")
-      ->group(group);
+      ->check(CLI::IsMember({"pure", "shortest"}));
+  command.add_flag("--waists", options.do_find_waists,
+                   "for each boundary curve its waist, too: a short loop of its class");
+  command.add_flag("--no-refine", options.do_not_refine,
+                   "keep the handles of the first pass: faster");
+  command.add_flag("--no-tighten", options.do_not_tighten,
+                   "do not tighten the loops, nor look for shorter ones: faster");
   command
       .add_option("--classify", options.classifier,
                   "what tells handles from tunnels: linking (numbers, exact; the default)\n"
                   "or offset (change of length: faster, but no loop is made to bound)")
       ->option_text("HOW")
-      ->check(CLI::IsMember({"linking", "offset"}))
-      ->group(group);
+      ->check(CLI::IsMember({"linking", "offset"}));
 }
 
-void add_listing_options(CLI::App& command, Listing_choice& choice, const std::string& group) {
+void add_listing_options(CLI::App& command, Listing_choice& choice) {
   command
       .add_option("--sort", choice.order,
                   "size (of the shorter loop), length (of both), pair (the number) or place;\n"
                   "default: size, the smallest first")
       ->option_text("KEY")
-      ->check(CLI::IsMember(orders))
-      ->group(group);
+      ->check(CLI::IsMember(orders));
   command
       .add_option("--shorter-than", choice.shorter_than,
                   "pairs with a loop that is shorter; %: of the diagonal of the box")
-      ->option_text("L|P%")
-      ->group(group);
+      ->option_text("L|P%");
   command.add_option("--longer-than", choice.longer_than, "pairs both loops of which are longer")
-      ->option_text("L|P%")
-      ->group(group);
-  add_box_option(command, choice.box, "pairs")->group(group);
+      ->option_text("L|P%");
+  add_box_option(command, choice.box, "pairs");
 }
 
 void add_display_options(CLI::App& command, Loops_options& options) {
-  const char group[] = "What to show";
-  add_listing_options(command, options.listing, group);
-  command.add_flag("--all", options.show_all, "all rows of a long table")->group(group);
-  command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors")->group(group);
-  command.add_flag("-v,--verbose", options.is_verbose, "why no CUDA device was used, too")
-      ->group(group);
+  command.option_defaults()->group("What to show");
+  add_listing_options(command, options.listing);
+  command.add_flag("--all", options.show_all, "all rows of a long table");
+  command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors");
+  command.add_flag("-v,--verbose", options.is_verbose, "why no CUDA device was used, too");
   command.add_option("--color", options.colour, "auto, always or never; default: auto")
       ->option_text("WHEN")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->group(group);
+      ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
 // What there would be several of.
@@ -202,8 +188,7 @@ void check_loops_options(const Loops_options& options) {
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
     throw Failure(Exit_code::WRONG_USAGE, "--literal goes with --backend reference");
-  if(!options.layers_file.empty())
-    check_coloured_mesh_format(options.layers_file);
+  check_coloured_mesh_format(options.layers_file);
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
     throw Failure(Exit_code::WRONG_USAGE,
                   std::string("--moment says when to look at the layers: it needs ") +

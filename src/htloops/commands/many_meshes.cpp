@@ -11,7 +11,7 @@
 
 #include "app/failure.h"
 #include "app/interrupt.h"
-#include "app/solve/stopwatch.h"
+#include "app/solve/progress.h"
 #include "app/solve/thread_limit.h"
 #include "app/write/rows.h"
 #include "commands/command.h"
@@ -42,7 +42,7 @@ Mesh_line solve_one(const Loops_options& all, const std::string& file) {
     Pair_listing listing = list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh));
     line = answered_line(file, mesh, read_seconds, std::move(answer), std::move(listing));
   });
-  return outcome.exit_code == 0 ? line : failed_line(file, outcome.exit_code, outcome.message);
+  return outcome.exit_code == 0 ? line : Mesh_line{file, outcome.exit_code, outcome.message};
 }
 
 // Where lines go, in the order of the meshes, as soon as those before are there.
@@ -55,7 +55,7 @@ public:
     if(!options.jsonl_file.empty())
       objects_.emplace(options.jsonl_file);
     if(!options.csv_file.empty())
-      rows_.emplace(options.csv_file);
+      rows_.emplace(options.csv_file) << pair_header;
   }
 
   void add(std::size_t position, Mesh_line line) {
@@ -85,9 +85,9 @@ private:
     if(line.exit_code != 0 && number_of_failures_++ == 0)
       exit_code_ = line.exit_code;
     if(objects_)
-      objects_->add(line);
+      write_mesh_line(*objects_, line);
     if(rows_ && line.exit_code == 0)
-      rows_->add(line.mesh_file, line.answer, line.listing);
+      write_pair_rows(*rows_, line.mesh_file, line.answer, line.listing);
     if(!options_.is_quiet && !is_output_taken())
       show_text((next_ == 0 ? header_of_lines(options_.mesh_files) : "") +
                     row_of(line, options_.mesh_files),
@@ -102,8 +102,7 @@ private:
   std::size_t next_ = 0; // to be printed
   std::size_t number_of_failures_ = 0;
   int exit_code_ = 0; // of the first that failed
-  std::optional<Mesh_lines_writer> objects_;
-  std::optional<Pair_csv_writer> rows_;
+  std::optional<Text_writer> objects_, rows_;
 };
 
 // A mesh at a time in each of some threads, which share what threads there are besides.

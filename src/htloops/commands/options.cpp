@@ -28,11 +28,9 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace htloops {
 namespace {
@@ -98,16 +96,14 @@ void check_picture(const Picture_options& picture) {
                   "--labels and --legend want a build with stb and the DejaVu fonts");
 }
 
-void add_word_options(CLI::App& command, Picture_options& picture, const std::string& group) {
+void add_word_options(CLI::App& command, Picture_options& picture) {
   command
       .add_flag("--labels", picture.has_labels,
                 "numbers beside the lines of the picture, where there is room")
-      ->needs("--picture")
-      ->group(group);
+      ->needs("--picture");
   command
       .add_flag("--legend", picture.has_legend, "what the colours of these lines mean, in a corner")
-      ->needs("--picture")
-      ->group(group);
+      ->needs("--picture");
 }
 
 } // namespace
@@ -147,24 +143,16 @@ void add_format_option(CLI::App& command, Mesh_options& options) {
 }
 
 void add_remedy_options(CLI::App& command, Mesh_options& options) {
-  const char group[] = "If the mesh is not fit as it is";
-  command
-      .add_flag("--triangulate", options.remedies.do_triangulate,
-                "make triangles of faces with more corners")
-      ->group(group);
-  command
-      .add_flag("--repair", options.remedies.do_repair,
-                "weld points, drop degenerate and duplicate faces, split edges and\n"
-                "vertices with too many faces, turn faces over; says what it did")
-      ->group(group);
-  add_output_option(command, "--write-mesh", options.written_mesh_file, "FILE",
-                    "the mesh as it is then, which the answer is about: .off .obj .ply .stl",
-                    group);
-}
-
-void check_mesh_options(const Mesh_options& options) {
-  if(!options.written_mesh_file.empty())
-    check_mesh_format(options.written_mesh_file);
+  command.option_defaults()->group("If the mesh is not fit as it is");
+  command.add_flag("--triangulate", options.remedies.do_triangulate,
+                   "make triangles of faces with more corners");
+  command.add_flag("--repair", options.remedies.do_repair,
+                   "weld points, drop degenerate and duplicate faces, split edges and\n"
+                   "vertices with too many faces, turn faces over; says what it did");
+  as_output(
+      command.add_option("--write-mesh", options.written_mesh_file,
+                         "the mesh as it is then, which the answer is about: .off .obj .ply .stl"),
+      "FILE");
 }
 
 Input_file input_of(const Mesh_options& options) {
@@ -190,56 +178,31 @@ void write_read_mesh(const Mesh_options& options, const Mesh& mesh) {
     write_mesh(options.written_mesh_file, mesh);
 }
 
-void add_output_option(CLI::App& command,
-                       const std::string& name,
-                       std::string& file,
-                       const std::string& what_to_give,
-                       const std::string& what,
-                       const std::string& group) {
-  command.add_option(name, file, what)
-      ->option_text(what_to_give)
-      ->type_name(output_file)
-      ->group(group);
+CLI::Option* as_output(CLI::Option* option, const std::string& what_to_give) {
+  return option->option_text(what_to_give)->type_name(output_file)->allow_extra_args(false);
 }
 
-void add_output_option(CLI::App& command,
-                       const std::string& name,
-                       std::vector<std::string>& files,
-                       const std::string& what_to_give,
-                       const std::string& what,
-                       const std::string& group) {
-  command.add_option(name, files, what)
-      ->option_text(what_to_give)
-      ->type_name(output_file)
-      ->allow_extra_args(false)
-      ->group(group);
+void add_json_option(CLI::App& command, Common_options& options, const std::string& what) {
+  as_output(
+      command.add_option("-o,--output", options.json_file, what + " as JSON; - is standard output"),
+      "FILE.json");
 }
 
-void add_json_option(CLI::App& command,
-                     Common_options& options,
-                     const std::string& what,
-                     const std::string& group) {
-  add_output_option(command, "-o,--output", options.json_file, "FILE.json",
-                    what + " as JSON; - is standard output", group);
-}
-
-void add_lines_option(CLI::App& command,
-                      Common_options& options,
-                      const std::string& what,
-                      const std::string& group) {
-  add_output_option(command, "--lines", options.lines_files, "FILE",
-                    what + " as lines: .ply .obj .vtp .polylines.txt; repeatable", group);
+void add_lines_option(CLI::App& command, Common_options& options, const std::string& what) {
+  as_output(command.add_option("--lines", options.lines_files,
+                               what + " as lines: .ply .obj .vtp .polylines.txt; repeatable"),
+            "FILE");
 }
 
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         const std::string& group,
                          bool has_words) {
   if(!has_pictures)
     return;
-  add_output_option(command, "--picture", options.picture.file, "FILE.png",
-                    "a picture of the mesh and " + what, group);
+  as_output(
+      command.add_option("--picture", options.picture.file, "a picture of the mesh and " + what),
+      "FILE.png");
   command
       .add_option("--size", options.picture.size, "of the picture, in pixels; default: 1600,1200")
       ->option_text("W,H")
@@ -247,8 +210,7 @@ void add_picture_options(CLI::App& command,
       ->expected(2)
       ->check(CLI::Range(16, 16384))
       ->check(why_not_finite)
-      ->needs("--picture")
-      ->group(group);
+      ->needs("--picture");
   command
       .add_option("--opacity", options.picture.opacity,
                   "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
@@ -256,37 +218,31 @@ void add_picture_options(CLI::App& command,
       ->option_text("PART")
       ->check(CLI::Range(0., 1.))
       ->check(why_not_finite)
-      ->needs("--picture")
-      ->group(group);
+      ->needs("--picture");
   if(has_words)
-    add_word_options(command, options.picture, group);
+    add_word_options(command, options.picture);
 }
 
-void add_page_option(CLI::App& command,
-                     Common_options& options,
-                     const std::string& what,
-                     const std::string& group) {
-  add_output_option(command, "--html", options.page_file, "FILE.html",
-                    "a page for a browser, to turn " + what + " in", group);
+void add_page_option(CLI::App& command, Common_options& options, const std::string& what) {
+  as_output(command.add_option("--html", options.page_file,
+                               "a page for a browser, to turn " + what + " in"),
+            "FILE.html");
 }
 
-void add_gltf_option(CLI::App& command,
-                     Common_options& options,
-                     const std::string& what,
-                     const std::string& group) {
-  add_output_option(command, "--gltf", options.gltf_file, "FILE.glb",
-                    what + " as tubes, with the mesh, as glTF", group);
+void add_gltf_option(CLI::App& command, Common_options& options, const std::string& what) {
+  as_output(
+      command.add_option("--gltf", options.gltf_file, what + " as tubes, with the mesh, as glTF"),
+      "FILE.glb");
 }
 
-void add_view_options(CLI::App& command, Common_options& options, const std::string& group) {
+void add_view_options(CLI::App& command, Common_options& options) {
   const auto add_direction = [&](const char* name, std::vector<double>& direction,
                                  const char* meaning) {
     command.add_option(name, direction, meaning)
         ->option_text("X,Y,Z")
         ->delimiter(',')
         ->expected(3)
-        ->check(why_not_finite)
-        ->group(group);
+        ->check(why_not_finite);
   };
   add_direction("--view", options.view.from,
                 "direction that is looked from; default: where most is visible, of pairs that\n"
@@ -294,19 +250,18 @@ void add_view_options(CLI::App& command, Common_options& options, const std::str
   add_direction("--up", options.view.up, "direction that is upright; default: 0,0,1");
 }
 
-void add_threads_option(CLI::App& command, Common_options& options, const std::string& group) {
+void add_threads_option(CLI::App& command, Common_options& options) {
   constexpr int largest_number_of_threads = 1024;
   command
       .add_option("--threads", options.number_of_threads,
                   "threads to use, 1 to " + std::to_string(largest_number_of_threads) +
                       "; default: one per core")
       ->option_text("N")
-      ->check(CLI::Range(1, largest_number_of_threads))
-      ->group(group);
+      ->check(CLI::Range(1, largest_number_of_threads));
 }
 
 void check_common_options(const Common_options& options) {
-  check_mesh_options(options);
+  check_mesh_format(options.written_mesh_file);
   for(const auto& [name, direction] :
       {std::pair("--view", options.view.from), std::pair("--up", options.view.up)})
   {
@@ -325,8 +280,7 @@ void check_common_options(const Common_options& options) {
   check_picture_size(options.picture);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
-  if(!options.gltf_file.empty())
-    check_gltf_format(options.gltf_file);
+  check_gltf_format(options.gltf_file);
 }
 
 void check_name(const std::string& file, const char* what, const char* end) {
@@ -363,13 +317,10 @@ Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
 }
 
 void show_text(const std::string& text, bool is_output_taken) {
-  if(is_output_taken) {
+  if(is_output_taken)
     std::fputs(text.c_str(), stderr);
-    return;
-  }
-  Atomic_file output("-");
-  output.write(text.data(), text.size());
-  output.commit();
+  else
+    write_text("-", text);
 }
 
 bool is_zero(const std::vector<double>& direction) {

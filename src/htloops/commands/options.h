@@ -37,6 +37,8 @@ constexpr char output_file[] = "output file";
 /// overwrite an input or another output.
 void check_files(const CLI::App& app);
 
+// Options that are declared here stand in the help where `CLI::App::option_defaults()` says.
+
 /// Options of all commands that read a mesh.
 struct Mesh_options
 {
@@ -61,9 +63,6 @@ void add_format_option(CLI::App& command, Mesh_options& options);
 /// declares what may be done to it.
 void add_remedy_options(CLI::App& command, Mesh_options& options);
 
-/// throws `Failure` if the mesh is to be written in no known format.
-void check_mesh_options(const Mesh_options& options);
-
 /// the file that has the mesh; throws `Failure` if it cannot be read.
 Input_file input_of(const Mesh_options& options);
 
@@ -86,44 +85,20 @@ struct Common_options : Mesh_options
   int number_of_threads = 0;
 };
 
-/// declares that `what` may be written to a file, or to several.
-void add_output_option(CLI::App& command,
-                       const std::string& name,
-                       std::string& file,
-                       const std::string& what_to_give,
-                       const std::string& what,
-                       const std::string& group);
-void add_output_option(CLI::App& command,
-                       const std::string& name,
-                       std::vector<std::string>& files,
-                       const std::string& what_to_give,
-                       const std::string& what,
-                       const std::string& group);
+/// makes an option the name of a file that is written; of several it takes one at a time.
+CLI::Option* as_output(CLI::Option* option, const std::string& what_to_give);
 
 // Each declares some of them; `what` is "the loops", say.
-void add_json_option(CLI::App& command,
-                     Common_options& options,
-                     const std::string& what,
-                     const std::string& group);
-void add_lines_option(CLI::App& command,
-                      Common_options& options,
-                      const std::string& what,
-                      const std::string& group);
+void add_json_option(CLI::App& command, Common_options& options, const std::string& what);
+void add_lines_option(CLI::App& command, Common_options& options, const std::string& what);
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         const std::string& group,
                          bool has_words = true);
-void add_page_option(CLI::App& command,
-                     Common_options& options,
-                     const std::string& what,
-                     const std::string& group);
-void add_gltf_option(CLI::App& command,
-                     Common_options& options,
-                     const std::string& what,
-                     const std::string& group);
-void add_view_options(CLI::App& command, Common_options& options, const std::string& group);
-void add_threads_option(CLI::App& command, Common_options& options, const std::string& group);
+void add_page_option(CLI::App& command, Common_options& options, const std::string& what);
+void add_gltf_option(CLI::App& command, Common_options& options, const std::string& what);
+void add_view_options(CLI::App& command, Common_options& options);
+void add_threads_option(CLI::App& command, Common_options& options);
 
 /// throws `Failure` if there are lines in no known format, or if something is to be seen from no
 /// direction.

@@ -16,7 +16,6 @@
 #include "app/read/vertex_data.h"
 #include "app/solve/backends.h"
 #include "app/solve/reeb_solver.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/files.h"
@@ -52,8 +51,7 @@ void check_options(const Reeb_command_options& options) {
     throw Failure(Exit_code::WRONG_USAGE, "--height 0,0,0 is no direction");
   for(const std::string& file : options.graph_files)
     check_graph_format(file);
-  if(!options.parts_file.empty())
-    check_coloured_mesh_format(options.parts_file);
+  check_coloured_mesh_format(options.parts_file);
   check_common_options(options);
   choose_backend(options.backend);
   check_name(options.csv_file, "a table as CSV", ".csv");
@@ -175,30 +173,31 @@ void run(const Reeb_command_options& options) {
 }
 
 void add_output_options(CLI::App& command, Reeb_command_options& options) {
-  const char group[] = "What to write";
-  add_json_option(command, options, "the graph", group);
-  add_lines_option(command, options, "the arcs", group);
-  add_output_option(command, "--graph", options.graph_files, "FILE",
-                    "nodes and arcs: .graphml .dot; repeatable", group);
-  add_output_option(command, "--parts", options.parts_file, "FILE.ply",
-                    "the mesh with vertices coloured by arc", group);
-  add_output_option(command, "--csv", options.csv_file, "FILE.csv", "a row of numbers for each arc",
-                    group);
-  add_picture_options(command, options, "the graph", group);
-  add_page_option(command, options, "the mesh and the graph", group);
-  add_gltf_option(command, options, "the arcs", group);
-  add_view_options(command, options, group);
+  command.option_defaults()->group("What to write");
+  add_json_option(command, options, "the graph");
+  add_lines_option(command, options, "the arcs");
+  as_output(command.add_option("--graph", options.graph_files,
+                               "nodes and arcs: .graphml .dot; repeatable"),
+            "FILE");
+  as_output(
+      command.add_option("--parts", options.parts_file, "the mesh with vertices coloured by arc"),
+      "FILE.ply");
+  as_output(command.add_option("--csv", options.csv_file, "a row of numbers for each arc"),
+            "FILE.csv");
+  add_picture_options(command, options, "the graph");
+  add_page_option(command, options, "the mesh and the graph");
+  add_gltf_option(command, options, "the arcs");
+  add_view_options(command, options);
 }
 
 void add_computation_options(CLI::App& command, Reeb_command_options& options) {
-  const char group[] = "How to compute";
+  command.option_defaults()->group("How to compute");
   CLI::Option* seed =
       command
           .add_option("--seed", options.seeds,
                       "vertex to diffuse from; repeatable; default: handle loops, or an end")
           ->option_text("VERTEX")
-          ->allow_extra_args(false)
-          ->group(group);
+          ->allow_extra_args(false);
   CLI::Option* height =
       command
           .add_option("--height", options.height, "take the height in a direction, not a diffusion")
@@ -206,16 +205,14 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
           ->delimiter(',')
           ->expected(3)
           ->check(why_not_finite)
-          ->excludes(seed)
-          ->group(group);
+          ->excludes(seed);
   CLI::Option* values =
       command
           .add_option("--values", options.values_file, "take a number for each vertex from a file")
           ->option_text("FILE")
           ->type_name(input_file)
           ->excludes(seed)
-          ->excludes(height)
-          ->group(group);
+          ->excludes(height);
   command
       .add_option(
           "--backend", options.backend,
@@ -224,23 +221,20 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
       ->option_text("NAME")
       ->check(CLI::IsMember(names_of_backends()))
       ->excludes(height)
-      ->excludes(values)
-      ->group(group);
+      ->excludes(values);
   command
       .add_option("--simplify", options.threshold,
                   "leaves to take off, as part of the whole, 0 to 1; default: 0.03")
       ->option_text("PART")
       ->check(CLI::Range(0., 1.))
-      ->check(why_not_finite)
-      ->group(group);
+      ->check(why_not_finite);
   command
       .add_option("--measure", options.measure,
                   "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
                   "else persistence")
       ->option_text("NAME")
-      ->check(CLI::IsMember(reeb_measures()))
-      ->group(group);
-  add_threads_option(command, options, group);
+      ->check(CLI::IsMember(reeb_measures()));
+  add_threads_option(command, options);
 }
 
 constexpr char reeb_description[] =
@@ -267,9 +261,9 @@ void add_reeb_command(CLI::App& app, Command& command) {
   add_output_options(*reeb, *options);
   add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);
-  const char group[] = "What to show";
-  reeb->add_flag("--all", options->show_all, "all rows of a long table")->group(group);
-  reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group(group);
+  reeb->option_defaults()->group("What to show");
+  reeb->add_flag("--all", options->show_all, "all rows of a long table");
+  reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
   complete_help(*reeb, reeb_examples);
   reeb->callback([options, &command] { command = [options] { run(*options); }; });
 }

@@ -10,11 +10,9 @@
 #include "app/draw/pages.h"
 #include "app/failure.h"
 #include "app/read/vertex_data.h"
+#include "app/solve/backends.h"
 #include "app/solve/certification.h"
 #include "app/solve/removal_solver.h"
-#include "app/solve/solvers.h"
-#include "app/solve/spread_properties.h"
-#include "app/solve/stopwatch.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/mesh_writer.h"
@@ -57,8 +55,7 @@ const std::map<std::string, Removal_method> methods = {{"cut", Removal_method::C
 void check_options(const Remove_options& options) {
   if(options.result_file.empty() && !options.is_dry_run)
     throw Failure(Exit_code::WRONG_USAGE, "-o OUT says where the mesh goes; or --dry-run");
-  if(!options.result_file.empty())
-    check_mesh_format(options.result_file);
+  check_mesh_format(options.result_file);
   if(!options.shorter_than.empty())
     parse_length("--shorter-than", options.shorter_than);
   if(!options.necks.empty())
@@ -111,7 +108,7 @@ Pairs pairs_of(const Mesh& mesh, const Remove_options& options, bool show_progre
   Solve_options solve_options;
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(show_progress);
-  return solve_on_host(mesh, solve_options, bar).pairs;
+  return host_backend.solve(mesh, solve_options, bar).pairs;
 }
 
 Removal_options wish(const Mesh& mesh, const Remove_options& options) {
@@ -192,7 +189,7 @@ void run(const Remove_options& options) {
 }
 
 void add_selection_options(CLI::App& command, Remove_options& options) {
-  const char group[] = "What to remove (default: all handles)";
+  command.option_defaults()->group("What to remove (default: all handles)");
   CLI::Option* selections[] = {
       command.add_option("--genus", options.genus, "the smallest, until genus G is left")
           ->option_text("G"),
@@ -213,7 +210,6 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
           ->option_text("L|P%"),
   };
   for(CLI::Option* const option : selections) {
-    option->group(group);
     for(CLI::Option* const other : selections)
       if(other != option)
         option->excludes(other);
@@ -221,32 +217,31 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
 }
 
 void add_computation_options(CLI::App& command, Remove_options& options) {
-  const char group[] = "How to remove";
+  command.option_defaults()->group("How to remove");
   command
       .add_option("--by", options.method,
                   "cut, fill or cheapest; default: cheapest, or as it can be done")
       ->option_text("WAY")
-      ->check(CLI::IsMember(methods))
-      ->group(group);
+      ->check(CLI::IsMember(methods));
   command
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
       ->option_text("LOOPS.json")
-      ->type_name(input_file)
-      ->group(group);
-  add_threads_option(command, options, group);
+      ->type_name(input_file);
+  add_threads_option(command, options);
 }
 
 void add_output_options(CLI::App& command, Remove_options& options) {
-  const char group[] = "What to write";
-  add_output_option(command, "-o,--output", options.result_file, "OUT",
-                    "the mesh: .off .obj .ply .stl; - is standard output, OFF", group);
-  command.add_flag("--dry-run", options.is_dry_run, "all but the mesh")->group(group);
-  add_output_option(command, "--report", options.json_file, "FILE.json", "what was done, as JSON",
-                    group);
-  add_picture_options(command, options, "the loops of what is removed", group);
-  add_page_option(command, options, "the mesh before and after", group);
-  add_view_options(command, options, group);
+  command.option_defaults()->group("What to write");
+  as_output(command.add_option("-o,--output", options.result_file,
+                               "the mesh: .off .obj .ply .stl; - is standard output, OFF"),
+            "OUT");
+  command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
+  as_output(command.add_option("--report", options.json_file, "what was done, as JSON"),
+            "FILE.json");
+  add_picture_options(command, options, "the loops of what is removed");
+  add_page_option(command, options, "the mesh before and after");
+  add_view_options(command, options);
 }
 
 constexpr char remove_description[] =
@@ -276,9 +271,9 @@ void add_remove_command(CLI::App& app, Command& command) {
   add_remedy_options(*remove, *options);
   add_selection_options(*remove, *options);
   add_computation_options(*remove, *options);
-  const char group[] = "What to show";
-  remove->add_flag("--all", options->show_all, "all rows of a long table")->group(group);
-  remove->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group(group);
+  remove->option_defaults()->group("What to show");
+  remove->add_flag("--all", options->show_all, "all rows of a long table");
+  remove->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
   complete_help(*remove, remove_examples);
   remove->callback([options, &command] { command = [options] { run(*options); }; });
 }

@@ -162,6 +162,10 @@ Outcome outcome_of(const std::function<void()>& action) {
     return ended_by(Exit_code::UNACCEPTABLE_MESH, exception.what());
   } catch(const Invalid_function_exception& exception) {
     return ended_by(Exit_code::WRONG_USAGE, exception.what());
+  } catch(const No_device_exception& exception) {
+    return ended_by(Exit_code::NO_BACKEND, exception.what());
+  } catch(const Out_of_device_memory_exception& exception) {
+    return ended_by(Exit_code::NO_BACKEND, exception.what());
   } catch(const std::bad_alloc&) {
     return ended_by(Exit_code::NOT_CERTIFIED, "out of memory");
   } catch(const std::exception& exception) {

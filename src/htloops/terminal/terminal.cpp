@@ -12,7 +12,6 @@
 #include "app/interrupt.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 #ifdef _WIN32

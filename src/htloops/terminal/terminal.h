@@ -35,8 +35,6 @@ public:
       : is_visible_(is_visible) {}
 
   ~Progress_bar() override { end(); }
-  Progress_bar(const Progress_bar&) = delete;
-  Progress_bar& operator=(const Progress_bar&) = delete;
 
   void start(const std::string& what) override;
   bool update(double fraction) override;

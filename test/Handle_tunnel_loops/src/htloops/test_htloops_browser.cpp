@@ -4,7 +4,7 @@
 #include "Meshes_of_soups.h"
 #include "Temporary_folder.h"
 
-#include "app/solve/solvers.h"
+#include "app/solve/backends.h"
 #include "app/write/tables.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ protected:
 
   void open(const Mesh& mesh) {
     htloops::Progress told;
-    answer_ = htloops::solve_on_host(mesh, {}, told);
+    answer_ = htloops::host_backend.solve(mesh, {}, told);
     listing_ = htloops::list_pairs(mesh, answer_.pairs);
     const std::string file = folder_.path("page.html");
     htloops::write_page(file, htloops::scene_of_loops({}, "a <mesh>.off", mesh, answer_, listing_,

@@ -15,7 +15,6 @@
 
 #include "app/solve/boundaries.h"
 #include "app/solve/certification.h"
-#include "app/solve/self_contact.h"
 #include "generators/generators.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>

@@ -11,8 +11,8 @@
 #include "app/draw/layers.h"
 #include "app/draw/surfaces.h"
 #include "app/draw/view.h"
+#include "app/solve/backends.h"
 #include "app/solve/reeb_solver.h"
-#include "app/solve/solvers.h"
 
 #include "Meshes_of_soups.h"
 
@@ -162,7 +162,7 @@ protected:
     options.do_find_layers = options.do_log_fronts = true;
     options.do_tighten = false;
     htloops::Progress told;
-    return htloops::solve_on_host(mesh_, options, told);
+    return htloops::host_backend.solve(mesh_, options, told);
   }
 
   // How many layers have begun and not ended.

@@ -4,7 +4,8 @@
 #include "Temporary_folder.h"
 
 #include "app/failure.h"
-#include "app/read/soup_reader.h"
+#include "app/read/input_file.h"
+#include "app/read/soup.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 

@@ -7,7 +7,8 @@
 #include "Temporary_folder.h"
 
 #include "app/mend/mesh_reader.h"
-#include "app/read/soup_reader.h"
+#include "app/read/input_file.h"
+#include "app/read/soup.h"
 #include "app/solve/cut_solver.h"
 #include "app/write/mesh_writer.h"
 #include "generators/generators.h"

@@ -5,10 +5,10 @@
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
+#include "app/solve/backends.h"
 #include "app/solve/dual_cut_solver.h"
 #include "app/solve/reeb_solver.h"
 #include "app/solve/removal_solver.h"
-#include "app/solve/solvers.h"
 #include "generators/generators.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ Mesh mesh_with_holes() {
 
 Answer solved(const Mesh& mesh, Solve_options options = {}) {
   Progress told;
-  Answer answer = solve_on_host(mesh, options, told);
+  Answer answer = host_backend.solve(mesh, options, told);
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, true);
   return answer;
@@ -209,10 +209,10 @@ TEST(Events_schema, fits_what_is_written) {
   Progress told;
   const Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
   json document;
-  for(const auto solve : {solve_on_host, solve_by_reference}) {
+  for(const Backend* backend : {&host_backend, &reference_backend}) {
     Solve_options options;
     options.do_log_fronts = true;
-    write_events(folder.path("a.json"), solve(mesh, options, told));
+    write_events(folder.path("a.json"), backend->solve(mesh, options, told));
     document = json::parse(folder.read("a.json"));
     EXPECT_GE(document["events"].size(), 6u);
     schema.expect_fits(document);
@@ -231,14 +231,15 @@ TEST(Mesh_line_schema, fits_what_is_written) {
   const Schema schema("mesh_line");
   const Mesh closed = mesh_of(Recipe{"multi-torus", {3000, 3, 0}}), open = mesh_with_holes();
   {
-    Mesh_lines_writer writer(folder.path("a.jsonl"));
+    Text_writer out(folder.path("a.jsonl"));
     for(const Mesh* const mesh : {&closed, &open}) {
       Answer answer = solved(*mesh);
       Pair_listing listing = list_pairs(*mesh, answer.pairs);
-      writer.add(answered_line("a.off", *mesh, 0.5, std::move(answer), std::move(listing)));
+      write_mesh_line(out,
+                      answered_line("a.off", *mesh, 0.5, std::move(answer), std::move(listing)));
     }
-    writer.add(failed_line("no.off", 2, "no such file"));
-    writer.finish();
+    write_mesh_line(out, {"no.off", 2, "no such file"});
+    out.finish();
   }
   std::istringstream lines(folder.read("a.jsonl"));
   std::vector<json> documents;

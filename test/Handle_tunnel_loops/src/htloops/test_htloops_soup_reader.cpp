@@ -1,4 +1,5 @@
-#include "app/read/soup_reader.h"
+#include "app/read/input_file.h"
+#include "app/read/soup.h"
 
 #include "Mesh_corpus.h"
 #include "Temporary_folder.h"

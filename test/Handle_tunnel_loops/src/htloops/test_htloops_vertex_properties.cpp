@@ -3,7 +3,7 @@
 #include "Temporary_folder.h"
 
 #include "app/mend/mesh_reader.h"
-#include "app/solve/spread_properties.h"
+#include "app/solve/removal_solver.h"
 #include "app/write/mesh_writer.h"
 
 #include <gtest/gtest.h>

@@ -62,7 +62,7 @@ protected:
   }
 
   Picture draw(const Mesh& mesh, const std::vector<Line>& lines = {}) const {
-    return decoded(htl_picture::encode_picture(mesh.points, mesh.triangles, lines, options));
+    return decoded(htl_picture::encode_picture(mesh.points, mesh.triangles, {}, lines, options));
   }
 
   Options options;
