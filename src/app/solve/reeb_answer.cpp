@@ -15,16 +15,10 @@
 namespace htloops {
 
 const char* name_of(CGAL::Reeb_node_type type) {
-  switch(type) {
-  case CGAL::Reeb_node_type::MINIMUM:
-    return "minimum";
-  case CGAL::Reeb_node_type::SADDLE:
-    return "saddle";
-  case CGAL::Reeb_node_type::MAXIMUM:
-    return "maximum";
-  default:
-    return "regular";
-  }
+  return type == CGAL::Reeb_node_type::MINIMUM   ? "minimum"
+         : type == CGAL::Reeb_node_type::SADDLE  ? "saddle"
+         : type == CGAL::Reeb_node_type::MAXIMUM ? "maximum"
+                                                 : "regular";
 }
 
 std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer) {

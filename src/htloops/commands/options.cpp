@@ -352,7 +352,7 @@ Length_option parse_length(const std::string& option, const std::string& text) {
     length.is_percentage = true;
     number.remove_suffix(1);
   }
-  Text_cursor cursor(number);
+  Text_source cursor(option, number);
   if(!cursor.read(length.value) || cursor.skip_to_content() || !(length.value > 0.) ||
      !std::isfinite(length.value))
     throw Failure(Exit_code::WRONG_USAGE,
