@@ -10,7 +10,6 @@
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
 #include "app/solve/cut_solver.h"
-#include "app/solve/dual_cut_solver.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/mesh_writer.h"

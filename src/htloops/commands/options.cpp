@@ -367,4 +367,27 @@ double length_on(const Mesh& mesh, const Length_option& length) {
   return length.value / 100. * diagonal_of(mesh);
 }
 
+std::string indented(const std::vector<std::string>& lines) {
+  constexpr std::size_t largest_number_of_lines = 10;
+  std::string text;
+  for(std::size_t i = 0; i < lines.size() && i < largest_number_of_lines; ++i)
+    text += "\n  " + lines[i];
+  if(lines.size() > largest_number_of_lines)
+    text +=
+        "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more such lines";
+  return text;
+}
+
+void require_none(const std::string& loops_file, const std::vector<std::string>& problems) {
+  if(!problems.empty())
+    throw Failure(Exit_code::NOT_CERTIFIED,
+                  loops_file + " fails its certificate:" + indented(problems));
+}
+
+Bound_loops read_loops_on(const Mesh& mesh, const std::string& loops_file) {
+  Bound_loops loops = bind_loops(read_loops_json(loops_file), mesh);
+  require_none(loops_file, loops.problems);
+  return loops;
+}
+
 } // namespace htloops

@@ -14,6 +14,7 @@
 #include "app/draw/view.h"
 #include "app/mend/mesh_reader.h"
 #include "app/mesh_types.h"
+#include "app/read/loops_reader.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -143,6 +144,15 @@ struct Length_option
 Length_option parse_length(const std::string& option, const std::string& text);
 
 double length_on(const Mesh& mesh, const Length_option& length);
+
+/// the lines, indented, each after a line break; not too many of them.
+std::string indented(const std::vector<std::string>& lines);
+
+/// throws the `Failure` of a file of loops if there are problems.
+void require_none(const std::string& loops_file, const std::vector<std::string>& problems);
+
+/// reads loops that lie on the mesh; throws `Failure` with all that speaks against it.
+Bound_loops read_loops_on(const Mesh& mesh, const std::string& loops_file);
 
 } // namespace htloops
 

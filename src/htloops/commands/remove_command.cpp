@@ -19,7 +19,6 @@
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/help.h"
-#include "commands/loops_file.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
