@@ -14,7 +14,6 @@
 
 #include "app/draw/meshes.h"
 #include "app/solve/cut_solver.h"
-#include "app/solve/dual_cut_solver.h"
 #include "app/solve/removal_solver.h"
 
 #include <pybind11/stl.h>

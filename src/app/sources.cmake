@@ -5,12 +5,9 @@ set(HTLOOPS_APP_SOURCES
   solve/boundaries.cpp
   solve/certification.cpp
   solve/cut_solver.cpp
-  solve/dual_cut_solver.cpp
   solve/host_backend.cpp
-  solve/reeb_answer.cpp
   solve/reeb_solver.cpp
-  solve/removal_solver.cpp
-  solve/thread_limit.cpp)
+  solve/removal_solver.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_APP_SOURCES solve/reference_backend.cpp)
 endif()

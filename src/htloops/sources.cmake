@@ -4,7 +4,6 @@ set(HTLOOPS_COMMANDS_SOURCES
   commands/generate_command.cpp
   commands/help.cpp
   commands/loops_command.cpp
-  commands/loops_file.cpp
   commands/loops_options.cpp
   commands/many_meshes.cpp
   commands/options.cpp

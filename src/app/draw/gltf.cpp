@@ -10,8 +10,8 @@
 #include "draw/gltf.h"
 
 #include "failure.h"
+#include "write/documents.h"
 #include "write/files.h"
-#include "write/json_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,7 +174,7 @@ public:
     json_["nodes"].push_back({{"name", "all"}, {"translation", middle_}, {"children", children}});
     json_["scenes"] = Json::array({{{"nodes", Json::array({children.size()})}}});
     json_["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
-    std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = text_of(json_);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string result = "glTF";
     append_word(result, 2);

@@ -9,7 +9,7 @@
 
 #include "draw/layers.h"
 
-#include "solve/reeb_answer.h"
+#include "solve/reeb_solver.h"
 #include "write/mesh_writer.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 
 #include "draw/lines.h"
 #include "generators/generators.h"
-#include "solve/reeb_answer.h"
+#include "solve/reeb_solver.h"
 
 #include <string>
 #include <vector>

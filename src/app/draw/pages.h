@@ -13,7 +13,7 @@
 #include "draw/view.h"
 #include "mesh_types.h"
 #include "solve/answer.h"
-#include "solve/reeb_answer.h"
+#include "solve/reeb_solver.h"
 #include "window/window.h"
 #include "write/pair_listing.h"
 #include "write/tables.h"

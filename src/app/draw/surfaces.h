@@ -11,7 +11,7 @@
 #define HTLOOPS_SURFACES_H
 
 #include "mesh_types.h"
-#include "solve/reeb_answer.h"
+#include "solve/reeb_solver.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/arc_shapes.h>
 

@@ -43,7 +43,7 @@ Off_header read_keyword(Text_source& text) {
   if(keyword != "OFF")
     text.fail("an OFF file begins with the word OFF or with the numbers of vertices and faces");
   text.skip_to_content();
-  if(Text_cursor ahead = text; ahead.word() == "BINARY")
+  if(Text_source ahead = text; ahead.word() == "BINARY")
     text.fail("a binary OFF file is not read; one in text form is");
   return header;
 }

@@ -49,8 +49,9 @@ bool parse(std::string_view word, double& value) {
 
 } // namespace
 
-Text_cursor::Text_cursor(std::string_view text)
-    : begin_(text.data())
+Text_source::Text_source(std::string_view file, std::string_view text)
+    : file_(file)
+    , begin_(text.data())
     , at_(text.data())
     , end_(text.data() + text.size()) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -61,12 +62,12 @@ Text_cursor::Text_cursor(std::string_view text)
     --end_;
 }
 
-void Text_cursor::skip_blanks() {
+void Text_source::skip_blanks() {
   while(at_ != end_ && is_blank(*at_))
     ++at_;
 }
 
-void Text_cursor::skip_line() {
+void Text_source::skip_line() {
   at_ = std::find_if(at_, end_, is_line_end);
   if(end_ - at_ > 1 && at_[0] == '\r' && at_[1] == '\n')
     ++at_;
@@ -74,7 +75,7 @@ void Text_cursor::skip_line() {
     ++at_;
 }
 
-bool Text_cursor::skip_to_content() {
+bool Text_source::skip_to_content() {
   throw_if_interrupted();
   for(;;) {
     skip_blanks();
@@ -86,12 +87,12 @@ bool Text_cursor::skip_to_content() {
   }
 }
 
-std::string_view Text_cursor::next_word() const {
+std::string_view Text_source::next_word() const {
   const char* end = std::find_if(at_, end_, ends_word);
   return {at_, static_cast<std::size_t>(end - at_)};
 }
 
-bool Text_cursor::read(double& value) {
+bool Text_source::read(double& value) {
   skip_blanks();
   const std::string_view word = next_word();
   if(!parse(word, value))
@@ -100,7 +101,7 @@ bool Text_cursor::read(double& value) {
   return true;
 }
 
-bool Text_cursor::read(long long& value) {
+bool Text_source::read(long long& value) {
   skip_blanks();
   const auto [end, error] = std::from_chars(at_, end_, value);
   if(error != std::errc() || (end != end_ && !ends_word(*end)))
@@ -109,19 +110,19 @@ bool Text_cursor::read(long long& value) {
   return true;
 }
 
-std::string_view Text_cursor::word() {
+std::string_view Text_source::word() {
   skip_blanks();
   const std::string_view word = next_word();
   at_ += word.size();
   return word;
 }
 
-bool Text_cursor::is_at_line_end() {
+bool Text_source::is_at_line_end() {
   skip_blanks();
   return at_ == end_ || is_line_end(*at_) || *at_ == '#';
 }
 
-std::size_t Text_cursor::line() const {
+std::size_t Text_source::line() const {
   std::size_t line = 1;
   for(const char* c = begin_; c != at_; ++c)
     if(*c == '\n' || (*c == '\r' && !(c + 1 != end_ && c[1] == '\n')))
@@ -138,10 +139,6 @@ std::string in_quotes(std::string_view word) {
   return "'" + text + (word.size() > longest ? "..." : "") + "'";
 }
 
-Text_source::Text_source(const std::string& file, std::string_view text)
-    : Text_cursor(text)
-    , file_(&file) {}
-
 void Text_source::skip_numbers() {
   for(double number; !is_at_line_end();)
     if(!read(number))
@@ -155,7 +152,7 @@ void Text_source::expect_end(const std::string& last) {
 }
 
 void Text_source::fail(const std::string& problem) const {
-  fail_to_read(*file_ + ":" + std::to_string(line()), problem);
+  fail_to_read(std::string(file_) + ":" + std::to_string(line()), problem);
 }
 
 void Text_source::fail_incomplete(const std::string& problem) const {

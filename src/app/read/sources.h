@@ -22,10 +22,10 @@ namespace htloops {
 /// A place in a text of lines of numbers and words, where # begins a comment. Lines
 /// end as on any system: with a line feed, a carriage return, or both. A byte order mark
 /// before the text is passed over, and the Ctrl-Z that ends texts of DOS.
-class Text_cursor
+class Text_source
 {
 public:
-  explicit Text_cursor(std::string_view text);
+  Text_source(std::string_view file, std::string_view text);
 
   /// moves to the next number or word, over line ends and comments; false at the end of the text.
   bool skip_to_content();
@@ -43,6 +43,19 @@ public:
   /// whether nothing is left of this line, but for a comment.
   bool is_at_line_end();
 
+  /// passes over the rest of this line, where nothing but numbers may be left: colours, normals.
+  void skip_numbers();
+
+  /// goes to the end of the text, before which there may be nothing but comments; fails otherwise,
+  /// saying what it follows on.
+  void expect_end(const std::string& last);
+
+  /// throws the `Failure` of a text that is wrong here, which names the file and the line.
+  [[noreturn]] void fail(const std::string& problem) const;
+
+  /// the same for what may be missing because the file was cut off.
+  [[noreturn]] void fail_incomplete(const std::string& problem) const;
+
   /// the number of bytes before this place.
   std::size_t position() const { return static_cast<std::size_t>(at_ - begin_); }
 
@@ -53,6 +66,7 @@ private:
   void skip_blanks();
   std::string_view next_word() const;
 
+  std::string_view file_;
   const char* begin_;
   const char* at_;
   const char* end_;
@@ -60,29 +74,6 @@ private:
 
 /// a word of a file for a message: without what a terminal would obey, and not too long.
 std::string in_quotes(std::string_view word);
-
-/// A place in the text of a mesh file, whose messages name the file and the line.
-class Text_source : public Text_cursor
-{
-public:
-  Text_source(const std::string& file, std::string_view text);
-
-  /// passes over the rest of this line, where nothing but numbers may be left: colours, normals.
-  void skip_numbers();
-
-  /// goes to the end of the text, before which there may be nothing but comments; fails otherwise,
-  /// saying what it follows on.
-  void expect_end(const std::string& last);
-
-  /// throws the `Failure` of a text that is wrong here.
-  [[noreturn]] void fail(const std::string& problem) const;
-
-  /// the same for what may be missing because the file was cut off.
-  [[noreturn]] void fail_incomplete(const std::string& problem) const;
-
-private:
-  const std::string* file_;
-};
 
 /// A place in the content of a binary mesh file, whose messages name the file and the byte.
 class Binary_source

@@ -103,7 +103,7 @@ void add(Words& found, const std::string& words) {
     found.push_back(words);
 }
 
-std::size_t numbers_left(Text_cursor& cursor) {
+std::size_t numbers_left(Text_source& cursor) {
   std::size_t count = 0;
   for(double number = 0.; cursor.read(number);)
     ++count;
@@ -137,7 +137,7 @@ Words unread_in_off(const std::string& file, std::string_view text, bool keeps_c
   return found;
 }
 
-Words unread_in_obj(std::string file_text) {
+Words unread_in_obj(const std::string& file, std::string file_text) {
   static constexpr std::pair<std::string_view, const char*> names[] = {
       {"vt", "texture coordinates"},
       {"vn", "normals"},
@@ -149,7 +149,7 @@ Words unread_in_obj(std::string file_text) {
       {"p", "points"}};
   Words found;
   const std::string text = join_continued_lines(std::move(file_text));
-  Text_cursor cursor(text);
+  Text_source cursor(file, text);
   for(; cursor.skip_to_content(); cursor.skip_line()) {
     const std::string_view keyword = cursor.word();
     for(const auto& [name, words] : names)
@@ -193,7 +193,7 @@ Words unread_in_ply(const std::string& file,
 } // namespace
 
 std::vector<double> read_values(const Input_file& file, std::size_t number_of_vertices) {
-  Text_cursor cursor(file.content());
+  Text_source cursor(file.name(), file.content());
   std::vector<double> values;
   while(cursor.skip_to_content()) {
     double value = 0.;
@@ -222,7 +222,7 @@ std::vector<std::string> unread_data(const Input_file& file, const Vertex_proper
   if(file.is_of_format(".off"))
     return unread_in_off(file.name(), file.content(), !kept.empty());
   if(file.is_of_format(".obj"))
-    return unread_in_obj(std::string(file.content()));
+    return unread_in_obj(file.name(), std::string(file.content()));
   if(file.is_of_format(".ply"))
     return unread_in_ply(file.name(), file.content(), kept);
   return {};

@@ -13,6 +13,11 @@
 #include "mesh_types.h"
 #include "solve/progress.h"
 
+#include <CGAL/Handle_tunnel_loops/stages.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace htloops {
@@ -35,6 +40,22 @@ struct Cut_answer
 };
 
 Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& progress);
+
+/// Halfedges and how often the cut runs along each, and the loop that crosses it once.
+struct Dual_cut
+{
+  Loop loop;
+  std::vector<std::pair<Mesh::Halfedge_index, std::int64_t>> edges;
+};
+
+struct Dual_cuts
+{
+  std::vector<Dual_cut> cuts;
+  CGAL::Handle_tunnel_loops::Statistics statistics; ///< of the loops
+};
+
+/// the cuts dual to the loops that `loops` finds, and to the boundary curves.
+Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& progress);
 
 } // namespace htloops
 

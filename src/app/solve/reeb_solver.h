@@ -10,14 +10,57 @@
 #ifndef HTLOOPS_REEB_SOLVER_H
 #define HTLOOPS_REEB_SOLVER_H
 
+#include "mesh_types.h"
 #include "solve/progress.h"
-#include "solve/reeb_answer.h"
 
+#include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/reeb_arc_shapes.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace htloops {
+
+/// A Reeb graph and how it was found.
+struct Reeb_answer
+{
+  /// the arc of a vertex without faces.
+  static constexpr std::size_t no_arc = (std::numeric_limits<std::size_t>::max)();
+
+  CGAL::Reeb_graph<Mesh> graph;
+  std::vector<std::size_t> vertex_arc; ///< by vertex
+  std::vector<double> values;          ///< by vertex, of the function
+  std::string function;                ///< of which it is the graph, in a word
+  std::string backend;                 ///< what computed the fields of the diffusion, else "host"
+  CGAL::Handle_tunnel_loops::Reeb_statistics statistics;
+  int number_of_threads = 1;
+  double total_seconds = 0.; ///< without reading and writing
+};
+
+/// the word for a type of nodes, as it stands in files and messages.
+const char* name_of(CGAL::Reeb_node_type type);
+
+/// what is given by vertex, or is to be, as a property map.
+template <typename Values> auto map_of_vertices(const Mesh& mesh, Values& values) {
+  return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh));
+}
+
+/// see `CGAL::reeb_arc_girths()`.
+std::vector<double> girths_of(const Mesh& mesh, const Reeb_answer& answer);
+
+CGAL::Reeb_arc_shapes shapes_of_arcs(const Mesh& mesh, const Reeb_answer& answer);
+
+/// the number of independent cycles.
+std::size_t number_of_cycles(const Reeb_answer& answer);
+
+/// the colour of an arc, and of the vertices that belong to it.
+std::array<unsigned char, 3> colour_of_arc(std::size_t arc);
 
 struct Reeb_options : CGAL::Handle_tunnel_loops::Reeb_options
 {

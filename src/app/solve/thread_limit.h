@@ -10,7 +10,12 @@
 #ifndef HTLOOPS_THREAD_LIMIT_H
 #define HTLOOPS_THREAD_LIMIT_H
 
-#include <memory>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <cstddef>
+#endif
 
 namespace htloops {
 
@@ -18,17 +23,25 @@ namespace htloops {
 class Thread_limit
 {
 public:
-  /// 0 means as many as the machine has. Without TBB there is one thread, whatever is asked for.
-  explicit Thread_limit(int number_of_threads);
-  ~Thread_limit();
+#ifdef CGAL_LINKED_WITH_TBB
+  /// 0 means as many as the machine has.
+  explicit Thread_limit(int number_of_threads)
+      : number_of_threads_(number_of_threads > 0 ? number_of_threads
+                                                 : tbb::info::default_concurrency())
+      , control_(tbb::global_control::max_allowed_parallelism,
+                 static_cast<std::size_t>(number_of_threads_)) {}
+#else
+  /// There is one thread, whatever is asked for.
+  explicit Thread_limit(int) {}
+#endif
 
   int number_of_threads() const { return number_of_threads_; }
 
 private:
-  struct Control;
-
-  int number_of_threads_;
-  std::unique_ptr<Control> control_;
+  int number_of_threads_ = 1;
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::global_control control_;
+#endif
 };
 
 } // namespace htloops

@@ -10,9 +10,11 @@
 #include "write/documents.h"
 
 #include "version.h"
+#include "write/files.h"
 #include "write/pair_listing.h"
 #include "write/tables.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,50 @@ namespace {
 
 using CGAL::Handle_tunnel_loops::Loop_linking;
 using CGAL::Handle_tunnel_loops::Stage;
+
+// A file with an object of JSON, written member by member, each on a line of its own; of a long
+// array each element. So a thousand long loops are no tree to keep in memory.
+class Json_writer
+{
+public:
+  explicit Json_writer(const std::string& target)
+      : out_(target) {}
+
+  void member(const char* name, const Json& value) {
+    begin_member(name);
+    out_ << text_of(value);
+  }
+
+  // writes an array of what `json_of(element)` makes of the elements of a range.
+  template <typename Range, typename Json_of>
+  void array(const char* name, const Range& range, Json_of json_of) {
+    begin_member(name);
+    const char* separator = "[\n    ";
+    for(const auto& element : range) {
+      out_ << separator << text_of(json_of(element));
+      separator = ",\n    ";
+    }
+    out_ << (*separator == '[' ? "[]" : "\n  ]");
+  }
+
+  void finish() {
+    out_ << "\n}\n";
+    out_.finish();
+  }
+
+private:
+  void begin_member(const char* name) {
+    out_ << separator_ << "\n  \"" << name << "\": ";
+    separator_ = ",";
+  }
+
+  Text_writer out_;
+  const char* separator_ = "{";
+};
+
+Json json_of_point(const Point& point) {
+  return std::array<double, 3>{point.x(), point.y(), point.z()};
+}
 
 Json timings(const Answer& answer, double read_seconds) {
   Json json = {{"read", read_seconds}};
@@ -238,6 +284,10 @@ template <typename Statistics> Json json_of_mesh(const Mesh& mesh, const Statist
 }
 
 } // namespace
+
+std::string text_of(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 void write_loops_json(const std::string& target,
                       const Mesh& mesh,

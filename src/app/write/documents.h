@@ -12,15 +12,23 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
-#include "solve/dual_cut_solver.h"
-#include "solve/reeb_answer.h"
-#include "write/json_writer.h"
+#include "solve/cut_solver.h"
+#include "solve/reeb_solver.h"
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
+
+#include <nlohmann/json.hpp>
 
 #include <string>
 
 namespace htloops {
+
+/// Members keep their order. What is not finite is written as null, as JSON has no infinity, which
+/// a length may reach where coordinates almost do.
+using Json = nlohmann::ordered_json;
+
+/// on one line. A name of a file may be anything; what is no UTF-8 is replaced.
+std::string text_of(const Json& value);
 
 /// What was asked for, beside the mesh itself.
 struct Run_record

@@ -9,7 +9,7 @@
 
 #include "write/rows.h"
 
-#include "write/json_writer.h"
+#include "write/documents.h"
 #include "write/tables.h"
 
 #include <algorithm>
@@ -121,7 +121,7 @@ Mesh_line answered_line(const std::string& mesh_file,
 }
 
 void write_mesh_line(Text_writer& out, const Mesh_line& line) {
-  out << json_of(line).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << text_of(json_of(line)) << '\n';
   out.show();
 }
 

@@ -13,7 +13,7 @@
 #include "mend/mending.h"
 #include "solve/answer.h"
 #include "solve/boundaries.h"
-#include "solve/reeb_answer.h"
+#include "solve/reeb_solver.h"
 #include "write/pair_listing.h"
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>

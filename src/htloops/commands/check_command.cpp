@@ -14,7 +14,6 @@
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/help.h"
-#include "commands/loops_file.h"
 #include "commands/options.h"
 
 #include <memory>

@@ -10,10 +10,10 @@
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
 #include "app/solve/cut_solver.h"
-#include "app/solve/dual_cut_solver.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/mesh_writer.h"
+#include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/help.h"
 #include "commands/options.h"
@@ -65,12 +65,10 @@ void write_files(const Cut_command_options& options, const Mesh& mesh, const Cut
 }
 
 std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
-  char text[160];
-  std::snprintf(text, sizeof(text),
-                " of length %.6g, boundary of %.6g; %.2f s after %.2f s of reading, ",
-                answer.length, answer.boundary_length, answer.total_seconds, read_seconds);
   return "genus " + std::to_string(answer.genus) + ": cut along " +
-         counted(answer.edges.size(), "edge", "edges") + text +
+         counted(answer.edges.size(), "edge", "edges") +
+         formatted(" of length %.6g, boundary of %.6g; %.2f s after %.2f s of reading, ",
+                   answer.length, answer.boundary_length, answer.total_seconds, read_seconds) +
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
 }
 

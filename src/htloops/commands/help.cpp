@@ -23,37 +23,26 @@
 namespace htloops {
 namespace {
 
-// What the command line has, as completions and the manual page tell it; read off the parser, so
-// that they cannot say anything else.
+// Completions and the manual page are read off the parser, so that they cannot say anything else.
 
-/// An option, without its dashes.
-struct Told_option
-{
-  std::string long_name;           ///< empty if there is none
-  std::string short_name;          ///< empty if there is none
-  std::string value;               ///< what its value is called; empty if it takes none
-  std::vector<std::string> values; ///< those that it can take; empty if that is no short list
-  bool is_file;                    ///< whether its value names a file
-  std::string description;
-};
+std::string first_of(const std::vector<std::string>& names) {
+  return names.empty() ? "" : names.front();
+}
 
-/// A command, or a command of a command, such as the kinds of `generate`.
-struct Told_command
-{
-  std::string name;
-  std::string description;
-  std::string footer;
-  std::vector<std::string> arguments;       ///< what is given without a name
-  std::vector<std::string> argument_values; ///< those of the only one; empty if they are no list
-  std::vector<Told_option> options;
-  std::vector<Told_command> commands;
+// The names of an option, without their dashes; empty if there is none.
+std::string long_name(const CLI::Option& option) { return first_of(option.get_lnames()); }
+std::string short_name(const CLI::Option& option) { return first_of(option.get_snames()); }
 
-  /// the first paragraph of the description, on one line.
-  std::string summary() const;
-};
+// What its value is called; empty if it takes none.
+std::string value_of(const CLI::Option& option) {
+  if(option.get_items_expected_max() <= 0)
+    return "";
+  return option.get_option_text().empty() ? "VALUE" : option.get_option_text();
+}
 
-// Of "TEXT:{pure,shortest}": these two.
-std::vector<std::string> listed_values(const std::string& type) {
+// Those that it can take, of "TEXT:{pure,shortest}" these two; empty if that is no short list.
+std::vector<std::string> values_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
   const std::size_t begin = type.find('{'), end = type.rfind('}');
   std::vector<std::string> values;
   if(begin == std::string::npos || end == std::string::npos)
@@ -64,39 +53,35 @@ std::vector<std::string> listed_values(const std::string& type) {
   return values;
 }
 
-Told_option told_option(const CLI::Option& option) {
-  Told_option told;
-  if(!option.get_lnames().empty())
-    told.long_name = option.get_lnames().front();
-  if(!option.get_snames().empty())
-    told.short_name = option.get_snames().front();
-  const std::string type = option.get_type_name();
-  if(option.get_items_expected_max() > 0)
-    told.value = option.get_option_text().empty() ? "VALUE" : option.get_option_text();
-  told.values = listed_values(type);
-  told.is_file = type == input_file || type == output_file;
-  told.description = option.get_description();
-  return told;
+bool names_file(const CLI::Option& option) {
+  return option.get_type_name() == input_file || option.get_type_name() == output_file;
 }
 
-std::string Told_command::summary() const {
+// What is given to a command without a name, or with one.
+std::vector<const CLI::Option*> options_of(const CLI::App& command, bool is_positional = false) {
+  return command.get_options([is_positional](const CLI::Option* option) {
+    return option->get_positional() == is_positional;
+  });
+}
+
+// The values of what is given without a name, if that is one only.
+std::vector<std::string> argument_values(const CLI::App& command) {
+  const auto arguments = options_of(command, true);
+  return arguments.empty() ? std::vector<std::string>() : values_of(*arguments.back());
+}
+
+// Those of a command, such as the kinds of `generate`.
+std::vector<const CLI::App*> commands_of(const CLI::App& command) {
+  return command.get_subcommands([](const CLI::App*) { return true; });
+}
+
+// The first paragraph of the description, on one line.
+std::string summary_of(const CLI::App& command) {
+  const std::string description = command.get_description();
   std::string text = description.substr(0, description.find("\n\n"));
   text.erase(text.find_last_not_of("\n ") + 1);
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
-}
-
-Told_command told_command(const CLI::App& app) {
-  Told_command told{app.get_name(), app.get_description(), app.get_footer(), {}, {}, {}, {}};
-  for(const CLI::Option* option : app.get_options())
-    if(option->get_positional()) {
-      told.arguments.push_back(option->get_name(true));
-      told.argument_values = listed_values(option->get_type_name());
-    } else
-      told.options.push_back(told_option(*option));
-  for(const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    told.commands.push_back(told_command(*command));
-  return told;
 }
 
 // A text in which no character is a request.
@@ -122,44 +107,44 @@ std::string paragraphs(const std::string& text) {
 
 std::string as_it_is(const std::string& text) { return ".nf\n" + roff_of(text) + "\n.fi\n"; }
 
-std::string option_entry(const Told_option& option) {
+std::string option_entry(const CLI::Option& option) {
   std::string names;
-  if(!option.short_name.empty())
-    names = "\\fB\\-" + option.short_name + "\\fR";
-  if(!option.long_name.empty())
-    names += (names.empty() ? "" : ", ") + std::string("\\fB\\-\\-") + roff_of(option.long_name) +
+  if(!short_name(option).empty())
+    names = "\\fB\\-" + short_name(option) + "\\fR";
+  if(!long_name(option).empty())
+    names += (names.empty() ? "" : ", ") + std::string("\\fB\\-\\-") + roff_of(long_name(option)) +
              "\\fR";
-  if(!option.value.empty())
-    names += " \\fI" + roff_of(option.value) + "\\fR";
-  return ".TP\n" + names + "\n" + paragraphs(option.description);
+  if(!value_of(option).empty())
+    names += " \\fI" + roff_of(value_of(option)) + "\\fR";
+  return ".TP\n" + names + "\n" + paragraphs(option.get_description());
 }
 
-std::string command_section(const Told_command& command, const std::string& path) {
-  const std::string name = path + " " + command.name;
+std::string command_section(const CLI::App& command, const std::string& path) {
+  const std::string name = path + " " + command.get_name();
   std::string text = ".SS " + roff_of(name);
-  for(const std::string& argument : command.arguments)
-    text += " " + roff_of(argument);
-  text += "\n" + paragraphs(command.description);
-  for(const Told_option& option : command.options)
-    if(option.long_name != "help")
-      text += option_entry(option);
-  for(const Told_command& sub : command.commands)
-    text += command_section(sub, name);
+  for(const CLI::Option* argument : options_of(command, true))
+    text += " " + roff_of(argument->get_name(true));
+  text += "\n" + paragraphs(command.get_description());
+  for(const CLI::Option* option : options_of(command))
+    if(long_name(*option) != "help")
+      text += option_entry(*option);
+  for(const CLI::App* sub : commands_of(command))
+    text += command_section(*sub, name);
   return text;
 }
 
 /// the manual page of the tool, for man(1).
-std::string man_page(const Told_command& tool) {
+std::string man_page(const CLI::App& tool) {
   std::string text = ".TH HTLOOPS 1\n.SH NAME\nhtloops \\- handle and tunnel loops, and Reeb "
                      "graphs, of triangle meshes\n.SH SYNOPSIS\n\\fBhtloops\\fR \\fICOMMAND\\fR "
                      "[\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" +
-                     paragraphs(tool.description) + ".SH COMMANDS\n";
-  for(const Told_command& command : tool.commands)
-    text += command_section(command, tool.name);
-  text += ".SH EXIT STATUS AND EXAMPLES\n" + as_it_is(tool.footer);
-  for(const Told_command& command : tool.commands)
-    if(!command.footer.empty())
-      text += as_it_is(command.footer);
+                     paragraphs(tool.get_description()) + ".SH COMMANDS\n";
+  for(const CLI::App* command : commands_of(tool))
+    text += command_section(*command, tool.get_name());
+  text += ".SH EXIT STATUS AND EXAMPLES\n" + as_it_is(tool.get_footer());
+  for(const CLI::App* command : commands_of(tool))
+    if(!command->get_footer().empty())
+      text += as_it_is(command->get_footer());
   return text;
 }
 
@@ -188,46 +173,47 @@ std::string with_escaped_colons(const std::string& text) {
   return escaped;
 }
 
-std::vector<std::string> names_of(const std::vector<Told_command>& commands) {
+std::vector<std::string> names_of_commands(const CLI::App& command) {
   std::vector<std::string> names;
-  for(const Told_command& command : commands)
-    names.push_back(command.name);
+  for(const CLI::App* sub : commands_of(command))
+    names.push_back(sub->get_name());
   return names;
 }
 
 // ---- bash
 
-std::string bash_case(const Told_command& command, const std::string& path) {
-  std::vector<std::string> words = names_of(command.commands);
+std::string bash_case(const CLI::App& command, const std::string& path) {
+  std::vector<std::string> words = names_of_commands(command);
   std::string values;
-  for(const Told_option& option : command.options) {
-    if(!option.long_name.empty())
-      words.push_back("--" + option.long_name);
-    if(!option.values.empty())
-      values += "        --" + option.long_name + ") words='" + joined(option.values) + "' ;;\n";
-    else if(!option.value.empty())
-      values += "        --" + option.long_name +
-                (option.short_name.empty() ? "" : "|-" + option.short_name) + ") return ;;\n";
+  for(const CLI::Option* option : options_of(command)) {
+    if(!long_name(*option).empty())
+      words.push_back("--" + long_name(*option));
+    if(!values_of(*option).empty())
+      values +=
+          "        --" + long_name(*option) + ") words='" + joined(values_of(*option)) + "' ;;\n";
+    else if(!value_of(*option).empty())
+      values += "        --" + long_name(*option) +
+                (short_name(*option).empty() ? "" : "|-" + short_name(*option)) + ") return ;;\n";
   }
   std::string text = "    '" + path + "')\n      words='" + joined(words) + "'\n";
   if(!values.empty())
     text += "      case \"$before\" in\n" + values + "      esac\n";
-  if(!command.argument_values.empty())
+  if(!argument_values(command).empty())
     text += "      [[ $now == -* ]] || COMPREPLY=($(compgen -W '" +
-            joined(command.argument_values) + "' -- \"$now\"))\n";
+            joined(argument_values(command)) + "' -- \"$now\"))\n";
   text += "      ;;\n";
-  for(const Told_command& sub : command.commands)
-    text += bash_case(sub, path.empty() ? sub.name : path + " " + sub.name);
+  for(const CLI::App* sub : commands_of(command))
+    text += bash_case(*sub, path.empty() ? sub->get_name() : path + " " + sub->get_name());
   return text;
 }
 
 // Where nothing is proposed, names of files are.
-std::string bash_completion(const Told_command& tool) {
+std::string bash_completion(const CLI::App& tool) {
   std::string steps;
-  for(const Told_command& command : tool.commands) {
-    steps += "      '" + command.name + "') [ -z \"$path\" ] && path=\"$word\" ;;\n";
-    for(const Told_command& sub : command.commands)
-      steps += "      '" + sub.name + "') [ \"$path\" = " + command.name +
+  for(const CLI::App* command : commands_of(tool)) {
+    steps += "      '" + command->get_name() + "') [ -z \"$path\" ] && path=\"$word\" ;;\n";
+    for(const CLI::App* sub : commands_of(*command))
+      steps += "      '" + sub->get_name() + "') [ \"$path\" = " + command->get_name() +
                " ] && path=\"$path $word\" ;;\n";
   }
   return "# htloops: completion for bash\n"
@@ -250,45 +236,46 @@ std::string bash_completion(const Told_command& tool) {
 
 // ---- zsh
 
-std::string zsh_option(const Told_option& option) {
+std::string zsh_option(const CLI::Option& option) {
   std::string value;
-  if(!option.values.empty())
-    value = ":" + with_escaped_colons(option.value) + ":(" + joined(option.values) + ")";
-  else if(option.is_file)
-    value = ":" + with_escaped_colons(option.value) + ":_files";
-  else if(!option.value.empty())
-    value = ":" + with_escaped_colons(option.value) + ": ";
-  const std::string text = "[" + with_escaped_colons(option.description) + "]" + value + "'";
+  if(!values_of(option).empty())
+    value = ":" + with_escaped_colons(value_of(option)) + ":(" + joined(values_of(option)) + ")";
+  else if(names_file(option))
+    value = ":" + with_escaped_colons(value_of(option)) + ":_files";
+  else if(!value_of(option).empty())
+    value = ":" + with_escaped_colons(value_of(option)) + ": ";
+  const std::string text = "[" + with_escaped_colons(option.get_description()) + "]" + value + "'";
   std::string lines;
-  if(!option.long_name.empty())
-    lines += " \\\n        '*--" + option.long_name + text;
-  if(!option.short_name.empty())
-    lines += " \\\n        '*-" + option.short_name + text;
+  if(!long_name(option).empty())
+    lines += " \\\n        '*--" + long_name(option) + text;
+  if(!short_name(option).empty())
+    lines += " \\\n        '*-" + short_name(option) + text;
   return lines;
 }
 
-std::string zsh_function(const Told_command& command, const std::string& name) {
+std::string zsh_function(const CLI::App& command, const std::string& name) {
   std::string text = name + "() {\n    local line state\n    _arguments -C";
-  for(const Told_option& option : command.options)
-    text += zsh_option(option);
-  if(!command.argument_values.empty())
-    return text + " \\\n        '1:" + with_escaped_colons(joined(command.arguments)) + ":(" +
-           joined(command.argument_values) + ")'\n}\n";
-  if(command.commands.empty())
+  for(const CLI::Option* option : options_of(command))
+    text += zsh_option(*option);
+  if(!argument_values(command).empty())
+    return text + " \\\n        '1:" +
+           with_escaped_colons(options_of(command, true).back()->get_name(true)) + ":(" +
+           joined(argument_values(command)) + ")'\n}\n";
+  if(commands_of(command).empty())
     return text + " \\\n        '*:file:_files'\n}\n";
   text += " \\\n        '1:command:((";
-  for(const Told_command& sub : command.commands)
-    text += sub.name + "\\:\"" + with_escaped_colons(sub.summary()) + "\" ";
+  for(const CLI::App* sub : commands_of(command))
+    text += sub->get_name() + "\\:\"" + with_escaped_colons(summary_of(*sub)) + "\" ";
   text += "))' \\\n        '*::argument:->arguments'\n    case \"$line[1]\" in\n";
-  for(const Told_command& sub : command.commands)
-    text += "        " + sub.name + ") " + name + "_" + sub.name + " ;;\n";
+  for(const CLI::App* sub : commands_of(command))
+    text += "        " + sub->get_name() + ") " + name + "_" + sub->get_name() + " ;;\n";
   text += "    esac\n}\n";
-  for(const Told_command& sub : command.commands)
-    text += zsh_function(sub, name + "_" + sub.name);
+  for(const CLI::App* sub : commands_of(command))
+    text += zsh_function(*sub, name + "_" + sub->get_name());
   return text;
 }
 
-std::string zsh_completion(const Told_command& tool) {
+std::string zsh_completion(const CLI::App& tool) {
   return "#compdef htloops\n# htloops: completion for zsh\n" + zsh_function(tool, "_htloops") +
          "if [ \"$funcstack[1]\" = _htloops ]; then\n    _htloops \"$@\"\nelse\n"
          "    compdef _htloops htloops\nfi\n";
@@ -297,61 +284,49 @@ std::string zsh_completion(const Told_command& tool) {
 // ---- fish
 
 // \p condition says where it holds.
-std::string fish_lines(const Told_command& command, const std::string& condition) {
+std::string fish_lines(const CLI::App& command, const std::string& condition) {
   std::string text;
   const std::string begin = "complete -c htloops -n '" + condition + "'";
-  for(const Told_option& option : command.options) {
+  for(const CLI::Option* option : options_of(command)) {
     text += begin;
-    if(!option.long_name.empty())
-      text += " -l " + option.long_name;
-    if(!option.short_name.empty())
-      text += " -s " + option.short_name;
-    if(!option.values.empty())
-      text += " -x -a '" + joined(option.values) + "'";
-    else if(!option.value.empty())
+    if(!long_name(*option).empty())
+      text += " -l " + long_name(*option);
+    if(!short_name(*option).empty())
+      text += " -s " + short_name(*option);
+    if(!values_of(*option).empty())
+      text += " -x -a '" + joined(values_of(*option)) + "'";
+    else if(!value_of(*option).empty())
       text += " -r";
-    text += " -d '" + plain(option.description) + "'\n";
+    text += " -d '" + plain(option->get_description()) + "'\n";
   }
-  if(!command.argument_values.empty())
-    text += begin + " -f -a '" + joined(command.argument_values) + "'\n";
-  const std::string names = joined(names_of(command.commands));
-  for(const Told_command& sub : command.commands)
-    text += begin + (names.empty() ? "" : " -f") + " -a " + sub.name + " -d '" +
-            plain(sub.summary()) + "'\n";
+  if(!argument_values(command).empty())
+    text += begin + " -f -a '" + joined(argument_values(command)) + "'\n";
+  const std::string names = joined(names_of_commands(command));
+  for(const CLI::App* sub : commands_of(command))
+    text += begin + (names.empty() ? "" : " -f") + " -a " + sub->get_name() + " -d '" +
+            plain(summary_of(*sub)) + "'\n";
   return text;
 }
 
-std::string fish_completion(const Told_command& tool) {
+std::string fish_completion(const CLI::App& tool) {
   std::string text = "# htloops: completion for fish\n" + fish_lines(tool, "__fish_use_subcommand");
-  for(const Told_command& command : tool.commands) {
-    const std::string seen = "__fish_seen_subcommand_from " + command.name;
-    const std::string kinds = joined(names_of(command.commands));
+  for(const CLI::App* command : commands_of(tool)) {
+    const std::string seen = "__fish_seen_subcommand_from " + command->get_name();
+    const std::string kinds = joined(names_of_commands(*command));
     text += fish_lines(
-        command, kinds.empty() ? seen : seen + "; and not __fish_seen_subcommand_from " + kinds);
-    for(const Told_command& kind : command.commands)
-      text += fish_lines(kind, seen + "; and __fish_seen_subcommand_from " + kind.name);
+        *command, kinds.empty() ? seen : seen + "; and not __fish_seen_subcommand_from " + kinds);
+    for(const CLI::App* kind : commands_of(*command))
+      text += fish_lines(*kind, seen + "; and __fish_seen_subcommand_from " + kind->get_name());
   }
   return text;
 }
 
-using Completion = std::string (*)(const Told_command&);
+using Completion = std::string (*)(const CLI::App&);
 
+// Scripts that make shells complete the words of the tool: commands, options, and values of options
+// that are words of a list; elsewhere names of files.
 const std::map<std::string, Completion> completions = {
     {"bash", bash_completion}, {"fish", fish_completion}, {"zsh", zsh_completion}};
-
-/// bash, zsh and fish.
-std::vector<std::string> known_shells() {
-  std::vector<std::string> shells;
-  for(const auto& [shell, completion] : completions)
-    shells.push_back(shell);
-  return shells;
-}
-
-/// a script that makes one of these shells complete the words of the tool: commands, options, and
-/// values of options that are words of a list; elsewhere names of files.
-std::string shell_completion(const std::string& shell, const Told_command& tool) {
-  return completions.at(shell)(tool);
-}
 
 constexpr std::size_t left_column_width = 26;
 constexpr std::size_t right_column_width = 72;
@@ -413,16 +388,15 @@ void add_help_commands(CLI::App& app, Command& command) {
   completion->add_option("SHELL", *shell, "bash, fish or zsh")
       ->option_text(" ")
       ->required()
-      ->check(CLI::IsMember(known_shells()));
+      ->check(CLI::IsMember(completions));
   complete_help(*completion, completion_examples);
   completion->callback([&app, shell, &command] {
-    command = [&app, shell] { show_text(shell_completion(*shell, told_command(app)), false); };
+    command = [&app, shell] { show_text(completions.at(*shell)(app), false); };
   });
   CLI::App* man = app.add_subcommand("man", "Prints the manual page, for man(1).\n");
   man->group(group);
   complete_help(*man);
-  man->callback(
-      [&app, &command] { command = [&app] { show_text(man_page(told_command(app)), false); }; });
+  man->callback([&app, &command] { command = [&app] { show_text(man_page(app), false); }; });
 }
 
 } // namespace htloops

@@ -155,10 +155,8 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
 
 /// throws `Failure` if an option makes no sense.
 void check_listing_choice(const Listing_choice& choice) {
-  if(!choice.shorter_than.empty())
-    parse_length("--shorter-than", choice.shorter_than);
-  if(!choice.longer_than.empty())
-    parse_length("--longer-than", choice.longer_than);
+  parse_length("--shorter-than", choice.shorter_than);
+  parse_length("--longer-than", choice.longer_than);
   box_of(choice.box);
 }
 
@@ -166,11 +164,12 @@ void check_listing_choice(const Listing_choice& choice) {
 
 Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh) {
   Listing_options options;
+  const double whole = diagonal_of(mesh);
   options.order = orders.at(choice.order);
-  if(!choice.shorter_than.empty())
-    options.shorter_than = length_on(mesh, parse_length("--shorter-than", choice.shorter_than));
-  if(!choice.longer_than.empty())
-    options.longer_than = length_on(mesh, parse_length("--longer-than", choice.longer_than));
+  if(const auto length = parse_length("--shorter-than", choice.shorter_than, whole))
+    options.shorter_than = *length;
+  if(const auto length = parse_length("--longer-than", choice.longer_than, whole))
+    options.longer_than = *length;
   options.box = box_of(choice.box);
   return options;
 }

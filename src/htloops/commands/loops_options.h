@@ -11,7 +11,7 @@
 #define HTLOOPS_LOOPS_OPTIONS_H
 
 #include "app/solve/answer.h"
-#include "app/write/json_writer.h"
+#include "app/write/documents.h"
 #include "app/write/pair_listing.h"
 #include "commands/options.h"
 

@@ -345,26 +345,43 @@ std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box) {
   return CGAL::Bbox_3(box[0], box[1], box[2], box[3], box[4], box[5]);
 }
 
-Length_option parse_length(const std::string& option, const std::string& text) {
-  Length_option length;
+std::optional<double>
+parse_length(const std::string& option, const std::string& text, double whole) {
+  if(text.empty())
+    return std::nullopt;
   std::string_view number = text;
-  if(!number.empty() && number.back() == '%') {
-    length.is_percentage = true;
-    number.remove_suffix(1);
-  }
-  Text_cursor cursor(number);
-  if(!cursor.read(length.value) || cursor.skip_to_content() || !(length.value > 0.) ||
-     !std::isfinite(length.value))
+  const bool is_percentage = number.back() == '%';
+  number.remove_suffix(is_percentage ? 1 : 0);
+  double length = 0.;
+  Text_source cursor(option, number);
+  if(!cursor.read(length) || cursor.skip_to_content() || !(length > 0.) || !std::isfinite(length))
     throw Failure(Exit_code::WRONG_USAGE,
                   option + " " + text + ": not a length, such as 0.25, nor a percentage of the " +
                       "diagonal of the bounding box, such as 3%");
-  return length;
+  return is_percentage ? length / 100. * whole : length;
 }
 
-double length_on(const Mesh& mesh, const Length_option& length) {
-  if(!length.is_percentage)
-    return length.value;
-  return length.value / 100. * diagonal_of(mesh);
+std::string indented(const std::vector<std::string>& lines) {
+  constexpr std::size_t largest_number_of_lines = 10;
+  std::string text;
+  for(std::size_t i = 0; i < lines.size() && i < largest_number_of_lines; ++i)
+    text += "\n  " + lines[i];
+  if(lines.size() > largest_number_of_lines)
+    text +=
+        "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more such lines";
+  return text;
+}
+
+void require_none(const std::string& loops_file, const std::vector<std::string>& problems) {
+  if(!problems.empty())
+    throw Failure(Exit_code::NOT_CERTIFIED,
+                  loops_file + " fails its certificate:" + indented(problems));
+}
+
+Bound_loops read_loops_on(const Mesh& mesh, const std::string& loops_file) {
+  Bound_loops loops = bind_loops(read_loops_json(loops_file), mesh);
+  require_none(loops_file, loops.problems);
+  return loops;
 }
 
 } // namespace htloops

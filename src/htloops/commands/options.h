@@ -14,6 +14,7 @@
 #include "app/draw/view.h"
 #include "app/mend/mesh_reader.h"
 #include "app/mesh_types.h"
+#include "app/read/loops_reader.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -131,18 +132,19 @@ CLI::Option* add_box_option(CLI::App& command, std::vector<double>& box, const s
 /// the box that was given, if one was; throws `Failure` if its corners are in the wrong order.
 std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box);
 
-/// A length that is given as it is, or as a percentage of the diagonal of the mesh's bounding box.
-struct Length_option
-{
-  double value = 0.;
-  bool is_percentage = false;
-};
+/// understands "0.25" and "3%", which is of the whole; throws `Failure`, naming the option, if the
+/// text is no positive length. Nothing if there is none.
+std::optional<double>
+parse_length(const std::string& option, const std::string& text, double whole = 1.);
 
-/// understands "0.25" and "3%"; throws `Failure`, naming the option, if the text is no positive
-/// length.
-Length_option parse_length(const std::string& option, const std::string& text);
+/// the lines, indented, each after a line break; not too many of them.
+std::string indented(const std::vector<std::string>& lines);
 
-double length_on(const Mesh& mesh, const Length_option& length);
+/// throws the `Failure` of a file of loops if there are problems.
+void require_none(const std::string& loops_file, const std::vector<std::string>& problems);
+
+/// reads loops that lie on the mesh; throws `Failure` with all that speaks against it.
+Bound_loops read_loops_on(const Mesh& mesh, const std::string& loops_file);
 
 } // namespace htloops
 

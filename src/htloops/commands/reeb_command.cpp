@@ -138,9 +138,6 @@ std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
   for(const auto v : CGAL::make_range(vertices(answer.graph)))
     ++count[answer.graph[v].type];
   const auto& statistics = answer.statistics;
-  char seconds[120];
-  std::snprintf(seconds, sizeof(seconds), "%.2f s after %.2f s of reading, backend %s, ",
-                answer.total_seconds, read_seconds, answer.backend.c_str());
   return "genus " + std::to_string(statistics.genus) + " in " +
          counted(statistics.number_of_components, "component", "components") + ": " +
          counted(num_edges(answer.graph), "arc", "arcs") + ", " +
@@ -149,7 +146,9 @@ std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
          counted(count[CGAL::Reeb_node_type::SADDLE], "saddle", "saddles") + ", " +
          counted(count[CGAL::Reeb_node_type::MAXIMUM], "maximum", "maxima") + " (of " +
          counted(statistics.number_of_critical_nodes, "node", "nodes") +
-         " before the simplification)\n" + seconds +
+         " before the simplification)\n" +
+         formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
+                   read_seconds, answer.backend.c_str()) +
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
 }
 

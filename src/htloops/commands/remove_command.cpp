@@ -19,7 +19,6 @@
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/help.h"
-#include "commands/loops_file.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
@@ -56,10 +55,8 @@ void check_options(const Remove_options& options) {
   if(options.result_file.empty() && !options.is_dry_run)
     throw Failure(Exit_code::WRONG_USAGE, "-o OUT says where the mesh goes; or --dry-run");
   check_mesh_format(options.result_file);
-  if(!options.shorter_than.empty())
-    parse_length("--shorter-than", options.shorter_than);
-  if(!options.necks.empty())
-    parse_length("--necks", options.necks);
+  parse_length("--shorter-than", options.shorter_than);
+  parse_length("--necks", options.necks);
   box_of(options.box);
   check_common_options(options);
 }
@@ -114,14 +111,14 @@ Pairs pairs_of(const Mesh& mesh, const Remove_options& options, bool show_progre
 Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   Removal_options removal;
   removal.target_genus = options.genus.value_or(0);
-  if(!options.shorter_than.empty())
-    removal.maximal_length = length_on(mesh, parse_length("--shorter-than", options.shorter_than));
+  const double whole = diagonal_of(mesh);
+  if(const auto length = parse_length("--shorter-than", options.shorter_than, whole))
+    removal.maximal_length = *length;
   if(!options.pairs.empty())
     removal.pairs = options.pairs;
   removal.box = box_of(options.box);
-  if(!options.necks.empty())
-    removal.maximal_length = removal.maximal_neck_length =
-        length_on(mesh, parse_length("--necks", options.necks));
+  if(const auto length = parse_length("--necks", options.necks, whole))
+    removal.maximal_length = removal.maximal_neck_length = *length;
   removal.method = methods.at(options.method);
   removal.number_of_threads = options.number_of_threads;
   return removal;
@@ -153,12 +150,10 @@ void show(const Remove_options& options,
           double read_seconds) {
   if(options.is_quiet)
     return;
-  char seconds[120];
-  std::snprintf(seconds, sizeof(seconds),
-                "%.2f s after %.2f s for the loops and %.2f s of reading, ", answer.total_seconds,
-                loops_seconds, read_seconds);
   const std::string text =
-      table_of_removals(answer.report, options.show_all) + summary(answer.report) + seconds +
+      table_of_removals(answer.report, options.show_all) + summary(answer.report) +
+      formatted("%.2f s after %.2f s for the loops and %.2f s of reading, ", answer.total_seconds,
+                loops_seconds, read_seconds) +
       counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
       (options.is_dry_run ? "this was a dry run: no mesh is written\n" : "");
   const bool is_mesh_shown =

@@ -6,7 +6,7 @@
 #include "Temporary_folder.h"
 
 #include "app/solve/backends.h"
-#include "app/solve/dual_cut_solver.h"
+#include "app/solve/cut_solver.h"
 #include "app/solve/reeb_solver.h"
 #include "app/solve/removal_solver.h"
 #include "generators/generators.h"
