@@ -1,5 +1,7 @@
 #include "Meshes_of_soups.h"
 
+#include "generators/Random.h"
+
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_nearby.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
@@ -231,6 +233,40 @@ TEST(Surgery, TellsWhichStripsSeparate) {
     }
     EXPECT_GT(std::count(separates.begin(), separates.end(), 0), 0);
     EXPECT_GT(std::count(separates.begin(), separates.end(), 1), 0);
+  }
+}
+
+// Pieces of memory, so that what is allocated later is in an order of its own.
+std::vector<std::vector<char>> scattered_memory(unsigned seed) {
+  generators::Random random(seed);
+  std::vector<std::vector<char>> pieces;
+  for(std::size_t i = 0; i < 4000; ++i)
+    pieces.emplace_back(16 + random.below(5000));
+  for(std::vector<char>& piece : pieces)
+    if(random.below(2) == 0)
+      std::vector<char>().swap(piece);
+  return pieces;
+}
+
+// Where a hole has several best triangulations, as on symmetric surfaces.
+TEST(Surgery, MakesTheSameCapsWhereverTheyAreInMemory) {
+  for(const Recipe& recipe : {recipe("torus", 2000, 1), recipe("knot", 1500, 1)}) {
+    const Surface_with_walks surface(recipe);
+    for(const Closed_walk& walk : surface.walks) {
+      const std::optional<Cut_region> strip = Cut_region::around(surface.mesh, walk);
+      ASSERT_TRUE(strip);
+      const std::vector<impl::Patch> expected = impl::caps_of(surface.mesh, *strip);
+      ASSERT_FALSE(expected.empty());
+      for(unsigned seed = 0; seed < 8; ++seed) {
+        const auto memory = scattered_memory(seed);
+        const std::vector<impl::Patch> caps = impl::caps_of(surface.mesh, *strip);
+        ASSERT_EQ(caps.size(), expected.size());
+        for(std::size_t i = 0; i < caps.size(); ++i) {
+          EXPECT_EQ(caps[i].points, expected[i].points);
+          EXPECT_EQ(caps[i].faces, expected[i].faces);
+        }
+      }
+    }
   }
 }
 

@@ -104,18 +104,19 @@ public:
   void find_caps(const Surgery_mesh& mesh, const Mesh_contacts& contacts) {
     is_harmless = false;
     caps_ = Caps::NOT_TRIANGULATED;
-    for(const Patch& caps : caps_of(is_subdivided() ? part_->mesh : mesh, region_)) {
-      patch_ = is_subdivided() ? with_parts(caps) : caps;
-      const Placed_patch placed(mesh, patch_);
-      if(!placed.is_embedded())
-        caps_ = (std::max)(caps_, Caps::SELF_CROSSING);
-      else if(contacts.meets(placed, out_))
-        caps_ = Caps::IN_THE_WAY;
-      else {
-        caps_ = Caps::GOOD;
-        return;
+    for(const Cap_search search : {Cap_search::ALL, Cap_search::DELAUNAY})
+      for(const Patch& caps : caps_of(is_subdivided() ? part_->mesh : mesh, region_, search)) {
+        patch_ = is_subdivided() ? with_parts(caps) : caps;
+        const Placed_patch placed(mesh, patch_);
+        if(!placed.is_embedded())
+          caps_ = (std::max)(caps_, Caps::SELF_CROSSING);
+        else if(contacts.meets(placed, out_))
+          caps_ = (std::max)(caps_, Caps::IN_THE_WAY);
+        else {
+          caps_ = Caps::GOOD;
+          return;
+        }
       }
-    }
   }
 
   /// with good caps.

@@ -23,11 +23,19 @@ namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace internal {
 
+/// Among which triangulations of a hole the best one is looked for.
+enum class Cap_search {
+  ALL,     ///< takes the cube of the number of sides: for holes of few hundred
+  DELAUNAY ///< those of faces of Delaunay tetrahedra. Of equally good ones it is not determined
+           ///< which is found: it depends on where these are in memory
+};
+
 /// What may take the place of a region: a cap on each of its holes, in several ways, the one that
 /// fits best first. Caps are refined to the density of the mesh around them and made smooth
 /// with it (where Eigen is there); or refined only; or without vertices of their own. None where
 /// the holes cannot be triangulated. Whether the caps meet anything has still to be seen.
-CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_region& region);
+CGAL_HTL_CORE std::vector<Patch>
+caps_of(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search = Cap_search::ALL);
 
 } // namespace internal
 } // namespace Handle_tunnel_loops

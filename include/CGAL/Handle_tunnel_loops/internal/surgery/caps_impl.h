@@ -139,8 +139,9 @@ class Holes_of_region
   using Halfedge = Mesh::Halfedge_index;
 
 public:
-  Holes_of_region(const Surgery_mesh& mesh, const Cut_region& region)
-      : mesh_(mesh) {
+  Holes_of_region(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search)
+      : mesh_(mesh)
+      , search_(search) {
     is_good_ = copy_surroundings(region);
     number_around_ = static_cast<Index>(copy_.number_of_vertices());
     first_cap_face_ = static_cast<Index>(copy_.number_of_faces());
@@ -262,7 +263,10 @@ private:
     if(side == Mesh::null_halfedge() || !copy_.is_border(side))
       return false;
     constexpr std::size_t cubic_is_too_slow = 200;
-    const auto how = parameters::do_not_use_cubic_algorithm(border.size() > cubic_is_too_slow);
+    if(search_ == Cap_search::ALL && border.size() > cubic_is_too_slow)
+      return false;
+    const auto how = parameters::use_delaunay_triangulation(search_ == Cap_search::DELAUNAY)
+                         .do_not_use_cubic_algorithm(search_ == Cap_search::DELAUNAY);
 #if CGAL_VERSION_NR < 1050600000
     Polygon_mesh_processing::triangulate_hole(copy_, side, Emptyset_iterator(), how);
 #else
@@ -272,6 +276,7 @@ private:
   }
 
   const Surgery_mesh& mesh_;
+  const Cap_search search_;
   Mesh copy_;
   std::unordered_map<Index, Vertex> copies_;
   std::unordered_set<Index> copied_faces_;
@@ -281,9 +286,10 @@ private:
   bool is_good_ = false;
 };
 
-CGAL_HTL_CORE std::vector<Patch> caps_of(const Surgery_mesh& mesh, const Cut_region& region) {
+CGAL_HTL_CORE std::vector<Patch>
+caps_of(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search) {
   std::vector<Patch> ways;
-  Holes_of_region holes(mesh, region);
+  Holes_of_region holes(mesh, region, search);
   if(!holes.are_triangulated())
     return ways;
   ways.push_back(holes.caps());
