@@ -26,12 +26,6 @@
 
 namespace htloops {
 
-/// a surface without parts.
-htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface);
-
-/// adds both loops of a pair to these, told of in a row.
-void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row);
-
 void write_page(const std::string& file, const htl_window::Scene& scene);
 
 /// what is shown in a page, for `write_page()`, in which a mesh can be turned, with the listed

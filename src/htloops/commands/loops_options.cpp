@@ -228,7 +228,7 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(show_progress);
   Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
-  if(options.backend == "auto" && !has_backend("cuda"))
+  if(options.backend == "auto" && cuda_backend.solve == nullptr)
     answer.statistics.fallback = "this htloops was built without CUDA";
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, options.do_find_waists);
