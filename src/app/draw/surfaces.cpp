@@ -14,7 +14,7 @@
 namespace htloops {
 namespace {
 
-template <typename Iterator> std::vector<Vector> coordinates(Iterator begin, Iterator end) {
+template <typename Iterator> std::vector<Vector> all_coordinates(Iterator begin, Iterator end) {
   std::vector<Vector> result;
   result.reserve(static_cast<std::size_t>(std::distance(begin, end)));
   for(; begin != end; ++begin)
@@ -25,11 +25,11 @@ template <typename Iterator> std::vector<Vector> coordinates(Iterator begin, Ite
 } // namespace
 
 std::vector<std::array<double, 3>> coordinates(const std::vector<Point>& points) {
-  return coordinates(points.begin(), points.end());
+  return all_coordinates(points.begin(), points.end());
 }
 
 Drawn_surface drawn_surface(const Mesh& mesh) {
-  Drawn_surface surface{coordinates(mesh.points().begin(), mesh.points().end()), {}, {}};
+  Drawn_surface surface{all_coordinates(mesh.points().begin(), mesh.points().end()), {}, {}};
   surface.triangles.reserve(mesh.number_of_faces());
   for(const Mesh::Face_index f : mesh.faces()) {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
@@ -42,7 +42,7 @@ Drawn_surface drawn_surface(const Mesh& mesh) {
 Level_cutter::Level_cutter(const Mesh& mesh, const std::vector<double>& values)
     : mesh_(mesh)
     , values_(values)
-    , points_(coordinates(mesh.points().begin(), mesh.points().end())) {}
+    , points_(all_coordinates(mesh.points().begin(), mesh.points().end())) {}
 
 Level_cutter::Corners Level_cutter::corners_of(Mesh::Face_index f) const {
   const Mesh::Halfedge_index h = mesh_.halfedge(f);
