@@ -20,7 +20,6 @@
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
