@@ -284,8 +284,6 @@ private:
   std::map<Colour, std::size_t> materials_;
 };
 
-constexpr File_format<void(Text_writer&)> gltf_formats[] = {{".glb", nullptr}};
-
 // The triangles of one colour, with all points.
 Smooth_surface
 in_colour(const Drawn_surface& surface, const std::vector<Vector>& normals, const Colour& colour) {
@@ -329,8 +327,6 @@ void add_surface(Gltf& gltf, const Drawn_surface& surface, double diagonal) {
 Smooth_surface tube_around(const std::vector<Vector>& line, bool is_closed, double radius) {
   return Tube(line, is_closed, radius).build();
 }
-
-void check_gltf_format(const std::string& file) { check_format(file, gltf_formats); }
 
 void export_gltf(const std::string& file,
                  const Drawn_surface& surface,

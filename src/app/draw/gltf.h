@@ -38,9 +38,6 @@ void export_gltf(const std::string& file,
                  const Drawn_surface& surface,
                  const Exported_lines& lines);
 
-/// throws `Failure` unless the name of a file ends in .glb.
-void check_gltf_format(const std::string& file);
-
 } // namespace htloops
 
 #endif // HTLOOPS_GLTF_H

@@ -17,21 +17,6 @@ namespace {
 
 namespace generators = CGAL::Handle_tunnel_loops::generators;
 
-void write_selection(Text_writer& out, const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
-  out << "\n\n";
-  const char* blank = "";
-  for(const Mesh::Edge_index e : cut) {
-    out << blank << mesh.vertex(e, 0).idx() << ' ' << mesh.vertex(e, 1).idx();
-    blank = " ";
-  }
-  out << '\n';
-}
-
-constexpr File_format<void(Text_writer&, const Mesh&, const std::vector<Mesh::Edge_index>&)>
-    selection_formats[] = {
-        {".selection.txt", write_selection},
-};
-
 // Whether a corner of the opened mesh begins at a halfedge, in the order around its target: behind
 // the cut, or behind the gap between two halfedges of the border.
 bool begins_corner(const Mesh& mesh, Mesh::Halfedge_index h, const std::vector<char>& is_cut) {
@@ -121,36 +106,9 @@ void write_dot(Text_writer& out, const Reeb_answer& answer) {
   out << "}\n";
 }
 
-void write_coloured_ply(Text_writer& out, const Mesh& mesh, const Reeb_answer& answer) {
-  out << "ply\nformat ascii 1.0\ncomment parts of a Reeb graph\nelement vertex "
-      << mesh.number_of_vertices()
-      << "\nproperty double x\nproperty double y\nproperty double z\n"
-         "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int arc\n"
-         "element face "
-      << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const std::size_t arc = answer.vertex_arc[v.idx()];
-    const bool is_isolated = arc == Reeb_answer::no_arc;
-    const auto [red, green, blue] = colour_of_arc(is_isolated ? 0 : arc);
-    out << mesh.point(v) << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << ' '
-        << (is_isolated ? -1ll : static_cast<long long>(arc)) << '\n';
-  }
-  for(const Mesh::Face_index f : mesh.faces()) {
-    out << '3';
-    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      out << ' ' << v.idx();
-    out << '\n';
-  }
-}
-
 constexpr File_format<void(Text_writer&, const Reeb_answer&)> graph_formats[] = {
     {".graphml", write_graphml},
     {".dot", write_dot},
-};
-
-constexpr File_format<void(Text_writer&, const Mesh&, const Reeb_answer&)> coloured_mesh_formats[] =
-    {
-        {".ply", write_coloured_ply},
 };
 
 } // namespace
@@ -194,12 +152,18 @@ Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& c
   return result;
 }
 
-void check_selection_format(const std::string& file) { check_format(file, selection_formats); }
-
 void export_selection(const std::string& file,
                       const Mesh& mesh,
                       const std::vector<Mesh::Edge_index>& cut) {
-  write_file(file, selection_formats, mesh, cut);
+  Text_writer out(file);
+  out << "\n\n";
+  const char* blank = "";
+  for(const Mesh::Edge_index e : cut) {
+    out << blank << mesh.vertex(e, 0).idx() << ' ' << mesh.vertex(e, 1).idx();
+    blank = " ";
+  }
+  out << '\n';
+  out.finish();
 }
 
 Exported_lines lines_of(const Reeb_answer& answer) {
@@ -218,12 +182,28 @@ void export_graph(const std::string& file, const Reeb_answer& answer) {
   write_file(file, graph_formats, answer);
 }
 
-void check_coloured_mesh_format(const std::string& file) {
-  check_format(file, coloured_mesh_formats);
-}
-
 void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer) {
-  write_file(file, coloured_mesh_formats, mesh, answer);
+  Text_writer out(file);
+  out << "ply\nformat ascii 1.0\ncomment parts of a Reeb graph\nelement vertex "
+      << mesh.number_of_vertices()
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+         "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int arc\n"
+         "element face "
+      << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const std::size_t arc = answer.vertex_arc[v.idx()];
+    const bool is_isolated = arc == Reeb_answer::no_arc;
+    const auto [red, green, blue] = colour_of_arc(is_isolated ? 0 : arc);
+    out << mesh.point(v) << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << ' '
+        << (is_isolated ? -1ll : static_cast<long long>(arc)) << '\n';
+  }
+  for(const Mesh::Face_index f : mesh.faces()) {
+    out << '3';
+    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      out << ' ' << v.idx();
+    out << '\n';
+  }
+  out.finish();
 }
 
 } // namespace htloops

@@ -30,9 +30,6 @@ CGAL::Handle_tunnel_loops::generators::Soup opened_mesh(const Mesh& mesh,
 /// the edges as lines, for a picture.
 Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut);
 
-/// throws `Failure` unless the name of a file ends in `.selection.txt`.
-void check_selection_format(const std::string& file);
-
 /// writes the edges as a selection of CGAL's programs: a line for vertices, one for faces, and one
 /// of the two ends of each edge. `CGAL::Seam_mesh::add_seams()` reads it.
 void export_selection(const std::string& file,
@@ -47,9 +44,6 @@ void check_graph_format(const std::string& file);
 
 /// writes the nodes and the arcs with what is known of them, in the format that the name tells.
 void export_graph(const std::string& file, const Reeb_answer& answer);
-
-/// throws `Failure` if the name of a file does not end in .ply.
-void check_coloured_mesh_format(const std::string& file);
 
 /// writes the mesh as PLY, each vertex with the number and the colour of its arc.
 void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer);

@@ -34,6 +34,26 @@ void add_groups_of_loops(htl_window::Scene& scene) {
                   {"tunnel loops", colour_of(CGAL::Loop_type::TUNNEL)}};
 }
 
+// adds a line of a group, told of in a row.
+void add_line(htl_window::Scene& scene,
+              const std::vector<Point>& points,
+              bool is_closed,
+              std::size_t group,
+              std::size_t row = htl_window::no_row) {
+  scene.lines.push_back({coordinates(points), is_closed, group, row});
+}
+
+// Adds both loops of a pair to these, told of in a row.
+void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row) {
+  for(std::size_t group = 0; group < 2; ++group)
+    add_line(scene, pair.loop(loop_types[group]).points(), true, group, row);
+}
+
+// A surface without parts.
+htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface) {
+  return {name, surface.points, surface.triangles, {}, {}};
+}
+
 void add_pairs(htl_window::Scene& scene,
                const Pairs& pairs,
                const Pair_listing& listing,
@@ -49,15 +69,6 @@ void add_pairs(htl_window::Scene& scene,
     scene.table.numbers.push_back(listed.pair);
     add_loops(scene, pairs[listed.pair], row);
   }
-}
-
-/// adds a line of a group, told of in a row.
-void add_line(htl_window::Scene& scene,
-              const std::vector<Point>& points,
-              bool is_closed,
-              std::size_t group,
-              std::size_t row = htl_window::no_row) {
-  scene.lines.push_back({coordinates(points), is_closed, group, row});
 }
 
 void add_group(htl_window::Scene& scene,
@@ -145,15 +156,6 @@ htl_window::Scene scene_of(const View& view,
 }
 
 } // namespace
-
-htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface) {
-  return {name, surface.points, surface.triangles, {}, {}};
-}
-
-void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row) {
-  for(std::size_t group = 0; group < 2; ++group)
-    add_line(scene, pair.loop(loop_types[group]).points(), true, group, row);
-}
 
 // The page is made before its file is begun: while a file is unfinished, an interrupt has to wait.
 void write_page(const std::string& file, const htl_window::Scene& scene) {

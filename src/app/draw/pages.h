@@ -20,17 +20,10 @@
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace htloops {
-
-/// a surface without parts.
-htl_window::Surface surface_of(const std::string& name, const Drawn_surface& surface);
-
-/// adds both loops of a pair to these, told of in a row.
-void add_loops(htl_window::Scene& scene, const Pair& pair, std::size_t row);
 
 void write_page(const std::string& file, const htl_window::Scene& scene);
 

@@ -9,39 +9,40 @@
 
 #include "draw/surfaces.h"
 
-namespace htloops {
+#include <iterator>
 
-std::vector<std::array<double, 3>> coordinates(const std::vector<Point>& points) {
-  std::vector<std::array<double, 3>> result;
-  result.reserve(points.size());
-  for(const Point& p : points)
-    result.push_back(coordinates(p));
+namespace htloops {
+namespace {
+
+template <typename Iterator> std::vector<Vector> all_coordinates(Iterator begin, Iterator end) {
+  std::vector<Vector> result;
+  result.reserve(static_cast<std::size_t>(std::distance(begin, end)));
+  for(; begin != end; ++begin)
+    result.push_back(coordinates(*begin));
   return result;
 }
 
-std::vector<std::array<double, 3>> points_of(const Mesh& mesh) {
-  std::vector<std::array<double, 3>> points;
-  points.reserve(mesh.number_of_vertices());
-  for(const Point& p : mesh.points())
-    points.push_back(coordinates(p));
-  return points;
+} // namespace
+
+std::vector<std::array<double, 3>> coordinates(const std::vector<Point>& points) {
+  return all_coordinates(points.begin(), points.end());
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const Mesh& mesh) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangles.reserve(mesh.number_of_faces());
+Drawn_surface drawn_surface(const Mesh& mesh) {
+  Drawn_surface surface{all_coordinates(mesh.points().begin(), mesh.points().end()), {}, {}};
+  surface.triangles.reserve(mesh.number_of_faces());
   for(const Mesh::Face_index f : mesh.faces()) {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
-    triangles.push_back(
+    surface.triangles.push_back(
         {mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
   }
-  return triangles;
+  return surface;
 }
 
 Level_cutter::Level_cutter(const Mesh& mesh, const std::vector<double>& values)
     : mesh_(mesh)
     , values_(values)
-    , points_(points_of(mesh)) {}
+    , points_(all_coordinates(mesh.points().begin(), mesh.points().end())) {}
 
 Level_cutter::Corners Level_cutter::corners_of(Mesh::Face_index f) const {
   const Mesh::Halfedge_index h = mesh_.halfedge(f);

@@ -66,10 +66,6 @@ inline std::array<double, 3> coordinates(const Point& p) { return {p.x(), p.y(),
 
 std::vector<std::array<double, 3>> coordinates(const std::vector<Point>& points);
 
-std::vector<std::array<double, 3>> points_of(const Mesh& mesh);
-
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const Mesh& mesh);
-
 /// What is drawn of a surface.
 struct Drawn_surface
 {
@@ -78,9 +74,7 @@ struct Drawn_surface
   std::vector<std::array<unsigned char, 3>> colours; ///< of the triangles, or none
 };
 
-inline Drawn_surface drawn_surface(const Mesh& mesh) {
-  return {points_of(mesh), triangles_of(mesh), {}};
-}
+Drawn_surface drawn_surface(const Mesh& mesh);
 
 /// Cuts faces between levels of a function on the vertices, to triangles. Points are those of the
 /// mesh, and where edges were cut: the same from both sides.

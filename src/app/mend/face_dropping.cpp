@@ -129,35 +129,28 @@ Corners without_repetitions(Corners corners) {
   return corners;
 }
 
-// Triangles with the same three vertices as another one, where edges have too many faces or faces
-// that run the same way. Both lists are sorted.
-struct Duplicate_faces
-{
-  std::vector<std::uint32_t> duplicates; // all but the first of their kind
+// What becomes of triangles with the same three vertices as another one, where edges have too many
+// faces or faces that run the same way. All but the first of their kind are duplicates.
+//
+// A flap is a piece of a surface folded onto itself: each of its faces is there once in each
+// orientation, and where it is fixed to others the surface is closed without it. So it is not
+// needed at all, and leaving one side of it would leave a boundary.
+enum class Fate : char { STAYS, IS_DUPLICATE, IS_OF_FLAP };
 
-  // A flap is a piece of a surface folded onto itself: each of its faces is there once in each
-  // orientation, and where it is fixed to others the surface is closed without it. So it is not
-  // needed at all, and leaving one side of it would leave a boundary.
-  std::vector<std::uint32_t> of_flaps;
-};
-
-Duplicate_faces find_duplicate_faces(const Soup& soup) {
+// By face; nothing if all stay.
+std::vector<Fate> fates_of_faces(const Soup& soup) {
   const Edge_table edges(soup);
   const std::vector<Group> groups = find_groups(soup, edges);
-  Duplicate_faces found;
   if(groups.empty())
-    return found;
+    return {};
+  std::vector<Fate> fates(soup.faces.size(), Fate::STAYS);
   Flaps flaps(groups, edges);
   for(std::uint32_t i = 0; i < groups.size(); ++i) {
-    const std::vector<std::uint32_t>& faces = groups[i].faces;
-    if(flaps.contain(i))
-      found.of_flaps.insert(found.of_flaps.end(), faces.begin(), faces.end());
-    else
-      found.duplicates.insert(found.duplicates.end(), faces.begin() + 1, faces.end());
+    const bool is_flap = flaps.contain(i);
+    for(std::size_t k = is_flap ? 0 : 1; k < groups[i].faces.size(); ++k)
+      fates[groups[i].faces[k]] = is_flap ? Fate::IS_OF_FLAP : Fate::IS_DUPLICATE;
   }
-  std::sort(found.duplicates.begin(), found.duplicates.end());
-  std::sort(found.of_flaps.begin(), found.of_flaps.end());
-  return found;
+  return fates;
 }
 
 } // namespace
@@ -189,22 +182,19 @@ void drop_degenerate_faces(Mended_soup& mended) {
 }
 
 void drop_duplicate_faces(Mended_soup& mended) {
-  const Duplicate_faces found = find_duplicate_faces(mended.soup);
-  if(found.duplicates.empty() && found.of_flaps.empty())
+  const std::vector<Fate> fates = fates_of_faces(mended.soup);
+  if(fates.empty())
     return;
   Finding duplicates, flaps;
   std::size_t kept = 0;
-  for(std::uint32_t f = 0; f < mended.soup.faces.size(); ++f) {
-    const auto name = [&] { return name_of_face(mended.face_in_file[f]); };
-    if(std::binary_search(found.duplicates.begin(), found.duplicates.end(), f)) {
-      duplicates.add(name);
-    } else if(std::binary_search(found.of_flaps.begin(), found.of_flaps.end(), f)) {
-      flaps.add(name);
-    } else {
+  for(std::uint32_t f = 0; f < mended.soup.faces.size(); ++f)
+    if(fates[f] == Fate::STAYS) {
       mended.soup.faces[kept] = mended.soup.faces[f];
       mended.face_in_file[kept++] = mended.face_in_file[f];
-    }
-  }
+    } else
+      (fates[f] == Fate::IS_DUPLICATE ? duplicates : flaps).add([&] {
+        return name_of_face(mended.face_in_file[f]);
+      });
   mended.soup.faces.resize(kept);
   mended.face_in_file.resize(kept);
   report(mended, duplicates, "duplicate face dropped", "duplicate faces dropped");

@@ -17,25 +17,6 @@
 namespace htloops {
 namespace {
 
-// Makes vertices of the points of triangles.
-class Triangle_collector
-{
-public:
-  void add_triangle() { faces_.emplace_back().resize(3); }
-
-  // The point is a corner of the last triangle.
-  void set_corner(std::size_t corner, const Point& point) {
-    faces_.back()[corner] = merger_.number(point);
-  }
-
-  std::size_t size() const { return faces_.size(); }
-  Soup take() { return {merger_.take_points(), std::move(faces_)}; }
-
-private:
-  std::vector<Soup_face> faces_;
-  Point_merger merger_;
-};
-
 char in_lower_case(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // Both cases are in use.
@@ -67,9 +48,10 @@ public:
       }
     }
     if(is_in_solid)
-      text_.fail_incomplete("expected endsolid after " + std::to_string(triangles_.size()) +
+      text_.fail_incomplete("expected endsolid after " + std::to_string(soup_.faces.size()) +
                             " faces");
-    return triangles_.take();
+    soup_.points = merger_.take_points();
+    return std::move(soup_);
   }
 
 private:
@@ -93,12 +75,13 @@ private:
   }
 
   void read_facet() {
-    triangles_.add_triangle();
+    Soup_face& face = soup_.faces.emplace_back();
+    face.resize(3);
     skip_normal();
     expect("loop");
     for(std::size_t corner = 0; corner < 3; ++corner) {
       expect("vertex");
-      triangles_.set_corner(corner, read_point());
+      face[corner] = merger_.number(read_point());
     }
     expect("endloop");
     expect("endfacet");
@@ -126,11 +109,12 @@ private:
   }
 
   [[noreturn]] void fail_to_find(const std::string& expected) const {
-    text_.fail_incomplete(name_of_face(triangles_.size() - 1) + ": expected " + expected);
+    text_.fail_incomplete(name_of_face(soup_.faces.size() - 1) + ": expected " + expected);
   }
 
   Text_source text_;
-  Triangle_collector triangles_;
+  Soup soup_;
+  Point_merger merger_;
 };
 
 Soup read_binary(const std::string& file, std::string_view content) {
@@ -146,20 +130,23 @@ Soup read_binary(const std::string& file, std::string_view content) {
   if(found > announced) // less than a face may follow
     fail_to_read(file, "it announces " + counted(announced, "face", "faces") +
                            ", but has room for " + std::to_string(found));
-  Triangle_collector triangles;
+  Soup soup;
+  Point_merger merger;
   for(std::uint32_t facet = 0; facet < announced; ++facet) {
-    triangles.add_triangle();
+    Soup_face& face = soup.faces.emplace_back();
+    face.resize(3);
     data.skip(normal_size);
     for(std::size_t corner = 0; corner < 3; ++corner) {
       float x = 0, y = 0, z = 0;
       data.read(x);
       data.read(y);
       data.read(z);
-      triangles.set_corner(corner, Point(x, y, z));
+      face[corner] = merger.number(Point(x, y, z));
     }
     data.skip(attribute_size);
   }
-  return triangles.take();
+  soup.points = merger.take_points();
+  return soup;
 }
 
 } // namespace

@@ -11,8 +11,6 @@
 
 #include "failure.h"
 
-#include <algorithm>
-
 namespace htloops {
 namespace {
 
@@ -38,12 +36,6 @@ const Backend& choose_backend(const std::string& name) {
        (is_automatic ? backend->is_chosen_by_auto : name == backend->name))
       return *backend;
   throw Failure(Exit_code::NO_BACKEND, "this htloops was built without the backend " + name);
-}
-
-bool has_backend(const std::string& name) {
-  return std::any_of(std::begin(backends), std::end(backends), [&](const Backend* backend) {
-    return backend->solve != nullptr && name == backend->name;
-  });
 }
 
 std::vector<std::string> names_of_backends() {

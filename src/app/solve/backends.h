@@ -51,9 +51,6 @@ extern const Backend host_backend, cuda_backend, automatic_backend, reference_ba
 /// Throws `Failure` if this build has none.
 const Backend& choose_backend(const std::string& name);
 
-/// whether this build has a backend of that name.
-bool has_backend(const std::string& name);
-
 /// what `choose_backend()` accepts.
 std::vector<std::string> names_of_backends();
 

@@ -76,9 +76,9 @@ Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progre
   answer.total_seconds = stopwatch.seconds();
   constexpr bool is_reference = std::is_same_v<ConcurrencyTag, CGAL::Reference_tag>;
   answer.number_of_threads = is_reference ? 1 : limit.number_of_threads();
-  answer.backend = answer.statistics.backend;
+  answer.backend = is_reference ? "reference" : answer.statistics.backend;
   if(answer.backend.empty()) // where there is no handle, there is no field to compute
-    answer.backend = is_reference ? "reference" : "host";
+    answer.backend = "host";
   progress.end();
   return answer;
 }

@@ -68,6 +68,14 @@ Json json_of_point(const Point& point) {
   return std::array<double, 3>{point.x(), point.y(), point.z()};
 }
 
+// An array of what `json_of(element)` makes of the elements of a range.
+template <typename Range, typename Json_of> Json array_of(const Range& range, Json_of json_of) {
+  Json array = Json::array();
+  for(const auto& element : range)
+    array.push_back(json_of(element));
+  return array;
+}
+
 Json timings(const Answer& answer, double read_seconds) {
   Json json = {{"read", read_seconds}};
   for(std::size_t i = 0; i < CGAL::Handle_tunnel_loops::number_of_stages; ++i) {
@@ -111,23 +119,14 @@ Json positions_across_faces(const Loop& loop, const Mesh& mesh, const Face_cuts&
   return positions;
 }
 
-/// the points of a line.
-Json json_of_points(const std::vector<Point>& points) {
-  Json array = Json::array();
-  for(const Point& point : points)
-    array.push_back(json_of_point(point));
-  return array;
-}
-
 Json json_of_line(const Loop& loop, const Mesh& mesh, Json json = Json()) {
-  Json locations = Json::array();
-  for(const Loop::Step& step : loop.steps())
-    locations.push_back(Json::array(
-        {mesh.source(step.halfedge).idx(), mesh.target(step.halfedge).idx(), step.ratio}));
-  json["locations"] = std::move(locations);
+  json["locations"] = array_of(loop.steps(), [&mesh](const Loop::Step& step) {
+    return Json::array(
+        {mesh.source(step.halfedge).idx(), mesh.target(step.halfedge).idx(), step.ratio});
+  });
   if(const auto cuts = cuts_of_faces(mesh))
     json["across_faces"] = positions_across_faces(loop, mesh, *cuts);
-  json["points"] = json_of_points(loop.points());
+  json["points"] = array_of(loop.points(), json_of_point);
   return json;
 }
 
@@ -202,15 +201,12 @@ Json json_of_arc(const Graph& graph, Graph::edge_descriptor e, const std::vector
           {"vertex_count", arc.vertices.size()},
           {"length", arc.length},
           {"girth", girths[arc.index]},
-          {"polyline", json_of_points(arc.polyline)}};
+          {"polyline", array_of(arc.polyline, json_of_point)}};
 }
 
 // Vertices without faces are on no arc: null.
-Json json_of_vertex_arc(const std::vector<std::size_t>& vertex_arc) {
-  Json array = Json::array();
-  for(const std::size_t arc : vertex_arc)
-    array.push_back(arc == Reeb_answer::no_arc ? Json() : Json(arc));
-  return array;
+Json json_of_arc_of_vertex(std::size_t arc) {
+  return arc == Reeb_answer::no_arc ? Json() : Json(arc);
 }
 
 using CGAL::Handle_tunnel_loops::Refused_handle;
@@ -230,21 +226,19 @@ Json json_of(const Refused_handle& handle) {
 
 // Necks are of no pair.
 template <typename Necks> Json json_of_necks(const Necks& necks) {
-  Json array = Json::array();
-  for(const auto& neck : necks) {
-    array.push_back(json_of(neck));
-    array.back().erase("pair");
-  }
-  return array;
+  return array_of(necks, [](const auto& neck) {
+    Json json = json_of(neck);
+    json.erase("pair");
+    return json;
+  });
 }
 
 Json json_of(const Dual_cut& cut, const Mesh& mesh) {
   Json json = {{"loop", name_of(cut.loop.type())}};
   json[cut.loop.type() == CGAL::Loop_type::BOUNDARY ? "boundary" : "pair"] = cut.loop.pair_index();
-  Json edges = Json::array();
-  for(const auto& [h, times] : cut.edges)
-    edges.push_back(Json::array({mesh.source(h).idx(), mesh.target(h).idx(), times}));
-  json["edges"] = std::move(edges);
+  json["edges"] = array_of(cut.edges, [&mesh](const auto& edge) {
+    return Json::array({mesh.source(edge.first).idx(), mesh.target(edge.first).idx(), edge.second});
+  });
   return json;
 }
 
@@ -259,19 +253,16 @@ Json json_of(const Field_resolution& resolution) {
           {"events_in_seed_region", resolution.events_in_seed_region}};
 }
 
-Json json_of(const std::vector<Front_event::Front>& fronts) {
-  Json array = Json::array();
-  for(const Front_event::Front& front : fronts)
-    array.push_back({{"layer", front.layer}, {"length", front.length}});
-  return array;
+Json json_of_front(const Front_event::Front& front) {
+  return {{"layer", front.layer}, {"length", front.length}};
 }
 
 Json json_of(const Front_event& event) {
   return {{"type", CGAL::Handle_tunnel_loops::front_event_name(event.type)},
           {"step", event.step},
           {"vertex", event.vertex},
-          {"before", json_of(event.before)},
-          {"after", json_of(event.after)}};
+          {"before", array_of(event.before, json_of_front)},
+          {"after", array_of(event.after, json_of_front)}};
 }
 
 /// what documents say of the mesh that they are about.
@@ -346,7 +337,7 @@ void write_reeb_json(const std::string& target,
             [&graph](auto v) { return json_of_node(graph, v); });
   out.array("arcs", CGAL::make_range(edges(graph)),
             [&](auto e) { return json_of_arc(graph, e, girths); });
-  out.member("vertex_arc", json_of_vertex_arc(answer.vertex_arc));
+  out.member("vertex_arc", array_of(answer.vertex_arc, json_of_arc_of_vertex));
   out.finish();
 }
 

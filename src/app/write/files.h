@@ -116,6 +116,12 @@ void check_format(const std::string& file, const File_format<Writer> (&formats)[
     format_of(file, formats);
 }
 
+/// the same of the only format that there is.
+inline void check_suffix(const std::string& file, std::string_view suffix) {
+  const File_format<void()> formats[] = {{suffix, nullptr}};
+  check_format(file, formats);
+}
+
 /// writes a file in the one of some formats that its name tells.
 template <typename Writer, std::size_t n, typename... Contents>
 void write_file(const std::string& file,

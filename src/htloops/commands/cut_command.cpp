@@ -12,6 +12,7 @@
 #include "app/solve/cut_solver.h"
 #include "app/words.h"
 #include "app/write/documents.h"
+#include "app/write/files.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
@@ -36,7 +37,7 @@ struct Cut_command_options : Common_options
 
 void check_options(const Cut_command_options& options) {
   check_opened_mesh_format(options.opened_file);
-  check_selection_format(options.selection_file);
+  check_suffix(options.selection_file, ".selection.txt");
   check_common_options(options);
 }
 

@@ -9,9 +9,9 @@
 
 #include "commands/loops_options.h"
 
-#include "app/draw/meshes.h"
 #include "app/failure.h"
 #include "app/solve/backends.h"
+#include "app/write/files.h"
 #include "terminal/terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -187,7 +187,7 @@ void check_loops_options(const Loops_options& options) {
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
     throw Failure(Exit_code::WRONG_USAGE, "--literal goes with --backend reference");
-  check_coloured_mesh_format(options.layers_file);
+  check_suffix(options.layers_file, ".ply");
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
     throw Failure(Exit_code::WRONG_USAGE,
                   std::string("--moment says when to look at the layers: it needs ") +
@@ -228,7 +228,7 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   solve_options.number_of_threads = options.number_of_threads;
   Progress_bar bar(show_progress);
   Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
-  if(options.backend == "auto" && !has_backend("cuda"))
+  if(options.backend == "auto" && cuda_backend.solve == nullptr)
     answer.statistics.fallback = "this htloops was built without CUDA";
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, options.do_find_waists);

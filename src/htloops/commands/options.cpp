@@ -9,7 +9,6 @@
 
 #include "commands/options.h"
 
-#include "app/draw/gltf.h"
 #include "app/draw/lines.h"
 #include "app/failure.h"
 #include "app/read/sources.h"
@@ -280,7 +279,7 @@ void check_common_options(const Common_options& options) {
   check_picture_size(options.picture);
   for(const std::string& file : options.lines_files)
     check_lines_format(file);
-  check_gltf_format(options.gltf_file);
+  check_suffix(options.gltf_file, ".glb");
 }
 
 void check_name(const std::string& file, const char* what, const char* end) {

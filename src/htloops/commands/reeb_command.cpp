@@ -51,7 +51,7 @@ void check_options(const Reeb_command_options& options) {
     throw Failure(Exit_code::WRONG_USAGE, "--height 0,0,0 is no direction");
   for(const std::string& file : options.graph_files)
     check_graph_format(file);
-  check_coloured_mesh_format(options.parts_file);
+  check_suffix(options.parts_file, ".ply");
   check_common_options(options);
   choose_backend(options.backend);
   check_name(options.csv_file, "a table as CSV", ".csv");
