@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>

@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Closed_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Loops_of_caller.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
@@ -34,6 +33,7 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -105,14 +105,12 @@ public:
                                                vertex_index, point);
     const auto traits = parameters::choose_parameter<Geom_traits>(
         parameters::get_parameter(np, internal_np::geom_traits));
-    if(surface_->mesh.number_of_hubs == 0 || surface_->mesh.genus == 0) {
-      const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
-      using Closed = decltype(impl::Closed_surface(tm, point, vertex_index, face_index));
-      look_at(std::make_shared<const Closed>(tm, point, vertex_index, face_index), traits);
-    } else {
-      using Capped = decltype(impl::Capped_surface(*surface_, vertex_index));
-      look_at(std::make_shared<const Capped>(*surface_, vertex_index), traits);
-    }
+    const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
+    using Loops_on_mesh = impl::Loops_on_mesh<Surface, std::decay_t<decltype(vertex_index)>,
+                                              std::decay_t<decltype(face_index)>, Geom_traits>;
+    make_loops_ = [surface = surface_, vertex_index, face_index, traits] {
+      return std::make_unique<Loops_on_mesh>(surface, vertex_index, face_index, traits);
+    };
     surface_->describe(prepared_);
     prepared_.seconds[static_cast<std::size_t>(Stage::ADAPTOR)] =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -184,16 +182,6 @@ private:
   using Surface = Handle_tunnel_loops::internal::Prepared_surface<TriangleMesh, Vertex_point_map>;
   using Loops = Handle_tunnel_loops::internal::Loops_of_caller<Pair>;
 
-  // The types of the constructor's parameters are known to this function only.
-  template <typename ClosedSurface>
-  void look_at(std::shared_ptr<const ClosedSurface> closed, const Geom_traits& traits) {
-    using On_closed_surface =
-        Handle_tunnel_loops::internal::Loops_on_closed_surface<Surface, ClosedSurface, Geom_traits>;
-    make_loops_ = [surface = surface_, closed, traits] {
-      return std::make_unique<On_closed_surface>(surface, closed, traits);
-    };
-  }
-
   template <typename T> static T& unwrapped(T& t) { return t; }
   template <typename T> static T& unwrapped(std::reference_wrapper<T> t) { return t.get(); }
 
@@ -255,7 +243,8 @@ private:
   }
 
   std::shared_ptr<const Surface> surface_;
-  std::function<std::unique_ptr<Loops>()> make_loops_; // for one computation
+  // Of one computation; it alone knows the types of the constructor's parameters.
+  std::function<std::unique_ptr<Loops>()> make_loops_;
   Handle_tunnel_loops::Statistics prepared_, statistics_;
   Handle_tunnel_loops::Certificate certificate_;
 };

@@ -16,7 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Closed_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -146,8 +146,9 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
     return impl::certify(execution, surface, kind, pairs, do_link);
   }
   const impl::Prepared_surface prepared(execution, tm, vertex_index, point);
-  const impl::Capped_surface surface(prepared, vertex_index);
-  return impl::certify(execution, surface, kind, surface.pairs(pairs), do_link);
+  const impl::Flat_surface surface(prepared.mesh, prepared.coordinates(execution));
+  return impl::certify_flat(execution, surface, kind, surface.pairs(tm, vertex_index, pairs),
+                            do_link);
 }
 
 } // namespace CGAL

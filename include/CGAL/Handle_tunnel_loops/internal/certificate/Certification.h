@@ -15,6 +15,10 @@
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <CGAL/assertions.h>
 
@@ -35,7 +39,7 @@ namespace Handle_tunnel_loops {
 namespace internal {
 
 /// Computes a `Certificate` step by step, of pairs on a closed surface: the caller's own, or one
-/// that has its caps (`Closed_surface`, `Capped_surface`), which must outlive it.
+/// that has its caps (`Closed_surface`, `Flat_surface`), which must outlive it.
 template <typename Surface, typename Pair> class Certification
 {
   using Mesh = typename Surface::Mesh;
@@ -251,6 +255,67 @@ Certificate certify(Execution execution,
   return certification.finish();
 }
 
+/// A certificate that has named the loops of pairs.
+struct Naming
+{
+  Certificate certificate;
+  std::vector<char> is_exchanged; ///< by pair, if its first loop is the tunnel
+};
+
+/// certifies pairs of which the relations are known, and tells handles from tunnels: by their
+/// linking numbers, or by their growth along the normals where these do not tell (paper, 4.5), at
+/// the given offset if it is not 0. Begins two stages, and leaves the second to be ended.
+template <typename Surface, typename Pair>
+Naming certify_and_name(Execution execution,
+                        const Surface& surface,
+                        Basis_kind kind,
+                        double offset,
+                        const std::vector<Pair>& pairs,
+                        Loop_relations relations,
+                        Progress& progress) {
+  Naming naming = {{}, std::vector<char>(pairs.size(), 0)};
+  Certification<Surface, Pair> certification(surface, kind);
+  bool are_closed = false;
+  progress.run(Stage::CERTIFICATE, [&] {
+    are_closed = certification.are_closed(execution, pairs);
+    if(are_closed)
+      certification.check_basis(execution);
+  });
+  progress.start(Stage::CLASSIFY);
+  if(are_closed) {
+    certification.relate(std::move(relations));
+    const Offset_classifier<typename Surface::Mesh, decltype(surface.point())> classifier(
+        surface.mesh(), surface.point(), offset);
+    for_each_index(
+        execution, pairs.size(),
+        [&](std::size_t k) {
+          int handle = certification.handle_of_pair(k);
+          if(handle == 0)
+            handle = certification.outward_of_pair(k) *
+                     classifier.compare_growth(pairs[k].handle(), pairs[k].tunnel());
+          naming.is_exchanged[k] = handle < 0;
+        },
+        1);
+    certification.exchange(naming.is_exchanged);
+  }
+  naming.certificate = certification.finish();
+  return naming;
+}
+
+// For surfaces with their caps.
+CGAL_HTL_CORE Certificate certify_flat(Execution execution,
+                                       const Flat_surface& surface,
+                                       Basis_kind kind,
+                                       const std::vector<Flat_surface::Pair>& pairs,
+                                       bool do_link);
+CGAL_HTL_CORE Naming certify_and_name_flat(Execution execution,
+                                           const Flat_surface& surface,
+                                           Basis_kind kind,
+                                           double offset,
+                                           const std::vector<Flat_surface::Pair>& pairs,
+                                           Loop_relations relations,
+                                           Progress& progress);
+
 /// whether all steps of the loops that are anywhere are on halfedges of the mesh.
 template <typename TriangleMesh, typename PairRange>
 bool are_loops_of(const TriangleMesh& tm, const PairRange& pairs) {
@@ -271,5 +336,9 @@ bool are_loops_of(const TriangleMesh& tm, const PairRange& pairs) {
 } // namespace internal
 } // namespace Handle_tunnel_loops
 } // namespace CGAL
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification_impl.h>
+#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_CERTIFICATION_H

@@ -14,17 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,24 +33,29 @@ template <typename Pair> struct Loops_of_caller : Caller_mesh
   std::vector<Pair> pairs;
 };
 
-/// What is done with them there.
+/// What is done with them there. They are certified on the mesh of the caller if it is closed, on
+/// the arrays with their caps if not.
 ///
 /// \tparam Surface a `Prepared_surface`
-/// \tparam ClosedSurface a `Closed_surface` or a `Capped_surface`, on which pairs are related and
-///   certified
-template <typename Surface, typename ClosedSurface, typename GeomTraits>
-class Loops_on_closed_surface final
+template <typename Surface, typename VertexIndexMap, typename FaceIndexMap, typename GeomTraits>
+class Loops_on_mesh final
     : public Loops_of_caller<Handle_tunnel_pair<typename Surface::Mesh, typename Surface::Point>>
 {
 public:
   using Pair = Handle_tunnel_pair<typename Surface::Mesh, typename Surface::Point>;
 
-  Loops_on_closed_surface(std::shared_ptr<const Surface> surface,
-                          std::shared_ptr<const ClosedSurface> closed,
-                          const GeomTraits& traits)
+  Loops_on_mesh(std::shared_ptr<const Surface> surface,
+                VertexIndexMap vertex_index,
+                FaceIndexMap face_index,
+                const GeomTraits& traits)
       : surface_(std::move(surface))
-      , closed_(std::move(closed))
+      , vertex_index_(vertex_index)
+      , face_index_(face_index)
       , traits_(traits) {}
+
+  std::vector<Flat_surface::Point> coordinates(Execution execution) const override {
+    return surface_->coordinates(execution);
+  }
 
   void convert(Execution execution, const std::vector<Flat_pair>& flat_pairs) override {
     const auto convert = surface_->converter(traits_);
@@ -69,95 +69,32 @@ public:
         1);
   }
 
-  Loop_relations relate(Execution execution) const override {
-    using Point_map = decltype(closed_->point());
-    using Index_map = decltype(closed_->vertex_index());
-    const auto& closed_pairs = closed_->pairs(pairs);
-    using Loop = typename std::decay_t<decltype(closed_pairs)>::value_type::Loop;
-    std::vector<const Loop*> loops;
-    for(const auto& pair : closed_pairs)
-      loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
-    const auto& tm = closed_->mesh();
-    const Index_map vertex_index = closed_->vertex_index();
-    Loop_linker<typename ClosedSurface::Mesh, Loop, Point_map, Index_map> linker(
-        tm, closed_->point(), vertex_index);
-    linker.set_boundaries(closed_->boundaries());
-    const std::vector<std::size_t> components = components_by_index();
-    const auto component = [&](const auto& f) {
-      return components[get(vertex_index, target(halfedge(f, tm), tm))];
-    };
-    linker.set_loops(execution, loops, component, surface_->mesh.seeds.size());
-    linker.link(execution);
-    return linker.take_relations();
-  }
-
-  // The linking numbers that tell handles from tunnels are part of the certificate.
   Certificate certify(Execution execution,
+                      const Flat_surface& flat_surface,
                       const Class_options& wanted,
-                      std::optional<Loop_relations> relations,
+                      Loop_relations relations,
                       Progress& progress) override {
-    const auto& closed_pairs = closed_->pairs(pairs);
-    using Closed_pair = typename std::decay_t<decltype(closed_pairs)>::value_type;
-    Certification<ClosedSurface, Closed_pair> certification(*closed_, wanted.kind);
-    bool are_closed = false;
-    progress.run(Stage::CERTIFICATE, [&] {
-      are_closed = certification.are_closed(execution, closed_pairs);
-      if(are_closed)
-        certification.check_basis(execution);
-    });
-    progress.start(Stage::CLASSIFY);
-    if(are_closed) {
-      if(relations)
-        certification.relate(std::move(*relations));
-      else
-        certification.relate(execution, wanted.do_link);
-      name(execution, certification, closed_pairs, wanted.offset);
-    }
-    return certification.finish();
+    Naming naming;
+    if(surface_->mesh.number_of_hubs == 0)
+      naming = certify_and_name(
+          execution, Closed_surface(surface_->tm, surface_->point, vertex_index_, face_index_),
+          wanted.kind, wanted.offset, pairs, std::move(relations), progress);
+    else
+      naming = certify_and_name_flat(execution, flat_surface, wanted.kind, wanted.offset,
+                                     flat_surface.pairs(surface_->tm, vertex_index_, pairs),
+                                     std::move(relations), progress);
+    for(std::size_t k = 0; k < pairs.size(); ++k)
+      if(naming.is_exchanged[k])
+        pairs[k] = pairs[k].exchanged();
+    return naming.certificate;
   }
 
 private:
   using Loops_of_caller<Pair>::pairs;
 
-  // By the caller's index of the vertices.
-  std::vector<std::size_t> components_by_index() const {
-    const Flat_mesh& mesh = surface_->mesh;
-    const auto largest = *std::max_element(mesh.original.begin(), mesh.original.end());
-    std::vector<std::size_t> components(
-        (std::max)(std::size_t(num_vertices(surface_->tm)), std::size_t(1) + largest), 0);
-    for(std::size_t v = 0; v < mesh.original.size(); ++v)
-      components[mesh.original[v]] = mesh.component[v];
-    return components;
-  }
-
-  // Handles and tunnels by their linking numbers, or by their growth along the normals where these
-  // do not tell (paper, 4.5).
-  template <typename Certification, typename ClosedPairs>
-  void name(Execution execution,
-            Certification& certification,
-            const ClosedPairs& closed_pairs,
-            double offset) {
-    const Offset_classifier<typename ClosedSurface::Mesh, decltype(closed_->point())> classifier(
-        closed_->mesh(), closed_->point(), offset);
-    std::vector<char> is_exchanged(pairs.size(), 0);
-    for_each_index(
-        execution, pairs.size(),
-        [&](std::size_t k) {
-          int handle = certification.handle_of_pair(k);
-          if(handle == 0)
-            handle = certification.outward_of_pair(k) *
-                     classifier.compare_growth(closed_pairs[k].handle(), closed_pairs[k].tunnel());
-          is_exchanged[k] = handle < 0;
-        },
-        1);
-    certification.exchange(is_exchanged);
-    for(std::size_t k = 0; k < pairs.size(); ++k)
-      if(is_exchanged[k])
-        pairs[k] = pairs[k].exchanged();
-  }
-
   std::shared_ptr<const Surface> surface_;
-  std::shared_ptr<const ClosedSurface> closed_;
+  VertexIndexMap vertex_index_;
+  FaceIndexMap face_index_;
   GeomTraits traits_;
 };
 

@@ -15,11 +15,11 @@
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -38,24 +38,24 @@ struct Loop_request
   std::unique_ptr<Passes> (*make_passes)(const Flat_mesh&, std::vector<Index>, const Pass_options&);
 };
 
-/// The mesh of a caller, for what knows no type of mesh: it holds pairs of loops on it, and looks
-/// at them there. See `Loops_of_caller`.
+/// The mesh of a caller, for what knows no type of mesh: it holds pairs of loops on it, and
+/// certifies them there. See `Loops_of_caller`.
 class Caller_mesh
 {
 public:
   virtual ~Caller_mesh() = default;
 
+  /// the coordinates of the vertices but for the hubs.
+  virtual std::vector<Flat_surface::Point> coordinates(Execution execution) const = 0;
+
   /// takes pairs.
   virtual void convert(Execution execution, const std::vector<Flat_pair>& pairs) = 0;
 
-  /// the relations of their loops, handles and tunnels in turn.
-  virtual Loop_relations relate(Execution execution) const = 0;
-
-  /// certifies and names them, by the relations if these are known. Begins two stages, and leaves
-  /// the second to be ended.
+  /// certifies and names them, see `certify_and_name()`.
   virtual Certificate certify(Execution execution,
+                              const Flat_surface& surface,
                               const Class_options& wanted,
-                              std::optional<Loop_relations> relations,
+                              Loop_relations relations,
                               Progress& progress) = 0;
 };
 

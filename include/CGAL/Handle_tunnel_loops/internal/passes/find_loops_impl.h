@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 
 #include <memory>
@@ -41,6 +42,30 @@ inline std::vector<Flat_pair> pairs_of_passes(const Flat_mesh& mesh,
   return pairs;
 }
 
+/// the relations of the loops of pairs; without linking numbers unless \p do_link.
+inline Loop_relations relate(Execution execution,
+                             const Flat_surface& surface,
+                             const std::vector<Flat_pair>& flat_pairs,
+                             bool do_link) {
+  const Flat_mesh& mesh = surface.mesh().mesh();
+  const std::vector<Flat_surface::Pair> pairs = surface.pairs(flat_pairs);
+  std::vector<const Flat_surface::Loop*> loops;
+  for(const Flat_surface::Pair& pair : pairs)
+    loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
+  Loop_linker<Flat_graph, Flat_surface::Loop, decltype(surface.point()),
+              decltype(surface.vertex_index())>
+      linker(surface.mesh(), surface.point(), surface.vertex_index());
+  linker.set_boundaries(surface.boundaries());
+  linker.set_loops(
+      execution, loops, [&](Flat_graph::Halfedge f) { return mesh.component[f.source]; },
+      mesh.seeds.size());
+  if(do_link)
+    linker.link(execution);
+  else
+    linker.intersect(execution);
+  return linker.take_relations();
+}
+
 CGAL_HTL_CORE Certificate find_loops(Execution execution,
                                      const Flat_mesh& mesh,
                                      const Loop_request& request,
@@ -54,22 +79,25 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
         request.passes.literal_rules.offset * mesh.in_units_of_caller(mean_edge_length(mesh));
   std::vector<Flat_pair> pairs = pairs_of_passes(mesh, request, progress, statistics);
   execution = execution.watched_by(progress);
+  if(mesh.genus == 0 && mesh.number_of_hubs > 0) { // there is nothing to certify
+    progress.run(Stage::CONVERT, [] {});
+    progress.run(Stage::CLASSIFY, [] {});
+    return Certificate::of_no_loops(classes.kind, classes.do_link);
+  }
+  const Flat_surface surface(mesh, caller.coordinates(execution));
   std::optional<Loop_relations> relations;
-  const auto relate = [&](const std::vector<Flat_pair>& now) {
-    caller.convert(execution, now);
-    return caller.relate(execution);
-  };
   if(!pairs.empty())
     progress.run(Stage::CLASSES, [&] {
-      relations = find_right_classes(execution, mesh, classes, relate, pairs, progress);
+      relations = find_right_classes(
+          execution, mesh, classes,
+          [&](const std::vector<Flat_pair>& now) { return relate(execution, surface, now, true); },
+          pairs, progress);
     });
   progress.run(Stage::CONVERT, [&] { caller.convert(execution, pairs); });
-  Certificate certificate;
-  if(mesh.genus == 0 && mesh.number_of_hubs > 0) { // without handles there is nothing to relate
-    progress.start(Stage::CLASSIFY);
-    certificate = Certificate::of_no_loops(classes.kind, classes.do_link);
-  } else
-    certificate = caller.certify(execution, classes, std::move(relations), progress);
+  if(!relations)
+    relations = relate(execution, surface, pairs, classes.do_link);
+  Certificate certificate =
+      caller.certify(execution, surface, classes, std::move(*relations), progress);
   if(!certificate)
     throw Uncertified_loops_exception("the loops found fail their certificate: " +
                                       certificate.failure);

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_GRAPH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_GRAPH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/filter_iterator.hpp>
+#include <boost/iterator/iterator_facade.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// A `Flat_mesh`, with its caps, as a closed model of `FaceListGraph`, for what is written for any.
+/// The arrays must outlive it. Around vertices of few neighbours these are looked up by going
+/// through them, which takes no memory.
+class Flat_graph
+{
+public:
+  /// The edge to a neighbour, by its place in the ring of the source. It stands for its face, too,
+  /// where its source is the smallest vertex of that.
+  struct Halfedge
+  {
+    Index source = no_index, place = 0;
+
+    friend bool operator==(const Halfedge& a, const Halfedge& b) {
+      return a.source == b.source && a.place == b.place;
+    }
+    friend bool operator!=(const Halfedge& a, const Halfedge& b) { return !(a == b); }
+    friend bool operator<(const Halfedge& a, const Halfedge& b) {
+      return std::tie(a.source, a.place) < std::tie(b.source, b.place);
+    }
+  };
+
+  explicit Flat_graph(const Flat_mesh& mesh)
+      : mesh_(&mesh) {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      for(Index p = 0; mesh.ring(v).size() > few && p < mesh.ring(v).size(); ++p)
+        places_.emplace_back(v, mesh.ring(v)[p], p);
+    std::sort(places_.begin(), places_.end());
+  }
+
+  const Flat_mesh& mesh() const { return *mesh_; }
+
+  /// the halfedge between two neighbours.
+  Halfedge find(Index source, Index target) const {
+    const Ring ring = mesh_->ring(source);
+    if(ring.size() <= few)
+      return {source, ring.position(target)};
+    const auto it =
+        std::lower_bound(places_.begin(), places_.end(), std::make_tuple(source, target, Index(0)));
+    const bool is_there =
+        it != places_.end() && std::get<0>(*it) == source && std::get<1>(*it) == target;
+    return {source, is_there ? std::get<2>(*it) : ring.size()};
+  }
+
+  friend Index source(Halfedge h, const Flat_graph&) { return h.source; }
+  friend Index target(Halfedge h, const Flat_graph& g) { return g.mesh_->ring(h.source)[h.place]; }
+  friend Index apex(Halfedge h, const Flat_graph& g) {
+    const Ring ring = g.mesh_->ring(h.source);
+    return ring[ring.next(h.place)];
+  }
+  friend Halfedge opposite(Halfedge h, const Flat_graph& g) {
+    return g.find(target(h, g), h.source);
+  }
+  friend Halfedge next(Halfedge h, const Flat_graph& g) { return g.find(target(h, g), apex(h, g)); }
+  friend Halfedge prev(Halfedge h, const Flat_graph& g) { return g.find(apex(h, g), h.source); }
+  friend Halfedge halfedge(Index v, const Flat_graph& g) { return opposite({v, 0}, g); }
+  friend Halfedge halfedge(Halfedge f, const Flat_graph&) { return f; }
+  friend std::pair<Halfedge, bool> halfedge(Index u, Index v, const Flat_graph& g) {
+    const Halfedge h = g.find(u, v);
+    return {h, h.place < g.mesh_->ring(u).size()};
+  }
+
+  /// whether a halfedge stands for its face.
+  static bool is_face(Halfedge h, const Flat_graph& g) {
+    return h.source < target(h, g) && h.source < apex(h, g);
+  }
+  friend Halfedge face(Halfedge h, const Flat_graph& g) {
+    while(!is_face(h, g))
+      h = next(h, g);
+    return h;
+  }
+
+  friend bool is_border(Halfedge, const Flat_graph&) { return false; }
+
+  class Halfedge_iterator
+      : public boost::
+            iterator_facade<Halfedge_iterator, Halfedge, boost::forward_traversal_tag, Halfedge>
+  {
+  public:
+    Halfedge_iterator() = default;
+    Halfedge_iterator(const Flat_graph& g, Index source)
+        : mesh_(g.mesh_)
+        , h_{source, 0} {}
+
+  private:
+    friend class boost::iterator_core_access;
+    Halfedge dereference() const { return h_; }
+    bool equal(const Halfedge_iterator& other) const { return h_ == other.h_; }
+    void increment() {
+      if(++h_.place == mesh_->ring(h_.source).size())
+        h_ = {h_.source + 1, 0};
+    }
+
+    const Flat_mesh* mesh_ = nullptr;
+    Halfedge h_;
+  };
+
+  struct Is_face
+  {
+    const Flat_graph* g = nullptr;
+    bool operator()(Halfedge h) const { return is_face(h, *g); }
+  };
+
+  using Vertex_iterator = boost::counting_iterator<Index>;
+  using Face_iterator = boost::filter_iterator<Is_face, Halfedge_iterator>;
+
+  friend Iterator_range<Vertex_iterator> vertices(const Flat_graph& g) {
+    return {Vertex_iterator(0), Vertex_iterator(g.end())};
+  }
+  friend Iterator_range<Halfedge_iterator> halfedges(const Flat_graph& g) {
+    return {Halfedge_iterator(g, 0), Halfedge_iterator(g, g.end())};
+  }
+  friend Iterator_range<Face_iterator> faces(const Flat_graph& g) {
+    const Halfedge_iterator begin(g, 0), end(g, g.end());
+    return {Face_iterator(Is_face{&g}, begin, end), Face_iterator(Is_face{&g}, end, end)};
+  }
+  friend std::size_t num_vertices(const Flat_graph& g) { return g.end(); }
+  friend std::size_t num_halfedges(const Flat_graph& g) { return g.mesh_->neighbor.size(); }
+  friend std::size_t num_faces(const Flat_graph& g) { return g.mesh_->number_of_faces(); }
+
+private:
+  static constexpr Index few = 64; // neighbours
+
+  Index end() const { return static_cast<Index>(mesh_->number_of_vertices()); }
+
+  const Flat_mesh* mesh_;
+  std::vector<std::tuple<Index, Index, Index>>
+      places_; // in the rings of vertices of many neighbours
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+namespace boost {
+
+template <> struct graph_traits<CGAL::Handle_tunnel_loops::internal::Flat_graph>
+{
+private:
+  using Graph = CGAL::Handle_tunnel_loops::internal::Flat_graph;
+  struct Traversal_category : vertex_list_graph_tag
+  {};
+
+public:
+  using vertex_descriptor = CGAL::Handle_tunnel_loops::internal::Index;
+  using halfedge_descriptor = Graph::Halfedge;
+  using face_descriptor = Graph::Halfedge;
+  using edge_descriptor = Graph::Halfedge;
+  using vertex_iterator = Graph::Vertex_iterator;
+  using halfedge_iterator = Graph::Halfedge_iterator;
+  using face_iterator = Graph::Face_iterator;
+  using vertices_size_type = std::size_t;
+  using halfedges_size_type = std::size_t;
+  using faces_size_type = std::size_t;
+  using degree_size_type = std::size_t;
+  using directed_category = undirected_tag;
+  using edge_parallel_category = disallow_parallel_edge_tag;
+  using traversal_category = Traversal_category;
+
+  static vertex_descriptor null_vertex() { return CGAL::Handle_tunnel_loops::internal::no_index; }
+  static halfedge_descriptor null_halfedge() { return {}; }
+  static face_descriptor null_face() { return {}; }
+};
+
+} // namespace boost
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_GRAPH_H

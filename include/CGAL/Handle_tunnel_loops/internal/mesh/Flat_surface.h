@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_SURFACE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_SURFACE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Loop_converter.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Handle_tunnel_loops {
+namespace internal {
+
+/// What relates loops and certifies them needs a closed surface: here the caller's own.
+template <typename TriangleMesh,
+          typename VertexPointMap,
+          typename VertexIndexMap,
+          typename FaceIndexMap>
+class Closed_surface
+{
+public:
+  using Mesh = TriangleMesh;
+  using Walk = std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>;
+
+  Closed_surface(const Mesh& tm,
+                 VertexPointMap point,
+                 VertexIndexMap vertex_index,
+                 FaceIndexMap face_index)
+      : tm_(tm)
+      , point_(point)
+      , vertex_index_(vertex_index)
+      , face_index_(face_index) {}
+
+  const Mesh& mesh() const { return tm_; }
+  VertexPointMap point() const { return point_; }
+  VertexIndexMap vertex_index() const { return vertex_index_; }
+  FaceIndexMap face_index() const { return face_index_; }
+
+  /// the boundary curves, of which the mesh has the caps as well, with the surface to their left.
+  std::vector<Walk> boundaries() const { return {}; }
+
+private:
+  const Mesh& tm_;
+  VertexPointMap point_;
+  VertexIndexMap vertex_index_;
+  FaceIndexMap face_index_;
+};
+
+/// The same of arrays, with the coordinates of the caller as doubles: of any surface, with the caps
+/// of one with boundary.
+class Flat_surface
+{
+  using Identity = boost::typed_identity_property_map<Index>;
+
+public:
+  using Mesh = Flat_graph;
+  using Kernel = Simple_cartesian<double>;
+  using Point = Kernel::Point_3;
+  using Loop = Loop_on_surface<Flat_graph, Point>;
+  using Pair = Handle_tunnel_pair<Flat_graph, Point>;
+  using Walk = std::vector<Flat_graph::Halfedge>;
+
+  /// \p points are those of the vertices but for the hubs. The arrays must outlive it.
+  Flat_surface(const Flat_mesh& mesh, std::vector<Point> points)
+      : graph_(mesh)
+      , points_(std::move(points)) {
+    for(Index hub = mesh.first_hub; hub < mesh.number_of_vertices(); ++hub)
+      points_.push_back(middle(mesh.ring(hub)));
+  }
+
+  const Flat_graph& mesh() const { return graph_; }
+  auto point() const { return boost::make_iterator_property_map(points_.begin(), Identity()); }
+
+  /// the indices of the caller; of the hubs, larger ones.
+  auto vertex_index() const {
+    return boost::make_iterator_property_map(graph_.mesh().original.data(), Identity());
+  }
+
+  /// with gaps.
+  struct Face_index_map
+  {
+    const Flat_mesh* mesh;
+    friend Index get(const Face_index_map& map, Flat_graph::Halfedge f) {
+      return map.mesh->row_begin[f.source] + f.place;
+    }
+  };
+  Face_index_map face_index() const { return {&graph_.mesh()}; }
+
+  /// see `Closed_surface`.
+  std::vector<Walk> boundaries() const {
+    std::vector<Walk> boundaries;
+    const Flat_mesh& mesh = graph_.mesh();
+    for(Index hub = mesh.first_hub; hub < mesh.number_of_vertices(); ++hub) {
+      Walk walk;
+      for(Index p = mesh.ring(hub).size(); p-- > 0;)
+        walk.push_back(opposite(next(Flat_graph::Halfedge{hub, p}, graph_), graph_));
+      boundaries.push_back(std::move(walk));
+    }
+    return boundaries;
+  }
+
+  /// pairs that were found on the arrays.
+  std::vector<Pair> pairs(const std::vector<Flat_pair>& found) const {
+    std::vector<Index> vertices(graph_.mesh().first_hub);
+    std::iota(vertices.begin(), vertices.end(), Index(0));
+    const Loop_converter<Flat_graph, decltype(point()), Kernel> convert(graph_, point(), Kernel(),
+                                                                        vertices);
+    std::vector<Pair> pairs;
+    for(const Flat_pair& pair : found)
+      pairs.emplace_back(away_from_boundary(convert(pair.handle, Loop_type::HANDLE, pairs.size())),
+                         away_from_boundary(convert(pair.tunnel, Loop_type::TUNNEL, pairs.size())));
+    return pairs;
+  }
+
+  /// pairs on the mesh of the caller, of which these arrays were made.
+  template <typename TriangleMesh, typename VertexIndexMap, typename PairRange>
+  std::vector<Pair>
+  pairs(const TriangleMesh& tm, VertexIndexMap index_of_caller, const PairRange& given) const {
+    const auto& original = graph_.mesh().original;
+    std::vector<Index> flat_index(1 + *std::max_element(original.begin(), original.end()));
+    for(Index v = 0; v < original.size(); ++v)
+      flat_index[original[v]] = v;
+    const auto loop = [&](const auto& l) {
+      std::vector<Loop::Step> steps;
+      for(const auto& step : l.steps())
+        if(step.halfedge == boost::graph_traits<TriangleMesh>::null_halfedge())
+          steps.push_back({{}, step.ratio});
+        else
+          steps.push_back({graph_.find(flat_index[get(index_of_caller, source(step.halfedge, tm))],
+                                       flat_index[get(index_of_caller, target(step.halfedge, tm))]),
+                           step.ratio});
+      return away_from_boundary(Loop(std::move(steps), {}, l.length(), l.type(), l.pair_index()));
+    };
+    std::vector<Pair> pairs;
+    for(const auto& pair : given)
+      pairs.emplace_back(loop(pair.handle()), loop(pair.tunnel()));
+    return pairs;
+  }
+
+private:
+  // Of what is decided by geometry, nothing depends on where a hub is.
+  Point middle(Ring curve) const {
+    double sum[3] = {0., 0., 0.};
+    for(Index v : curve)
+      for(int d = 0; d < 3; ++d)
+        sum[d] += points_[v][d] / double(curve.size());
+    return Point(sum[0], sum[1], sum[2]);
+  }
+
+  bool is_on_boundary(Index v) const {
+    const Flat_mesh& mesh = graph_.mesh();
+    const Ring ring = mesh.ring(v);
+    return std::any_of(ring.begin(), ring.end(), [&](Index u) { return mesh.is_hub(u); });
+  }
+
+  // A step on an edge that has an end on the boundary begins at the other one: walks are moved
+  // there.
+  Loop away_from_boundary(const Loop& loop) const {
+    std::vector<Loop::Step> steps = loop.steps();
+    for(Loop::Step& step : steps)
+      if(step.halfedge != Flat_graph::Halfedge() && !step.is_vertex() && 1. - step.ratio != 1. &&
+         is_on_boundary(step.halfedge.source))
+        step = {opposite(step.halfedge, graph_), 1. - step.ratio};
+    return Loop(std::move(steps), loop.points(), loop.length(), loop.type(), loop.pair_index());
+  }
+
+  Flat_graph graph_;
+  std::vector<Point> points_; // by vertex, hubs included
+};
+
+} // namespace internal
+} // namespace Handle_tunnel_loops
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_SURFACE_H
