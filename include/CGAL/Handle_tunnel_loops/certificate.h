@@ -57,9 +57,10 @@ surface need not be connected. Almost linear in the size of the mesh where the l
 
 What is independent of what: whether the loops are a basis is decided by code that shares no
 algorithm with what finds loops, only how work is dealt out to threads; where there is a boundary,
-also what makes arrays of the mesh, of which the capped surface is made. That the loops of a pair
+also the arrays of the mesh, which have its caps. That the loops of a pair
 cross once, and what is said of inside and outside, rest on one computation of intersection and
-linking numbers, which finds no loops either. The names are not checked independently of the solver:
+linking numbers, which finds no loops either: here, of these loops on this mesh; in a solver, of the
+loops that became these, on the arrays. The names are not checked independently of the solver:
 it names the loops by the same linking numbers and the same function that decides here whether they
 have each other's names. So this part of the check is one for loops that come from elsewhere.
 
