@@ -7,9 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "Font.h"
-
-#include "picture.h"
+#include "Text_layer.h"
 
 #ifdef HTL_PICTURE_HAS_FONT
 
