@@ -41,6 +41,12 @@ struct Box
                (std::max)(high.z(), p.z()))};
   }
 
+  /// the corner that is high along the axes whose bits are set.
+  Vector corner(int bits) const {
+    return Vector((bits & 1) != 0 ? high.x() : low.x(), (bits & 2) != 0 ? high.y() : low.y(),
+                  (bits & 4) != 0 ? high.z() : low.z());
+  }
+
   /// the box whose faces are further out.
   Box grown(double distance) const {
     const Vector d(distance, distance, distance);
@@ -61,6 +67,12 @@ public:
 inline Vector point_of(const Soup& soup, std::uint32_t v) {
   const auto& [x, y, z] = soup.points[v];
   return Vector(x, y, z);
+}
+
+/// returns the number of the point.
+inline std::uint32_t add_point(Soup& soup, const Vector& p) {
+  soup.points.push_back({p.x(), p.y(), p.z()});
+  return static_cast<std::uint32_t>(soup.points.size() - 1);
 }
 
 inline double mean_edge_length(const Soup& soup) {

@@ -9,16 +9,16 @@
 
 #include "Shape.h"
 
-#include "isosurface.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -28,16 +28,13 @@ namespace Handle_tunnel_loops {
 namespace generators {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t fewest_shape_faces = 100;
-
-double dot(const Vector& a, const Vector& b) { return a * b; }
 
 // How far a point is from a segment.
 double segment_distance(const Vector& p, const Vector& a, const Vector& b) {
   const Vector along = b - a, from = p - a;
   const double square = along.squared_length();
-  const double t = square > 0. ? std::clamp(dot(from, along) / square, 0., 1.) : 0.;
+  const double t = square > 0. ? std::clamp((from * along) / square, 0., 1.) : 0.;
   return length(from - t * along);
 }
 
@@ -47,7 +44,7 @@ double edge_radius(double wanted, double extent) { return (std::min)(wanted, ext
 double cylinder_distance(
     const Vector& p, const Vector& a, const Vector& b, double radius, double rounding) {
   const Vector axis = unit(b - a), from = p - a;
-  const double along = dot(from, axis), half = length(b - a) / 2.;
+  const double along = from * axis, half = length(b - a) / 2.;
   const double edge = edge_radius(rounding, (std::min)(radius, half));
   const double outside = length(from - along * axis) - radius + edge;
   const double beyond = std::abs(along - half) - half + edge;
@@ -68,7 +65,7 @@ double block_distance(const Vector& p, const Vector& low, const Vector& high, do
 
 double ring_distance(const Vector& p, const Vector& middle, const Vector& axis, double radius) {
   const Vector from = p - middle;
-  const double along = dot(from, axis);
+  const double along = from * axis;
   return std::hypot(length(from - along * axis) - radius, along);
 }
 
@@ -105,7 +102,7 @@ double curve_distance(const Vector& p, const std::vector<Vector>& curve) {
 }
 
 Vector turned(const Vector& p, const Vector& axis, double angle) {
-  const Vector along = dot(p, axis) * axis, across = p - along;
+  const Vector along = (p * axis) * axis, across = p - along;
   return along + std::cos(angle) * across + std::sin(angle) * CGAL::cross_product(axis, across);
 }
 
@@ -290,7 +287,8 @@ private:
           result.push_back([=](const Vector& p) { return motion(p) - double(i) * first; });
         else
           result.push_back([=](const Vector& p) {
-            return first + turned(motion(p) - first, direction, -2. * pi * i / std::floor(count));
+            return first +
+                   turned(motion(p) - first, direction, -2. * CGAL_PI * i / std::floor(count));
           });
     return result;
   }
@@ -362,7 +360,7 @@ private:
     constexpr int steps = 300;
     std::vector<Vector> curve;
     for(int i = 0; i <= steps; ++i) {
-      const double t = 2. * pi * (i % steps) / steps;
+      const double t = 2. * CGAL_PI * (i % steps) / steps;
       const double away = radius + small * std::cos(q * t);
       curve.emplace_back(away * std::cos(p * t), away * std::sin(p * t), small * std::sin(q * t));
     }
@@ -384,11 +382,8 @@ private:
                                         motion(Vector(0., 1., 0.)) - origin,
                                         motion(Vector(0., 0., 1.)) - origin};
     for(int corner = 0; corner < 8; ++corner) {
-      const Vector at((corner & 1) != 0 ? box.high.x() : box.low.x(),
-                      (corner & 2) != 0 ? box.high.y() : box.low.y(),
-                      (corner & 4) != 0 ? box.high.z() : box.low.z());
-      const Vector from = at - origin;
-      const Vector place(dot(rows[0], from), dot(rows[1], from), dot(rows[2], from));
+      const Vector from = box.corner(corner) - origin;
+      const Vector place(rows[0] * from, rows[1] * from, rows[2] * from);
       shape_.box_ = has_box_ ? shape_.box_.with(place) : Box{place, place};
       has_box_ = true;
     }
@@ -445,10 +440,9 @@ std::vector<Kind> kinds_of_shapes() {
     const Shape shape(text);
     descriptions.push_back(shape.description() + "; genus " + std::to_string(*shape.genus()));
     kinds.push_back({name, descriptions.back().c_str(),
-                     [name = name, text = text](const Request& request) {
-                       const Shape described(text);
-                       require_genus(request, name, *described.genus());
-                       return mesh_of_shape(described, request, name);
+                     [name = name, shape](const Request& request) {
+                       require_genus(request, name, *shape.genus());
+                       return mesh_of_shape(shape, request, name);
                      },
                      GENUS, shape.faces(), *shape.genus()});
   }

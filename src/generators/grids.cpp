@@ -14,9 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,29 +25,23 @@ namespace {
 
 /// A number of holes in rows, as close to a square as it goes: the first rows have one hole more
 /// than the others if the number does not divide.
-class Hole_rows
+struct Hole_rows
 {
-public:
-  explicit Hole_rows(std::size_t holes)
-      : rows_(static_cast<std::size_t>(std::lround(std::sqrt(double(holes)))))
-      , holes_(holes) {
-    rows_ = (std::max<std::size_t>)(rows_, 1);
-  }
-
-  std::size_t rows() const { return rows_; }
+  explicit Hole_rows(std::size_t number)
+      : holes(number)
+      , rows((std::max)(1l, std::lround(std::sqrt(double(number))))) {}
 
   /// of the longest rows; at least one, as if for a hole that is not there.
-  std::size_t columns() const { return (std::max<std::size_t>)((holes_ + rows_ - 1) / rows_, 1); }
+  std::size_t columns() const { return (std::max<std::size_t>)((holes + rows - 1) / rows, 1); }
 
   /// the number of rows that have `columns()` holes.
-  std::size_t full_rows() const { return holes_ % rows_ == 0 ? rows_ : holes_ % rows_; }
+  std::size_t full_rows() const { return holes % rows == 0 ? rows : holes % rows; }
 
   std::size_t holes_in_row(std::size_t row) const {
-    return holes_ / rows_ + (row < holes_ % rows_ ? 1 : 0);
+    return holes / rows + (row < holes % rows ? 1 : 0);
   }
 
-private:
-  std::size_t rows_, holes_;
+  std::size_t holes, rows;
 };
 
 /// A flat slab with round holes at distance one, its rims rounded.
@@ -58,7 +51,7 @@ public:
   explicit Slab(std::size_t holes)
       : rows_(holes)
       , full_rows_(static_cast<double>(rows_.full_rows()))
-      , short_rows_(static_cast<double>(rows_.rows()) - full_rows_) {}
+      , short_rows_(static_cast<double>(rows_.rows) - full_rows_) {}
 
   // The points within the rim's radius of a flat region, which is the outline without the holes,
   // made smaller by that radius.
@@ -70,7 +63,7 @@ public:
   Box box() const override {
     const double x = rows_.columns() / 2. + margin;
     return {Vector(-x, -0.5 - margin, -rim_radius),
-            Vector(x, rows_.rows() - 0.5 + margin, rim_radius)};
+            Vector(x, rows_.rows - 0.5 + margin, rim_radius)};
   }
 
 private:
@@ -100,7 +93,7 @@ private:
   /// the distance into the nearest hole, negative outside of it.
   double hole(double x, double y) const {
     double nearest = std::numeric_limits<double>::infinity();
-    const double last_row = static_cast<double>(rows_.rows()) - 1.;
+    const double last_row = static_cast<double>(rows_.rows) - 1.;
     for(const double beside : {std::floor(y), std::floor(y) + 1.}) {
       const double row = std::clamp(beside, 0., last_row);
       const double count = static_cast<double>(rows_.holes_in_row(static_cast<std::size_t>(row)));
@@ -117,11 +110,6 @@ private:
   double full_rows_, short_rows_;
 };
 
-Soup make_multi_torus(const Request& request) {
-  require_faces(request, "multi-torus", 200 + 200 * request.genus);
-  return mesh_of_field(Slab(request.genus), request, "multi-torus");
-}
-
 /// A block of unit cubes with square holes through its whole depth. Holes and walls are equally
 /// wide, so two holes never touch, not even at an edge, and the surface is manifold.
 class Drilled_block
@@ -131,7 +119,7 @@ public:
       : rows_(holes)
       , hole_width_(hole_width)
       , width_(hole_width * (2 * rows_.columns() + 1))
-      , height_(hole_width * (2 * rows_.rows() + 1))
+      , height_(hole_width * (2 * rows_.rows + 1))
       , top_faces_(2 * (width_ * height_ - holes * hole_width * hole_width))
       , ring_faces_(2 * (2 * (width_ + height_) + 4 * holes * hole_width)) {}
 
@@ -159,14 +147,9 @@ private:
   std::size_t top_faces_, ring_faces_; // of one of the two caps; of the walls, per unit of depth
 };
 
-struct Block_size
-{
-  std::size_t hole_width, depth;
-};
-
-/// of the blocks with about a number of faces, the one that is closest to a cube.
-Block_size choose_size(std::size_t holes, std::size_t faces) {
-  Block_size best = {1, 1};
+/// of the blocks with about a number of faces, the one that is closest to a cube, and its depth.
+std::pair<Drilled_block, std::size_t> choose_block(std::size_t holes, std::size_t faces) {
+  std::pair<Drilled_block, std::size_t> best = {Drilled_block(holes, 1), 1};
   double least_error = std::numeric_limits<double>::infinity();
   for(std::size_t hole_width = 1;; ++hole_width) {
     const Drilled_block block(holes, hole_width);
@@ -176,7 +159,7 @@ Block_size choose_size(std::size_t holes, std::size_t faces) {
     const double error = std::abs(std::log(double(depth) / block.width()));
     if(error < least_error) {
       least_error = error;
-      best = {hole_width, depth};
+      best = {block, depth};
     }
   }
 }
@@ -205,10 +188,10 @@ public:
 
 private:
   /// The vertices above a point of the plane grid: at the bottom, at the top and, on a wall, at the
-  /// heights between, which are consecutive.
+  /// heights between, which follow that at the bottom.
   struct Column
   {
-    std::uint32_t bottom = 0, top = 0, first_between = 0;
+    std::uint32_t bottom = 0, top = 0;
   };
 
   std::size_t grid_index(std::size_t x, std::size_t y) const {
@@ -225,23 +208,17 @@ private:
         if(solid == 0)
           continue;
         Column& column = columns_[grid_index(x, y)];
-        column.bottom = add_point(x, y, 0);
-        column.first_between = column.bottom + 1;
+        column.bottom = add_point(soup_, Vector(x, y, 0));
         if(solid < 4)
           for(std::uint32_t z = 1; z < depth_; ++z)
-            add_point(x, y, z);
-        column.top = add_point(x, y, depth_);
+            add_point(soup_, Vector(x, y, z));
+        column.top = add_point(soup_, Vector(x, y, depth_));
       }
-  }
-
-  std::uint32_t add_point(std::size_t x, std::size_t y, std::uint32_t z) {
-    soup_.points.push_back({double(x), double(y), double(z)});
-    return static_cast<std::uint32_t>(soup_.points.size() - 1);
   }
 
   std::uint32_t vertex(std::size_t x, std::size_t y, std::uint32_t z) const {
     const Column& column = columns_[grid_index(x, y)];
-    return z == 0 ? column.bottom : z == depth_ ? column.top : column.first_between + (z - 1);
+    return z == depth_ ? column.top : column.bottom + z;
   }
 
   void add_square(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -286,25 +263,18 @@ private:
   std::vector<Column> columns_;
 };
 
-Soup make_sponge(const Request& request) {
-  require_faces(request, "sponge", Drilled_block(request.genus, 1).faces(1));
-  const Block_size size = choose_size(request.genus, request.faces);
-  const Drilled_block block(request.genus, size.hole_width);
-  return Block_surface(block, size.depth, request.seed).take();
-}
-
 } // namespace
 
-const Kind multi_torus_kind = {
-    "multi-torus",
-    "a flat rounded slab with a hole for each handle; any genus g, from 200 + 200 g faces",
-    make_multi_torus};
+Soup make_multi_torus(const Request& request) {
+  require_faces(request, "multi-torus", 200 + 200 * request.genus);
+  return mesh_of_field(Slab(request.genus), request, "multi-torus");
+}
 
-const Kind sponge_kind = {
-    "sponge",
-    "a block of cubes with a square hole through it for each handle, with flat faces and sharp "
-    "edges; any genus g, from about 60 + 30 g faces",
-    make_sponge};
+Soup make_sponge(const Request& request) {
+  require_faces(request, "sponge", Drilled_block(request.genus, 1).faces(1));
+  const auto [block, depth] = choose_block(request.genus, request.faces);
+  return Block_surface(block, depth, request.seed).take();
+}
 
 } // namespace generators
 } // namespace Handle_tunnel_loops

@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -184,66 +183,54 @@ Flippable_triangulation random_triangulation(std::size_t genus, std::size_t face
   return surface;
 }
 
-/// Ways to place the vertices of a surface, from a cloud of points to nearly degenerate.
-class Random_placement
-{
-public:
-  Random_placement(Soup& soup, Random& random)
-      : soup_(soup)
-      , random_(random) {
-    for(auto& point : soup_.points)
-      for(double& x : point)
-        x = random_.uniform(-1., 1.);
+/// moves vertices together that are close on the surface.
+void pull_together(Soup& soup, Random& random) {
+  relax(soup, 5 + static_cast<int>(random.below(30)));
+  for(int axis = 0; axis < 3; ++axis) {
+    double largest = 0.;
+    for(const auto& point : soup.points)
+      largest = (std::max)(largest, std::abs(point[axis]));
+    for(auto& point : soup.points)
+      point[axis] /= largest > 0. ? largest : 1.;
   }
+}
 
-  /// moves vertices together that are close on the surface.
-  void relax() {
-    generators::relax(soup_, 5 + static_cast<int>(random_.below(30)));
-    for(int axis = 0; axis < 3; ++axis) {
-      double largest = 0.;
-      for(const auto& point : soup_.points)
-        largest = (std::max)(largest, std::abs(point[axis]));
-      for(auto& point : soup_.points)
-        point[axis] /= largest > 0. ? largest : 1.;
-    }
+/// makes the surface very small or very large, and flat.
+void flatten(Soup& soup, Random& random) {
+  const double scale = std::pow(10., random.uniform(-9., 9.));
+  const std::array<double, 3> stretch = {scale, scale, scale * 1e-6};
+  for(auto& point : soup.points)
+    for(int axis = 0; axis < 3; ++axis)
+      point[axis] *= stretch[axis];
+}
+
+/// moves vertices almost, or quite, onto neighbours.
+void collapse_edges(Soup& soup, Random& random) {
+  for(std::size_t i = 0; i < soup.points.size() / 3; ++i) {
+    const Triangle& triangle = soup.triangles[random.below(soup.triangles.size())];
+    const double rest = random.below(4) == 0 ? 0. : std::pow(10., random.uniform(-12., -1.));
+    auto& moved = soup.points[triangle[0]];
+    const auto& target = soup.points[triangle[1]];
+    for(int axis = 0; axis < 3; ++axis)
+      moved[axis] = target[axis] + rest * (moved[axis] - target[axis]);
   }
+}
 
-  /// makes the surface very small or very large, and flat.
-  void flatten() {
-    const double scale = std::pow(10., random_.uniform(-9., 9.));
-    const std::array<double, 3> stretch = {scale, scale, scale * 1e-6};
-    for(auto& point : soup_.points)
-      for(int axis = 0; axis < 3; ++axis)
-        point[axis] *= stretch[axis];
-  }
-
-  /// moves vertices almost, or quite, onto neighbours.
-  void collapse_edges() {
-    for(std::size_t i = 0; i < soup_.points.size() / 3; ++i) {
-      const Triangle& triangle = soup_.triangles[random_.below(soup_.triangles.size())];
-      const double rest = random_.below(4) == 0 ? 0. : std::pow(10., random_.uniform(-12., -1.));
-      auto& moved = soup_.points[triangle[0]];
-      const auto& target = soup_.points[triangle[1]];
-      for(int axis = 0; axis < 3; ++axis)
-        moved[axis] = target[axis] + rest * (moved[axis] - target[axis]);
-    }
-  }
-
-private:
-  Soup& soup_;
-  Random& random_;
-};
-
+/// from a cloud of points to nearly degenerate.
 void place_vertices(Soup& soup, Random& random) {
-  Random_placement placement(soup, random);
+  for(auto& point : soup.points)
+    for(double& x : point)
+      x = random.uniform(-1., 1.);
   const std::size_t manner = random.below(4);
   if(manner != 0)
-    placement.relax();
+    pull_together(soup, random);
   if(manner == 2)
-    placement.flatten();
+    flatten(soup, random);
   if(manner == 3)
-    placement.collapse_edges();
+    collapse_edges(soup, random);
 }
+
+} // namespace
 
 Soup make_random(const Request& request) {
   // The smallest sphere has 4 triangles, the smallest torus 14; each further torus replaces one
@@ -259,15 +246,6 @@ Soup make_random(const Request& request) {
   place_vertices(soup, random);
   return permute_vertices(soup, static_cast<unsigned>(random.next()));
 }
-
-} // namespace
-
-const Kind random_kind = {
-    "random",
-    "a random triangulation with random points, often ugly and never embedded: scattered, smooth, "
-    "flat at any scale, or with slivers and coincident points; any genus g, from 4 faces (g = 0) "
-    "or 2 + 12 g faces",
-    make_random};
 
 } // namespace generators
 } // namespace Handle_tunnel_loops
