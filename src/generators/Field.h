@@ -28,6 +28,14 @@ using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 inline double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 inline Vector unit(const Vector& v) { return v / length(v); }
 
+/// how far a point is from a segment.
+inline double segment_distance(const Vector& p, const Vector& a, const Vector& b) {
+  const Vector along = b - a, from = p - a;
+  const double square = along.squared_length();
+  const double t = square > 0. ? std::clamp((from * along) / square, 0., 1.) : 0.;
+  return length(from - t * along);
+}
+
 /// An axis-parallel box.
 struct Box
 {

@@ -30,14 +30,6 @@ namespace {
 
 constexpr std::size_t fewest_shape_faces = 100;
 
-// How far a point is from a segment.
-double segment_distance(const Vector& p, const Vector& a, const Vector& b) {
-  const Vector along = b - a, from = p - a;
-  const double square = along.squared_length();
-  const double t = square > 0. ? std::clamp((from * along) / square, 0., 1.) : 0.;
-  return length(from - t * along);
-}
-
 // The radius that an edge may have where the least extent of a part, from its middle, is known.
 double edge_radius(double wanted, double extent) { return (std::min)(wanted, extent / 2.); }
 
@@ -67,11 +59,6 @@ double ring_distance(const Vector& p, const Vector& middle, const Vector& axis, 
   const Vector from = p - middle;
   const double along = from * axis;
   return std::hypot(length(from - along * axis) - radius, along);
-}
-
-double least_half_extent(const Box& box) {
-  const Vector size = box.high - box.low;
-  return (std::min)({size.x(), size.y(), size.z()}) / 2.;
 }
 
 // A smooth curve through points (Catmull and Rom), as many short segments.
@@ -323,7 +310,8 @@ private:
       const Vector a = point(), b = point();
       const double rounding = number();
       const Box box = Box{a, a}.with(b);
-      const double room = least_half_extent(box);
+      const Vector size = box.high - box.low;
+      const double room = (std::min)({size.x(), size.y(), size.z()}) / 2.;
       return {[=](const Vector& p, double edge) {
                 return block_distance(p, box.low, box.high,
                                       (std::max)(rounding, edge_radius(edge, room)));

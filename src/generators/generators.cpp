@@ -28,10 +28,6 @@ namespace Handle_tunnel_loops {
 namespace generators {
 namespace {
 
-[[noreturn]] void refuse(const char* kind, const std::string& why) {
-  throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' " + why);
-}
-
 const Kind own_kinds[] = {
     {"sphere", "a sphere, a subdivided icosahedron; genus 0, from 4 faces", make_sphere, GENUS,
      10000, 0},
@@ -137,6 +133,10 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
+void refuse(const char* kind, const std::string& why) {
+  throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' " + why);
+}
+
 void require_faces(const Request& request, const char* kind, double least) {
   // Three halfedges per face, numbered with 32 bits of which one may be a flag.
   constexpr double most = 700000000;
@@ -159,12 +159,6 @@ void require_least_genus(const Request& request, const char* kind, std::size_t l
   if(request.genus < least)
     refuse(kind,
            "has genus " + std::to_string(least) + " or more, not " + std::to_string(request.genus));
-}
-
-void require_parts(const Request& request, const char* kind) {
-  if(request.parts == 0)
-    refuse(kind, "has a part");
-  require_least_genus(request, kind, request.parts);
 }
 
 bool is_connected_of_genus(const Soup& soup, std::size_t genus) {

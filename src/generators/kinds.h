@@ -12,6 +12,8 @@
 
 #include "generators.h"
 
+#include <string>
+
 namespace CGAL {
 namespace Handle_tunnel_loops {
 namespace generators {
@@ -38,6 +40,9 @@ Soup make_twins(const Request& request);
 Soup make_hollow(const Request& request);
 Soup make_random(const Request& request);
 
+/// throws `std::invalid_argument`: "a mesh of the kind '...' ", and why there is none.
+[[noreturn]] void refuse(const char* kind, const std::string& why);
+
 /// throws `std::invalid_argument` if fewer faces are asked for than the kind needs at this genus,
 /// or more than 32-bit indices can count.
 void require_faces(const Request& request, const char* kind, double least);
@@ -47,9 +52,6 @@ void require_genus(const Request& request, const char* kind, std::size_t only);
 
 /// throws `std::invalid_argument` if a smaller genus is asked for.
 void require_least_genus(const Request& request, const char* kind, std::size_t least);
-
-/// throws `std::invalid_argument` unless there are parts, and each can have a handle.
-void require_parts(const Request& request, const char* kind);
 
 /// whether a closed manifold mesh is connected and has the given genus.
 bool is_connected_of_genus(const Soup& soup, std::size_t genus);

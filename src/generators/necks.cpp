@@ -134,7 +134,7 @@ Soup wall(const Request& request, const char* kind, Random& random) {
   require_faces(request, kind,
                 2 * Rounded_body::least_faces(request.genus) + 3 * faces_of_neck * request.necks);
   if(request.necks == 0)
-    throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' has a neck");
+    refuse(kind, "has a neck");
   // The bump is below, so that what is above is a cap of a ball.
   const Rounded_body body(request.genus, random.uniform(0., 2. * CGAL_PI),
                           {{Vector(0.1, 0., -0.6), 0.55}});

@@ -163,7 +163,9 @@ using Corners = std::vector<std::size_t>;
 /// the parts that `make_part(corners, place, random)` makes beside each other; it moves the place.
 template <typename MakePart>
 Soup make_parts(const Request& request, const char* kind, const MakePart& make_part) {
-  require_parts(request, kind);
+  if(request.parts == 0)
+    refuse(kind, "has a part");
+  require_least_genus(request, kind, request.parts);
   require_faces(request, kind, least_faces(request.parts, request.genus));
   Random random(request.seed);
   const Corners corners = choose_corners(request.parts, request.genus, request.faces, random);

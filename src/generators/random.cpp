@@ -34,30 +34,25 @@ public:
   using Triangle = std::array<Index, 3>;
 
   Flippable_triangulation(const std::vector<Triangle>& triangles, Index number_of_vertices)
-      : number_of_vertices_(number_of_vertices) {
-    for(const Triangle& triangle : triangles)
-      source_.insert(source_.end(), triangle.begin(), triangle.end());
+      : number_of_vertices_(number_of_vertices)
+      , triangles_(triangles) {
     pair_halfedges();
   }
 
   Index number_of_vertices() const { return number_of_vertices_; }
-  std::size_t number_of_triangles() const { return source_.size() / 3; }
-  std::size_t number_of_halfedges() const { return source_.size(); }
-  Triangle triangle(std::size_t t) const {
-    return {source_[3 * t], source_[3 * t + 1], source_[3 * t + 2]};
-  }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
 
   /// replaces an edge by the other diagonal of its two triangles, unless that is an edge already.
   bool flip(Index h) {
     const Index g = opposite_[h];
     const Index hn = next(h), hp = next(hn), gn = next(g), gp = next(gn);
-    const Index a = source_[h], b = source_[g], c = source_[hp], d = source_[gp];
+    const Index a = source(h), b = source(g), c = source(hp), d = source(gp);
     if(!edges_.insert(key(c, d)).second)
       return false;
     edges_.erase(key(a, b));
     // Triangle (a, b, c) becomes (d, b, c), triangle (b, a, d) becomes (c, a, d).
-    source_[h] = d;
-    source_[g] = c;
+    source(h) = d;
+    source(g) = c;
     const Index beyond_hp = opposite_[hp], beyond_gp = opposite_[gp];
     link(h, beyond_gp);
     link(g, beyond_hp);
@@ -67,12 +62,12 @@ public:
 
   /// puts a new vertex into a triangle.
   void split_triangle(Index t) {
-    const auto [a, b, c] = triangle(t);
+    const auto [a, b, c] = triangles_[t];
     const Index v = number_of_vertices_++;
     const Index ab = 3 * t, bc = ab + 1, ca = ab + 2;
     const Index beyond_bc = opposite_[bc], beyond_ca = opposite_[ca];
     const Index second = add_triangle({b, c, v}), third = add_triangle({c, a, v});
-    source_[ca] = v; // (a, b, c) becomes (a, b, v)
+    source(ca) = v; // (a, b, c) becomes (a, b, v)
     link(second, beyond_bc);
     link(third, beyond_ca);
     link(bc, second + 2);
@@ -83,6 +78,7 @@ public:
   }
 
 private:
+  Index& source(Index h) { return triangles_[h / 3][h % 3]; }
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
   static std::uint64_t key(Index a, Index b) {
@@ -95,17 +91,16 @@ private:
   }
 
   Index add_triangle(const Triangle& triangle) {
-    const Index first = static_cast<Index>(source_.size());
-    source_.insert(source_.end(), triangle.begin(), triangle.end());
-    opposite_.resize(source_.size());
-    return first;
+    triangles_.push_back(triangle);
+    opposite_.resize(3 * triangles_.size());
+    return static_cast<Index>(opposite_.size() - 3);
   }
 
   void pair_halfedges() {
-    opposite_.resize(source_.size());
+    opposite_.resize(3 * triangles_.size());
     std::unordered_map<std::uint64_t, Index> waiting; // by edge: the halfedge that was seen first
-    for(Index h = 0; h < source_.size(); ++h) {
-      const std::uint64_t edge = key(source_[h], source_[next(h)]);
+    for(Index h = 0; h < opposite_.size(); ++h) {
+      const std::uint64_t edge = key(source(h), source(next(h)));
       const auto [it, is_first] = waiting.try_emplace(edge, h);
       if(!is_first)
         link(it->second, h);
@@ -114,7 +109,8 @@ private:
   }
 
   Index number_of_vertices_;
-  std::vector<Index> source_, opposite_;
+  std::vector<Triangle> triangles_;
+  std::vector<Index> opposite_;
   std::unordered_set<std::uint64_t> edges_;
 };
 
@@ -165,7 +161,7 @@ void add_handle(Surface& surface, std::size_t t) {
 
 void flip_edges(Flippable_triangulation& surface, std::size_t times, Random& random) {
   for(std::size_t i = 0; i < times; ++i)
-    surface.flip(static_cast<std::uint32_t>(random.below(surface.number_of_halfedges())));
+    surface.flip(static_cast<std::uint32_t>(random.below(3 * surface.triangles().size())));
 }
 
 Flippable_triangulation random_triangulation(std::size_t genus, std::size_t faces, Random& random) {
@@ -174,12 +170,12 @@ Flippable_triangulation random_triangulation(std::size_t genus, std::size_t face
     add_handle(start, random.below(start.triangles.size()));
 
   Flippable_triangulation surface(start.triangles, start.number_of_vertices);
-  while(surface.number_of_triangles() + 2 <= faces) {
-    surface.split_triangle(static_cast<std::uint32_t>(random.below(surface.number_of_triangles())));
+  while(surface.triangles().size() + 2 <= faces) {
+    surface.split_triangle(static_cast<std::uint32_t>(random.below(surface.triangles().size())));
     flip_edges(surface, 2, random);
   }
   // From hardly mixed to thoroughly.
-  flip_edges(surface, surface.number_of_halfedges() * random.below(4), random);
+  flip_edges(surface, 3 * surface.triangles().size() * random.below(4), random);
   return surface;
 }
 
@@ -240,8 +236,7 @@ Soup make_random(const Request& request) {
   Random random(request.seed);
   const auto surface = random_triangulation(request.genus, request.faces, random);
   Soup soup;
-  for(std::size_t t = 0; t < surface.number_of_triangles(); ++t)
-    soup.triangles.push_back(surface.triangle(t));
+  soup.triangles = surface.triangles();
   soup.points.resize(surface.number_of_vertices());
   place_vertices(soup, random);
   return permute_vertices(soup, static_cast<unsigned>(random.next()));

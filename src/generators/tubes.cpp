@@ -124,8 +124,10 @@ public:
       bin = bin * bins_[axis] + static_cast<std::size_t>(std::clamp(index, 0., bins_[axis] - 1.));
     }
     double sum = 0.;
-    for(const std::uint32_t s : near_[bin])
-      sum += std::exp(-(distance(p, segments_[s]) + lacking_[s]) / blend);
+    for(const std::uint32_t s : near_[bin]) {
+      const auto& [a, b] = segments_[s];
+      sum += std::exp(-(segment_distance(p, a, b) + lacking_[s]) / blend);
+    }
     // Further tubes are at least reach - radius away from all points of the bin.
     const double far = reach - radius_;
     return sum > 0. ? (std::min)(-blend * std::log(sum) - radius_, far) : far;
@@ -133,12 +135,6 @@ public:
 
 private:
   static constexpr double blend = 0.035, reach = 0.42, bin_side = 1. / 3.;
-
-  static double distance(const Vector& p, const Segment& segment) {
-    const Vector along = segment.second - segment.first, from = p - segment.first;
-    const double t = std::clamp((from * along) / along.squared_length(), 0., 1.);
-    return length(from - t * along);
-  }
 
   /// those closer than `reach` to a point of a bin, for each bin of the box.
   void list_segments_near_bins() {
@@ -161,7 +157,7 @@ private:
         for(std::size_t j = first[1]; j <= last[1]; ++j)
           for(std::size_t i = first[0]; i <= last[0]; ++i) {
             const Vector centre = box_.low + bin_side * Vector(i + 0.5, j + 0.5, k + 0.5);
-            if(distance(centre, segments_[s]) <= reach + half_diagonal)
+            if(segment_distance(centre, a, b) <= reach + half_diagonal)
               near_[(k * bins_[1] + j) * bins_[0] + i].push_back(s);
           }
     }
