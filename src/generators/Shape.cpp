@@ -23,9 +23,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 constexpr std::size_t fewest_shape_faces = 100;
@@ -437,6 +435,4 @@ std::vector<Kind> kinds_of_shapes() {
   return kinds;
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A number of holes in rows, as close to a square as it goes: the first rows have one hole more
@@ -276,6 +274,4 @@ Soup make_sponge(const Request& request) {
   return Block_surface(block, depth, request.seed).take();
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

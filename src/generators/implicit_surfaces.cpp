@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A node of the net srs, in units of an eighth of the period.
@@ -345,6 +343,4 @@ Soup make_waves(const Request& request) {
   return mesh_of_field(Waves_in_box(static_cast<double>(f), random), request.faces);
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

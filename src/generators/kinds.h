@@ -14,9 +14,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 // What makes a mesh of the kind of that name.
 Soup make_sphere(const Request& request);
@@ -56,8 +54,6 @@ void require_least_genus(const Request& request, const char* kind, std::size_t l
 /// whether a closed manifold mesh is connected and has the given genus.
 bool is_connected_of_genus(const Soup& soup, std::size_t genus);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_KINDS_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// whether no point is inside a solid. What it is too tedious to be sure of is not empty.
@@ -227,6 +225,4 @@ Soup mesh_of_field(const Field& field, std::size_t faces) {
   return fitted(lattice_mesh(field, faces), field);
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

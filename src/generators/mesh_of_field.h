@@ -12,9 +12,7 @@
 
 #include "Field.h"
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// meshes a solid whose surface is connected and has the genus asked for, with about as many faces
 /// as asked for and even triangles. Throws `std::invalid_argument` if the faces are too few to show
@@ -56,8 +54,6 @@ Soup isosurface(const Field& field, double spacing, std::size_t expected_faces =
 /// making a mesh.
 bool crosses_itself(const Soup& soup);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_MESH_OF_FIELD_H

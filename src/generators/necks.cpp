@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// Two surfaces with the same vertices and triangles, the second one turned over, between which
@@ -174,6 +172,4 @@ Soup make_hollow(const Request& request) {
   return joined_at_random(walls, request, random, [](std::uint32_t) { return true; });
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -20,9 +20,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A closed oriented combinatorial surface that stays a simplicial complex while it is changed.
@@ -242,6 +240,4 @@ Soup make_random(const Request& request) {
   return permute_vertices(soup, static_cast<unsigned>(random.next()));
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A polyhedron with triangular faces whose vertices lie on a sphere around the origin.
@@ -134,6 +132,4 @@ Soup make_sphere(const Request& request) {
   return Sphere_builder(best_base, static_cast<std::uint32_t>(best_n)).take();
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

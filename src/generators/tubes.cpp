@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 using Segment = std::pair<Vector, Vector>;
@@ -273,6 +271,4 @@ Soup make_shell(const Request& request) {
        reversed(mesh_of_field(Tubes(inner, inner_radius), {inner_faces, inner_genus}, "shell"))});
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
