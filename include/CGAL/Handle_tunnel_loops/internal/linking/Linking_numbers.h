@@ -14,9 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <CGAL/assertions.h>
 

@@ -14,11 +14,11 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/space_filling_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
