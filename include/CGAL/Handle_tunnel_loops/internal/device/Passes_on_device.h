@@ -131,6 +131,7 @@ private:
   // The answer of the device, or that of the processor if the device fails.
   template <typename Function>
   std::invoke_result_t<Function, Host_backend&> run(const Function& f) {
+    CGAL_assertion((device_ != nullptr) != host_.has_value());
     if(device_)
       try {
         return f(*device_);
@@ -144,8 +145,10 @@ private:
   template <typename Function>
   std::invoke_result_t<Function, Host_backend&> run_on_times(const Function& f) {
     return run([&](auto& backend) {
-      if(!device_ && !host_->has_arrival_times())
+      if(!device_ && !host_->has_arrival_times()) {
+        CGAL_assertion_msg(repeat_ != nullptr, "there was no initial field");
         repeat_();
+      }
       return f(backend);
     });
   }
