@@ -15,9 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/connected_components.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -111,9 +108,9 @@ The fronts: the components of the boundary of a region (paper, section 5).
 
 The boundary has a piece in each triangle with one or two covered vertices. These are the nodes of a
 graph; they are adjacent where they share a crossed edge, and its connected components are the
-fronts. Each is a simple closed curve, however coarse the mesh. (A triangle with vertices that are
-covered but not linked may have more than one piece. So the nodes are the places at which the
-boundary comes into a triangle.)
+fronts. Each is a simple closed curve, however coarse the mesh, so that it is found by following it.
+(A triangle with vertices that are covered but not linked may have more than one piece. So the nodes
+are the places at which the boundary comes into a triangle.)
 */
 class Fronts
 {
@@ -122,12 +119,13 @@ public:
       : region_(region)
       , node_(region.mesh().neighbor.size(), no_index) {
     find_nodes();
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
-    Graph graph(crossings_.size());
-    for(Index i = 0; i < crossings_.size(); ++i)
-      boost::add_edge(i, node(region.next(crossings_[i])), graph);
-    front_.resize(crossings_.size());
-    number_ = static_cast<Index>(boost::connected_components(graph, front_.data()));
+    front_.resize(crossings_.size(), no_index);
+    for(const Crossing& start : crossings_)
+      if(front(start) == no_index) {
+        for(const Crossing& c : loop(start))
+          front_[node(c)] = number_;
+        ++number_;
+      }
   }
 
   Index number_of_fronts() const { return number_; }
