@@ -24,8 +24,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstdint>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -96,8 +94,7 @@ OutputIterator dual_cuts(const TriangleMesh& tm,
   const impl::Prepared_surface surface(execution, tm, vertex_index, point);
   const impl::Flat_mesh& mesh = surface.mesh;
   const auto& vertices = surface.vertices;
-  impl::Cut_request<TriangleMesh, std::decay_t<decltype(vertex_index)>> request(
-      execution, vertex_index, surface);
+  impl::Cut_request request(execution, vertex_index, surface);
   request.use_lengths();
   request.open_at_boundaries();
   for(const auto& pair : pairs)

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Loop_imprint.h>
-#include <CGAL/Handle_tunnel_loops/internal/cutting/Loop_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -81,8 +81,7 @@ OutputIterator loop_to_halfedges(const Loop& loop,
   const Vertex_point_map point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
-  const Handle_tunnel_loops::internal::Loop_walker<TriangleMesh, Vertex_point_map> walk(tm, point);
-  const auto halfedges = walk(loop);
+  const auto halfedges = Handle_tunnel_loops::internal::halfedges_of_loop(loop, tm, point);
   return std::copy(halfedges.begin(), halfedges.end(), out);
 }
 

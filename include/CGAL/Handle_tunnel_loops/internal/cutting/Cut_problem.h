@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -24,7 +24,7 @@ namespace internal {
 /*!
 Makes a cut shorter: arcs give way to shorter paths, whose ends may be anywhere on the cut, as long
 as each component still opens to one disk. That is decided by counting alone: the boundary is one
-cycle, and the numbers of vertices and edges of the cut differ by as much as the genus says.
+cycle, and the numbers of vertices and edges of the cut differ by as much as before.
 */
 class Cut_shortening
 {
@@ -70,48 +70,40 @@ private:
   }
 
   void count_component() {
-    edges_ = 0;
     std::size_t corners = 0;
-    vertices_ = 0;
     Index h = some_halfedge_;
-    do { // each vertex is counted at its first halfedge of the cut
+    do {
       ++corners;
-      vertices_ += is_first_of_cut(h);
       h = cut_.following(h);
     } while(h != some_halfedge_);
     edges_ = corners / 2;
-    excess_ = edges_ - vertices_;
-  }
-
-  bool is_first_of_cut(Index h) const {
-    for(Index k = halfedges_.begin(halfedges_.source(h)); k < h; ++k)
-      if(cut_.contains(k))
-        return false;
-    return true;
   }
 
   void erase(Index h) {
     cut_.erase(h);
-    count_erased(h);
+    note_erased(h);
   }
-  void count_erased(Index h) {
+  void note_erased(Index h) {
     --edges_;
-    vertices_ -= number_of_free_ends(h);
+    excess_ -= excess_of(h);
     changes_.push_back({h, false});
   }
   void insert(Index h) {
     ++edges_;
-    vertices_ += number_of_free_ends(h);
+    excess_ += excess_of(h);
     cut_.insert(h);
     changes_.push_back({h, true});
   }
-  std::size_t number_of_free_ends(Index h) const {
-    return (cut_.degree(halfedges_.source(h)) == 0) + (cut_.degree(halfedges_.target(h)) == 0);
+
+  // Of an edge that is not in the cut: one, less the vertices that come with it.
+  int excess_of(Index h) const {
+    return 1 - (cut_.degree(halfedges_.source(h)) == 0) - (cut_.degree(halfedges_.target(h)) == 0);
   }
 
   // Other arcs may have changed since the proposal was made.
   bool accept(const Disk_boundary& boundary, const Arc_proposal& proposal) {
     changes_.clear();
+    excess_ = 0;
     const Cut_arc& arc = exchange_.arcs()[proposal.arc];
     for(Index k = arc.first; k != arc.last; k = k + 1 == boundary.size() ? 0 : k + 1)
       if(cut_.contains(boundary[k]))
@@ -131,7 +123,7 @@ private:
   }
 
   void prune(Index v) {
-    cut_.prune(v, [&](Index h) { count_erased(h); });
+    cut_.prune(v, [&](Index h) { note_erased(h); });
   }
 
   bool passes_cones() const {
@@ -151,7 +143,7 @@ private:
   }
 
   bool opens_to_disk(Index some_halfedge) {
-    if(edges_ - vertices_ != excess_ || !cut_.contains(some_halfedge))
+    if(excess_ != 0 || !cut_.contains(some_halfedge))
       return false;
     std::size_t corners = 0;
     Index h = some_halfedge;
@@ -178,10 +170,10 @@ private:
   const Flat_halfedges& halfedges_;
   Cut_graph& cut_;
   Arc_exchange exchange_;
-  Index some_halfedge_ = no_index;       // of the cut of the component
-  std::size_t edges_ = 0, vertices_ = 0; // of the cut of the component
-  std::size_t excess_ = 0;               // of its edges over its vertices
-  std::vector<Change> changes_;          // the last ones
+  Index some_halfedge_ = no_index; // of the cut of the component
+  std::size_t edges_ = 0;          // of the cut of the component
+  std::vector<Change> changes_;    // the last ones
+  int excess_ = 0;                 // of the edges that they add over the vertices
 };
 
 } // namespace internal

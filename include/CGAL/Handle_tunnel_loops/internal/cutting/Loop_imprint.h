@@ -56,9 +56,7 @@ public:
       : tm_(tm)
       , point_(point)
       , faces_(1, f) {
-    halfedge_descriptor h = halfedge(f, tm);
-    while(target(h, tm) != corners[0])
-      h = next(h, tm);
+    halfedge_descriptor h = halfedge_to(corners[0], f);
     for(int side = 0; side < 3; ++side) {
       const vertex_descriptor end = corners[(side + 1) % 3];
       sides_[target(h, tm)] |= 1 << side;
@@ -69,16 +67,10 @@ public:
     }
   }
 
-  /// divides the face from a to b; returns the number of the chord.
-  std::size_t add_chord(vertex_descriptor a, vertex_descriptor b) {
-    for(std::size_t i = 0; i < chords_.size(); ++i)
-      if(chords_[i].front() == a && chords_[i].back() == b)
-        return i;
-    for(std::size_t i = 0; i < chords_.size(); ++i)
-      if(chords_[i].front() == b && chords_[i].back() == a) {
-        chords_.emplace_back(chords_[i].rbegin(), chords_[i].rend());
-        return chords_.size() - 1;
-      }
+  /// divides the face from a to b.
+  void add_chord(vertex_descriptor a, vertex_descriptor b) {
+    if(chords_.count({a, b}) != 0 || chords_.count({b, a}) != 0)
+      return;
     Path path = {a};
     for(const auto& [u, v] : edges_to_cross(a, b)) {
       const vertex_descriptor x = add_crossing(a, b, u, v);
@@ -87,12 +79,17 @@ public:
     }
     divide(path.back(), b);
     path.push_back(b);
-    chords_.push_back(std::move(path));
-    return chords_.size() - 1;
+    chords_.emplace(Edge_ends(a, b), std::move(path));
   }
 
-  /// the vertices along a chord.
-  const Path& chord(std::size_t i) const { return chords_[i]; }
+  /// the vertices along the chord from a to b.
+  Path chord(vertex_descriptor a, vertex_descriptor b) const {
+    const auto it = chords_.find({a, b});
+    if(it != chords_.end())
+      return it->second;
+    const Path& back = chords_.at({b, a});
+    return Path(back.rbegin(), back.rend());
+  }
 
   /// cuts ears off all faces, the best ones first.
   void triangulate() {
@@ -125,10 +122,6 @@ private:
     return halfedge_to(v, f) != Graph_traits::null_halfedge();
   }
 
-  bool is_part(face_descriptor f) const {
-    return std::find(faces_.begin(), faces_.end(), f) != faces_.end();
-  }
-
   // For each face, how many edges there are at least to cross from there to a vertex.
   std::map<face_descriptor, std::size_t> distances_to(vertex_descriptor b) const {
     std::map<face_descriptor, std::size_t> distance;
@@ -141,7 +134,8 @@ private:
     for(std::size_t q = 0; q < queue.size(); ++q)
       for(const halfedge_descriptor h : halfedges_around_face(halfedge(queue[q], tm_), tm_)) {
         const face_descriptor f = face(opposite(h, tm_), tm_);
-        if(is_part(f) && distance.emplace(f, distance.at(queue[q]) + 1).second)
+        if(std::find(faces_.begin(), faces_.end(), f) != faces_.end() &&
+           distance.emplace(f, distance.at(queue[q]) + 1).second)
           queue.push_back(f);
       }
     return distance;
@@ -151,15 +145,15 @@ private:
   // the edges cross each other: the next one is that which the straight line misses least.
   std::vector<Edge_ends> edges_to_cross(vertex_descriptor a, vertex_descriptor b) const {
     const std::map<face_descriptor, std::size_t> distance = distances_to(b);
-    std::vector<face_descriptor> at_a;
+    std::vector<face_descriptor> now;
     std::size_t to_cross = faces_.size();
     for(const face_descriptor f : faces_)
       if(has(f, a)) {
-        at_a.push_back(f);
+        now.push_back(f);
         to_cross = (std::min)(to_cross, distance.at(f));
       }
     std::vector<Edge_ends> edges;
-    for(std::vector<face_descriptor> now = at_a; to_cross > 0; --to_cross) {
+    for(; to_cross > 0; --to_cross) {
       halfedge_descriptor exit = Graph_traits::null_halfedge();
       double least = (std::numeric_limits<double>::infinity)();
       for(const face_descriptor f : now)
@@ -200,7 +194,7 @@ private:
     const vertex_descriptor x = target(h, tm_);
     const Vector place = q + t * e;
     put(point_, x, Point(place[0], place[1], place[2]));
-    for(Path& path : chords_)
+    for(auto& [ends, path] : chords_)
       for(std::size_t i = 0; i + 1 < path.size(); ++i)
         if((path[i] == u && path[i + 1] == v) || (path[i] == v && path[i + 1] == u))
           path.insert(path.begin() + i + 1, x);
@@ -252,7 +246,7 @@ private:
   VertexPointMap point_;
   std::vector<face_descriptor> faces_;
   std::map<vertex_descriptor, int> sides_; // bits; none for vertices inside
-  std::vector<Path> chords_;
+  std::map<Edge_ends, Path> chords_;
 };
 
 /// Makes loops walks of edges of their mesh, whose faces are divided for that.
@@ -295,10 +289,10 @@ public:
       split(e);
     for(const Divided_face& f : faces_)
       subdivisions_.emplace_back(tm_, point_, f.face, f.corners);
-    for(auto& pieces : loops_)
-      for(Piece& piece : pieces)
+    for(const auto& pieces : loops_)
+      for(const Piece& piece : pieces)
         if(piece.face != none)
-          piece.chord = subdivisions_[piece.face].add_chord(vertex(piece.a), vertex(piece.b));
+          subdivisions_[piece.face].add_chord(vertex(piece.a), vertex(piece.b));
     std::vector<Walk> walks;
     for(const auto& pieces : loops_)
       walks.push_back(walk_of(pieces));
@@ -332,7 +326,7 @@ private:
   struct Piece
   {
     Place a, b;
-    std::size_t face = none, chord = none;
+    std::size_t face = none;
   };
   struct Split_edge
   {
@@ -380,7 +374,7 @@ private:
   }
 
   Piece piece_between(const Place& a, const Place& b) {
-    Piece piece = {a, b, none, none};
+    Piece piece = {a, b, none};
     if(is_along_edge(a, b))
       return piece;
     const Place& on_edge = a.edge != none ? a : b;
@@ -464,7 +458,7 @@ private:
       if(piece.face == none)
         append_along_edge(piece, path);
       else {
-        const auto& chord = subdivisions_[piece.face].chord(piece.chord);
+        const auto chord = subdivisions_[piece.face].chord(vertex(piece.a), vertex(piece.b));
         path.insert(path.end(), chord.begin(), chord.end() - 1);
       }
     Walk walk;
