@@ -178,7 +178,8 @@ OutputIterator cut_to_disk(const TriangleMesh& tm,
       impl::for_each_loop_of(item, add);
   }
   for(const impl::Index h : impl::cut_open(request.problem()))
-    *out++ = request.edge_of(h);
+    if(!request.problem().is_spoke(h))
+      *out++ = edge(request.halfedge_of_caller(h), tm);
   return out;
 }
 

@@ -77,8 +77,7 @@ OutputIterator loop_to_halfedges(const Loop& loop,
                                  const TriangleMesh& tm,
                                  OutputIterator out,
                                  const NamedParameters& np = parameters::default_values()) {
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
-  const Vertex_point_map point =
+  const auto point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
   const auto halfedges = Handle_tunnel_loops::internal::halfedges_of_loop(loop, tm, point);
@@ -205,10 +204,9 @@ OutputIterator imprint_loops(const LoopRange& loops,
   namespace impl = Handle_tunnel_loops::internal;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
-  const Vertex_point_map point = parameters::choose_parameter(
-      get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tm));
-  impl::Loop_imprint<TriangleMesh, Vertex_point_map> imprint(tm, point);
+  const auto point = parameters::choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                  get_property_map(vertex_point, tm));
+  impl::Loop_imprint imprint(tm, point);
   for(const auto& item : loops)
     impl::for_each_loop_of(item, [&](const auto& loop) { imprint.add(loop); });
   const auto walks = imprint.run();

@@ -42,6 +42,7 @@ template <typename TriangleMesh, typename VertexIndexMap> class Cut_request
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using edge_descriptor = typename Graph_traits::edge_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
   /// The surface must outlive it.
@@ -135,9 +136,9 @@ public:
 
   const Cut_problem& problem() const { return problem_; }
 
-  edge_descriptor edge_of(Index h) const {
+  halfedge_descriptor halfedge_of_caller(Index h) const {
     const vertex_descriptor u = vertices_[problem_.halfedges.source(h)];
-    return edge(halfedge(u, vertices_[problem_.halfedges.target(h)], tm_).first, tm_);
+    return halfedge(u, vertices_[problem_.halfedges.target(h)], tm_).first;
   }
 
 private:

@@ -109,8 +109,11 @@ public:
       : problem_(problem)
       , in_base_(problem.halfedges.size(), 0) {
     for(const std::vector<Index>& walk : problem.walks)
-      for(std::size_t i = 0; i < walk.size(); ++i)
-        add_to_base(problem.halfedges.between(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]));
+      for(std::size_t i = 0; i < walk.size(); ++i) {
+        const Index h = halfedges().between(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]);
+        if(!problem.is_avoided(h))
+          in_base_[h] = in_base_[halfedges().twin(h)] = 1;
+      }
     for(Index h = 0; h < problem.rules.size(); ++h)
       if(problem.is_kept(h))
         in_base_[h] = 1;
@@ -134,11 +137,6 @@ private:
   };
 
   const Flat_halfedges& halfedges() const { return problem_.halfedges; }
-
-  void add_to_base(Index h) {
-    if(!problem_.is_avoided(h))
-      in_base_[h] = in_base_[halfedges().twin(h)] = 1;
-  }
 
   bool is_base_connected() const {
     const std::size_t n = problem_.mesh.number_of_vertices();

@@ -48,21 +48,24 @@ template <typename TriangleMesh, typename VertexPointMap> class Face_subdivision
 public:
   using Path = std::vector<vertex_descriptor>;
 
-  /// `corners` are those of the triangle, counterclockwise.
-  Face_subdivision(TriangleMesh& tm,
-                   VertexPointMap point,
-                   face_descriptor f,
-                   const std::vector<vertex_descriptor>& corners)
+  /// remembers the corners of the triangle.
+  Face_subdivision(TriangleMesh& tm, VertexPointMap point, face_descriptor f)
       : tm_(tm)
       , point_(point)
       , faces_(1, f) {
-    halfedge_descriptor h = halfedge_to(corners[0], f);
+    for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, tm), tm))
+      corners_.push_back(target(h, tm));
+  }
+
+  /// to be called when the sides have their further vertices.
+  void find_sides() {
+    halfedge_descriptor h = halfedge_to(corners_[0], faces_[0]);
     for(int side = 0; side < 3; ++side) {
-      const vertex_descriptor end = corners[(side + 1) % 3];
-      sides_[target(h, tm)] |= 1 << side;
-      while(target(h, tm) != end) {
-        h = next(h, tm);
-        sides_[target(h, tm)] |= 1 << side;
+      const vertex_descriptor end = corners_[(side + 1) % 3];
+      sides_[target(h, tm_)] |= 1 << side;
+      while(target(h, tm_) != end) {
+        h = next(h, tm_);
+        sides_[target(h, tm_)] |= 1 << side;
       }
     }
   }
@@ -99,17 +102,13 @@ public:
           break;
   }
 
+  /// the parts, first the face that was divided.
   const std::vector<face_descriptor>& faces() const { return faces_; }
 
 private:
   using Edge_ends = std::pair<vertex_descriptor, vertex_descriptor>;
 
   Vector position(vertex_descriptor v) const { return coordinates(point_, v); }
-
-  int sides(vertex_descriptor v) const {
-    const auto it = sides_.find(v);
-    return it == sides_.end() ? 0 : it->second;
-  }
 
   // The halfedge of a face that leads to a vertex, or none.
   halfedge_descriptor halfedge_to(vertex_descriptor v, face_descriptor f) const {
@@ -225,7 +224,7 @@ private:
     halfedge_descriptor ear = Graph_traits::null_halfedge(); // leads to its tip
     for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, tm_), tm_)) {
       const vertex_descriptor u = source(h, tm_), v = target(next(h, tm_), tm_);
-      if((sides(u) & sides(v)) != 0 || halfedge(u, v, tm_).second)
+      if((sides_[u] & sides_[v]) != 0 || halfedge(u, v, tm_).second)
         continue;
       const Vector tip = position(target(h, tm_));
       const Vector a = position(u) - tip, b = position(v) - tip, c = b - a;
@@ -245,6 +244,7 @@ private:
   TriangleMesh& tm_;
   VertexPointMap point_;
   std::vector<face_descriptor> faces_;
+  std::vector<vertex_descriptor> corners_; // counterclockwise
   std::map<vertex_descriptor, int> sides_; // bits; none for vertices inside
   std::map<Edge_ends, Path> chords_;
 };
@@ -284,11 +284,14 @@ public:
 
   /// divides the faces; returns the walks of the loops.
   std::vector<Walk> run() {
-    remember_faces();
+    // Faces beside an edge that is split are divided, too.
+    for(const Split_edge& e : edges_)
+      for(const halfedge_descriptor h : {e.halfedge, opposite(e.halfedge, tm_)})
+        number_of(face(h, tm_));
     for(Split_edge& e : edges_)
       split(e);
-    for(const Divided_face& f : faces_)
-      subdivisions_.emplace_back(tm_, point_, f.face, f.corners);
+    for(Subdivision& subdivision : subdivisions_)
+      subdivision.find_sides();
     for(const auto& pieces : loops_)
       for(const Piece& piece : pieces)
         if(piece.face != none)
@@ -303,9 +306,9 @@ public:
 
   /// calls `f(face, origin)` for all parts of the faces that were divided; after `run()`.
   template <typename Function> void for_each_part(const Function& f) const {
-    for(std::size_t i = 0; i < faces_.size(); ++i)
-      for(const face_descriptor part : subdivisions_[i].faces())
-        f(part, faces_[i].face);
+    for(const Subdivision& subdivision : subdivisions_)
+      for(const face_descriptor part : subdivision.faces())
+        f(part, subdivision.faces().front());
   }
 
 private:
@@ -334,11 +337,6 @@ private:
     vertex_descriptor source, target;
     std::map<double, Point> points;               // by ratio
     std::map<double, vertex_descriptor> vertices; // by ratio; the ends, too
-  };
-  struct Divided_face
-  {
-    face_descriptor face;
-    std::vector<vertex_descriptor> corners;
   };
 
   Place place_of(halfedge_descriptor h, double ratio, const Point& point) {
@@ -399,20 +397,10 @@ private:
   }
 
   std::size_t number_of(face_descriptor f) {
-    const auto [it, is_new] = number_of_face_.emplace(f, faces_.size());
-    if(is_new) {
-      faces_.push_back({f, {}});
-      for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, tm_), tm_))
-        faces_.back().corners.push_back(target(h, tm_));
-    }
+    const auto [it, is_new] = number_of_face_.emplace(f, subdivisions_.size());
+    if(is_new)
+      subdivisions_.emplace_back(tm_, point_, f);
     return it->second;
-  }
-
-  // Faces beside an edge that is split are divided, too.
-  void remember_faces() {
-    for(const Split_edge& e : edges_)
-      for(const halfedge_descriptor h : {e.halfedge, opposite(e.halfedge, tm_)})
-        number_of(face(h, tm_));
   }
 
   void split(Split_edge& e) {
@@ -472,7 +460,6 @@ private:
   std::vector<std::vector<Piece>> loops_;
   std::vector<Split_edge> edges_;
   std::map<halfedge_descriptor, std::size_t> number_of_edge_;
-  std::vector<Divided_face> faces_;
   std::map<face_descriptor, std::size_t> number_of_face_;
   std::vector<Subdivision> subdivisions_; // by number of the face
 };

@@ -97,7 +97,7 @@ CGAL_HTL_CORE void check_rules(const Cut_problem& problem) {
     Cut_start(problem).find();
 }
 
-CGAL_HTL_CORE std::vector<Index> cut_graph(Cut_problem problem) {
+CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem) {
   add_ends_on_spheres(problem);
   Cut_graph cut = Cut_start(problem).find();
   Cut_shortening(problem, cut).run();
@@ -106,17 +106,6 @@ CGAL_HTL_CORE std::vector<Index> cut_graph(Cut_problem problem) {
   for(Index h = 0; h < problem.halfedges.size(); ++h)
     if(cut.contains(h) && problem.halfedges.source(h) < problem.halfedges.target(h))
       edges.push_back(h);
-  return edges;
-}
-
-CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem) {
-  std::vector<Index> edges = cut_graph(problem);
-  edges.erase(std::remove_if(edges.begin(), edges.end(),
-                             [&](Index h) {
-                               return problem.mesh.is_spoke(problem.halfedges.source(h),
-                                                            problem.halfedges.target(h));
-                             }),
-              edges.end());
   return edges;
 }
 

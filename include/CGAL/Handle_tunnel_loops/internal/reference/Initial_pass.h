@@ -16,7 +16,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Front_event.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Front_tracker.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
 
 #include <cstddef>
