@@ -45,7 +45,7 @@ their left. Place k is that of the k-th halfedge and of the corner at its source
 class Disk_boundary
 {
 public:
-  /// begins anywhere on the cut of a component.
+  /// of the component of a halfedge of the cut; begins at a node.
   Disk_boundary(const Cut_problem& problem, const Cut_graph& cut, Index some_halfedge)
       : problem_(problem)
       , cut_(cut) {
@@ -54,7 +54,11 @@ public:
       halfedges_.push_back(h);
       h = cut.following(h);
     } while(h != some_halfedge);
-    begin_at_node();
+    Index node = 0;
+    while(node < size() && !is_node(node))
+      ++node;
+    CGAL_assertion_msg(node < size(), "the cut of a closed surface has a node");
+    std::rotate(halfedges_.begin(), halfedges_.begin() + node, halfedges_.end());
   }
 
   Index size() const { return static_cast<Index>(halfedges_.size()); }
@@ -99,14 +103,6 @@ public:
   }
 
 private:
-  void begin_at_node() {
-    Index node = 0;
-    while(node < size() && !is_node(node))
-      ++node;
-    CGAL_assertion_msg(node < size(), "the cut of a closed surface has a node");
-    std::rotate(halfedges_.begin(), halfedges_.begin() + node, halfedges_.end());
-  }
-
   const Cut_problem& problem_;
   const Cut_graph& cut_;
   std::vector<Index> halfedges_;
@@ -422,25 +418,15 @@ private:
 
   void shorten_component(Index some_halfedge) {
     some_halfedge_ = some_halfedge;
-    count_component();
     for(int round = 0; round < most_rounds; ++round) {
       const Disk_boundary boundary(problem_, cut_, some_halfedge_);
+      edges_ = boundary.size() / 2;
       bool is_shorter = false;
       for(const Arc_proposal& proposal : exchange_.find(boundary))
         is_shorter = accept(boundary, proposal) || is_shorter;
       if(!is_shorter)
         return;
     }
-  }
-
-  void count_component() {
-    std::size_t corners = 0;
-    Index h = some_halfedge_;
-    do {
-      ++corners;
-      h = cut_.following(h);
-    } while(h != some_halfedge_);
-    edges_ = corners / 2;
   }
 
   void erase(Index h) {

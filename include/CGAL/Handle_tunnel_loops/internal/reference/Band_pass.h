@@ -36,6 +36,8 @@ namespace Handle_tunnel_loops {
 namespace internal {
 namespace reference {
 
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+
 /*!
 The advancing front of a layer as the paper has it (section 5): the triangles with a vertex that has
 a value above a threshold and below one, and the connected components of these. Two triangles are
@@ -58,7 +60,6 @@ public:
     for(Index u = 0; u < mesh_.number_of_vertices(); ++u)
       if(is_in_band(values[u]))
         add_triangles_at(u);
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
     Graph graph(triangles_.size());
     for_each_corner([&](Index t, Index u, Index v) {
       const Index beside = triangle_[slot(mesh_, v, u)];
@@ -218,7 +219,6 @@ private:
 
   // Groups of two or more active layers that have values at the same vertices.
   std::vector<std::vector<Index>> layers_in_contact() const {
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
     Graph graph(is_active_.size());
     std::vector<Index> layer_at(mesh_.number_of_vertices(), no_index);
     for(Index layer = 1; layer < is_active_.size(); ++layer)

@@ -288,34 +288,34 @@ private:
     loop.clear();
     for(const Portal& portal : strip_)
       loop.push_back({portal.left, portal.right, ratio_at_start_});
-    const std::vector<Bend>& bends = funnel_.bends();
-    for(std::size_t b = 0; b + 1 < bends.size(); ++b)
-      for(std::size_t i = (std::max)(bends[b].portal, 1u);
-          i < (std::min)(bends[b + 1].portal + std::size_t(1), loop.size()); ++i)
-        loop[i].ratio = crossing_ratio(i, b);
-    // All the portals that end at a corner are passed exactly there.
-    for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
-      const Fan fan = fan_of(bends[b]);
-      for(std::size_t i = (std::max)(fan.first, std::size_t(1)); i <= fan.last; ++i)
-        loop[i].ratio = fan.at_left ? 0. : 1.;
-    }
+    for_each_ratio(1, loop.size(), [&](std::size_t i, double ratio) { loop[i].ratio = ratio; });
   }
 
   // What `set_crossings()` would say of one portal.
   double ratio_of(const Portal& portal) const {
     if(portal.place == 0 || portal.place >= Strip::new_at_left)
       return portal.place == 0 ? ratio_at_start_ : portal.place == Strip::new_at_left ? 0. : 1.;
-    const std::vector<Bend>& bends = funnel_.bends();
     double ratio = 0.;
+    for_each_ratio(portal.place, portal.place + std::size_t(1),
+                   [&](std::size_t, double r) { ratio = r; });
+    return ratio;
+  }
+
+  // Calls `f(i, ratio)` for the portals from `first` up to `end`, which is excluded; what it is
+  // told last of a portal holds.
+  template <typename Function>
+  void for_each_ratio(std::size_t first, std::size_t end, const Function& f) const {
+    const std::vector<Bend>& bends = funnel_.bends();
     for(std::size_t b = 0; b + 1 < bends.size(); ++b)
-      if(bends[b].portal <= portal.place && portal.place <= bends[b + 1].portal)
-        ratio = crossing_ratio(portal.place, b);
+      for(std::size_t i = (std::max)(std::size_t(bends[b].portal), first);
+          i < (std::min)(bends[b + 1].portal + std::size_t(1), end); ++i)
+        f(i, crossing_ratio(i, b));
+    // All the portals that end at a corner are passed exactly there.
     for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
       const Fan fan = fan_of(bends[b]);
-      if(fan.first <= portal.place && portal.place <= fan.last)
-        ratio = fan.at_left ? 0. : 1.;
+      for(std::size_t i = (std::max)(fan.first, first); i < (std::min)(fan.last + 1, end); ++i)
+        f(i, fan.at_left ? 0. : 1.);
     }
-    return ratio;
   }
 
   // Where the path goes through a vertex but for rounding, it goes through the vertex.
