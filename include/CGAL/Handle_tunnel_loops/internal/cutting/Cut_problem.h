@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -120,6 +119,7 @@ struct Cut_problem
   Edge_rule rule(Index h) const { return rules.empty() ? Edge_rule::FREE : rules[h]; }
   bool is_kept(Index h) const { return rule(h) == Edge_rule::KEEP; }
   bool is_avoided(Index h) const { return rule(h) == Edge_rule::AVOID; }
+  bool is_spoke(Index h) const { return mesh.is_spoke(halfedges.source(h), halfedges.target(h)); }
   bool is_cone(Index v) const { return !cones.empty() && cones[v] != 0; }
 };
 

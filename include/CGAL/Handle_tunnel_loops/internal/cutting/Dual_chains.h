@@ -16,8 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
