@@ -63,6 +63,7 @@ public:
   const Label& operator[](Index i) const { return labels_[i]; }
   Label& operator[](Index i) { return labels_[i]; }
   std::size_t size() const { return labels_.size(); }
+  void resize(std::size_t number_of_places) { labels_.resize(number_of_places); }
 
   bool is_reached(Index i) const { return labels_[i].distance != Label().distance; }
   const std::vector<Index>& reached() const { return reached_; }

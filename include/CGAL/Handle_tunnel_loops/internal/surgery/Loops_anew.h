@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_nearby.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
