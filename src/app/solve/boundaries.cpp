@@ -32,8 +32,6 @@ std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t nu
   if(number <= 1)
     return component;
   CGAL::Handle_tunnel_loops::internal::Sets_of_indices sets(component.size());
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    sets.make_set(v.idx());
   for(const Mesh::Edge_index e : mesh.edges())
     sets.unite(mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx());
   std::size_t next = 0;

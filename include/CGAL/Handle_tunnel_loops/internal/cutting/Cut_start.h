@@ -141,8 +141,6 @@ private:
   bool is_base_connected() const {
     const std::size_t n = problem_.mesh.number_of_vertices();
     Sets_of_indices sets(n);
-    for(Index v = 0; v < n; ++v)
-      sets.make_set(v);
     std::vector<char> is_used(n, 0);
     for(Index h = 0; h < halfedges().size(); ++h)
       if(in_base_[h]) {
@@ -171,16 +169,12 @@ private:
 
   Cut_graph cut_of(bool by_distance) const {
     Sets_of_indices sets(problem_.mesh.number_of_faces());
-    for(Index f = 0; f < problem_.mesh.number_of_faces(); ++f)
-      sets.make_set(f);
     std::vector<char> is_crossed(halfedges().size(), 0);
     std::size_t joins = 0;
     for(const Index h : edges_to_join(by_distance)) {
-      const Index twin = halfedges().twin(h), f = sets.find(halfedges().face(h)),
-                  g = sets.find(halfedges().face(twin));
-      if(f == g)
+      const Index twin = halfedges().twin(h);
+      if(!sets.unite(halfedges().face(h), halfedges().face(twin)))
         continue;
-      sets.unite(f, g);
       is_crossed[h] = is_crossed[twin] = 1;
       ++joins;
     }

@@ -37,15 +37,9 @@ inline std::size_t number_of_pieces(const Cut_problem& problem, const Cut_graph&
   const Flat_halfedges& halfedges = problem.halfedges;
   Sets_of_indices sets(problem.mesh.number_of_faces());
   std::size_t pieces = problem.mesh.number_of_faces();
-  for(Index f = 0; f < problem.mesh.number_of_faces(); ++f)
-    sets.make_set(f);
-  for(Index h = 0; h < halfedges.size(); ++h) {
-    const Index f = sets.find(halfedges.face(h)), g = sets.find(halfedges.face(halfedges.twin(h)));
-    if(!cut.contains(h) && f != g) {
-      sets.unite(f, g);
+  for(Index h = 0; h < halfedges.size(); ++h)
+    if(!cut.contains(h) && sets.unite(halfedges.face(h), halfedges.face(halfedges.twin(h))))
       --pieces;
-    }
-  }
   return pieces;
 }
 

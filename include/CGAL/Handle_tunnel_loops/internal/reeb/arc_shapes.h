@@ -142,8 +142,6 @@ private:
   // By the first edge of each.
   std::map<Index, std::vector<Index>> connected_borders() const {
     Sets_of_indices sets(crossed_.size());
-    for(Index i = 0; i < crossed_.size(); ++i)
-      sets.make_set(i);
     const Triangle_mesh& tm = vertices_.mesh();
     for(Index i = 0; i < crossed_.size(); ++i)
       for(const Halfedge side : {crossed_[i].halfedge, opposite(crossed_[i].halfedge, tm)})
@@ -379,8 +377,6 @@ public:
   /// longest.
   std::vector<double> longest() const {
     Sets_of_indices sets(ends_.size());
-    for(Index i = 0; i < ends_.size(); ++i)
-      sets.make_set(i);
     for(const Piece& piece : pieces_)
       sets.unite(piece.ends[0], piece.ends[1]);
     std::vector<double> lengths(ends_.size()), longest(number_of_arcs_);
