@@ -8,11 +8,13 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 #include <utility>
@@ -71,6 +73,25 @@ TEST(Diffusion_times, BeginsWhereAFrontFromTheSeedArrivesLast) {
   Statistics statistics;
   EXPECT_EQ(diffusion_times(passes, {}, mesh, {}, progress, statistics), passes.times);
   EXPECT_EQ(passes.sources, (std::vector<std::vector<Index>>{mesh.seeds, {last}}));
+}
+
+// Also those that no refinement has replaced.
+TEST(Run_passes, GivesLoopsThatAreTaut) {
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 3, 10}, 1)) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    Pass_options options;
+    options.do_refine_handles = false;
+    Quiet_progress progress;
+    Statistics statistics;
+    const auto passes = Passes_of_tag<CGAL::Sequential_tag>::make(mesh, mesh.seeds, options);
+    for(const Flat_pair& pair : run_passes(*passes, options, progress, statistics))
+      for(const Crossing_loop* loop : {&pair.handle, &pair.tunnel}) {
+        Crossing_loop again = *loop;
+        Loop_tightening(mesh).tighten(again);
+        EXPECT_GE(length(mesh, again), (1. - 1e-3) * length(mesh, *loop));
+      }
+  }
 }
 
 // A mesh whose certificate is what it was told to be.
@@ -139,6 +160,25 @@ TEST_F(Find_loops, GivesPairsAndTheirCertificate) {
   Told_caller caller(mesh, good);
   EXPECT_TRUE(run(caller));
   EXPECT_EQ(caller.number_of_pairs, 1u);
+}
+
+// There is nothing else to do there.
+TEST_F(Find_loops, SweepsASphereOnceForItsLayers) {
+  static Noted_passes* passes; // the function is a plain pointer
+  const Flat_mesh sphere = flat_mesh_of(Recipe{"sphere", {200, 0, 0}});
+  request.passes.do_keep_layers = true;
+  request.make_passes = [](const Flat_mesh&, std::vector<Index>, const Pass_options&) {
+    auto made = std::make_unique<Noted_passes>();
+    passes = made.get();
+    return std::unique_ptr<Passes>(std::move(made));
+  };
+  std::string calls;
+  request.put_swept_vertices = [&](const Swept_vertices&) { calls = passes->calls; };
+  Told_caller caller(sphere, good);
+  Quiet_progress progress;
+  Statistics statistics;
+  find_loops(Execution(), sphere, request, caller, progress, statistics);
+  EXPECT_EQ(calls, "initial ");
 }
 
 TEST_F(Find_loops, SaysWhatFailsInACertificate) {

@@ -92,7 +92,7 @@ struct Flat_mesh
   std::vector<Index> seeds;              ///< one vertex of each component
   double half_scale = 0.5;               ///< half of the caller's unit of length / unit of `points`
   std::size_t genus = 0;                 ///< summed over the components
-  Index first_hub = 0;                   ///< hubs have consecutive numbers
+  Index first_hub = 0;                   ///< the hubs come after all other vertices
   Index number_of_hubs = 0;              ///< of the boundary curves
   std::vector<std::pair<Index, Index>> places_at_hubs; ///< vertices, and positions; sorted
 
