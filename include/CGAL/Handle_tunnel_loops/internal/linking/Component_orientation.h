@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
@@ -165,13 +166,8 @@ private:
   };
 
   Triangle triangle(face_descriptor f) const {
-    Triangle points;
-    auto h = halfedge(f, tm_);
-    for(Vector& p : points) {
-      p = coordinates(point_, target(h, tm_));
-      h = next(h, tm_);
-    }
-    return points;
+    const auto [u, v, w] = corners(f, tm_);
+    return {coordinates(point_, u), coordinates(point_, v), coordinates(point_, w)};
   }
 
   // ---- boxes and volumes

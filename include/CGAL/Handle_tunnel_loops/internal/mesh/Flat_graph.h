@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -23,7 +24,9 @@
 #include <boost/iterator/iterator_facade.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -104,6 +107,9 @@ public:
   }
 
   friend bool is_border(Halfedge, const Flat_graph&) { return false; }
+  friend std::array<Index, 3> corners(Halfedge f, const Flat_graph& g) {
+    return {target(f, g), apex(f, g), f.source};
+  }
 
   class Halfedge_iterator
       : public boost::
@@ -134,18 +140,41 @@ public:
     bool operator()(Halfedge h) const { return is_face(h, *g); }
   };
 
+  /// Elements by their sources: parts of them begin anywhere at no cost.
+  template <typename Iterator> struct Range
+  {
+    const Flat_graph& g;
+    std::size_t size;
+    std::function<Iterator(Index)> at; ///< the first one at a vertex or after it
+
+    Iterator begin() const { return at(0); }
+    Iterator end() const { return at(static_cast<Index>(num_vertices(g))); }
+
+    friend Range_parts<Iterator> parts_of(const Range& range) {
+      constexpr Index vertices_in_part = 2048;
+      std::vector<Iterator> bounds;
+      for(Index v = 0; v < num_vertices(range.g); v += vertices_in_part)
+        bounds.push_back(range.at(v));
+      bounds.push_back(range.end());
+      return {range.size, std::move(bounds)};
+    }
+  };
+
   using Vertex_iterator = boost::counting_iterator<Index>;
   using Face_iterator = boost::filter_iterator<Is_face, Halfedge_iterator>;
 
   friend Iterator_range<Vertex_iterator> vertices(const Flat_graph& g) {
     return {Vertex_iterator(0), Vertex_iterator(g.end())};
   }
-  friend Iterator_range<Halfedge_iterator> halfedges(const Flat_graph& g) {
-    return {Halfedge_iterator(g, 0), Halfedge_iterator(g, g.end())};
+  friend auto halfedges(const Flat_graph& g) {
+    return Range<Halfedge_iterator>{g, num_halfedges(g),
+                                    [&g](Index v) { return Halfedge_iterator(g, v); }};
   }
-  friend Iterator_range<Face_iterator> faces(const Flat_graph& g) {
-    const Halfedge_iterator begin(g, 0), end(g, g.end());
-    return {Face_iterator(Is_face{&g}, begin, end), Face_iterator(Is_face{&g}, end, end)};
+  friend auto faces(const Flat_graph& g) {
+    return Range<Face_iterator>{g, num_faces(g), [&g](Index v) {
+                                  return Face_iterator(Is_face{&g}, Halfedge_iterator(g, v),
+                                                       Halfedge_iterator(g, g.end()));
+                                }};
   }
   friend std::size_t num_vertices(const Flat_graph& g) { return g.end(); }
   friend std::size_t num_halfedges(const Flat_graph& g) { return g.mesh_->neighbor.size(); }

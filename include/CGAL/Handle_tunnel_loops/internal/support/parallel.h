@@ -181,6 +181,11 @@ public:
     }
   }
 
+  /// \p bounds are where the parts begin, and the end.
+  Range_parts(std::size_t size, std::vector<Iterator> bounds)
+      : size_(size)
+      , bounds_(std::move(bounds)) {}
+
   /// the number of elements.
   std::size_t size() const { return size_; }
 
