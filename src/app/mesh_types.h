@@ -32,6 +32,16 @@ inline bool is_finite(const Point& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
+/// a line without elements that are equal to the one before; if it is closed, the last one comes
+/// before the first.
+template <typename T>
+std::vector<T> without_repetitions(std::vector<T> line, bool is_closed = true) {
+  line.erase(std::unique(line.begin(), line.end()), line.end());
+  while(is_closed && line.size() > 1 && line.front() == line.back())
+    line.pop_back();
+  return line;
+}
+
 using Pair = CGAL::Handle_tunnel_pair<Mesh>;
 using Loop = Pair::Loop;
 using Pairs = std::vector<Pair>;

@@ -49,7 +49,7 @@ std::vector<double> ends_of_layers(const Answer& answer) {
 class Layer_parts
 {
   using Vertex = Mesh::Vertex_index;
-  using Parts = std::vector<Level_cutter::Face_part>;
+  using Parts = std::vector<CGAL::Handle_tunnel_loops::internal::Face_part>;
 
 public:
   Layer_parts(const Answer& answer, double now)
@@ -137,19 +137,6 @@ private:
   std::vector<double> levels_; // of the present edge
 };
 
-Drawn_surface painted(const Mesh& mesh, const Answer& answer, double now) {
-  Drawn_surface surface;
-  Layer_parts parts(answer, now);
-  Level_cutter cutter(mesh, answer.vertex_layers.times);
-  for(const Mesh::Face_index f : mesh.faces())
-    cutter.cut(f, parts, [&](const Level_cutter::Triangle& triangle, std::size_t part) {
-      surface.triangles.push_back(triangle);
-      surface.colours.push_back(Layer_parts::colour_of_part(part));
-    });
-  surface.points = cutter.take_points();
-  return surface;
-}
-
 // The contours of a level: closed, or from border to border.
 class Contour_walker
 {
@@ -157,8 +144,7 @@ public:
   Contour_walker(const Mesh& mesh, const std::vector<double>& values, double level)
       : mesh_(mesh)
       , values_(values)
-      , level_(level)
-      , is_walked_(mesh.number_of_halfedges(), 0) {}
+      , level_(level) {}
 
   std::vector<Exported_line> walk() {
     for(const bool from_border : {true, false})
@@ -205,7 +191,8 @@ private:
   const Mesh& mesh_;
   const std::vector<double>& values_;
   double level_;
-  std::vector<char> is_walked_; // by halfedge that rises
+  // By halfedge that rises.
+  std::vector<char> is_walked_ = std::vector<char>(mesh_.number_of_halfedges(), 0);
   std::vector<Exported_line> lines_;
 };
 
@@ -226,26 +213,21 @@ double last_time(const Vertex_layers& layers) {
 }
 
 void export_layers(const std::string& file, const Mesh& mesh, const Vertex_layers& layers) {
-  Vertex_properties properties = {{"red", "uchar", {}},
-                                  {"green", "uchar", {}},
-                                  {"blue", "uchar", {}},
-                                  {"layer", "int", {}},
-                                  {"time", "double", layers.times}};
   const double last = last_time(layers);
-  for(std::size_t v = 0; v < layers.layers.size(); ++v) {
-    const auto colour =
-        darkened(colour_of_layer(layers.layers[v]), light_at(layers.times[v], last));
-    for(std::size_t i = 0; i < 3; ++i)
-      properties[i].values.push_back(colour[i]);
-    properties[3].values.push_back(static_cast<double>(layers.layers[v]));
-  }
+  Vertex_properties properties = colour_properties(layers.layers.size(), [&](std::size_t v) {
+    return darkened(colour_of_layer(layers.layers[v]), light_at(layers.times[v], last));
+  });
+  properties.push_back({"layer", "int", {layers.layers.begin(), layers.layers.end()}});
+  properties.push_back({"time", "double", layers.times});
   write_mesh(file, mesh, properties);
 }
 
 Grown_layers grown_layers(const Mesh& mesh, const Answer& answer, double part) {
+  const std::vector<double>& times = answer.vertex_layers.times;
   const double now = part * last_time(answer.vertex_layers);
-  return {painted(mesh, answer, now),
-          {"fronts", "front", Contour_walker(mesh, answer.vertex_layers.times, now).walk()}};
+  Layer_parts parts(answer, now);
+  return {drawn_surface(Level_cutter(mesh, times).cut(parts), Layer_parts::colour_of_part),
+          {"fronts", "front", Contour_walker(mesh, times, now).walk()}};
 }
 
 } // namespace htloops

@@ -122,13 +122,6 @@ bool has_degenerate_faces(const Soup& soup) {
   return has_any;
 }
 
-Corners without_repetitions(Corners corners) {
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  while(corners.size() > 1 && corners.front() == corners.back())
-    corners.pop_back();
-  return corners;
-}
-
 // What becomes of triangles with the same three vertices as another one, where edges have too many
 // faces or faces that run the same way. All but the first of their kind are duplicates.
 //

@@ -145,9 +145,8 @@ std::array<double, 3> without_rounding(const std::array<double, 3>& numbers, dou
 }
 
 std::string centre_of(const Loop& curve) {
-  const CGAL::Bbox_3 box = CGAL::bbox_3(curve.points().begin(), curve.points().end());
-  const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
-  return formatted("(%.4g, %.4g, %.4g)", middle(0), middle(1), middle(2));
+  const Point p = middle_of(CGAL::bbox_3(curve.points().begin(), curve.points().end()));
+  return formatted("(%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());
 }
 
 std::string name_of_node(const Reeb_answer& answer, std::size_t node) {
