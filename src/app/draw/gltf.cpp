@@ -303,8 +303,7 @@ void export_gltf(const std::string& file,
   const double diagonal = diagonal_of(box);
   constexpr double least = 1e-25, most = 1e25;
   if(!surface.points.empty() && !(diagonal > least && diagonal < most))
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "--gltf " + file +
+    throw wrong_usage("--gltf " + file +
                       ": the numbers of glTF are of single precision, in which the " +
                       "surface is too " + (diagonal > least ? "large" : "small"));
   Gltf gltf(box);

@@ -116,8 +116,7 @@ constexpr File_format<void(Text_writer&, const Reeb_answer&)> graph_formats[] = 
 void check_opened_mesh_format(const std::string& file) {
   check_mesh_format(file);
   if(boost::algorithm::iends_with(file, ".stl"))
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "cannot write " + file +
+    throw wrong_usage("cannot write " + file +
                       ": STL knows points only, the cut would be closed again");
 }
 

@@ -31,9 +31,8 @@ using CGAL::Handle_tunnel_loops::Removal_report;
 void check_numbers(const std::vector<std::size_t>& numbers, std::size_t count) {
   for(const std::size_t number : numbers)
     if(number >= count)
-      throw Failure(Exit_code::WRONG_USAGE, "there is no pair " + std::to_string(number) +
-                                                ": there are " + counted(count, "pair", "pairs") +
-                                                " (they count from 0)");
+      throw wrong_usage("there is no pair " + std::to_string(number) + ": there are " +
+                        counted(count, "pair", "pairs") + " (they count from 0)");
 }
 
 // Which pairs may be looked at, by number.
@@ -54,7 +53,7 @@ Removal_report remove_as_wanted(Mesh& mesh, const NamedParameters& np) {
   } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception&) {
     throw;
   } catch(const std::invalid_argument& reason) {
-    throw Failure(Exit_code::WRONG_USAGE, reason.what());
+    throw wrong_usage(reason.what());
   }
 }
 

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& target, const std::string& reason) {
-  throw Failure(Exit_code::WRONG_USAGE, "cannot write " + target + ": " + reason);
+  throw wrong_usage("cannot write " + target + ": " + reason);
 }
 
 [[noreturn]] void fail_with_errno(const std::string& target) {

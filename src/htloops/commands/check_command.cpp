@@ -73,20 +73,21 @@ void run(const Check_options& options) {
 }
 
 constexpr char check_description[] =
-    "Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop\n"
-    "crosses its handle loop once, and which of them bound inside and outside the surface.\n"
-    "\n"
-    "The certificate is computed from the two files alone; what the JSON says of itself is "
-    "ignored,\n"
-    "but for the kind of basis: of the shortest one it is not asked that pairs cross once.\n"
-    "A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel\n"
-    "loop that have each other's names are one.\n";
+    R"(Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop
+crosses its handle loop once, and which of them bound inside and outside the surface.
+
+The certificate is computed from the two files alone; what the JSON says of itself is ignored,
+but for the kind of basis: of the shortest one it is not asked that pairs cross once.
+A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel
+loop that have each other's names are one.
+)";
 
 constexpr char check_examples[] =
-    "Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.\n"
-    "\n"
-    "Example:\n"
-    "  htloops check cup.off cup.json && echo 'a basis'\n";
+    R"(Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.
+
+Example:
+  htloops check cup.off cup.json && echo 'a basis'
+)";
 
 } // namespace
 

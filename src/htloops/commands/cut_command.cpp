@@ -122,21 +122,20 @@ void add_computation_options(CLI::App& command, Cut_command_options& options) {
   add_threads_option(command, options);
 }
 
-constexpr char cut_description[] =
-    "Cuts a triangle mesh open, along short arcs of its edges.\n"
-    "\n"
-    "Each component of positive genus, or with several boundary curves, becomes one disk, as\n"
-    "parametrizations ask for.\n";
+constexpr char cut_description[] = R"(Cuts a triangle mesh open, along short arcs of its edges.
 
-constexpr char cut_examples[] =
-    "Examples:\n"
-    "  htloops cut part.off -o open.obj                the opened mesh\n"
-    "  htloops cut part.off --selection part.selection.txt\n"
-    "                                                  for CGAL::Seam_mesh, and for CGAL's "
-    "programs\n"
-    "  htloops cut part.off --through 17,4 --picture cut.png\n"
-    "                                                  through two vertices, and a look at it\n"
-    "  htloops cut plate.off --dual cuts.json          jumps of potentials on a plate with holes\n";
+Each component of positive genus, or with several boundary curves, becomes one disk, as
+parametrizations ask for.
+)";
+
+constexpr char cut_examples[] = R"(Examples:
+  htloops cut part.off -o open.obj                the opened mesh
+  htloops cut part.off --selection part.selection.txt
+                                                  for CGAL::Seam_mesh, and for CGAL's programs
+  htloops cut part.off --through 17,4 --picture cut.png
+                                                  through two vertices, and a look at it
+  htloops cut plate.off --dual cuts.json          jumps of potentials on a plate with holes
+)";
 
 } // namespace
 

@@ -343,10 +343,10 @@ std::string wrapped(const std::string& text) {
   return lines;
 }
 
-constexpr char completion_examples[] =
-    "Examples:\n"
-    "  source <(htloops completion bash)               for this shell; an installed htloops is\n"
-    "                                                  completed in each\n";
+constexpr char completion_examples[] = R"(Examples:
+  source <(htloops completion bash)               for this shell; an installed htloops is
+                                                  completed in each
+)";
 
 } // namespace
 

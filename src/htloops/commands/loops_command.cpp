@@ -210,31 +210,29 @@ void run(Loops_options& options) {
 }
 
 constexpr char loops_description[] =
-    "Finds the handle and tunnel loops of a triangle mesh, closed or with boundary.\n"
-    "\n"
-    "A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside "
-    "the\n"
-    "surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop "
-    "once.\n"
-    "With --basis shortest loops are short instead, whatever side they bound on, and those of a\n"
-    "pair cross an odd number of times.\n"
-    "They are checked to be a basis of H1(S; Z) before they are written; on a surface with "
-    "boundary,\n"
-    "together with all boundary curves but one of each component.\n";
+    R"(Finds the handle and tunnel loops of a triangle mesh, closed or with boundary.
 
-constexpr char loops_examples[] =
-    "Examples:\n"
-    "  htloops loops cup.off                           a table of the loops\n"
-    "  htloops loops cup.off -o cup.json --lines cup.ply\n"
-    "                                                  the loops for a program and for a viewer\n"
-    "  htloops loops cup.off --html cup.html --shorter-than 3%\n"
-    "                                                  a look at the small ones in a browser\n"
-    "  htloops loops cup.off -qo - | jq '.pairs | length'\n"
-    "                                                  JSON into a pipe\n"
-    "  htloops loops *.off --jsonl - --jobs 4          a line for each of many meshes\n"
-    "  cat cup.off | htloops loops - --format off      a mesh from a pipe\n"
-    "  htloops loops soup.obj --triangulate --repair --write-mesh sound.obj\n"
-    "                                                  a mesh that is not fit as it is\n";
+A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside the
+surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop once.
+With --basis shortest loops are short instead, whatever side they bound on, and those of a
+pair cross an odd number of times.
+They are checked to be a basis of H1(S; Z) before they are written; on a surface with boundary,
+together with all boundary curves but one of each component.
+)";
+
+constexpr char loops_examples[] = R"(Examples:
+  htloops loops cup.off                           a table of the loops
+  htloops loops cup.off -o cup.json --lines cup.ply
+                                                  the loops for a program and for a viewer
+  htloops loops cup.off --html cup.html --shorter-than 3%
+                                                  a look at the small ones in a browser
+  htloops loops cup.off -qo - | jq '.pairs | length'
+                                                  JSON into a pipe
+  htloops loops *.off --jsonl - --jobs 4          a line for each of many meshes
+  cat cup.off | htloops loops - --format off      a mesh from a pipe
+  htloops loops soup.obj --triangulate --repair --write-mesh sound.obj
+                                                  a mesh that is not fit as it is
+)";
 
 } // namespace
 

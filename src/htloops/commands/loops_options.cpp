@@ -148,8 +148,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
       {"--seed", options.seed.has_value()}};
   for(const auto& [name, is_given] : given)
     if(is_given)
-      throw Failure(Exit_code::WRONG_USAGE,
-                    std::string(name) +
+      throw wrong_usage(std::string(name) +
                         " is for one mesh; for several there are --jsonl and --csv");
 }
 
@@ -186,11 +185,10 @@ void check_loops_options(const Loops_options& options) {
   choose_backend(options.backend);
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
-    throw Failure(Exit_code::WRONG_USAGE, "--literal goes with --backend reference");
+    throw wrong_usage("--literal goes with --backend reference");
   check_suffix(options.layers_file, ".ply");
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
-    throw Failure(Exit_code::WRONG_USAGE,
-                  std::string("--moment says when to look at the layers: it needs ") +
+    throw wrong_usage(std::string("--moment says when to look at the layers: it needs ") +
                       (has_pictures ? "--picture or --gltf" : "--gltf"));
   check_name(options.csv_file, "a table as CSV", ".csv");
   check_name(options.jsonl_file, "lines of JSON", ".jsonl");

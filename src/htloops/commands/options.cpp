@@ -69,30 +69,27 @@ bool is_same_file(const std::string& name, const std::string& other) {
 
 void check_differ(const Named_file& file, const std::string& path, const Named_file& output) {
   if(is_same_file(path, path_of_output(output.name)))
-    throw Failure(Exit_code::WRONG_USAGE, file.option + " " + file.name + " and " + output.option +
-                                              " " + output.name +
-                                              " name the same file, which would be overwritten");
+    throw wrong_usage(file.option + " " + file.name + " and " + output.option + " " + output.name +
+                      " name the same file, which would be overwritten");
 }
 
 // As of a variable of the shell that is not set.
 void check_has_name(const Named_file& file) {
   if(file.name.empty())
-    throw Failure(Exit_code::WRONG_USAGE, file.option + ": the name of the file is empty");
+    throw wrong_usage(file.option + ": the name of the file is empty");
 }
 
 // As what follows -o in "-o -q".
 void check_is_no_option(const Named_file& output) {
   if(output.name.size() > 1 && output.name.front() == '-')
-    throw Failure(Exit_code::WRONG_USAGE, output.option + " " + output.name +
-                                              " looks like two options; a file of that name is ./" +
-                                              output.name);
+    throw wrong_usage(output.option + " " + output.name +
+                      " looks like two options; a file of that name is ./" + output.name);
 }
 
 void check_picture(const Picture_options& picture) {
   check_name(picture.file, "a picture in PNG", ".png");
   if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "--labels and --legend want a build with stb and the DejaVu fonts");
+    throw wrong_usage("--labels and --legend want a build with stb and the DejaVu fonts");
 }
 
 void add_word_options(CLI::App& command, Picture_options& picture) {
@@ -156,8 +153,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
 
 Input_file input_of(const Mesh_options& options) {
   if(options.mesh_file == "-" && options.format.empty())
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "the standard input has no name that tells its format: --format says it");
+    throw wrong_usage("the standard input has no name that tells its format: --format says it");
   return Input_file(options.mesh_file, options.format);
 }
 
@@ -267,11 +263,10 @@ void check_common_options(const Common_options& options) {
     if(direction.empty())
       continue;
     if(is_zero(direction))
-      throw Failure(Exit_code::WRONG_USAGE, std::string(name) + " 0,0,0 is no direction");
+      throw wrong_usage(std::string(name) + " 0,0,0 is no direction");
     if(options.picture.file.empty() && options.page_file.empty())
-      throw Failure(Exit_code::WRONG_USAGE, std::string(name) +
-                                                " says how to look at something: it needs " +
-                                                (has_pictures ? "--picture or --html" : "--html"));
+      throw wrong_usage(std::string(name) + " says how to look at something: it needs " +
+                        (has_pictures ? "--picture or --html" : "--html"));
   }
   check_name(options.json_file, "JSON", ".json");
   check_name(options.page_file, "a page in HTML", ".html");
@@ -285,9 +280,8 @@ void check_common_options(const Common_options& options) {
 void check_name(const std::string& file, const char* what, const char* end) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if(!extension.empty() && !boost::algorithm::iequals(extension, end))
-    throw Failure(Exit_code::WRONG_USAGE, "cannot write " + file + ": what is written there is " +
-                                              what + ", and the name must end in " + end +
-                                              ", or have no such end");
+    throw wrong_usage("cannot write " + file + ": what is written there is " + what +
+                      ", and the name must end in " + end + ", or have no such end");
 }
 
 std::string why_no_count(const std::string& text) {
@@ -306,12 +300,11 @@ std::string why_not_finite(const std::string& text) {
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
   const std::string name = "the seed vertex " + std::to_string(number);
   if(number >= mesh.number_of_vertices())
-    throw Failure(Exit_code::WRONG_USAGE, name + " is not one of the " +
-                                              std::to_string(mesh.number_of_vertices()) +
-                                              " vertices (they count from 0)");
+    throw wrong_usage(name + " is not one of the " + std::to_string(mesh.number_of_vertices()) +
+                      " vertices (they count from 0)");
   const Mesh::Vertex_index v(number);
   if(mesh.is_isolated(v))
-    throw Failure(Exit_code::WRONG_USAGE, name + " belongs to no face");
+    throw wrong_usage(name + " belongs to no face");
   return v;
 }
 
@@ -339,8 +332,7 @@ std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box) {
     return std::nullopt;
   for(std::size_t i = 0; i < 3; ++i)
     if(!(box[i] <= box[i + 3]))
-      throw Failure(Exit_code::WRONG_USAGE,
-                    "--box: its least corner comes first, then its largest");
+      throw wrong_usage("--box: its least corner comes first, then its largest");
   return CGAL::Bbox_3(box[0], box[1], box[2], box[3], box[4], box[5]);
 }
 
@@ -354,8 +346,8 @@ parse_length(const std::string& option, const std::string& text, double whole) {
   double length = 0.;
   Text_source cursor(option, number);
   if(!cursor.read(length) || cursor.skip_to_content() || !(length > 0.) || !std::isfinite(length))
-    throw Failure(Exit_code::WRONG_USAGE,
-                  option + " " + text + ": not a length, such as 0.25, nor a percentage of the " +
+    throw wrong_usage(option + " " + text +
+                      ": not a length, such as 0.25, nor a percentage of the " +
                       "diagonal of the bounding box, such as 3%");
   return is_percentage ? length / 100. * whole : length;
 }

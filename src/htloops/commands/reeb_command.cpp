@@ -48,7 +48,7 @@ struct Reeb_command_options : Common_options
 
 void check_options(const Reeb_command_options& options) {
   if(!options.height.empty() && is_zero(options.height))
-    throw Failure(Exit_code::WRONG_USAGE, "--height 0,0,0 is no direction");
+    throw wrong_usage("--height 0,0,0 is no direction");
   for(const std::string& file : options.graph_files)
     check_graph_format(file);
   check_suffix(options.parts_file, ".ply");
@@ -236,20 +236,19 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
   add_threads_option(command, options);
 }
 
-constexpr char reeb_description[] =
-    "Computes the Reeb graph of a triangle mesh.\n"
-    "\n"
-    "Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an "
-    "animal,\n"
-    "the bars of a frame. A connected surface of genus g has a graph with g independent cycles.\n";
+constexpr char reeb_description[] = R"(Computes the Reeb graph of a triangle mesh.
 
-constexpr char reeb_examples[] =
-    "Examples:\n"
-    "  htloops reeb chair.off --picture chair.png      a look at it\n"
-    "  htloops reeb chair.off -o chair.json --parts parts.ply --lines bones.obj\n"
-    "                                                  for a program and for a viewer\n"
-    "  htloops reeb chair.off --height 0,0,1 --simplify 0 --graph chair.graphml\n"
-    "                                                  the full Reeb graph of the height\n";
+Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an animal,
+the bars of a frame. A connected surface of genus g has a graph with g independent cycles.
+)";
+
+constexpr char reeb_examples[] = R"(Examples:
+  htloops reeb chair.off --picture chair.png      a look at it
+  htloops reeb chair.off -o chair.json --parts parts.ply --lines bones.obj
+                                                  for a program and for a viewer
+  htloops reeb chair.off --height 0,0,1 --simplify 0 --graph chair.graphml
+                                                  the full Reeb graph of the height
+)";
 
 } // namespace
 

@@ -53,7 +53,7 @@ const std::map<std::string, Removal_method> methods = {{"cut", Removal_method::C
 
 void check_options(const Remove_options& options) {
   if(options.result_file.empty() && !options.is_dry_run)
-    throw Failure(Exit_code::WRONG_USAGE, "-o OUT says where the mesh goes; or --dry-run");
+    throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
   check_mesh_format(options.result_file);
   parse_length("--shorter-than", options.shorter_than);
   parse_length("--necks", options.necks);
@@ -239,22 +239,21 @@ void add_output_options(CLI::App& command, Remove_options& options) {
   add_view_options(command, options);
 }
 
-constexpr char remove_description[] =
-    "Removes handles of a triangle mesh.\n"
-    "\n"
-    "A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the "
-    "ends\n"
-    "are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,\n"
-    "numbers and colours of its vertices, too, where the file that is written has room for them.\n"
-    "A handle that neither can be done to is refused, by name; that is no failure.\n";
+constexpr char remove_description[] = R"(Removes handles of a triangle mesh.
 
-constexpr char remove_examples[] =
-    "Examples:\n"
-    "  htloops remove scan.ply -o clean.ply            all handles\n"
-    "  htloops remove scan.ply -o clean.ply --shorter-than 3%\n"
-    "                                                  the small ones\n"
-    "  htloops remove scan.ply --genus 2 --dry-run --html look.html\n"
-    "                                                  what would go, if two are to stay\n";
+A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the ends
+are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,
+numbers and colours of its vertices, too, where the file that is written has room for them.
+A handle that neither can be done to is refused, by name; that is no failure.
+)";
+
+constexpr char remove_examples[] = R"(Examples:
+  htloops remove scan.ply -o clean.ply            all handles
+  htloops remove scan.ply -o clean.ply --shorter-than 3%
+                                                  the small ones
+  htloops remove scan.ply --genus 2 --dry-run --html look.html
+                                                  what would go, if two are to stay
+)";
 
 } // namespace
 
