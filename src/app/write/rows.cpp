@@ -13,7 +13,6 @@
 #include "write/tables.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace htloops {
 namespace {
@@ -103,21 +102,6 @@ void write_pair_csv(const std::string& target,
   out << pair_header;
   write_pair_rows(out, mesh_file, answer, listing);
   out.finish();
-}
-
-Mesh_line answered_line(const std::string& mesh_file,
-                        const Mesh& mesh,
-                        double read_seconds,
-                        Answer answer,
-                        Pair_listing listing) {
-  return {mesh_file,
-          0,
-          "",
-          mesh.number_of_vertices(),
-          mesh.number_of_faces(),
-          read_seconds,
-          std::move(answer),
-          std::move(listing)};
 }
 
 void write_mesh_line(Text_writer& out, const Mesh_line& line) {

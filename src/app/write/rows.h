@@ -10,7 +10,6 @@
 #ifndef HTLOOPS_ROWS_H
 #define HTLOOPS_ROWS_H
 
-#include "mesh_types.h"
 #include "solve/answer.h"
 #include "write/files.h"
 #include "write/pair_listing.h"
@@ -50,12 +49,6 @@ struct Mesh_line
   Answer answer = {};
   Pair_listing listing = {};
 };
-
-Mesh_line answered_line(const std::string& mesh_file,
-                        const Mesh& mesh,
-                        double read_seconds,
-                        Answer answer,
-                        Pair_listing listing);
 
 /// writes an object of JSON on a line. On the standard output it is there at once.
 void write_mesh_line(Text_writer& out, const Mesh_line& line);

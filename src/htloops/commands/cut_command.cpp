@@ -94,17 +94,13 @@ void run(const Cut_command_options& options) {
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
   command.option_defaults()->group("What to write");
-  as_output(command.add_option("-o,--output", options.opened_file,
-                               "the opened mesh, with a vertex for each side: .off .obj .ply"),
-            "FILE");
-  as_output(command.add_option("--selection", options.selection_file,
-                               "the edges, as a selection of CGAL"),
-            "FILE.selection.txt");
-  as_output(command.add_option(
-                "--dual", options.dual_file,
-                "for each handle and tunnel loop, and all boundary curves but one of each\n"
-                "component, a cut that crosses it once and no other"),
-            "FILE.json");
+  add_output(command, "-o,--output", "FILE", options.opened_file,
+             "the opened mesh, with a vertex for each side: .off .obj .ply");
+  add_output(command, "--selection", "FILE.selection.txt", options.selection_file,
+             "the edges, as a selection of CGAL");
+  add_output(command, "--dual", "FILE.json", options.dual_file,
+             "for each handle and tunnel loop, and all boundary curves but one of each\n"
+             "component, a cut that crosses it once and no other");
   add_lines_option(command, options, "the edges");
   add_picture_options(command, options, "the cut", false);
   add_view_options(command, options);

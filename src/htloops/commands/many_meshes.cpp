@@ -11,9 +11,7 @@
 
 #include "app/failure.h"
 #include "app/interrupt.h"
-#include "app/solve/progress.h"
 #include "app/solve/thread_limit.h"
-#include "app/write/rows.h"
 #include "commands/command.h"
 
 #include <algorithm>
@@ -29,20 +27,9 @@
 namespace htloops {
 namespace {
 
-// Of one mesh; what is thrown becomes a part of it.
-Mesh_line solve_one(const Loops_options& all, const std::string& file) {
-  Loops_options options = all;
+Mesh_line solve_one(Loops_options options, const std::string& file) {
   options.mesh_file = file;
-  Mesh_line line;
-  const Outcome outcome = outcome_of([&] {
-    const Stopwatch stopwatch;
-    const Mesh mesh = read_mesh(options);
-    const double read_seconds = stopwatch.seconds();
-    Answer answer = solve(mesh, options, false);
-    Pair_listing listing = list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh));
-    line = answered_line(file, mesh, read_seconds, std::move(answer), std::move(listing));
-  });
-  return outcome.exit_code == 0 ? line : Mesh_line{file, outcome.exit_code, outcome.message};
+  return line_of(file, [&] { return read_and_solve(options, false).second; });
 }
 
 // Where lines go, in the order of the meshes, as soon as those before are there.

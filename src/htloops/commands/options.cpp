@@ -19,8 +19,6 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -129,12 +127,10 @@ void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::stri
 }
 
 void add_format_option(CLI::App& command, Mesh_options& options) {
-  command
-      .add_option("--format", options.format,
-                  "off, obj, ply or stl, whatever the name of the mesh says; for - as a mesh,\n"
-                  "which is the standard input")
-      ->option_text("FORMAT")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}))
+  add_choice(command, "--format", "FORMAT", options.format,
+             "off, obj, ply or stl, whatever the name of the mesh says; for - as a mesh,\n"
+             "which is the standard input",
+             {"off", "obj", "ply", "stl"})
       ->group("What to read");
 }
 
@@ -145,10 +141,8 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
   command.add_flag("--repair", options.remedies.do_repair,
                    "weld points, drop degenerate and duplicate faces, split edges and\n"
                    "vertices with too many faces, turn faces over; says what it did");
-  as_output(
-      command.add_option("--write-mesh", options.written_mesh_file,
-                         "the mesh as it is then, which the answer is about: .off .obj .ply .stl"),
-      "FILE");
+  add_output(command, "--write-mesh", "FILE", options.written_mesh_file,
+             "the mesh as it is then, which the answer is about: .off .obj .ply .stl");
 }
 
 Input_file input_of(const Mesh_options& options) {
@@ -173,20 +167,42 @@ void write_read_mesh(const Mesh_options& options, const Mesh& mesh) {
     write_mesh(options.written_mesh_file, mesh);
 }
 
-CLI::Option* as_output(CLI::Option* option, const std::string& what_to_give) {
-  return option->option_text(what_to_give)->type_name(output_file)->allow_extra_args(false);
+CLI::Option* add_numbers(CLI::App& command,
+                         const char* name,
+                         const char* text,
+                         std::vector<double>& numbers,
+                         int count,
+                         const std::string& what) {
+  return command.add_option(name, numbers, what)
+      ->option_text(text)
+      ->delimiter(',')
+      ->expected(count)
+      ->check(why_not_finite);
+}
+
+CLI::Option* add_part(CLI::App& command,
+                      const char* name,
+                      std::optional<double>& part,
+                      const std::string& what) {
+  return command.add_option(name, part, what)
+      ->option_text("PART")
+      ->check(CLI::Range(0., 1.))
+      ->check(why_not_finite);
+}
+
+CLI::Option*
+add_length(CLI::App& command, const char* name, std::string& length, const std::string& what) {
+  return command.add_option(name, length, what)->option_text("L|P%");
 }
 
 void add_json_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(
-      command.add_option("-o,--output", options.json_file, what + " as JSON; - is standard output"),
-      "FILE.json");
+  add_output(command, "-o,--output", "FILE.json", options.json_file,
+             what + " as JSON; - is standard output");
 }
 
 void add_lines_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(command.add_option("--lines", options.lines_files,
-                               what + " as lines: .ply .obj .vtp .polylines.txt; repeatable"),
-            "FILE");
+  add_output(command, "--lines", "FILE", options.lines_files,
+             what + " as lines: .ply .obj .vtp .polylines.txt; repeatable");
 }
 
 void add_picture_options(CLI::App& command,
@@ -195,9 +211,8 @@ void add_picture_options(CLI::App& command,
                          bool has_words) {
   if(!has_pictures)
     return;
-  as_output(
-      command.add_option("--picture", options.picture.file, "a picture of the mesh and " + what),
-      "FILE.png");
+  add_output(command, "--picture", "FILE.png", options.picture.file,
+             "a picture of the mesh and " + what);
   command
       .add_option("--size", options.picture.size, "of the picture, in pixels; default: 1600,1200")
       ->option_text("W,H")
@@ -206,43 +221,30 @@ void add_picture_options(CLI::App& command,
       ->check(CLI::Range(16, 16384))
       ->check(why_not_finite)
       ->needs("--picture");
-  command
-      .add_option("--opacity", options.picture.opacity,
-                  "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
-                  "default: 0.5, and more the more lines there are")
-      ->option_text("PART")
-      ->check(CLI::Range(0., 1.))
-      ->check(why_not_finite)
+  add_part(command, "--opacity", options.picture.opacity,
+           "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
+           "default: 0.5, and more the more lines there are")
       ->needs("--picture");
   if(has_words)
     add_word_options(command, options.picture);
 }
 
 void add_page_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(command.add_option("--html", options.page_file,
-                               "a page for a browser, to turn " + what + " in"),
-            "FILE.html");
+  add_output(command, "--html", "FILE.html", options.page_file,
+             "a page for a browser, to turn " + what + " in");
 }
 
 void add_gltf_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(
-      command.add_option("--gltf", options.gltf_file, what + " as tubes, with the mesh, as glTF"),
-      "FILE.glb");
+  add_output(command, "--gltf", "FILE.glb", options.gltf_file,
+             what + " as tubes, with the mesh, as glTF");
 }
 
 void add_view_options(CLI::App& command, Common_options& options) {
-  const auto add_direction = [&](const char* name, std::vector<double>& direction,
-                                 const char* meaning) {
-    command.add_option(name, direction, meaning)
-        ->option_text("X,Y,Z")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(why_not_finite);
-  };
-  add_direction("--view", options.view.from,
-                "direction that is looked from; default: where most is visible, of pairs that\n"
-                "were asked for above all");
-  add_direction("--up", options.view.up, "direction that is upright; default: 0,0,1");
+  add_numbers(command, "--view", "X,Y,Z", options.view.from, 3,
+              "direction that is looked from; default: where most is visible, of pairs that\n"
+              "were asked for above all");
+  add_numbers(command, "--up", "X,Y,Z", options.view.up, 3,
+              "direction that is upright; default: 0,0,1");
 }
 
 void add_threads_option(CLI::App& command, Common_options& options) {
@@ -320,11 +322,8 @@ bool is_zero(const std::vector<double>& direction) {
 }
 
 CLI::Option* add_box_option(CLI::App& command, std::vector<double>& box, const std::string& what) {
-  return command.add_option("--box", box, what + " with a loop that lies in a box")
-      ->option_text("x,y,z,X,Y,Z")
-      ->delimiter(',')
-      ->expected(6)
-      ->check(why_not_finite);
+  return add_numbers(command, "--box", "x,y,z,X,Y,Z", box, 6,
+                     what + " with a loop that lies in a box");
 }
 
 std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box) {

@@ -175,14 +175,11 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the graph");
   add_lines_option(command, options, "the arcs");
-  as_output(command.add_option("--graph", options.graph_files,
-                               "nodes and arcs: .graphml .dot; repeatable"),
-            "FILE");
-  as_output(
-      command.add_option("--parts", options.parts_file, "the mesh with vertices coloured by arc"),
-      "FILE.ply");
-  as_output(command.add_option("--csv", options.csv_file, "a row of numbers for each arc"),
-            "FILE.csv");
+  add_output(command, "--graph", "FILE", options.graph_files,
+             "nodes and arcs: .graphml .dot; repeatable");
+  add_output(command, "--parts", "FILE.ply", options.parts_file,
+             "the mesh with vertices coloured by arc");
+  add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
   add_picture_options(command, options, "the graph");
   add_page_option(command, options, "the mesh and the graph");
   add_gltf_option(command, options, "the arcs");
@@ -197,14 +194,9 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
                       "vertex to diffuse from; repeatable; default: handle loops, or an end")
           ->option_text("VERTEX")
           ->allow_extra_args(false);
-  CLI::Option* height =
-      command
-          .add_option("--height", options.height, "take the height in a direction, not a diffusion")
-          ->option_text("X,Y,Z")
-          ->delimiter(',')
-          ->expected(3)
-          ->check(why_not_finite)
-          ->excludes(seed);
+  CLI::Option* height = add_numbers(command, "--height", "X,Y,Z", options.height, 3,
+                                    "take the height in a direction, not a diffusion")
+                            ->excludes(seed);
   CLI::Option* values =
       command
           .add_option("--values", options.values_file, "take a number for each vertex from a file")
@@ -212,27 +204,18 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
           ->type_name(input_file)
           ->excludes(seed)
           ->excludes(height);
-  command
-      .add_option(
-          "--backend", options.backend,
-          "of the diffusion: auto, host, cuda or reference; default: auto, a CUDA device if "
-          "there is one")
-      ->option_text("NAME")
-      ->check(CLI::IsMember(names_of_backends()))
+  add_choice(command, "--backend", "NAME", options.backend,
+             "of the diffusion: auto, host, cuda or reference; default: auto, a CUDA device if "
+             "there is one",
+             names_of_backends())
       ->excludes(height)
       ->excludes(values);
-  command
-      .add_option("--simplify", options.threshold,
-                  "leaves to take off, as part of the whole, 0 to 1; default: 0.03")
-      ->option_text("PART")
-      ->check(CLI::Range(0., 1.))
-      ->check(why_not_finite);
-  command
-      .add_option("--measure", options.measure,
-                  "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
-                  "else persistence")
-      ->option_text("NAME")
-      ->check(CLI::IsMember(reeb_measures()));
+  add_part(command, "--simplify", options.threshold,
+           "leaves to take off, as part of the whole, 0 to 1; default: 0.03");
+  add_choice(command, "--measure", "NAME", options.measure,
+             "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
+             "else persistence",
+             reeb_measures());
   add_threads_option(command, options);
 }
 

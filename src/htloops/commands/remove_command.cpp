@@ -112,8 +112,7 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   Removal_options removal;
   removal.target_genus = options.genus.value_or(0);
   const double whole = diagonal_of(mesh);
-  if(const auto length = parse_length("--shorter-than", options.shorter_than, whole))
-    removal.maximal_length = *length;
+  removal.maximal_length = parse_length("--shorter-than", options.shorter_than, whole);
   if(!options.pairs.empty())
     removal.pairs = options.pairs;
   removal.box = box_of(options.box);
@@ -188,21 +187,17 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
   CLI::Option* selections[] = {
       command.add_option("--genus", options.genus, "the smallest, until genus G is left")
           ->option_text("G"),
-      command
-          .add_option("--shorter-than", options.shorter_than,
-                      "handles with a loop that is shorter; %: of the diagonal of the box")
-          ->option_text("L|P%"),
+      add_length(command, "--shorter-than", options.shorter_than,
+                 "handles with a loop that is shorter; %: of the diagonal of the box"),
       command
           .add_option("--pairs", options.pairs, "those of some pairs, as 'htloops loops' counts")
           ->option_text("I,J,...")
           ->delimiter(',')
           ->allow_extra_args(false),
       add_box_option(command, options.box, "handles"),
-      command
-          .add_option("--necks", options.necks,
-                      "handles with a loop that is shorter, and necks:\n"
-                      "shorter loops at which shells come apart")
-          ->option_text("L|P%"),
+      add_length(command, "--necks", options.necks,
+                 "handles with a loop that is shorter, and necks:\n"
+                 "shorter loops at which shells come apart"),
   };
   for(CLI::Option* const option : selections) {
     for(CLI::Option* const other : selections)
@@ -213,11 +208,8 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
 
 void add_computation_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("How to remove");
-  command
-      .add_option("--by", options.method,
-                  "cut, fill or cheapest; default: cheapest, or as it can be done")
-      ->option_text("WAY")
-      ->check(CLI::IsMember(methods));
+  add_choice(command, "--by", "WAY", options.method,
+             "cut, fill or cheapest; default: cheapest, or as it can be done", methods);
   command
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
@@ -228,12 +220,10 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
 
 void add_output_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to write");
-  as_output(command.add_option("-o,--output", options.result_file,
-                               "the mesh: .off .obj .ply .stl; - is standard output, OFF"),
-            "OUT");
+  add_output(command, "-o,--output", "OUT", options.result_file,
+             "the mesh: .off .obj .ply .stl; - is standard output, OFF");
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
-  as_output(command.add_option("--report", options.json_file, "what was done, as JSON"),
-            "FILE.json");
+  add_output(command, "--report", "FILE.json", options.json_file, "what was done, as JSON");
   add_picture_options(command, options, "the loops of what is removed");
   add_page_option(command, options, "the mesh before and after");
   add_view_options(command, options);
