@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_MESH_TYPES_H
 #define HTLOOPS_MESH_TYPES_H
 
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,6 +24,8 @@
 
 namespace htloops {
 
+using CGAL::Loop_type;
+using CGAL::Handle_tunnel_loops::Basis_kind;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -47,20 +50,18 @@ using Loop = Pair::Loop;
 using Pairs = std::vector<Pair>;
 
 /// Both kinds, in the order in which they are written.
-constexpr CGAL::Loop_type loop_types[] = {CGAL::Loop_type::HANDLE, CGAL::Loop_type::TUNNEL};
+constexpr Loop_type loop_types[] = {Loop_type::HANDLE, Loop_type::TUNNEL};
 
 /// calls `visit(loop, type, index of the pair)` for all loops.
 template <typename Visit> void for_each_loop(const Pairs& pairs, Visit visit) {
   for(std::size_t i = 0; i < pairs.size(); ++i)
-    for(const CGAL::Loop_type type : loop_types)
+    for(const Loop_type type : loop_types)
       visit(pairs[i].loop(type), type, i);
 }
 
 /// the word for a kind, as it stands in files and messages.
-inline const char* name_of(CGAL::Loop_type type) {
-  return type == CGAL::Loop_type::HANDLE   ? "handle"
-         : type == CGAL::Loop_type::TUNNEL ? "tunnel"
-                                           : "boundary";
+inline const char* name_of(Loop_type type) {
+  return type == Loop_type::HANDLE ? "handle" : type == Loop_type::TUNNEL ? "tunnel" : "boundary";
 }
 
 /// Whether an edge lies across a face of the file, which was cut into triangles.

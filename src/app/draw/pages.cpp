@@ -18,8 +18,6 @@
 namespace htloops {
 namespace {
 
-using CGAL::Loop_type;
-
 // The extents of a box are told in fewer letters than where there is room.
 std::vector<std::string> narrow_cells_of(const Listed_pair& pair) {
   std::vector<std::string> cells = cells_of(pair);
@@ -30,8 +28,8 @@ std::vector<std::string> narrow_cells_of(const Listed_pair& pair) {
 
 /// adds the sorts of lines that handle loops and tunnel loops are, which come first.
 void add_groups_of_loops(htl_window::Scene& scene) {
-  scene.groups = {{"handle loops", colour_of(CGAL::Loop_type::HANDLE)},
-                  {"tunnel loops", colour_of(CGAL::Loop_type::TUNNEL)}};
+  scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(Loop_type::TUNNEL)}};
 }
 
 // adds a line of a group, told of in a row.
@@ -104,10 +102,6 @@ void add_arcs(htl_window::Scene& scene,
   for(const auto e : CGAL::make_range(edges(answer.graph)))
     add_line(scene, answer.graph[e].polyline, false, 0, row_of[answer.graph[e].index]);
 }
-
-using CGAL::Handle_tunnel_loops::Refused_handle;
-using CGAL::Handle_tunnel_loops::Removal_report;
-using CGAL::Handle_tunnel_loops::Removed_handle;
 
 void add_row(htl_window::Table& table, std::vector<std::string> cells, double length) {
   table.rows.push_back(std::move(cells));

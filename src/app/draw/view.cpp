@@ -194,7 +194,7 @@ Vector best_direction(const Drawn_surface& surface,
 } // namespace
 
 void choose(View& view, const Pair& pair) {
-  for(const CGAL::Loop_type type : loop_types)
+  for(const Loop_type type : loop_types)
     view.chosen.push_back(coordinates(pair.loop(type).points()));
 }
 

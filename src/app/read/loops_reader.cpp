@@ -141,8 +141,7 @@ Loop_record read_loop(const Node& node) {
 }
 
 // Files of before there were two kinds do not say.
-CGAL::Handle_tunnel_loops::Basis_kind basis_kind(const Node& document) {
-  using CGAL::Handle_tunnel_loops::Basis_kind;
+Basis_kind basis_kind(const Node& document) {
   if(!document.has("basis"))
     return Basis_kind::PURE;
   const Node basis = document.member("basis");
@@ -192,21 +191,21 @@ public:
       return std::move(result_);
     measure_mesh();
     for(std::size_t i = 0; i < record_.pairs.size(); ++i) {
-      const auto bind_one_of_pair = [&](CGAL::Loop_type type) {
+      const auto bind_one_of_pair = [&](Loop_type type) {
         place_ = "pair " + std::to_string(i) + ", " + name_of(type);
         return bind_loop(record_.pairs[i].loop(type), type, i);
       };
-      Loop handle = bind_one_of_pair(CGAL::Loop_type::HANDLE);
-      Loop tunnel = bind_one_of_pair(CGAL::Loop_type::TUNNEL);
+      Loop handle = bind_one_of_pair(Loop_type::HANDLE);
+      Loop tunnel = bind_one_of_pair(Loop_type::TUNNEL);
       result_.pairs.emplace_back(std::move(handle), std::move(tunnel));
     }
     for(std::size_t i = 0; i < record_.boundaries.size(); ++i) {
       const Boundary_record& boundary = record_.boundaries[i];
       place_ = "boundary " + std::to_string(i);
-      result_.curves.push_back(bind_loop(boundary.curve, CGAL::Loop_type::BOUNDARY, i));
+      result_.curves.push_back(bind_loop(boundary.curve, Loop_type::BOUNDARY, i));
       place_ += ", waist";
       if(boundary.waist)
-        result_.waists.push_back(bind_loop(*boundary.waist, CGAL::Loop_type::BOUNDARY, i));
+        result_.waists.push_back(bind_loop(*boundary.waist, Loop_type::BOUNDARY, i));
     }
     return std::move(result_);
   }
@@ -233,7 +232,7 @@ private:
     tolerance_ = relative_tolerance * largest + 8. * std::numeric_limits<double>::denorm_min();
   }
 
-  Loop bind_loop(const Loop_record& record, CGAL::Loop_type type, std::size_t number) {
+  Loop bind_loop(const Loop_record& record, Loop_type type, std::size_t number) {
     if(record.locations.size() != record.points.size())
       add_problem(place_ + ": " + std::to_string(record.locations.size()) + " locations, but " +
                   std::to_string(record.points.size()) + " points");

@@ -26,7 +26,6 @@ namespace htloops {
 namespace {
 
 namespace parameters = CGAL::parameters;
-using CGAL::Handle_tunnel_loops::Removal_report;
 
 void check_numbers(const std::vector<std::size_t>& numbers, std::size_t count) {
   for(const std::size_t number : numbers)

@@ -21,7 +21,6 @@
 namespace htloops {
 namespace {
 
-using CGAL::Handle_tunnel_loops::Loop_linking;
 using CGAL::Handle_tunnel_loops::Stage;
 
 // A file with an object of JSON, written member by member, each on a line of its own; of a long
@@ -90,7 +89,7 @@ Json timings(const Answer& answer, double read_seconds) {
 
 Json json_of(const std::optional<std::size_t>& count) { return count ? Json(*count) : Json(); }
 
-Json json_of(const CGAL::Handle_tunnel_loops::Certificate& certificate) {
+Json json_of(const Certificate& certificate) {
   return {{"closed_on_surface", certificate.closed_on_surface},
           {"basis", certificate.basis},
           {"pairing", certificate.pairing},
@@ -209,9 +208,6 @@ Json json_of_arc_of_vertex(std::size_t arc) {
   return arc == Reeb_answer::no_arc ? Json() : Json(arc);
 }
 
-using CGAL::Handle_tunnel_loops::Refused_handle;
-using CGAL::Handle_tunnel_loops::Removed_handle;
-
 Json json_of(const Removed_handle& handle) {
   return {{"pair", handle.pair},
           {"by", name_of(handle.by)},
@@ -235,7 +231,7 @@ template <typename Necks> Json json_of_necks(const Necks& necks) {
 
 Json json_of(const Dual_cut& cut, const Mesh& mesh) {
   Json json = {{"loop", name_of(cut.loop.type())}};
-  json[cut.loop.type() == CGAL::Loop_type::BOUNDARY ? "boundary" : "pair"] = cut.loop.pair_index();
+  json[cut.loop.type() == Loop_type::BOUNDARY ? "boundary" : "pair"] = cut.loop.pair_index();
   json["edges"] = array_of(cut.edges, [&mesh](const auto& edge) {
     return Json::array({mesh.source(edge.first).idx(), mesh.target(edge.first).idx(), edge.second});
   });
@@ -307,7 +303,7 @@ void write_loops_json(const std::string& target,
   std::size_t index = 0; // of the next loop
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
     Json json = json_of_place(listed_pair(pair, index / 2, box));
-    for(const CGAL::Loop_type type : loop_types) {
+    for(const Loop_type type : loop_types) {
       json[name_of(type)] =
           json_of(pair.loop(type), mesh, components, linking.empty() ? nullptr : &linking[index]);
       ++index;
@@ -341,8 +337,7 @@ void write_reeb_json(const std::string& target,
   out.finish();
 }
 
-void write_removal_json(const std::string& file,
-                        const CGAL::Handle_tunnel_loops::Removal_report& report) {
+void write_removal_json(const std::string& file, const Removal_report& report) {
   const auto json = [](const auto& handle) { return json_of(handle); };
   Json_writer document(file);
   document.member("format", "htloops-remove/1");

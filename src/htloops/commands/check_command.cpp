@@ -26,8 +26,6 @@ struct Check_options : Mesh_options
   std::string loops_file;
 };
 
-using CGAL::Handle_tunnel_loops::Certificate;
-
 // The names of handles and tunnels are wrong, and nothing else.
 bool has_wrong_types_only(const Certificate& c) {
   return c.closed_on_surface && c.basis && c.pairing && !c.types;

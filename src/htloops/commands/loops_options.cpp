@@ -158,7 +158,6 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
     solve_options.literal_rules = CGAL::Handle_tunnel_loops::Literal_rules::all();
   solve_options.do_tighten = !options.do_not_tighten && !options.is_literal;
   solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
-  using CGAL::Handle_tunnel_loops::Basis_kind;
   solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
   solve_options.do_log_fronts = !options.events_file.empty() || options.moment;
   solve_options.do_find_layers = !options.layers_file.empty() || options.moment;

@@ -45,8 +45,6 @@ struct Remove_options : Common_options // the JSON is the report
   bool show_all = false;
 };
 
-using CGAL::Handle_tunnel_loops::Removal_method;
-
 const std::map<std::string, Removal_method> methods = {{"cut", Removal_method::CUT},
                                                        {"fill", Removal_method::FILL},
                                                        {"cheapest", Removal_method::CHEAPEST}};
@@ -92,8 +90,7 @@ std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
 
 Pairs read_basis(const Mesh& mesh, const std::string& file) {
   Bound_loops loops = read_loops_on(mesh, file);
-  const auto certificate =
-      certify(mesh, loops.pairs, CGAL::Handle_tunnel_loops::Basis_kind::PURE, false);
+  const auto certificate = certify(mesh, loops.pairs, Basis_kind::PURE, false);
   if(!certificate.closed_on_surface || !certificate.basis)
     require_none(file, lines_of(certificate.failure));
   return std::move(loops.pairs);
