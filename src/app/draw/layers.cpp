@@ -55,7 +55,6 @@ public:
   Layer_parts(const Answer& answer, double now)
       : told_(answer.vertex_layers)
       , ends_(ends_of_layers(answer))
-      , width_of_band_(last_time(told_) / number_of_time_bands)
       , now_(now) {}
 
   Parts parts_of(const std::array<Vertex, 3>& corners) {
@@ -133,7 +132,7 @@ private:
 
   const Vertex_layers& told_;
   std::vector<double> ends_;
-  double width_of_band_, now_;
+  const double now_, width_of_band_ = last_time(told_) / number_of_time_bands;
   std::vector<double> levels_; // of the present edge
 };
 

@@ -37,8 +37,7 @@ class Line_printer
 {
 public:
   explicit Line_printer(const Loops_options& options)
-      : options_(options)
-      , waiting_(options.mesh_files.size()) {
+      : options_(options) {
     if(!options.jsonl_file.empty())
       objects_.emplace(options.jsonl_file);
     if(!options.csv_file.empty())
@@ -85,7 +84,7 @@ private:
 
   const Loops_options& options_;
   std::mutex mutex_;
-  std::vector<std::optional<Mesh_line>> waiting_;
+  std::vector<std::optional<Mesh_line>> waiting_{options_.mesh_files.size()};
   std::size_t next_ = 0; // to be printed
   std::size_t number_of_failures_ = 0;
   int exit_code_ = 0; // of the first that failed
