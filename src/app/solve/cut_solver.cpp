@@ -10,7 +10,6 @@
 #include "solve/cut_solver.h"
 
 #include "solve/boundaries.h"
-#include "solve/thread_limit.h"
 
 #include <CGAL/Handle_tunnel_loops_solver.h>
 #include <CGAL/Polygon_mesh_processing/border.h>

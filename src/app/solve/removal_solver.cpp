@@ -10,7 +10,6 @@
 #include "solve/removal_solver.h"
 
 #include "failure.h"
-#include "solve/thread_limit.h"
 #include "words.h"
 
 #include <CGAL/boost/graph/iterator.h>

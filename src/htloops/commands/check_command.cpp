@@ -13,7 +13,6 @@
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 
 #include <memory>

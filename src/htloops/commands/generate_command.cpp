@@ -12,7 +12,6 @@
 #include "app/words.h"
 #include "app/write/mesh_writer.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 #include "generators/Shape.h"
 #include "generators/generators.h"

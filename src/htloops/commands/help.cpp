@@ -7,8 +7,6 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "commands/help.h"
-
 #include "app/words.h"
 #include "commands/command.h"
 #include "commands/options.h"

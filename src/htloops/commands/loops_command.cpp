@@ -18,7 +18,6 @@
 #include "app/write/documents.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/loops_options.h"
 #include "terminal/terminal.h"
 

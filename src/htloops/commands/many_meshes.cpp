@@ -11,7 +11,7 @@
 
 #include "app/failure.h"
 #include "app/interrupt.h"
-#include "app/solve/thread_limit.h"
+#include "app/solve/progress.h"
 #include "commands/command.h"
 
 #include <algorithm>
@@ -84,7 +84,8 @@ private:
 
   const Loops_options& options_;
   std::mutex mutex_;
-  std::vector<std::optional<Mesh_line>> waiting_{options_.mesh_files.size()};
+  std::vector<std::optional<Mesh_line>> waiting_ =
+      std::vector<std::optional<Mesh_line>>(options_.mesh_files.size());
   std::size_t next_ = 0; // to be printed
   std::size_t number_of_failures_ = 0;
   int exit_code_ = 0; // of the first that failed

@@ -21,7 +21,6 @@
 #include "app/write/files.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
 

@@ -11,12 +11,9 @@
 #include "app/interrupt.h"
 #include "app/version.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstddef>
