@@ -100,21 +100,18 @@ double total_length(const Pairs& pairs, Loop_type type) {
 std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolution) {
   if(resolution.is_resolved())
     return "";
-  std::string text = "the mesh is coarse for the field:";
-  const char* separator = " ";
-  const auto append = [&](std::size_t number, const char* one, const char* many) {
-    if(number == 0)
-      return;
-    text += separator + counted(number, one, many);
-    separator = ", ";
-  };
-  append(resolution.handles_within_steps, "handle passed in one step",
-         "handles passed in one step");
-  append(resolution.rests, "rest", "rests");
-  append(resolution.early_vertices, "vertex reached ahead of the front",
-         "vertices reached ahead of the front");
-  append(resolution.events_in_seed_region, "event beside the seed", "events beside the seed");
-  return text + "\n";
+  std::string text;
+  for(const auto& [number, one, many] :
+      {std::tuple(resolution.handles_within_steps, "handle passed in one step",
+                  "handles passed in one step"),
+       std::tuple(resolution.rests, "rest", "rests"),
+       std::tuple(resolution.early_vertices, "vertex reached ahead of the front",
+                  "vertices reached ahead of the front"),
+       std::tuple(resolution.events_in_seed_region, "event beside the seed",
+                  "events beside the seed")})
+    if(number > 0)
+      text += (text.empty() ? " " : ", ") + counted(number, one, many);
+  return "the mesh is coarse for the field:" + text + "\n";
 }
 
 // Why loops do not bound on their sides, where that was wanted.

@@ -21,6 +21,8 @@
 #include "commands/loops_options.h"
 #include "terminal/terminal.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -57,10 +59,7 @@ std::string quoted(const std::string& file) {
   };
   if(std::all_of(file.begin(), file.end(), is_plain))
     return file;
-  std::string text = "'";
-  for(const char c : file)
-    text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + '\'';
+  return "'" + boost::algorithm::replace_all_copy(file, "'", "'\\''") + "'";
 }
 
 // Whether there is a file that 'htloops remove' can be given.
@@ -119,7 +118,7 @@ void write_files(const Loops_options& options, const Mesh& mesh, const Mesh_line
   if(!options.events_file.empty())
     write_events(options.events_file, answer);
   if(!options.csv_file.empty())
-    write_pair_csv(options.csv_file, options.mesh_file, answer, line.listing);
+    write_pair_csv(options.csv_file, line);
   for(const std::string& file : options.lines_files)
     export_lines(file, lines_of(answer, line.listing));
   if(!options.layers_file.empty())

@@ -73,7 +73,7 @@ private:
     if(objects_)
       write_mesh_line(*objects_, line);
     if(rows_ && line.exit_code == 0)
-      write_pair_rows(*rows_, line.mesh_file, line.answer, line.listing);
+      write_pair_rows(*rows_, line);
     if(!options_.is_quiet && !is_output_taken())
       show_text((next_ == 0 ? header_of_lines(options_.mesh_files) : "") +
                     row_of(line, options_.mesh_files),

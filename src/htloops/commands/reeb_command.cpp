@@ -90,8 +90,7 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
   reeb.values = values_of(options, mended);
   if(!options.measure.empty())
     reeb.measure = reeb_measures().at(options.measure);
-  if(options.threshold)
-    reeb.threshold = *options.threshold;
+  reeb.threshold = options.threshold.value_or(reeb.threshold);
   reeb.backend = options.backend;
   reeb.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));

@@ -21,6 +21,8 @@
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -63,9 +65,7 @@ Vertex_properties properties_to_keep(const Input_file& file, const Remove_option
   if(options.is_dry_run)
     return {};
   Vertex_properties kept = kept_by_format(options.result_file, read_vertex_properties(file));
-  std::string list;
-  for(const std::string& data : unread_data(file, kept))
-    list += (list.empty() ? "" : "; ") + data;
+  const std::string list = boost::algorithm::join(unread_data(file, kept), "; ");
   if(!list.empty() && !options.is_quiet)
     std::fprintf(stderr, "htloops: of %s is not kept: %s\n", options.mesh_file.c_str(),
                  list.c_str());
