@@ -72,10 +72,8 @@ double mean(const Mesh& mesh,
 }
 
 bool has_known_neighbour(const Mesh& mesh, const std::vector<bool>& is_known, Vertex v) {
-  for(const Vertex w : CGAL::vertices_around_target(mesh.halfedge(v), mesh))
-    if(is_known[w.idx()])
-      return true;
-  return false;
+  const auto around = CGAL::vertices_around_target(mesh.halfedge(v), mesh);
+  return std::any_of(around.begin(), around.end(), [&](Vertex w) { return is_known[w.idx()]; });
 }
 
 // Those of the vertices in question that are beside known ones; the others stay.

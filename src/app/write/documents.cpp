@@ -129,24 +129,31 @@ Json json_of_line(const Loop& loop, const Mesh& mesh, Json json = Json()) {
   return json;
 }
 
-// Of the surface at a loop.
-std::size_t
-component_of(const Loop& loop, const Mesh& mesh, const std::vector<std::size_t>& components) {
-  return components[mesh.source(loop.steps().front().halfedge).idx()];
-}
-
+// Its length and the component of the surface that it is on, what else is told of it, and where it
+// runs.
 Json json_of(const Loop& loop,
              const Mesh& mesh,
              const std::vector<std::size_t>& components,
-             const Loop_linking* linking) {
-  Json json = {{"length", loop.length()}, {"component", component_of(loop, mesh, components)}};
-  if(linking != nullptr) {
-    json["bounds"] = word_for_side(*linking);
-    json["bounds_alone"] = word_for_side_alone(*linking);
-    if(!linking->problem.empty())
-      json["undecided_because"] = linking->problem;
-  }
+             const Json& more) {
+  const Mesh::Vertex_index v = mesh.source(loop.steps().front().halfedge);
+  Json json = {{"length", loop.length()}, {"component", components[v.idx()]}};
+  json.update(more);
   return json_of_line(loop, mesh, std::move(json));
+}
+
+Json json_of(const Loop_linking& linking) {
+  Json json = {{"bounds", word_for_side(linking)}, {"bounds_alone", word_for_side_alone(linking)}};
+  if(!linking.problem.empty())
+    json["undecided_because"] = linking.problem;
+  return json;
+}
+
+// Of a boundary curve, if that was looked for.
+Json json_of_waist(const Loop& curve, const Boundaries& boundaries, const Mesh& mesh) {
+  if(boundaries.waists.empty())
+    return Json::object();
+  const Loop& waist = boundaries.waists[curve.pair_index()];
+  return {{"waist", json_of_line(waist, mesh, {{"length", waist.length()}})}};
 }
 
 // How small a pair is, and where its shorter loop lies.
@@ -156,19 +163,6 @@ Json json_of_place(const Listed_pair& pair) {
           {"centre", json_of_point(pair.centre)},
           {"box", Json::array({Json::array({box.xmin(), box.ymin(), box.zmin()}),
                                Json::array({box.xmax(), box.ymax(), box.zmax()})})}};
-}
-
-// A boundary curve, with its waist if that was looked for.
-Json json_of(const Loop& curve,
-             const Boundaries& boundaries,
-             const Mesh& mesh,
-             const std::vector<std::size_t>& components) {
-  Json json = {{"length", curve.length()}, {"component", component_of(curve, mesh, components)}};
-  if(!boundaries.waists.empty()) {
-    const Loop& waist = boundaries.waists[curve.pair_index()];
-    json["waist"] = json_of_line(waist, mesh, {{"length", waist.length()}});
-  }
-  return json_of_line(curve, mesh, std::move(json));
 }
 
 using Graph = CGAL::Reeb_graph<Mesh>;
@@ -304,14 +298,15 @@ void write_loops_json(const std::string& target,
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
     Json json = json_of_place(listed_pair(pair, index / 2, box));
     for(const Loop_type type : loop_types) {
-      json[name_of(type)] =
-          json_of(pair.loop(type), mesh, components, linking.empty() ? nullptr : &linking[index]);
+      json[name_of(type)] = json_of(pair.loop(type), mesh, components,
+                                    linking.empty() ? Json::object() : json_of(linking[index]));
       ++index;
     }
     return json;
   });
-  out.array("boundaries", answer.boundaries.curves,
-            [&](const Loop& curve) { return json_of(curve, answer.boundaries, mesh, components); });
+  out.array("boundaries", answer.boundaries.curves, [&](const Loop& curve) {
+    return json_of(curve, mesh, components, json_of_waist(curve, answer.boundaries, mesh));
+  });
   out.finish();
 }
 
