@@ -92,10 +92,7 @@ void add_check_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Check_options>();
   CLI::App* check = app.add_subcommand("check", check_description)->group("Commands");
   add_mesh_argument(*check, *options, "the mesh that the loops were computed on");
-  check->add_option("LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote")
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
+  add_input(*check, "LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote");
   add_remedy_options(*check, *options);
   check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*check, check_examples);

@@ -26,14 +26,6 @@ const std::map<std::string, Pair_order> orders = {{"size", Pair_order::SIZE},
                                                   {"pair", Pair_order::PAIR},
                                                   {"place", Pair_order::PLACE}};
 
-void add_meshes_argument(CLI::App& command, Loops_options& options) {
-  command.add_option("MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl")
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
-  add_format_option(command, options);
-}
-
 void add_output_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the loops");
@@ -174,7 +166,8 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
 } // namespace
 
 void add_loops_options(CLI::App& command, Loops_options& options) {
-  add_meshes_argument(command, options);
+  add_input(command, "MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl");
+  add_format_option(command, options);
   add_output_options(command, options);
   add_remedy_options(command, options);
   add_computation_options(command, options);

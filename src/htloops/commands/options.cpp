@@ -119,10 +119,7 @@ void check_files(const CLI::App& app) {
 }
 
 void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what) {
-  command.add_option("MESH", options.mesh_file, what)
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
+  add_input(command, "MESH", options.mesh_file, what);
   add_format_option(command, options);
 }
 

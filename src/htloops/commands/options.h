@@ -95,6 +95,13 @@ void add_output(
       ->allow_extra_args(false);
 }
 
+/// declares the name of a file that is read, or of several, as what comes without the name of an
+/// option.
+template <typename Files>
+void add_input(CLI::App& command, const char* name, Files& files, const std::string& what) {
+  command.add_option(name, files, what)->option_text(" ")->type_name(input_file)->required();
+}
+
 /// declares one that takes one of some words.
 template <typename Words = std::vector<std::string>>
 CLI::Option* add_choice(CLI::App& command,
