@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -77,6 +78,9 @@ inline std::optional<Face_cuts> cuts_of_faces(const Mesh& mesh) {
   const auto [cuts, has_any] = mesh.property_map<Mesh::Edge_index, bool>("e:cuts_face");
   return has_any ? std::optional<Face_cuts>(cuts) : std::nullopt;
 }
+
+/// Red, green and blue.
+using Colour = std::array<unsigned char, 3>;
 
 /// A number for each vertex, in the order of the vertices, as PLY files have them.
 struct Vertex_property

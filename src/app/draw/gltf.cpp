@@ -106,8 +106,6 @@ private:
   Smooth_surface tube_;
 };
 
-using Colour = std::array<unsigned char, 3>;
-
 // The sums of the normals of the faces around each point.
 std::vector<Vector> normals_of(const Drawn_surface& surface, double diagonal) {
   std::vector<Vector> normals(surface.points.size());

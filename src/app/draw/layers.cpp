@@ -27,8 +27,6 @@ double light_at(double time, double last) {
   return mean + (1. - mean) * std::cos(pi * band);
 }
 
-using Colour = std::array<unsigned char, 3>;
-
 constexpr Colour colour_of_rest = {222, 226, 232}, colour_of_front = {170, 20, 30};
 
 // The times at which the layers end, by layer.
@@ -58,8 +56,7 @@ public:
       , now_(now) {}
 
   Parts parts_of(const std::array<Vertex, 3>& corners) {
-    Parts parts;
-    append(corners[0], corners[1], parts);
+    Parts parts = parts_of(corners[0], corners[1]);
     append(corners[1], corners[2], parts);
     return parts;
   }
@@ -197,11 +194,9 @@ private:
 
 } // namespace
 
-std::array<unsigned char, 3> colour_of_layer(std::size_t layer) {
-  return colour_of_arc(layer == 0 ? 0 : layer - 1);
-}
+Colour colour_of_layer(std::size_t layer) { return colour_of_arc(layer == 0 ? 0 : layer - 1); }
 
-std::array<unsigned char, 3> darkened(std::array<unsigned char, 3> colour, double light) {
+Colour darkened(Colour colour, double light) {
   for(unsigned char& part : colour)
     part = static_cast<unsigned char>(light * part);
   return colour;

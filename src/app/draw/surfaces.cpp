@@ -9,6 +9,8 @@
 
 #include "draw/surfaces.h"
 
+#include <algorithm>
+
 namespace htloops {
 
 Drawn_surface drawn_surface(const Mesh& mesh) {
@@ -92,8 +94,7 @@ Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer) {
   return Level_cutter(mesh, answer.values).cut(arcs);
 }
 
-Drawn_surface drawn_surface(const Arc_surface& surface,
-                            std::array<unsigned char, 3> (*colour_of_part)(std::size_t)) {
+Drawn_surface drawn_surface(const Arc_surface& surface, Colour (*colour_of_part)(std::size_t)) {
   Drawn_surface drawn{surface.points, surface.triangles, {}};
   drawn.colours.reserve(drawn.triangles.size());
   for(const std::uint32_t arc : surface.triangle_arcs)

@@ -16,7 +16,6 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/arc_shapes.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -72,7 +71,7 @@ struct Drawn_surface
 {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::array<unsigned char, 3>> colours; ///< of the triangles, or none
+  std::vector<Colour> colours; ///< of the triangles, or none
 };
 
 Drawn_surface drawn_surface(const Mesh& mesh);
@@ -184,9 +183,8 @@ private:
 Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer);
 
 /// a surface in the colours of its arcs.
-Drawn_surface
-drawn_surface(const Arc_surface& surface,
-              std::array<unsigned char, 3> (*colour_of_part)(std::size_t) = colour_of_arc);
+Drawn_surface drawn_surface(const Arc_surface& surface,
+                            Colour (*colour_of_part)(std::size_t) = colour_of_arc);
 
 } // namespace htloops
 

@@ -124,15 +124,14 @@ std::string summary(const Removal_report& report);
 
 /// the colour (red, green, blue) of a kind of loops, in exports and pictures alike. People who do
 /// not see all colours tell these apart (Okabe and Ito, Color Universal Design, 2008).
-constexpr std::array<unsigned char, 3> colour_of(Loop_type type) {
-  using Colour = std::array<unsigned char, 3>;
+constexpr Colour colour_of(Loop_type type) {
   return type == Loop_type::HANDLE   ? Colour{213, 94, 0}
          : type == Loop_type::TUNNEL ? Colour{0, 114, 178}
                                      : Colour{0, 158, 115};
 }
 
 /// that of the boundary of the surface itself.
-constexpr std::array<unsigned char, 3> colour_of_boundary_curve = {60, 60, 60};
+constexpr Colour colour_of_boundary_curve = {60, 60, 60};
 
 } // namespace htloops
 
