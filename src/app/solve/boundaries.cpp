@@ -18,12 +18,11 @@ namespace htloops {
 
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists) {
   using Tag = CGAL::Parallel_if_available_tag;
-  const auto kind = CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST;
   Boundaries boundaries;
   CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.curves));
   if(do_find_waists)
     CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.waists),
-                              CGAL::parameters::basis_kind(kind));
+                              CGAL::parameters::basis_kind(Basis_kind::SHORTEST));
   return boundaries;
 }
 
