@@ -18,7 +18,6 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>

@@ -17,9 +17,7 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <map>
-#include <vector>
 
 namespace CGAL {
 namespace Handle_tunnel_loops {

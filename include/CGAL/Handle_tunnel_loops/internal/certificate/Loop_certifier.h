@@ -28,7 +28,6 @@
 #include <iterator>
 #include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

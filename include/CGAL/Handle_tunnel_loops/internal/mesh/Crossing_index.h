@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <utility>

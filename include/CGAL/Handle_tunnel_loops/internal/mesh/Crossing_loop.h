@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>

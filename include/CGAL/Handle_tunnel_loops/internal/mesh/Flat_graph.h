@@ -15,7 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>

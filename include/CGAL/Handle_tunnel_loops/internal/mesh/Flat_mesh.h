@@ -17,11 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <iterator>
 #include <utility>
 #include <vector>

@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <map>
 #include <optional>
 #include <queue>
 #include <stdexcept>

@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

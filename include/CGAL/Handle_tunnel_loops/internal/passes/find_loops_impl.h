@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>

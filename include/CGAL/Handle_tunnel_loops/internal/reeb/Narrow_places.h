@@ -18,7 +18,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <tuple>

@@ -18,7 +18,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -23,7 +23,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -19,8 +19,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>

@@ -36,7 +36,6 @@
 #include <iterator>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
