@@ -31,8 +31,7 @@
 
 namespace CGAL {
 
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace Handle_tunnel_loops::internal {
 
 /// tells a request what the named parameters say of edges and vertices.
 template <typename Request, typename NamedParameters>
@@ -52,8 +51,7 @@ void read_parameters(Request& request, const NamedParameters& np) {
   request.open_at_boundaries();
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
+} // namespace Handle_tunnel_loops::internal
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef

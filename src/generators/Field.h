@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 
@@ -83,8 +81,6 @@ inline std::vector<Vector> vertex_normals(const Soup& soup) {
   return normals;
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_FIELD_H

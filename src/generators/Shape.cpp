@@ -22,9 +22,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -454,6 +452,4 @@ std::vector<Kind> kinds_of_shapes() {
   return kinds;
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

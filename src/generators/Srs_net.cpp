@@ -14,9 +14,7 @@
 #include <set>
 #include <utility>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 const std::array<Srs_node, Srs_net::nodes_per_period>& Srs_net::nodes() {
   static constexpr std::array<Srs_node, nodes_per_period> all = {
@@ -126,6 +124,4 @@ Srs_subgraph grow_srs_subgraph(std::size_t cycles, Random& random) {
   return growth.take();
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <map>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// A node of the net srs, in units of an eighth of the period.
 using Srs_node = std::array<int, 3>;
@@ -63,8 +61,6 @@ using Srs_subgraph = std::map<Srs_node, unsigned>;
 /// point.
 Srs_subgraph grow_srs_subgraph(std::size_t cycles, Random& random);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_SRS_NET_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// The graph of a box of cubic cells of side one, with as many edges taken away as leaves it
 /// connected and with a given number of independent cycles, and with its nodes moved a little.
@@ -212,8 +210,6 @@ private:
   std::vector<std::uint32_t> bin_start_, bin_segments_;
 };
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_TUBES_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// A ball with handles around its equator, like those of a pot, and with smaller balls as bumps,
 /// all blended. The handles are the same however many there are, the ball is as large as they need.
@@ -236,8 +234,6 @@ private:
   std::vector<char> is_removed_; ///< of the triangles that were there first
 };
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_BODIES_H

@@ -24,9 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// A closed curve, by arc length.
 class Curve_by_length
@@ -112,8 +110,6 @@ struct Grid_size
 Soup grid_surface(Grid_size size,
                   const std::function<Vector(std::size_t along, std::size_t around)>& point);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_TUBE_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A point of the centre line with two unit vectors normal to the line and each other.
@@ -207,6 +205,4 @@ const Kind torus_link_kind = {
     "there are several; any genus g from 1, from some hundred faces for each",
     make_torus_link, GENUS | TORUS_KNOT};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

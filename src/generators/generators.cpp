@@ -24,9 +24,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// throws `std::invalid_argument` if of what the kind looks at more is asked for than faces, none
@@ -231,6 +229,4 @@ std::ptrdiff_t euler_characteristic(const Soup& soup) {
   return number_of_vertices - number_of_edges + static_cast<std::ptrdiff_t>(soup.triangles.size());
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A number of holes in rows, as close to a square as it goes: the first rows have one hole more
@@ -306,6 +304,4 @@ const Kind sponge_kind = {
     "edges; any genus g, from about 60 + 30 g faces",
     make_sponge};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

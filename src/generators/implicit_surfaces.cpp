@@ -22,9 +22,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /*!
@@ -270,6 +268,4 @@ const Kind waves_kind = {
     "what comes out, from 1000 + 400 f^3 faces for frequency f",
     make_waves, WAVE_FREQUENCY, 20000};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

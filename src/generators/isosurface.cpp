@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// An edge of a cell of the lattice: it starts at corner `base` and goes along `direction`, where
@@ -387,6 +385,4 @@ Soup isosurface(const Field& field, double spacing, std::size_t expected_faces) 
   return soup;
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -13,9 +13,7 @@
 #include "Field.h"
 #include "generators.h"
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /*!
 The surface of a solid by marching tetrahedra on the body-centred cubic lattice whose cubes have
@@ -27,8 +25,6 @@ piecewise linear solid that the signs at the lattice's points give.
 */
 Soup isosurface(const Field& field, double spacing, std::size_t expected_faces = 0);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_ISOSURFACE_H

@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 extern const Kind sphere_kind;
 extern const Kind torus_kind;
@@ -55,8 +53,6 @@ void require_parts(const Request& request, const char* kind);
 /// whether a closed manifold mesh is connected and has the given genus.
 bool is_connected_of_genus(const Soup& soup, std::size_t genus);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_KINDS_H

@@ -18,9 +18,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// The segments of one or two parallel torus knots, and of rungs between them. All that does not
@@ -108,6 +106,4 @@ const Kind ladder_kind = {
     "alone; any genus g from 1, from some ten thousand faces",
     make_ladder, GENUS | TORUS_KNOT, 20000};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 void add_octants(const Box& box, std::vector<Box>& boxes) {
@@ -266,6 +264,4 @@ Soup mesh_of_field(const Field& field, std::size_t faces) {
   return fitted(lattice_mesh(field, faces), field);
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -13,9 +13,7 @@
 #include "Field.h"
 #include "generators.h"
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// meshes a solid whose surface is connected and has the genus asked for, with about as many faces
 /// as asked for and even triangles. Throws `std::invalid_argument` if the faces are too few to show
@@ -47,8 +45,6 @@ void relax(Soup& soup, int rounds);
 /// making a mesh.
 bool crosses_itself(const Soup& soup);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_MESH_OF_FIELD_H

@@ -23,9 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// Two surfaces with the same vertices and triangles, the second one turned over, between which
@@ -194,6 +192,4 @@ const Kind hollow_kind = {
     "longer than 0.8; as many faces as for twins",
     make_hollow, GENUS | NECKS, 100000};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

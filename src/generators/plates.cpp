@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A straight hole through a box: a convex polygon inscribed in an ellipse, along an axis.
@@ -262,6 +260,4 @@ const Kind plates_kind = {
     "each part",
     make_plates, GENUS | PARTS};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -20,9 +20,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A closed oriented combinatorial surface that stays a simplicial complex while it is changed.
@@ -268,6 +266,4 @@ const Kind random_kind = {
     "or 2 + 12 g faces",
     make_random};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

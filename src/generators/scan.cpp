@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 using Point_2 = std::array<double, 2>;
@@ -489,6 +487,4 @@ const Kind scan_kind = {
     "more for more than 8 handles, and 600 for each bridge and tunnel",
     make_scan, GENUS | SMALL_BRIDGES, 60000};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

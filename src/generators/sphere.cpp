@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A polyhedron with triangular faces whose vertices lie on a sphere around the origin.
@@ -157,6 +155,4 @@ const Kind sphere_kind = {"sphere",    "a sphere, a subdivided icosahedron; genu
                           make_sphere, GENUS,
                           10000,       0};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 Soup make_foam(const Request& request) {
@@ -98,6 +96,4 @@ const Kind shell_kind = {
     "one in it that share the handles; any genus g, from 1000 + 600 g faces",
     make_shell};
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

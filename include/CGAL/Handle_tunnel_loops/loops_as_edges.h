@@ -84,8 +84,7 @@ OutputIterator loop_to_halfedges(const Loop& loop,
   return std::copy(halfedges.begin(), halfedges.end(), out);
 }
 
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace Handle_tunnel_loops::internal {
 
 /// calls `f` for each loop of a pair, or for a loop.
 template <typename TriangleMesh, typename Point, typename Function>
@@ -98,8 +97,7 @@ void for_each_loop_of(const Loop& loop, const Function& f) {
   f(loop);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
+} // namespace Handle_tunnel_loops::internal
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The halfedges of a flat mesh by number: that from v to the i-th neighbour in its ring is number
 /// `row_begin[v] + i`.
@@ -203,8 +201,6 @@ private:
   std::vector<Index> degree_;  // by vertex
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_PROBLEM_H

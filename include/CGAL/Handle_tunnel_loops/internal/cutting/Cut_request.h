@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Turns what a caller wants of a cut, in terms of the mesh, into a `Cut_problem`.
 template <typename TriangleMesh, typename VertexIndexMap> class Cut_request
@@ -177,8 +175,6 @@ private:
   std::vector<Index> flat_index_; // by caller's index
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_REQUEST_H

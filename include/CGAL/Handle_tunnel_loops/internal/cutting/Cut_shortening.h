@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// An arc of a cut, between vertices where not just two free edges meet: it is twice on the
 /// boundary of the disk, as the places from `first` to `last`, and from `twin_first` to
@@ -526,8 +524,6 @@ private:
   int excess_ = 0;                 // of the edges that they add over the vertices
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_SHORTENING_H

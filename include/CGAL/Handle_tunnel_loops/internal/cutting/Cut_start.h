@@ -23,9 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The label of a vertex: how far it is, and the halfedge that leads there.
 struct Forest_label
@@ -268,8 +266,6 @@ private:
   std::vector<char> in_base_; // by halfedge
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_START_H

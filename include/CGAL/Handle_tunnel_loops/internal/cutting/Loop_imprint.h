@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Divides one triangle, whose sides may have further vertices, along chords between vertices on
@@ -464,8 +462,6 @@ private:
   std::vector<Subdivision> subdivisions_; // by number of the face
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_LOOP_IMPRINT_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The ends of an edge on which a loop has a place; twice the same where that is a vertex.
 using Edge_ends = std::array<Index, 2>;
@@ -295,8 +293,6 @@ auto halfedges_of_loop(const Loop& loop, const TriangleMesh& tm, VertexPointMap 
   return improvement.walk();
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_WALK_IMPROVEMENT_H

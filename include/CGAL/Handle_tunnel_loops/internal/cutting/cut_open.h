@@ -17,9 +17,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// throws `No_cut_exception` if the rules for edges leave no cut.
 CGAL_HTL_CORE void check_rules(const Cut_problem& problem);
@@ -29,9 +27,7 @@ CGAL_HTL_CORE void check_rules(const Cut_problem& problem);
 /// spheres are to be cut.
 CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open_impl.h>

@@ -23,9 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 inline void require_of_cut(bool condition, const char* otherwise) {
   if(!condition)
@@ -103,8 +101,6 @@ CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem) {
   return edges;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_OPEN_IMPL_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The neighbours of a vertex in counterclockwise order; consecutive ones (and the last and the
 /// first) form a face with the vertex.
@@ -181,8 +179,6 @@ inline double mean_edge_length(const Flat_mesh& mesh) {
   return sum / double(count);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_H

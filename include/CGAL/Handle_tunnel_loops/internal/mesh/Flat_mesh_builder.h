@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The boundary curves of a mesh: cycles of vertices, as caller's indices, in the order in which
 /// halfedges without a face follow each other. So the surface is to the right of a curve.
@@ -484,8 +482,6 @@ private:
   std::vector<Index> flat_index_;       // by caller's index
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_BUILDER_H

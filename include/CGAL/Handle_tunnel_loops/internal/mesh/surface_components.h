@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Disjoint sets of numbers, each with its smallest number as representative.
 class Sets_of_indices
@@ -99,8 +97,6 @@ inline Uninitialized_vector<Index> smallest_in_component(Execution execution,
   return smallest;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_SURFACE_COMPONENTS_H

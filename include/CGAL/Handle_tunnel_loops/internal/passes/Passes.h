@@ -24,9 +24,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What the loop passes look for: for each of several loops walks that cross it once, see
 /// `Bidirectional_front`.
@@ -93,8 +91,6 @@ public:
   diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_PASSES_H

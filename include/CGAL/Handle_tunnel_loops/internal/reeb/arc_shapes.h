@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The vertices of a mesh with the values of a function, and the arcs of its Reeb graph that they
 /// belong to.
@@ -501,8 +499,6 @@ template <typename Graph> std::vector<bool> arcs_on_cycles(const Graph& graph) {
   return is_on_cycle;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_ARC_SHAPES_H

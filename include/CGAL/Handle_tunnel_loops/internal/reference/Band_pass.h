@@ -31,10 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
@@ -297,10 +294,7 @@ private:
   std::size_t number_of_covered_ = 0, number_of_steps_ = 0, steps_at_rest_ = 0;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

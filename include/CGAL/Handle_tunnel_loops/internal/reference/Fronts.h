@@ -24,10 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /*!
 What a field has covered: vertices, and links between neighbors.
@@ -375,9 +372,6 @@ private:
   std::vector<Front_meeting> meetings_;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_FRONTS_H

@@ -23,10 +23,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /// The number of handles that cannot be seen by looking at the fronts after each time step. Fronts
 /// are related by the events of a step; where two that are related already merge, a front has split
@@ -211,10 +208,7 @@ private:
   std::size_t last_progress_ = 0;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

@@ -39,10 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /// the edges that loops cross.
 template <typename Iterator>
@@ -367,10 +364,7 @@ private:
   std::vector<Crossing_loop> handles_, tunnels_;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

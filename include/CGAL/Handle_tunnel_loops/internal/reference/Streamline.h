@@ -29,10 +29,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /// A place on the mesh: `a + ratio * (b - a)` on an edge, or a vertex, if `a` is `b`.
 struct Surface_point
@@ -342,10 +339,7 @@ inline std::vector<Crossing_loop> dual_loops(const Flat_mesh& mesh,
   return loops;
 }
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

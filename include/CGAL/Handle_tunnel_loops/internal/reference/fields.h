@@ -32,10 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /// The Laplacian in local edge lengths: four times (mean of the neighbors - value). Its weights are
 /// positive and sum up to the same in each row, so that the front moves at the same number of edges
@@ -441,10 +438,7 @@ inline std::vector<Time> fixed_point_times(const Flat_mesh& mesh,
   return times;
 }
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Finds the way from the left side of a loop around to its right side as `Bidirectional_front` does,
@@ -321,8 +319,6 @@ private:
   Workspace_pool<Bidirectional_dijkstra> searches_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_DUAL_LOOP_IMPROVEMENT_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// takes out, from a loop without backtracks, turns around a vertex, which are no way at all. Every
 /// path becomes shorter by that: after a turn it is on an edge where it was before, and nearer by
@@ -481,8 +479,6 @@ private:
   std::vector<Portal> next_;   // the strip of the next round
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_LOOP_TIGHTENING_H

@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The cut of least weight that separates two nodes of a graph, by the theorem of Ford and
 /// Fulkerson.
@@ -440,8 +438,6 @@ inline std::vector<Crossing_loop> waists(Execution execution, const Flat_mesh& m
   return loops;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_WAISTS_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Finds short closed walks near a vertex that bound no disc there, in the ball of what is near the
@@ -203,8 +201,6 @@ private:
   std::vector<Index> faces_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_AROUND_VERTEX_H
