@@ -10,6 +10,7 @@
 #ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_RANDOM_H
 #define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_RANDOM_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
