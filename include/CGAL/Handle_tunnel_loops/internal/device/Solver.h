@@ -16,7 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <cstddef>
@@ -26,10 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace CGAL::Handle_tunnel_loops::internal::device {
 
 /// How a device is used, for benchmarks and tests to vary: no answer depends on it.
 struct Tuning
@@ -136,9 +133,6 @@ struct Ceilings
 /// measures the given device, or the current one if the number is negative.
 Ceilings measure_ceilings(int device);
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::device
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_SOLVER_H
