@@ -37,9 +37,9 @@ neighbours. Verified numerically: the points of the solid that are closest to a 
 neighbours of it as their next closest node, so that cutting the solid in the middle of an edge of
 the net cuts one neck.
 */
-constexpr int period = 8;
-constexpr double eighth = CGAL_PI / 4.;
-constexpr double edge_length = eighth * 2. * 1.41421356237309504880;
+constexpr int srs_period = 8;
+constexpr double srs_unit = CGAL_PI / 4.;
+constexpr double srs_edge_length = srs_unit * 2. * 1.41421356237309504880;
 constexpr std::size_t nodes_per_period = 8;
 
 constexpr std::array<Srs_node, nodes_per_period> srs_nodes = {
@@ -56,7 +56,7 @@ constexpr std::array<std::array<Srs_node, 3>, nodes_per_period> srs_steps = {
      {{{2, -2, 0}, {-2, 0, -2}, {0, 2, 2}}},
      {{{2, 2, 0}, {-2, 0, 2}, {0, -2, -2}}}}};
 
-Vector position(const Srs_node& node) { return Vector(node[0], node[1], node[2]) * eighth; }
+Vector position(const Srs_node& node) { return Vector(node[0], node[1], node[2]) * srs_unit; }
 
 Srs_node plus(const Srs_node& a, const Srs_node& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -65,7 +65,7 @@ Srs_node plus(const Srs_node& a, const Srs_node& b) {
 Srs_node period_of(const Srs_node& node) {
   Srs_node result;
   for(int i = 0; i < 3; ++i)
-    result[i] = static_cast<int>(std::floor(double(node[i]) / period));
+    result[i] = static_cast<int>(std::floor(double(node[i]) / srs_period));
   return result;
 }
 
@@ -73,7 +73,7 @@ Srs_node period_of(const Srs_node& node) {
 int number_of(const Srs_node& node) {
   Srs_node reduced = period_of(node);
   for(int i = 0; i < 3; ++i)
-    reduced[i] = node[i] - period * reduced[i];
+    reduced[i] = node[i] - srs_period * reduced[i];
   return static_cast<int>(std::find(srs_nodes.begin(), srs_nodes.end(), reduced) -
                           srs_nodes.begin());
 }
@@ -97,7 +97,7 @@ using Srs_subgraph = std::map<Srs_node, unsigned>;
 Srs_subgraph grow_srs_subgraph(std::size_t cycles, Random& random) {
   std::array<double, 3> centre;
   for(double& c : centre)
-    c = random.uniform(0., period);
+    c = random.uniform(0., srs_period);
   const auto distance = [&](const Srs_node& node) {
     double d = 0.;
     for(int i = 0; i < 3; ++i)
@@ -209,8 +209,8 @@ private:
     double distance = length(from_node) - reach;
     const auto& steps = srs_steps[number];
     for(int s = 0; s < 3; ++s) {
-      const Vector direction = position(steps[s]) / edge_length;
-      const double beyond_middle = from_node * direction - edge_length / 2.;
+      const Vector direction = position(steps[s]) / srs_edge_length;
+      const double beyond_middle = from_node * direction - srs_edge_length / 2.;
       const bool is_joined = ((edges >> s) & 1) != 0;
       distance = (std::max)(distance, beyond_middle + (is_joined ? -slab : slab));
     }
@@ -270,9 +270,9 @@ private:
 
   static std::vector<Srs_node> nodes_around_period() {
     std::vector<Srs_node> around;
-    for(int x : {-period, 0, period})
-      for(int y : {-period, 0, period})
-        for(int z : {-period, 0, period})
+    for(int x : {-srs_period, 0, srs_period})
+      for(int y : {-srs_period, 0, srs_period})
+        for(int z : {-srs_period, 0, srs_period})
           for(const Srs_node& node : srs_nodes)
             around.push_back(plus(node, {x, y, z}));
     return around;
