@@ -130,10 +130,6 @@ std::string advice(const Shape& shape, std::size_t faces) {
          std::to_string((std::max)(faces, most)) + ", shows it";
 }
 
-bool are_alike(const Soup& a, const Soup& b) {
-  return genus(a) == genus(b) && number_of_components(a) == number_of_components(b);
-}
-
 // Edges that are sharper than the lattice is fine become saws. Walls as thin as that may not bear
 // to be rounded: then the edges stay as they are.
 Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
@@ -141,7 +137,8 @@ Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
     const Shape rounded = shape.rounded(cells * mesh.spacing);
     const Lattice_mesh round_mesh = {isosurface(rounded, mesh.spacing, mesh.soup.triangles.size()),
                                      mesh.spacing};
-    if(are_alike(mesh.soup, round_mesh.soup))
+    if(genus(mesh.soup) == genus(round_mesh.soup) &&
+       number_of_components(mesh.soup) == number_of_components(round_mesh.soup))
       return fitted(round_mesh, rounded);
   }
   return fitted(mesh, shape);

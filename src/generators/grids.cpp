@@ -48,8 +48,7 @@ class Slab : public Field
 public:
   explicit Slab(std::size_t holes)
       : rows_(holes)
-      , full_rows_(static_cast<double>(rows_.full_rows()))
-      , short_rows_(static_cast<double>(rows_.rows) - full_rows_) {}
+      , full_rows_(static_cast<double>(rows_.full_rows())) {}
 
   // The points within the rim's radius of a flat region, which is the outline without the holes,
   // made smaller by that radius.
@@ -78,12 +77,11 @@ private:
   /// the distance to one rectangle around the full rows and one around all rows as wide as the
   /// short ones.
   double outline(double x, double y) const {
-    const double columns = static_cast<double>(rows_.columns());
+    const double columns = static_cast<double>(rows_.columns()), all = double(rows_.rows);
     const double full =
         rectangle(x, y - (full_rows_ - 1.) / 2., columns / 2. + margin, full_rows_ / 2. + margin);
-    if(short_rows_ == 0.)
+    if(full_rows_ == all)
       return full;
-    const double all = full_rows_ + short_rows_;
     return (std::min)(
         full, rectangle(x, y - (all - 1.) / 2., (columns - 1.) / 2. + margin, all / 2. + margin));
   }
@@ -105,44 +103,39 @@ private:
   }
 
   Hole_rows rows_;
-  double full_rows_, short_rows_;
+  double full_rows_;
 };
 
 /// A block of unit cubes with square holes through its whole depth. Holes and walls are equally
 /// wide, so two holes never touch, not even at an edge, and the surface is manifold.
-class Drilled_block
+struct Drilled_block
 {
-public:
-  Drilled_block(std::size_t holes, std::size_t hole_width)
-      : rows_(holes)
-      , hole_width_(hole_width)
-      , width_(hole_width * (2 * rows_.columns() + 1))
-      , height_(hole_width * (2 * rows_.rows + 1))
-      , top_faces_(2 * (width_ * height_ - holes * hole_width * hole_width))
-      , ring_faces_(2 * (2 * (width_ + height_) + 4 * holes * hole_width)) {}
+  Drilled_block(std::size_t holes, std::size_t width_of_hole)
+      : rows(holes)
+      , hole_width(width_of_hole)
+      , width(hole_width * (2 * rows.columns() + 1))
+      , height(hole_width * (2 * rows.rows + 1))
+      , top_faces(2 * (width * height - holes * hole_width * hole_width))
+      , ring_faces(2 * (2 * (width + height) + 4 * holes * hole_width)) {}
 
-  std::size_t width() const { return width_; }
-  std::size_t height() const { return height_; }
-
-  std::size_t faces(std::size_t depth) const { return 2 * top_faces_ + depth * ring_faces_; }
+  std::size_t faces(std::size_t depth) const { return 2 * top_faces + depth * ring_faces; }
 
   /// the depth at which the block has about a number of faces.
   std::size_t depth_for(std::size_t faces) const {
-    const double walls = static_cast<double>(faces) - 2. * static_cast<double>(top_faces_);
-    return walls < ring_faces_ ? 1 : static_cast<std::size_t>(std::lround(walls / ring_faces_));
+    const double walls = static_cast<double>(faces) - 2. * static_cast<double>(top_faces);
+    return walls < ring_faces ? 1 : static_cast<std::size_t>(std::lround(walls / ring_faces));
   }
 
   bool is_solid(std::ptrdiff_t x, std::ptrdiff_t y) const {
-    if(x < 0 || y < 0 || x >= std::ptrdiff_t(width_) || y >= std::ptrdiff_t(height_))
+    if(x < 0 || y < 0 || x >= std::ptrdiff_t(width) || y >= std::ptrdiff_t(height))
       return false;
-    const std::size_t column = x / hole_width_, row = y / hole_width_;
-    return row % 2 == 0 || column % 2 == 0 || column / 2 >= rows_.holes_in_row(row / 2);
+    const std::size_t column = x / hole_width, row = y / hole_width;
+    return row % 2 == 0 || column % 2 == 0 || column / 2 >= rows.holes_in_row(row / 2);
   }
 
-private:
-  Hole_rows rows_;
-  std::size_t hole_width_, width_, height_;
-  std::size_t top_faces_, ring_faces_; // of one of the two caps; of the walls, per unit of depth
+  Hole_rows rows;
+  std::size_t hole_width, width, height;
+  std::size_t top_faces, ring_faces; ///< of one of the two caps; of the walls, per unit of depth
 };
 
 /// of the blocks with about a number of faces, the one that is closest to a cube, and its depth.
@@ -154,7 +147,7 @@ std::pair<Drilled_block, std::size_t> choose_block(std::size_t holes, std::size_
     const std::size_t depth = block.depth_for(faces);
     if(hole_width > 1 && block.faces(depth) > 1.1 * faces)
       return best;
-    const double error = std::abs(std::log(double(depth) / block.width()));
+    const double error = std::abs(std::log(double(depth) / block.width));
     if(error < least_error) {
       least_error = error;
       best = {block, depth};
@@ -174,8 +167,8 @@ public:
     soup_.triangles.reserve(faces);
     soup_.points.reserve(faces / 2 + 2);
     number_vertices();
-    for(std::size_t y = 0; y < block_.height(); ++y)
-      for(std::size_t x = 0; x < block_.width(); ++x)
+    for(std::size_t y = 0; y < block_.height; ++y)
+      for(std::size_t x = 0; x < block_.width; ++x)
         if(block_.is_solid(x, y)) {
           add_caps(x, y);
           add_walls(x, y);
@@ -192,14 +185,12 @@ private:
     std::uint32_t bottom = 0, top = 0;
   };
 
-  std::size_t grid_index(std::size_t x, std::size_t y) const {
-    return y * (block_.width() + 1) + x;
-  }
+  std::size_t grid_index(std::size_t x, std::size_t y) const { return y * (block_.width + 1) + x; }
 
   void number_vertices() {
-    columns_.resize((block_.width() + 1) * (block_.height() + 1));
-    for(std::size_t y = 0; y <= block_.height(); ++y)
-      for(std::size_t x = 0; x <= block_.width(); ++x) {
+    columns_.resize((block_.width + 1) * (block_.height + 1));
+    for(std::size_t y = 0; y <= block_.height; ++y)
+      for(std::size_t x = 0; x <= block_.width; ++x) {
         const std::ptrdiff_t i = x, j = y;
         const int solid = block_.is_solid(i - 1, j - 1) + block_.is_solid(i, j - 1) +
                           block_.is_solid(i - 1, j) + block_.is_solid(i, j);

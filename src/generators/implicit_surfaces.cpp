@@ -238,13 +238,10 @@ private:
         last[i] = (std::max)(last[i], node[i]);
       }
     nodes_box_ = {position(first), position(last)};
-    std::size_t count = 1;
     first_period_ = period_of(first);
-    for(int i = 0; i < 3; ++i) {
+    for(int i = 0; i < 3; ++i)
       periods_[i] = period_of(last)[i] - first_period_[i] + 1;
-      count *= periods_[i];
-    }
-    nodes_.resize(count);
+    nodes_.resize(std::size_t(periods_[0]) * periods_[1] * periods_[2]);
     for(const auto& [node, edges] : graph)
       nodes_[period_index(period_of(node))][number_of(node)] = static_cast<std::uint8_t>(edges);
   }

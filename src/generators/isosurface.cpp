@@ -198,24 +198,7 @@ private:
 };
 
 /// The vertices on the lattice edges that start at the points of a slice, by direction.
-class Edge_vertices
-{
-public:
-  Edge_vertices(const Slice_shape& shape, int first_direction, int last_direction)
-      : shape_(shape)
-      , first_(first_direction)
-      , count_(last_direction - first_direction + 1)
-      , vertices_(shape.size_in_words() * word_bits * count_) {}
-
-  std::uint32_t& operator()(int column, int row, int direction) {
-    return vertices_[shape_.entry(column, row) * count_ + (direction - first_)];
-  }
-
-private:
-  Slice_shape shape_;
-  std::size_t first_, count_;
-  std::vector<std::uint32_t> vertices_; // only those of crossed edges are ever written or read
-};
+using Edge_vertices = std::vector<std::uint32_t>; // only those of crossed edges are ever touched
 
 /// Sweeps the lattice slice by slice; two slices are in memory.
 class Marcher
@@ -228,9 +211,9 @@ public:
       , shape_{lattice_.rows() + 2, lattice_.columns() / word_bits + 3}
       , lower_(shape_)
       , upper_(shape_)
-      , in_lower_(shape_, 1, last_flat_direction)
-      , in_upper_(shape_, 1, last_flat_direction)
-      , between_(shape_, last_flat_direction + 1, 7) {}
+      , in_lower_(shape_.size_in_words() * word_bits * last_flat_direction)
+      , in_upper_(in_lower_.size())
+      , between_(shape_.size_in_words() * word_bits * (7 - last_flat_direction)) {}
 
   void march() {
     for(int slice = -1; slice < lattice_.slices(); ++slice) {
@@ -249,6 +232,13 @@ private:
   // Directions are sums of a1, a2, a3, coded as corners of a cell: those without a3 stay in a
   // slice.
   static constexpr int last_flat_direction = 3;
+
+  std::uint32_t& vertex(Edge_vertices& vertices, int column, int row, int direction) {
+    const std::size_t entry = shape_.entry(column, row);
+    return direction > last_flat_direction
+               ? vertices[entry * (7 - last_flat_direction) + (direction - last_flat_direction - 1)]
+               : vertices[entry * last_flat_direction + (direction - 1)];
+  }
 
   /// finds the points of a slice that are inside, stepping along the rows by the distance to the
   /// surface that the field grants.
@@ -286,7 +276,7 @@ private:
           const Vector from_point = lattice_.point(column, row, slice);
           const Vector to_point =
               lattice_.point(column + step.column, row + step.row, slice + step.slice);
-          vertices(column, row, direction) = add_point(soup_, (from_point + to_point) / 2.);
+          vertex(vertices, column, row, direction) = add_point(soup_, (from_point + to_point) / 2.);
         }
       }
   }
@@ -323,7 +313,7 @@ private:
         Edge_vertices& edges = direction > last_flat_direction ? between_
                                : step.slice == 0               ? in_lower_
                                                                : in_upper_;
-        vertices[i] = edges(column + step.column, row + step.row, direction);
+        vertices[i] = vertex(edges, column + step.column, row + step.row, direction);
       }
       soup_.triangles.push_back(vertices);
     }

@@ -139,12 +139,14 @@ private:
 /// the least number of faces of boxes with bores, all together.
 std::size_t least_faces(std::size_t boxes, std::size_t bores) { return 12 * boxes + 16 * bores; }
 
-/// numbers of corners of bores, three or more, that make up for a number of faces.
-std::vector<std::size_t>
-choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, Random& random) {
+/// numbers of corners, of bores.
+using Corners = std::vector<std::size_t>;
+
+/// three or more for each bore, that make up for a number of faces.
+Corners choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, Random& random) {
   const std::size_t least = least_faces(boxes, bores);
   std::size_t left = faces > least ? (faces - least) / 4 : 0;
-  std::vector<std::size_t> corners;
+  Corners corners;
   for(std::size_t after = bores; after > 0; --after) {
     // At most twice the mean of what is left; the last one takes it all.
     const std::size_t more = after == 1 ? left : random.below(2 * left / after + 1);
@@ -154,9 +156,6 @@ choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, Random& 
   random.shuffle(corners);
   return corners;
 }
-
-/// numbers of corners, of the bores of a part.
-using Corners = std::vector<std::size_t>;
 
 /// the parts that `make_part(corners, place, random)` makes beside each other; it moves the place.
 template <typename MakePart>

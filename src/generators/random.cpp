@@ -137,8 +137,7 @@ Surface smallest_torus() {
 void add_handle(Surface& surface, std::size_t t) {
   const Surface torus = smallest_torus();
   const Triangle removed = torus.triangles.front(), hole = surface.triangles[t];
-  std::array<std::uint32_t, 7> image;
-  image.fill(0);
+  std::array<std::uint32_t, 7> image{};
   for(std::uint32_t v = 0; v < 7; ++v)
     if(std::find(removed.begin(), removed.end(), v) == removed.end())
       image[v] = surface.number_of_vertices++;

@@ -93,13 +93,6 @@ using Search_traits =
                                 CGAL::Search_traits_3<CGAL::Simple_cartesian<double>>>;
 using Point_tree = CGAL::Kd_tree<Search_traits>;
 
-std::vector<Numbered_point> numbered_points(const Soup& soup) {
-  std::vector<Numbered_point> points;
-  for(std::uint32_t v = 0; v < soup.points.size(); ++v)
-    points.emplace_back(CGAL::ORIGIN + point_of(soup, v), v);
-  return points;
-}
-
 /*!
 Builds arches on a fine surface: tubes that leave it at one place and come back a few edges away,
 above it or, as tunnels, below.
@@ -119,8 +112,8 @@ public:
       , normals_(vertex_normals(soup))
       , is_taken_(soup.points.size(), 0)
       , surface_(soup) {
-    const std::vector<Numbered_point> points = numbered_points(soup);
-    tree_.insert(points.begin(), points.end());
+    for(std::uint32_t v = 0; v < soup.points.size(); ++v)
+      tree_.insert(Numbered_point(CGAL::ORIGIN + point_of(soup, v), v));
   }
 
   /// builds one around a vertex in a random direction, if there is room for it.

@@ -28,6 +28,8 @@ namespace {
 
 using Segment = std::pair<Vector, Vector>;
 
+constexpr double usual_jitter = 0.12; // of the nodes of a grid
+
 /// The edges of a graph that is connected.
 struct Grid_graph
 {
@@ -35,7 +37,7 @@ struct Grid_graph
   std::vector<char> closes_cycle; ///< with the segments before it
 
   /// those of a connected subgraph with all nodes and only so many cycles.
-  std::vector<Segment> segments_with_cycles(std::size_t cycles) const {
+  std::vector<Segment> with_cycles(std::size_t cycles) const {
     std::vector<Segment> some;
     for(std::size_t i = 0; i < segments.size(); ++i) {
       if(closes_cycle[i] && cycles == 0)
@@ -59,10 +61,9 @@ std::array<std::uint32_t, 3> size_of_grid(std::size_t cycles) {
   return size;
 }
 
-/// The graph of a box of cubic cells of side one, with as many edges taken away as leaves it
-/// connected and with a given number of independent cycles, and with its nodes moved a little: a
-/// random spanning tree and, of the other edges, as many as there are to be cycles.
-Grid_graph grid_graph(std::size_t cycles, Random& random, double jitter = 0.12) {
+/// the graph of a box of cubic cells of side one, large enough for a number of independent cycles,
+/// with its edges in random order and its nodes moved a little.
+Grid_graph grid_graph(std::size_t cycles, Random& random, double jitter) {
   const std::array<std::uint32_t, 3> size = size_of_grid(cycles);
   const std::array<std::uint32_t, 3> stride = {1, size[0], size[0] * size[1]};
   std::vector<Vector> nodes;
@@ -81,13 +82,9 @@ Grid_graph grid_graph(std::size_t cycles, Random& random, double jitter = 0.12) 
   boost::disjoint_sets_with_storage<> components(nodes.size());
   Grid_graph graph;
   for(const auto& [a, b] : edges) {
-    const bool closes_cycle = components.find_set(a) == components.find_set(b);
-    if(closes_cycle && cycles == 0)
-      continue;
-    cycles -= closes_cycle;
-    components.union_set(a, b);
     graph.segments.emplace_back(nodes[a], nodes[b]);
-    graph.closes_cycle.push_back(closes_cycle);
+    graph.closes_cycle.push_back(components.find_set(a) == components.find_set(b));
+    components.union_set(a, b);
   }
   return graph;
 }
@@ -97,7 +94,7 @@ Grid_graph grid_graph(std::size_t cycles, Random& random, double jitter = 0.12) 
 class Tubes : public Field
 {
 public:
-  explicit Tubes(const std::vector<Segment>& segments, double radius = 0.17)
+  Tubes(const std::vector<Segment>& segments, double radius)
       : Tubes(segments, std::vector<double>(segments.size(), radius)) {}
 
   /// with a radius for each segment.
@@ -208,7 +205,7 @@ std::vector<Segment> knotted_ladder(const Torus_knot& knot, std::size_t rungs) {
 /// tubes along the edges of a grid, moved by the same distance along all axes.
 Soup make_grid(double moved, const Request& request, Random& random) {
   constexpr double jitter = 0.05, radius = 0.14;
-  auto segments = grid_graph(request.genus, random, jitter).segments;
+  auto segments = grid_graph(request.genus, random, jitter).with_cycles(request.genus);
   for(auto& [a, b] : segments) {
     a += Vector(moved, moved, moved);
     b += Vector(moved, moved, moved);
@@ -222,7 +219,7 @@ Soup make_foam(const Request& request) {
   constexpr double jitter = 0.22, least_radius = 0.1, most_radius = 0.2;
   require_faces(request, "foam", 600 + 600 * request.genus);
   Random random(request.seed);
-  const auto segments = grid_graph(request.genus, random, jitter).segments;
+  const auto segments = grid_graph(request.genus, random, jitter).with_cycles(request.genus);
   std::vector<double> radii;
   for(std::size_t i = 0; i < segments.size(); ++i)
     radii.push_back(random.uniform(least_radius, most_radius));
@@ -251,7 +248,8 @@ Soup make_ladder(const Request& request) {
 Soup make_lattice(const Request& request) {
   require_faces(request, "lattice", 400 + 250 * request.genus);
   Random random(request.seed);
-  return mesh_of_field(Tubes(grid_graph(request.genus, random).segments), request, "lattice");
+  const Grid_graph graph = grid_graph(request.genus, random, usual_jitter);
+  return mesh_of_field(Tubes(graph.with_cycles(request.genus), 0.17), request, "lattice");
 }
 
 Soup make_shell(const Request& request) {
@@ -260,14 +258,13 @@ Soup make_shell(const Request& request) {
   Random random(request.seed);
   const std::size_t inner_genus = random.below(request.genus / 2 + 1);
   const std::size_t outer_genus = request.genus - inner_genus;
-  const Grid_graph outer = grid_graph(outer_genus, random);
-  const auto inner = outer.segments_with_cycles(inner_genus);
+  const Grid_graph graph = grid_graph(outer_genus, random, usual_jitter);
+  const auto outer = graph.with_cycles(outer_genus), inner = graph.with_cycles(inner_genus);
   // Thin tubes need as many faces as thick ones.
-  const std::size_t inner_faces =
-      request.faces * inner.size() / (inner.size() + outer.segments.size());
+  const std::size_t inner_faces = request.faces * inner.size() / (inner.size() + outer.size());
   return joined(
-      {mesh_of_field(Tubes(outer.segments, outer_radius),
-                     {request.faces - inner_faces, outer_genus}, "shell"),
+      {mesh_of_field(Tubes(outer, outer_radius), {request.faces - inner_faces, outer_genus},
+                     "shell"),
        reversed(mesh_of_field(Tubes(inner, inner_radius), {inner_faces, inner_genus}, "shell"))});
 }
 

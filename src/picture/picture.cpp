@@ -170,21 +170,16 @@ private:
     std::array<Projected_point, 3> corners;
   };
 
-  void recall(std::uint32_t triangle) {
-    if(recent_.triangle == triangle)
-      return;
-    recent_.triangle = triangle;
-    recent_.normals = normals_(triangle);
-    for(int i = 0; i < 3; ++i)
-      recent_.corners[i] = projected_[scene_.triangles[triangle][i]];
-  }
-
   /// the normal of the surface seen at a sample, turned to the eye; null if there is no surface.
   Vector_3 normal(int x, int y) {
     const std::uint32_t triangle = surface_.triangle(x, y);
     if(triangle == Surface_layer::no_triangle)
       return {};
-    recall(triangle);
+    if(recent_.triangle != triangle) {
+      recent_ = {triangle, normals_(triangle), {}};
+      for(int i = 0; i < 3; ++i)
+        recent_.corners[i] = projected_[scene_.triangles[triangle][i]];
+    }
     const auto weights = corner_weights(recent_.corners, x + 0.5f, y + 0.5f);
     Vector_3 sum;
     for(int i = 0; i < 3; ++i)

@@ -17,33 +17,26 @@
 namespace htl_window {
 namespace {
 
-// The triangles around each vertex.
-class Stars
+// The triangles around each vertex: those of v are from begin[v] to begin[v + 1].
+struct Stars
 {
-public:
   explicit Stars(const Surface& surface)
-      : begin_(surface.points.size() + 1)
-      , triangles_(3 * surface.triangles.size()) {
+      : begin(surface.points.size() + 1)
+      , triangles(3 * surface.triangles.size()) {
     for(const Triangle& triangle : surface.triangles)
       for(const std::uint32_t v : triangle)
-        ++begin_[v];
+        ++begin[v];
     std::size_t sum = 0;
-    for(std::size_t& end : begin_)
+    for(std::size_t& end : begin)
       end = sum += end;
     // From the last on, so that each begins where it ends, and ends in order.
     for(std::size_t t = surface.triangles.size(); t-- > 0;)
       for(const std::uint32_t v : surface.triangles[t])
-        triangles_[--begin_[v]] = static_cast<std::uint32_t>(t);
+        triangles[--begin[v]] = static_cast<std::uint32_t>(t);
   }
 
-  template <typename Visit> void for_each(std::uint32_t v, Visit visit) const {
-    for(std::size_t i = begin_[v]; i < begin_[v + 1]; ++i)
-      visit(triangles_[i]);
-  }
-
-private:
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> triangles_;
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> triangles;
 };
 
 class Surface_encoder
@@ -84,13 +77,13 @@ private:
 
   void add_star(std::uint32_t number) {
     std::uint32_t count = 0;
-    stars_.for_each(met_[number], [&](std::uint32_t t) {
-      if(is_done_[t])
-        return;
-      is_done_[t] = true;
-      ++count;
-      add_triangle(t, number);
-    });
+    const std::uint32_t v = met_[number];
+    for(std::size_t i = stars_.begin[v]; i < stars_.begin[v + 1]; ++i)
+      if(const std::uint32_t t = stars_.triangles[i]; !is_done_[t]) {
+        is_done_[t] = true;
+        ++count;
+        add_triangle(t, number);
+      }
     counts_.add(count);
   }
 
