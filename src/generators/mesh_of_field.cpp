@@ -144,14 +144,6 @@ void fit_to_surface(Soup& soup, const Field& field, double spacing) {
   }
 }
 
-Soup interpolated(const Soup& from, const Soup& to, double part) {
-  Soup soup = to;
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    for(int i = 0; i < 3; ++i)
-      soup.points[v][i] = from.points[v][i] + part * (to.points[v][i] - from.points[v][i]);
-  return soup;
-}
-
 } // namespace
 
 bool crosses_itself(const Soup& soup) {
@@ -214,7 +206,10 @@ Soup fitted(const Lattice_mesh& mesh, const Field& field) {
     return fitted;
   // As much of this as does not make the mesh cross itself, as the one of the lattice never does.
   for(const double part : {0.5, 0.25}) {
-    Soup between = interpolated(mesh.soup, fitted, part);
+    Soup between = mesh.soup;
+    for(std::size_t v = 0; v < between.points.size(); ++v)
+      for(int i = 0; i < 3; ++i)
+        between.points[v][i] += part * (fitted.points[v][i] - between.points[v][i]);
     if(!crosses_itself(between))
       return between;
   }

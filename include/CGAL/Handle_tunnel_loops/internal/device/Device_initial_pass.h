@@ -19,8 +19,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Saddle_contours.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <chrono>
 #include <vector>
@@ -100,28 +98,21 @@ public:
 
   /// takes other arrival times for its own.
   void set_times(const std::vector<Time>& times) {
-    CGAL_precondition(times.size() == mesh_.number_of_vertices());
     time_ = Buffer<Time>();
     time_ = uploaded(executor_, times);
   }
 
   /// the handles, in the order of their saddles.
   std::vector<Handle_candidate> handles() {
-    CGAL_precondition(has_times());
     return Saddle_contours<Executor>(executor_, mesh_.view(), time_.span()).handles();
   }
 
   /// the arrival times, in the memory of the executor.
   Span<const Time> time_span() const { return time_.span(); }
 
-  std::vector<Time> times() {
-    CGAL_precondition(has_times());
-    return downloaded(executor_, time_);
-  }
+  std::vector<Time> times() { return downloaded(executor_, time_); }
 
 private:
-  bool has_times() const { return time_.span().size() == mesh_.number_of_vertices(); }
-
   // Each vertex once, with its earliest time: they are added in any order.
   std::vector<Source> with_rings(const std::vector<Index>& vertices) const {
     std::vector<Source> sources;
@@ -192,7 +183,6 @@ private:
       executor_.run(Field_steps<Whole_mesh_domain>(field, k, {n, pause, pause}),
                     control.state.next_list_size);
       executor_.download(&control, Span<Field_control>(field.arrays.control, 1));
-      CGAL_assertion(control.state.step <= pause);
       if(!callback(double(control.state.number_of_reached) / double(n)))
         throw Interrupted_exception();
     } while(control.state.step == pause);

@@ -20,8 +20,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -170,7 +168,6 @@ public:
                                now + tuning.steps_per_look_if_met}),
           number_of_passes_ + seen_.state.next_list_size);
       look_at_reached();
-      CGAL_assertion(seen_.state.step > now || seen_.state.next_list_size == 0);
       close_walks();
     }
     return true;
@@ -195,8 +192,6 @@ public:
     for(const Found_walk& walk : walks) {
       if(walk.pass == no_index)
         break; // for the vertices of which there was no room
-      CGAL_assertion(walk.pass < number_of_passes_);
-      CGAL_assertion(std::size_t(walk.begin) + walk.size <= vertices.size());
       const auto begin = vertices.begin() + walk.begin;
       found[walk.pass].walks.emplace_back(begin, begin + walk.size);
       remove_spurs(found[walk.pass].walks.back());
@@ -418,7 +413,6 @@ private:
 
   // After a batch in which some passes found no room: for their pages, or for their walks.
   void make_room(Room& room, std::size_t& in_flight, std::size_t tried) const {
-    CGAL_precondition(tried > 0 && tried <= in_flight);
     const std::size_t pages = (std::min)(2 * room.number_of_pages, most_pages(tried));
     if(pages <= room.number_of_pages && tried == 1 && room.walk_size > mesh_.number_of_vertices())
       throw Out_of_device_memory_exception(2 * room.number_of_pages * Batch::bytes_per_page,
