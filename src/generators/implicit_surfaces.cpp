@@ -38,6 +38,8 @@ neighbours of it as their next closest node, so that cutting the solid in the mi
 the net cuts one neck.
 */
 constexpr int srs_period = 8;
+constexpr double srs_unit = CGAL_PI / 4.;
+constexpr double srs_edge_length = srs_unit * 2. * 1.41421356237309504880;
 constexpr std::size_t nodes_per_period = 8;
 
 constexpr std::array<Srs_node, nodes_per_period> srs_nodes = {

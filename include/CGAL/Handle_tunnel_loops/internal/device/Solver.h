@@ -16,7 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <cstddef>

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Basis_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Voronoi_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>

@@ -15,39 +15,13 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
-#include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// What the loop passes look for: for each of several loops walks that cross it once, see
-/// `Bidirectional_front`.
-struct Dual_loop_query
-{
-  const std::vector<Crossing_loop>& loops;
-  const Crossing_index& index;                  ///< of these loops
-  bool bars_only_own;                           ///< `Only_loop`, or `Loops_from`
-  std::vector<Index> numbers;                   ///< of the loops to search for
-  Index number_of_walks = 1;                    ///< so many are enough
-  std::vector<Time> numbers_of_steps{};         ///< by loop, the most to make; or empty
-  std::uint64_t number_of_updates = UINT64_MAX; ///< the most to make for each
-};
-
-/// What they find for one loop.
-struct Dual_walks
-{
-  std::vector<std::vector<Index>> walks; ///< closed, on the edges
-  bool has_given_up = false;             ///< for it needed more updates
-};
-
-/// is told how far the work has come, in [0, 1], and says whether to go on.
-using Callback = std::function<bool(double)>;
 
 /// What the passes are to do, whoever does them.
 struct Pass_options : Solver_options
