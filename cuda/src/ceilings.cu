@@ -79,10 +79,7 @@ std::string version_of(int version) {
 } // namespace
 } // namespace htl_cuda
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace CGAL::Handle_tunnel_loops::internal::device {
 
 Ceilings measure_ceilings(int device) {
   using namespace htl_cuda;
@@ -121,7 +118,4 @@ Ceilings measure_ceilings(int device) {
   return ceilings;
 }
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::device

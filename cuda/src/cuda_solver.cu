@@ -14,10 +14,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace CGAL::Handle_tunnel_loops::internal::device {
 namespace {
 
 struct Executor_on_stream
@@ -57,7 +54,4 @@ int current_cuda_device() {
 
 void start_cuda_device(const Device_options& options) { htl_cuda::usable_device(options.device); }
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::device

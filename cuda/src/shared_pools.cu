@@ -66,10 +66,8 @@ std::shared_ptr<const Memory_pool> shared_pool(int device) {
 
 } // namespace htl_cuda
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 void release_device_memory() { htl_cuda::shared_pools().release(); }
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops

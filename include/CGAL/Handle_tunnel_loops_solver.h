@@ -27,7 +27,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <functional>

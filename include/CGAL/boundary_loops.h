@@ -25,7 +25,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <vector>
 
 /// \file boundary_loops.h

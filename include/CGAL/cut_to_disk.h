@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_request.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
 #include <CGAL/Handle_tunnel_loops/loops_as_edges.h>
@@ -32,8 +31,7 @@
 
 namespace CGAL {
 
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace Handle_tunnel_loops::internal {
 
 /// tells a request what the named parameters say of edges and vertices.
 template <typename Request, typename NamedParameters>
@@ -53,8 +51,7 @@ void read_parameters(Request& request, const NamedParameters& np) {
   request.open_at_boundaries();
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
+} // namespace Handle_tunnel_loops::internal
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -158,8 +155,8 @@ OutputIterator cut_to_disk(const TriangleMesh& tm,
   using Solver = Handle_tunnel_loops_solver<TriangleMesh, Vertex_point_map, Geom_traits>;
   Solver solver(ConcurrencyTag(), tm, np);
   const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
-  impl::Cut_request<TriangleMesh, std::decay_t<decltype(vertex_index)>> request(
-      impl::execution_of<ConcurrencyTag>(), vertex_index, solver.prepared_surface());
+  impl::Cut_request request(impl::execution_of<ConcurrencyTag>(), vertex_index,
+                            solver.prepared_surface());
   impl::read_parameters(request, np);
   impl::check_rules(request.problem());
   const auto add = [&](const auto& loop) { request.add_loop(loop); };
@@ -179,7 +176,8 @@ OutputIterator cut_to_disk(const TriangleMesh& tm,
       impl::for_each_loop_of(item, add);
   }
   for(const impl::Index h : impl::cut_open(request.problem()))
-    *out++ = request.edge_of(h);
+    if(!request.problem().is_spoke(h))
+      *out++ = edge(request.halfedge_of_caller(h), tm);
   return out;
 }
 

@@ -24,8 +24,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstdint>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -86,18 +84,15 @@ OutputIterator dual_cuts(const TriangleMesh& tm,
                          OutputIterator out,
                          const NamedParameters& np = parameters::default_values()) {
   namespace impl = Handle_tunnel_loops::internal;
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
   const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
-  const Vertex_point_map point =
+  const auto point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
   const impl::Prepared_surface surface(execution, tm, vertex_index, point);
   const impl::Flat_mesh& mesh = surface.mesh;
-  const auto& vertices = surface.vertices;
-  impl::Cut_request<TriangleMesh, std::decay_t<decltype(vertex_index)>> request(
-      execution, vertex_index, surface);
+  impl::Cut_request request(execution, vertex_index, surface);
   request.use_lengths();
   request.open_at_boundaries();
   for(const auto& pair : pairs)
@@ -106,17 +101,15 @@ OutputIterator dual_cuts(const TriangleMesh& tm,
   for(const auto& walk : request.problem().walks)
     basis.push_back(impl::pushed_left(mesh, walk));
   impl::add_boundaries_of_basis(mesh, basis);
-  const std::vector<impl::Index> cut = impl::cut_graph(request.problem());
-  for(const auto& chain : impl::Dual_chains(request.problem(), cut).dual_to(basis)) {
+  const impl::Cut_problem& problem = request.problem();
+  const std::vector<impl::Index> cut = impl::cut_open(problem);
+  for(const auto& chain : impl::Dual_chains(problem, cut).dual_to(basis)) {
     std::vector<std::pair<Halfedge, std::int64_t>> edges;
-    for(const auto& [h, times] : chain) {
-      const impl::Index u = request.problem().halfedges.source(h),
-                        v = request.problem().halfedges.target(h);
-      if(!mesh.is_spoke(u, v))
-        edges.emplace_back(times > 0 ? halfedge(vertices[u], vertices[v], tm).first
-                                     : halfedge(vertices[v], vertices[u], tm).first,
-                           times > 0 ? times : -times);
-    }
+    for(const auto& [h, times] : chain)
+      if(!problem.is_spoke(h)) {
+        const impl::Index forward = times > 0 ? h : problem.halfedges.twin(h);
+        edges.emplace_back(request.halfedge_of_caller(forward), times > 0 ? times : -times);
+      }
     *out++ = std::move(edges);
   }
   return out;

@@ -39,6 +39,8 @@ private:
   Exit_code code_;
 };
 
+inline Failure wrong_usage(const std::string& message) { return {Exit_code::WRONG_USAGE, message}; }
+
 } // namespace htloops
 
 #endif // HTLOOPS_FAILURE_H

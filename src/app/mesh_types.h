@@ -10,11 +10,13 @@
 #ifndef HTLOOPS_MESH_TYPES_H
 #define HTLOOPS_MESH_TYPES_H
 
+#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -23,6 +25,8 @@
 
 namespace htloops {
 
+using CGAL::Loop_type;
+using CGAL::Handle_tunnel_loops::Basis_kind;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -32,25 +36,33 @@ inline bool is_finite(const Point& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
+/// a line without elements that are equal to the one before; if it is closed, the last one comes
+/// before the first.
+template <typename T>
+std::vector<T> without_repetitions(std::vector<T> line, bool is_closed = true) {
+  line.erase(std::unique(line.begin(), line.end()), line.end());
+  while(is_closed && line.size() > 1 && line.front() == line.back())
+    line.pop_back();
+  return line;
+}
+
 using Pair = CGAL::Handle_tunnel_pair<Mesh>;
 using Loop = Pair::Loop;
 using Pairs = std::vector<Pair>;
 
 /// Both kinds, in the order in which they are written.
-constexpr CGAL::Loop_type loop_types[] = {CGAL::Loop_type::HANDLE, CGAL::Loop_type::TUNNEL};
+constexpr Loop_type loop_types[] = {Loop_type::HANDLE, Loop_type::TUNNEL};
 
 /// calls `visit(loop, type, index of the pair)` for all loops.
 template <typename Visit> void for_each_loop(const Pairs& pairs, Visit visit) {
   for(std::size_t i = 0; i < pairs.size(); ++i)
-    for(const CGAL::Loop_type type : loop_types)
+    for(const Loop_type type : loop_types)
       visit(pairs[i].loop(type), type, i);
 }
 
 /// the word for a kind, as it stands in files and messages.
-inline const char* name_of(CGAL::Loop_type type) {
-  return type == CGAL::Loop_type::HANDLE   ? "handle"
-         : type == CGAL::Loop_type::TUNNEL ? "tunnel"
-                                           : "boundary";
+inline const char* name_of(Loop_type type) {
+  return type == Loop_type::HANDLE ? "handle" : type == Loop_type::TUNNEL ? "tunnel" : "boundary";
 }
 
 /// Whether an edge lies across a face of the file, which was cut into triangles.
@@ -66,6 +78,9 @@ inline std::optional<Face_cuts> cuts_of_faces(const Mesh& mesh) {
   const auto [cuts, has_any] = mesh.property_map<Mesh::Edge_index, bool>("e:cuts_face");
   return has_any ? std::optional<Face_cuts>(cuts) : std::nullopt;
 }
+
+/// Red, green and blue.
+using Colour = std::array<unsigned char, 3>;
 
 /// A number for each vertex, in the order of the vertices, as PLY files have them.
 struct Vertex_property

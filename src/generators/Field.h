@@ -19,14 +19,20 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 
 inline double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 inline Vector unit(const Vector& v) { return v / length(v); }
+
+/// how far a point is from a segment.
+inline double segment_distance(const Vector& p, const Vector& a, const Vector& b) {
+  const Vector along = b - a, from = p - a;
+  const double square = along.squared_length();
+  const double t = square > 0. ? std::clamp((from * along) / square, 0., 1.) : 0.;
+  return length(from - t * along);
+}
 
 /// An axis-parallel box.
 struct Box
@@ -39,6 +45,12 @@ struct Box
         Vector((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z())),
         Vector((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
                (std::max)(high.z(), p.z()))};
+  }
+
+  /// the corner that is high along the axes whose bits are set.
+  Vector corner(int bits) const {
+    return Vector((bits & 1) != 0 ? high.x() : low.x(), (bits & 2) != 0 ? high.y() : low.y(),
+                  (bits & 4) != 0 ? high.z() : low.z());
   }
 
   /// the box whose faces are further out.
@@ -63,6 +75,12 @@ inline Vector point_of(const Soup& soup, std::uint32_t v) {
   return Vector(x, y, z);
 }
 
+/// returns the number of the point.
+inline std::uint32_t add_point(Soup& soup, const Vector& p) {
+  soup.points.push_back({p.x(), p.y(), p.z()});
+  return static_cast<std::uint32_t>(soup.points.size() - 1);
+}
+
 inline double mean_edge_length(const Soup& soup) {
   double sum = 0.;
   for(const auto& triangle : soup.triangles)
@@ -83,8 +101,6 @@ inline std::vector<Vector> vertex_normals(const Soup& soup) {
   return normals;
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_FIELD_H

@@ -9,37 +9,24 @@
 
 #include "Shape.h"
 
-#include "isosurface.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t fewest_shape_faces = 100;
-
-double dot(const Vector& a, const Vector& b) { return a * b; }
-
-// How far a point is from a segment.
-double segment_distance(const Vector& p, const Vector& a, const Vector& b) {
-  const Vector along = b - a, from = p - a;
-  const double square = along.squared_length();
-  const double t = square > 0. ? std::clamp(dot(from, along) / square, 0., 1.) : 0.;
-  return length(from - t * along);
-}
 
 // The radius that an edge may have where the least extent of a part, from its middle, is known.
 double edge_radius(double wanted, double extent) { return (std::min)(wanted, extent / 2.); }
@@ -47,7 +34,7 @@ double edge_radius(double wanted, double extent) { return (std::min)(wanted, ext
 double cylinder_distance(
     const Vector& p, const Vector& a, const Vector& b, double radius, double rounding) {
   const Vector axis = unit(b - a), from = p - a;
-  const double along = dot(from, axis), half = length(b - a) / 2.;
+  const double along = from * axis, half = length(b - a) / 2.;
   const double edge = edge_radius(rounding, (std::min)(radius, half));
   const double outside = length(from - along * axis) - radius + edge;
   const double beyond = std::abs(along - half) - half + edge;
@@ -68,13 +55,8 @@ double block_distance(const Vector& p, const Vector& low, const Vector& high, do
 
 double ring_distance(const Vector& p, const Vector& middle, const Vector& axis, double radius) {
   const Vector from = p - middle;
-  const double along = dot(from, axis);
+  const double along = from * axis;
   return std::hypot(length(from - along * axis) - radius, along);
-}
-
-double least_half_extent(const Box& box) {
-  const Vector size = box.high - box.low;
-  return (std::min)({size.x(), size.y(), size.z()}) / 2.;
 }
 
 // A smooth curve through points (Catmull and Rom), as many short segments.
@@ -105,7 +87,7 @@ double curve_distance(const Vector& p, const std::vector<Vector>& curve) {
 }
 
 Vector turned(const Vector& p, const Vector& axis, double angle) {
-  const Vector along = dot(p, axis) * axis, across = p - along;
+  const Vector along = (p * axis) * axis, across = p - along;
   return along + std::cos(angle) * across + std::sin(angle) * CGAL::cross_product(axis, across);
 }
 
@@ -148,10 +130,6 @@ std::string advice(const Shape& shape, std::size_t faces) {
          std::to_string((std::max)(faces, most)) + ", shows it";
 }
 
-bool are_alike(const Soup& a, const Soup& b) {
-  return genus(a) == genus(b) && number_of_components(a) == number_of_components(b);
-}
-
 // Edges that are sharper than the lattice is fine become saws. Walls as thin as that may not bear
 // to be rounded: then the edges stay as they are.
 Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
@@ -159,7 +137,8 @@ Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
     const Shape rounded = shape.rounded(cells * mesh.spacing);
     const Lattice_mesh round_mesh = {isosurface(rounded, mesh.spacing, mesh.soup.triangles.size()),
                                      mesh.spacing};
-    if(are_alike(mesh.soup, round_mesh.soup))
+    if(genus(mesh.soup) == genus(round_mesh.soup) &&
+       number_of_components(mesh.soup) == number_of_components(round_mesh.soup))
       return fitted(round_mesh, rounded);
   }
   return fitted(mesh, shape);
@@ -290,7 +269,8 @@ private:
           result.push_back([=](const Vector& p) { return motion(p) - double(i) * first; });
         else
           result.push_back([=](const Vector& p) {
-            return first + turned(motion(p) - first, direction, -2. * pi * i / std::floor(count));
+            return first +
+                   turned(motion(p) - first, direction, -2. * CGAL_PI * i / std::floor(count));
           });
     return result;
   }
@@ -325,7 +305,8 @@ private:
       const Vector a = point(), b = point();
       const double rounding = number();
       const Box box = Box{a, a}.with(b);
-      const double room = least_half_extent(box);
+      const Vector size = box.high - box.low;
+      const double room = (std::min)({size.x(), size.y(), size.z()}) / 2.;
       return {[=](const Vector& p, double edge) {
                 return block_distance(p, box.low, box.high,
                                       (std::max)(rounding, edge_radius(edge, room)));
@@ -362,7 +343,7 @@ private:
     constexpr int steps = 300;
     std::vector<Vector> curve;
     for(int i = 0; i <= steps; ++i) {
-      const double t = 2. * pi * (i % steps) / steps;
+      const double t = 2. * CGAL_PI * (i % steps) / steps;
       const double away = radius + small * std::cos(q * t);
       curve.emplace_back(away * std::cos(p * t), away * std::sin(p * t), small * std::sin(q * t));
     }
@@ -384,11 +365,8 @@ private:
                                         motion(Vector(0., 1., 0.)) - origin,
                                         motion(Vector(0., 0., 1.)) - origin};
     for(int corner = 0; corner < 8; ++corner) {
-      const Vector at((corner & 1) != 0 ? box.high.x() : box.low.x(),
-                      (corner & 2) != 0 ? box.high.y() : box.low.y(),
-                      (corner & 4) != 0 ? box.high.z() : box.low.z());
-      const Vector from = at - origin;
-      const Vector place(dot(rows[0], from), dot(rows[1], from), dot(rows[2], from));
+      const Vector from = box.corner(corner) - origin;
+      const Vector place(rows[0] * from, rows[1] * from, rows[2] * from);
       shape_.box_ = has_box_ ? shape_.box_.with(place) : Box{place, place};
       has_box_ = true;
     }
@@ -445,16 +423,13 @@ std::vector<Kind> kinds_of_shapes() {
     const Shape shape(text);
     descriptions.push_back(shape.description() + "; genus " + std::to_string(*shape.genus()));
     kinds.push_back({name, descriptions.back().c_str(),
-                     [name = name, text = text](const Request& request) {
-                       const Shape described(text);
-                       require_genus(request, name, *described.genus());
-                       return mesh_of_shape(described, request, name);
+                     [name = name, shape](const Request& request) {
+                       require_genus(request, name, *shape.genus());
+                       return mesh_of_shape(shape, request, name);
                      },
                      GENUS, shape.faces(), *shape.genus()});
   }
   return kinds;
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -15,16 +15,13 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /*!
 A solid that a text describes, a part on each line, put together or cut out one after the other:
@@ -91,8 +88,6 @@ std::vector<Kind> kinds_of_shapes();
 /// the names and the texts of the files in shapes/.
 const std::vector<std::pair<const char*, std::string_view>>& shape_texts();
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_SHAPE_H

@@ -11,26 +11,22 @@
 #define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_BODIES_H
 
 #include "Field.h"
-#include "generators.h"
 
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// A ball with handles around its equator, like those of a pot, and with smaller balls as bumps,
 /// all blended. The handles are the same however many there are, the ball is as large as they need.
+/// No loop that is not contractible is shorter than one.
 class Rounded_body : public Field
 {
 public:
@@ -41,9 +37,6 @@ public:
   };
 
   static constexpr double ring_radius = 0.5, tube_radius = 0.2;
-
-  /// no loop that is not contractible is shorter.
-  static constexpr double least_length = 1.;
 
   static double radius(std::size_t handles) {
     return (std::max)(1., 0.12 * static_cast<double>(handles));
@@ -107,15 +100,10 @@ class Vertex_stars
 public:
   explicit Vertex_stars(const Soup& soup)
       : soup_(soup)
-      , begin_(soup.points.size() + 1, 0)
-      , triangles_(3 * soup.triangles.size()) {
-    for(const auto& triangle : soup.triangles)
-      for(const std::uint32_t v : triangle)
-        ++begin_[v];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+      , triangles_(soup.points.size()) {
     for(std::uint32_t t = 0; t < soup.triangles.size(); ++t)
       for(const std::uint32_t v : soup.triangles[t])
-        triangles_[--begin_[v]] = t;
+        triangles_[v].push_back(t);
   }
 
   /// the triangles at the vertices up to `rings - 1` edges away.
@@ -123,8 +111,7 @@ public:
     Indices vertices = {centre}, triangles;
     while(true) {
       for(const std::uint32_t v : vertices)
-        triangles.insert(triangles.end(), triangles_.begin() + begin_[v],
-                         triangles_.begin() + begin_[v + 1]);
+        triangles.insert(triangles.end(), triangles_[v].begin(), triangles_[v].end());
       make_unique(triangles);
       if(--rings == 0)
         return triangles;
@@ -137,9 +124,14 @@ public:
   /// the boundary of a set of triangles, to the left of which they are, if it is one cycle without
   /// a vertex twice; otherwise nothing.
   Indices boundary(const Indices& triangles) const {
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+    std::set<Edge> edges;
+    for(const std::uint32_t t : triangles)
+      for(int i = 0; i < 3; ++i)
+        edges.emplace(soup_.triangles[t][i], soup_.triangles[t][(i + 1) % 3]);
     std::map<std::uint32_t, std::uint32_t> next;
-    for(const auto& [u, v] : edges_without_opposite(triangles))
-      if(!next.emplace(u, v).second)
+    for(const auto& [u, v] : edges)
+      if(edges.count(Edge(v, u)) == 0 && !next.emplace(u, v).second)
         return {};
     Indices cycle;
     if(next.empty())
@@ -153,27 +145,13 @@ public:
   }
 
 private:
-  using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
   static void make_unique(Indices& indices) {
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   }
 
-  std::vector<Edge> edges_without_opposite(const Indices& triangles) const {
-    std::vector<Edge> edges, rest;
-    for(const std::uint32_t t : triangles)
-      for(int i = 0; i < 3; ++i)
-        edges.emplace_back(soup_.triangles[t][i], soup_.triangles[t][(i + 1) % 3]);
-    std::sort(edges.begin(), edges.end());
-    for(const auto& [u, v] : edges)
-      if(!std::binary_search(edges.begin(), edges.end(), Edge(v, u)))
-        rest.emplace_back(u, v);
-    return rest;
-  }
-
   const Soup& soup_;
-  Indices begin_, triangles_;
+  std::vector<Indices> triangles_; ///< by vertex
 };
 
 /// A surface out of which triangles are taken and to which others are added. Numbers of vertices
@@ -185,10 +163,7 @@ public:
       : soup_(std::move(soup))
       , is_removed_(soup_.triangles.size(), 0) {}
 
-  std::uint32_t add_point(const Vector& p) {
-    soup_.points.push_back({p.x(), p.y(), p.z()});
-    return static_cast<std::uint32_t>(soup_.points.size() - 1);
-  }
+  std::uint32_t add_point(const Vector& p) { return generators::add_point(soup_, p); }
 
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     soup_.triangles.push_back({a, b, c});
@@ -236,8 +211,6 @@ private:
   std::vector<char> is_removed_; ///< of the triangles that were there first
 };
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_BODIES_H

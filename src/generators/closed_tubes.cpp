@@ -8,20 +8,41 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "Random.h"
-#include "closed_tube.h"
+#include "closed_curves.h"
 #include "kinds.h"
 
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
+
+/// The numbers of rings along a tube and of vertices around it.
+struct Grid_size
+{
+  std::size_t along, around;
+};
+
+/// the torus of a grid that is periodic both ways, its quadrangles cut in two. It is oriented by
+/// (along, around), as are the arguments of `point`.
+template <typename Point_function> Soup grid_surface(Grid_size size, const Point_function& point) {
+  const auto vertex = [&](std::size_t i, std::size_t j) {
+    return static_cast<std::uint32_t>((i % size.along) * size.around + j % size.around);
+  };
+  Soup soup;
+  soup.points.reserve(size.along * size.around);
+  soup.triangles.reserve(2 * size.along * size.around);
+  for(std::size_t i = 0; i < size.along; ++i)
+    for(std::size_t j = 0; j < size.around; ++j) {
+      add_point(soup, point(i, j));
+      soup.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      soup.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return soup;
+}
 
 /// A point of the centre line with two unit vectors normal to the line and each other.
 struct Ring
@@ -73,16 +94,15 @@ Grid_size grid_size(std::size_t faces, double aspect) {
   return size;
 }
 
-Soup make_torus(const Request& request) {
-  constexpr double radius = 1., tube_radius = 0.4;
-  require_genus(request, "torus", 1);
-  require_faces(request, "torus", 18);
-
-  const Grid_size size = grid_size(request.faces, radius / tube_radius);
+/// a round tube of about a number of faces around a closed curve. It does not cross itself if the
+/// curve keeps away from itself and the faces are enough to follow it.
+Soup closed_tube(const Curve_by_length& curve, double radius, std::size_t faces) {
+  const Grid_size size = grid_size(faces, curve.length() / (2. * CGAL_PI * radius));
+  const std::vector<Ring> rings = carry_frames(curve, size.along);
   return grid_surface(size, [&](std::size_t i, std::size_t j) {
-    const double u = 2. * CGAL_PI * i / size.along, v = 2. * CGAL_PI * j / size.around;
-    const double r = radius + tube_radius * std::cos(v);
-    return Vector(r * std::cos(u), r * std::sin(u), tube_radius * std::sin(v));
+    const double v = 2. * CGAL_PI * j / size.around;
+    const Ring& ring = rings[i];
+    return ring.centre + radius * (std::cos(v) * ring.normal - std::sin(v) * ring.binormal);
   });
 }
 
@@ -98,6 +118,23 @@ Curve_by_length ring_curve(std::size_t number, Random& random) {
   });
 }
 
+Vector trefoil(double t) {
+  return Vector(std::sin(t) + 2. * std::sin(2. * t), std::cos(t) - 2. * std::cos(2. * t),
+                -std::sin(3. * t));
+}
+
+// A third of the room is for the tubes, and some of the rest for the difference to their chords.
+constexpr double tube_part = 0.3, error_part = 0.15;
+
+/// of one tube, so that it has rings enough to follow its curve; see `grid_size()`.
+std::size_t least_faces(const Torus_knot& knot, double room, double length) {
+  const auto rings = static_cast<double>(knot.least_samples(error_part * room));
+  const double aspect = length / (2. * CGAL_PI * tube_part * room);
+  return static_cast<std::size_t>((std::max)(6. * rings, 2. * rings * rings / aspect)) + 6;
+}
+
+} // namespace
+
 Soup make_chain(const Request& request) {
   require_least_genus(request, "chain", 1);
   require_faces(request, "chain", 72 * request.genus);
@@ -110,11 +147,6 @@ Soup make_chain(const Request& request) {
   return joined(rings);
 }
 
-Vector trefoil(double t) {
-  return Vector(std::sin(t) + 2. * std::sin(2. * t), std::cos(t) - 2. * std::cos(2. * t),
-                -std::sin(3. * t));
-}
-
 Soup make_knot(const Request& request) {
   constexpr double tube_radius = 0.45;
   require_genus(request, "knot", 1);
@@ -122,14 +154,17 @@ Soup make_knot(const Request& request) {
   return closed_tube(Curve_by_length(trefoil), tube_radius, request.faces);
 }
 
-// A third of the room is for the tubes, and some of the rest for the difference to their chords.
-constexpr double tube_part = 0.3, error_part = 0.15;
+Soup make_torus(const Request& request) {
+  constexpr double radius = 1., tube_radius = 0.4;
+  require_genus(request, "torus", 1);
+  require_faces(request, "torus", 18);
 
-/// of one tube, so that it has rings enough to follow its curve; see `grid_size()`.
-std::size_t least_faces(const Torus_knot& knot, double room, double length) {
-  const auto rings = static_cast<double>(knot.least_samples(error_part * room));
-  const double aspect = length / (2. * CGAL_PI * tube_part * room);
-  return static_cast<std::size_t>((std::max)(6. * rings, 2. * rings * rings / aspect)) + 6;
+  const Grid_size size = grid_size(request.faces, radius / tube_radius);
+  return grid_surface(size, [&](std::size_t i, std::size_t j) {
+    const double u = 2. * CGAL_PI * i / size.along, v = 2. * CGAL_PI * j / size.around;
+    const double r = radius + tube_radius * std::cos(v);
+    return Vector(r * std::cos(u), r * std::sin(u), tube_radius * std::sin(v));
+  });
 }
 
 Soup make_torus_link(const Request& request) {
@@ -147,66 +182,4 @@ Soup make_torus_link(const Request& request) {
   return joined(tubes);
 }
 
-} // namespace
-
-Soup grid_surface(Grid_size size, const std::function<Vector(std::size_t, std::size_t)>& point) {
-  const auto vertex = [&](std::size_t i, std::size_t j) {
-    return static_cast<std::uint32_t>((i % size.along) * size.around + j % size.around);
-  };
-  Soup soup;
-  soup.points.reserve(size.along * size.around);
-  soup.triangles.reserve(2 * size.along * size.around);
-  for(std::size_t i = 0; i < size.along; ++i)
-    for(std::size_t j = 0; j < size.around; ++j) {
-      const Vector p = point(i, j);
-      soup.points.push_back({p.x(), p.y(), p.z()});
-      soup.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-      soup.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-    }
-  return soup;
-}
-
-Curve_by_length::Curve_by_length(std::function<Vector(double)> curve)
-    : curve_(std::move(curve)) {
-  for(int i = 1; i <= samples; ++i)
-    length_[i] =
-        length_[i - 1] + generators::length(curve_(parameter(i)) - curve_(parameter(i - 1)));
-}
-
-Vector Curve_by_length::point(double s) const {
-  const auto after = std::upper_bound(length_.begin() + 1, length_.end() - 1, s);
-  const auto i = static_cast<int>(after - length_.begin());
-  const double part = (s - length_[i - 1]) / (length_[i] - length_[i - 1]);
-  return curve_(parameter(i - 1 + part));
-}
-
-double Curve_by_length::parameter(double i) { return 2. * CGAL_PI * i / samples; }
-
-Soup closed_tube(const Curve_by_length& curve, double radius, std::size_t faces) {
-  const Grid_size size = grid_size(faces, curve.length() / (2. * CGAL_PI * radius));
-  const std::vector<Ring> rings = carry_frames(curve, size.along);
-  return grid_surface(size, [&](std::size_t i, std::size_t j) {
-    const double v = 2. * CGAL_PI * j / size.around;
-    const Ring& ring = rings[i];
-    return ring.centre + radius * (std::cos(v) * ring.normal - std::sin(v) * ring.binormal);
-  });
-}
-
-const Kind torus_kind = {"torus", "a torus, as a regular grid; genus 1, from 18 faces", make_torus};
-
-const Kind chain_kind = {
-    "chain",
-    "rings, each linked with the next, one for each handle; any genus g from 1, from 72 g faces",
-    make_chain};
-
-const Kind knot_kind = {"knot", "a tube around a trefoil knot; genus 1, from 150 faces", make_knot};
-
-const Kind torus_link_kind = {
-    "torus-link",
-    "tubes along parallel torus knots (p, q), one for each handle, each linked with all others if "
-    "there are several; any genus g from 1, from some hundred faces for each",
-    make_torus_link, GENUS | TORUS_KNOT};
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -7,8 +7,6 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "generators.h"
-
 #include "Random.h"
 #include "Shape.h"
 #include "kinds.h"
@@ -18,49 +16,123 @@
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
-/// throws `std::invalid_argument` if of what the kind looks at more is asked for than faces, none
-/// of which can serve two: then no sum or product of what a kind needs is out of range.
-void require_no_more_than_faces(const Request& request, const Kind& kind) {
-  const auto require = [&](unsigned option, std::initializer_list<std::size_t> numbers) {
-    for(const std::size_t number : numbers)
-      if((kind.options & option) != 0 && number > request.faces)
-        throw std::invalid_argument(std::string("a mesh of the kind '") + kind.name + "' of " +
-                                    std::to_string(request.faces) + " faces cannot have " +
-                                    std::to_string(number) + " of anything");
-  };
-  require(GENUS, {request.genus});
-  require(PARTS, {request.parts});
-  require(TORUS_KNOT, {request.p, request.q});
-  require(WAVE_FREQUENCY, {request.frequency});
-  require(SMALL_BRIDGES, {request.bridges, request.tunnels});
-  require(NECKS, {request.necks});
+const Kind own_kinds[] = {
+    {"sphere", "a sphere, a subdivided icosahedron; genus 0, from 4 faces", make_sphere, GENUS,
+     10000, 0},
+    {"torus", "a torus, as a regular grid; genus 1, from 18 faces", make_torus},
+    {"knot", "a tube around a trefoil knot; genus 1, from 150 faces", make_knot},
+    {"multi-torus",
+     "a flat rounded slab with a hole for each handle; any genus g, from 200 + 200 g faces",
+     make_multi_torus},
+    {"lattice",
+     "tubes along the edges of a cubic grid, some of them left out at random; any genus g, from "
+     "400 + 250 g faces",
+     make_lattice},
+    {"gyroid",
+     "a block of the gyroid, cut so that it has the handles asked for; any genus g, from "
+     "400 + 300 g faces",
+     make_gyroid},
+    {"sponge",
+     "a block of cubes with a square hole through it for each handle, with flat faces and sharp "
+     "edges; any genus g, from about 60 + 30 g faces",
+     make_sponge},
+    {"plates",
+     "a stack of plates and blocks with straight bores of random sizes through them, of few, long "
+     "and thin triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for "
+     "each part",
+     make_plates, GENUS | PARTS},
+    {"bars",
+     "a comb of bars with straight bores through them in two directions, of few, long and thin "
+     "triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for each part",
+     make_bars, GENUS | PARTS},
+    {"chain",
+     "rings, each linked with the next, one for each handle; any genus g from 1, from 72 g faces",
+     make_chain},
+    {"torus-link",
+     "tubes along parallel torus knots (p, q), one for each handle, each linked with all others if "
+     "there are several; any genus g from 1, from some hundred faces for each",
+     make_torus_link, GENUS | TORUS_KNOT},
+    {"ladder",
+     "a ladder with g - 1 rungs along a torus knot (p, q), its ends joined, and for g = 1 one side "
+     "alone; any genus g from 1, from some ten thousand faces",
+     make_ladder, GENUS | TORUS_KNOT, 20000},
+    {"shell",
+     "hollow tubes along the edges of a cubic grid, the hollow along some of them: a surface and "
+     "one in it that share the handles; any genus g, from 1000 + 600 g faces",
+     make_shell},
+    {"foam",
+     "struts of random radii along the edges of a grid whose nodes are moved at random; any genus "
+     "g, from 600 + 600 g faces",
+     make_foam},
+    {"interlaced",
+     "two grids of tubes, each through the holes of the other; any genus g, half of it each, from "
+     "1000 + 400 g faces",
+     make_interlaced},
+    {"waves",
+     "a level set of a sum of random waves in a box; the genus and the number of components are "
+     "what comes out, from 1000 + 400 f^3 faces for frequency f",
+     make_waves, WAVE_FREQUENCY, 20000},
+    {"scan",
+     "a body like a pot with g large handles, rough as if it were scanned, and on it small bridges "
+     "and just below it small tunnels, a handle each; loops of the body are longer than 1, those "
+     "of the bridges and tunnels shorter than 20 mean edges, and so than 0.9; from 25000 faces, "
+     "more for more than 8 handles, and 600 for each bridge and tunnel",
+     make_scan, GENUS | SMALL_BRIDGES, 60000},
+    {"twins",
+     "two bodies like pots, each with g handles and one the mirror image of the other, joined by k "
+     "necks: genus 2 g + k - 1; necks are shorter than 10 mean edges, and so than 0.5, what is "
+     "around or through a handle is longer than 1; from 50000 faces, more for more than 8 handles, "
+     "and 180 per neck",
+     make_twins, GENUS | NECKS, 100000},
+    {"hollow",
+     "a hollow body like a pot with g handles, k small holes in its wall: genus 2 g + k - 1; holes "
+     "are shorter around than 10 mean edges, and so than 0.5, what is around or through a handle "
+     "is longer than 0.8; as many faces as for twins",
+     make_hollow, GENUS | NECKS, 100000},
+    {"random",
+     "a random triangulation with random points, often ugly and never embedded: scattered, smooth, "
+     "flat at any scale, or with slivers and coincident points; any genus g, from 4 faces (g = 0) "
+     "or 2 + 12 g faces",
+     make_random}};
+
+/// the edges of all triangles, as pairs of vertices in one number, sorted: one that two triangles
+/// have is there twice.
+std::vector<std::uint64_t> sides_of(const Soup& soup) {
+  std::vector<std::uint64_t> sides;
+  sides.reserve(3 * soup.triangles.size());
+  for(const auto& triangle : soup.triangles)
+    for(int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      sides.push_back(std::uint64_t(low) << 32 | high);
+    }
+  std::sort(sides.begin(), sides.end());
+  return sides;
 }
 
 } // namespace
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = [] {
-    std::vector<Kind> kinds = {sphere_kind,  torus_kind,  knot_kind,       multi_torus_kind,
-                               lattice_kind, gyroid_kind, sponge_kind,     plates_kind,
-                               bars_kind,    chain_kind,  torus_link_kind, ladder_kind,
-                               shell_kind,   foam_kind,   interlaced_kind, waves_kind,
-                               scan_kind,    twins_kind,  hollow_kind,     random_kind};
+    std::vector<Kind> kinds(std::begin(own_kinds), std::end(own_kinds));
     const std::vector<Kind> shapes = kinds_of_shapes();
     kinds.insert(kinds.end(), shapes.begin(), shapes.end());
     return kinds;
   }();
   return all;
+}
+
+void refuse(const char* kind, const std::string& why) {
+  throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' " + why);
 }
 
 void require_faces(const Request& request, const char* kind, double least) {
@@ -71,29 +143,20 @@ void require_faces(const Request& request, const char* kind, double least) {
     return;
   char limit[32];
   std::snprintf(limit, sizeof(limit), "%.12g", faces < least ? least : most);
-  throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' of genus " +
-                              std::to_string(request.genus) + " needs " +
-                              (faces < least ? "at least " : "at most ") + limit + " faces, not " +
-                              std::to_string(request.faces));
+  refuse(kind, "of genus " + std::to_string(request.genus) + " needs " +
+                   (faces < least ? "at least " : "at most ") + limit + " faces, not " +
+                   std::to_string(request.faces));
 }
 
 void require_genus(const Request& request, const char* kind, std::size_t only) {
   if(request.genus != only)
-    throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' has genus " +
-                                std::to_string(only) + ", not " + std::to_string(request.genus));
+    refuse(kind, "has genus " + std::to_string(only) + ", not " + std::to_string(request.genus));
 }
 
 void require_least_genus(const Request& request, const char* kind, std::size_t least) {
   if(request.genus < least)
-    throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' has genus " +
-                                std::to_string(least) + " or more, not " +
-                                std::to_string(request.genus));
-}
-
-void require_parts(const Request& request, const char* kind) {
-  if(request.parts == 0)
-    throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' has a part");
-  require_least_genus(request, kind, request.parts);
+    refuse(kind,
+           "has genus " + std::to_string(least) + " or more, not " + std::to_string(request.genus));
 }
 
 bool is_connected_of_genus(const Soup& soup, std::size_t genus) {
@@ -179,34 +242,34 @@ std::size_t number_of_components(const Soup& soup) {
 }
 
 Soup make(const Kind& kind, const Request& request) {
-  require_no_more_than_faces(request, kind);
+  const auto require = [&](unsigned option, std::initializer_list<std::size_t> numbers) {
+    for(const std::size_t number : numbers)
+      if((kind.options & option) != 0 && number > request.faces)
+        refuse(kind.name, "of " + std::to_string(request.faces) + " faces cannot have " +
+                              std::to_string(number) + " of anything");
+  };
+  // None of the faces can serve two: then no sum or product of what a kind needs is out of range.
+  require(GENUS, {request.genus});
+  require(PARTS, {request.parts});
+  require(TORUS_KNOT, {request.p, request.q});
+  require(WAVE_FREQUENCY, {request.frequency});
+  require(SMALL_BRIDGES, {request.bridges, request.tunnels});
+  require(NECKS, {request.necks});
   return kind.make(request);
 }
 
 std::size_t number_of_boundaries(const Soup& soup) {
-  std::vector<std::pair<std::uint64_t, bool>> sides; // of edges, and whether they lead upwards
-  for(const auto& triangle : soup.triangles)
-    for(int i = 0; i < 3; ++i) {
-      const std::uint32_t u = triangle[i], v = triangle[(i + 1) % 3];
-      const auto [low, high] = std::minmax(u, v);
-      sides.emplace_back(std::uint64_t(low) << 32 | high, u < v);
+  const std::vector<std::uint64_t> sides = sides_of(soup);
+  Soup boundary; // its edges, as triangles
+  boundary.points.resize(soup.points.size());
+  for(std::size_t i = 0; i < sides.size(); ++i)
+    if((i == 0 || sides[i - 1] != sides[i]) && (i + 1 == sides.size() || sides[i + 1] != sides[i]))
+    {
+      const auto u = static_cast<std::uint32_t>(sides[i] >> 32);
+      const auto v = static_cast<std::uint32_t>(sides[i]);
+      boundary.triangles.push_back({u, v, v});
     }
-  std::sort(sides.begin(), sides.end());
-  boost::disjoint_sets_with_storage<> sets(soup.points.size());
-  std::vector<char> is_on_boundary(soup.points.size(), 0);
-  for(std::size_t i = 0; i < sides.size(); ++i) {
-    const std::uint64_t edge = sides[i].first;
-    if((i > 0 && sides[i - 1].first == edge) ||
-       (i + 1 < sides.size() && sides[i + 1].first == edge))
-      continue;
-    const auto u = static_cast<std::uint32_t>(edge >> 32), v = static_cast<std::uint32_t>(edge);
-    sets.union_set(u, v);
-    is_on_boundary[u] = is_on_boundary[v] = 1;
-  }
-  std::size_t count = 0;
-  for(std::size_t v = 0; v < is_on_boundary.size(); ++v)
-    count += is_on_boundary[v] != 0 && sets.find_set(v) == v;
-  return count;
+  return number_of_components(boundary);
 }
 
 std::size_t genus(const Soup& soup) {
@@ -217,20 +280,13 @@ std::size_t genus(const Soup& soup) {
 
 std::ptrdiff_t euler_characteristic(const Soup& soup) {
   std::vector<char> is_used(soup.points.size(), 0);
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * soup.triangles.size());
   for(const auto& triangle : soup.triangles)
-    for(int i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-      edges.push_back(std::uint64_t(low) << 32 | high);
-      is_used[triangle[i]] = 1;
-    }
-  std::sort(edges.begin(), edges.end());
+    for(const std::uint32_t v : triangle)
+      is_used[v] = 1;
+  std::vector<std::uint64_t> edges = sides_of(soup);
   const auto number_of_edges = std::unique(edges.begin(), edges.end()) - edges.begin();
   const auto number_of_vertices = std::count(is_used.begin(), is_used.end(), 1);
   return number_of_vertices - number_of_edges + static_cast<std::ptrdiff_t>(soup.triangles.size());
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

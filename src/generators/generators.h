@@ -21,9 +21,7 @@
 /// embedded), each edge in two triangles, each vertex in one fan, no two edges with the same two
 /// vertices, and a genus that is known because the construction gives it.
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// A triangle mesh as points and indices.
 struct Soup
@@ -121,8 +119,6 @@ struct Hole_request
 /// discs, or smaller ones, where there is no room for more.
 Soup with_holes(const Soup& mesh, const Hole_request& holes);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_GENERATORS_H

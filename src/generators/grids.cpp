@@ -14,41 +14,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A number of holes in rows, as close to a square as it goes: the first rows have one hole more
 /// than the others if the number does not divide.
-class Hole_rows
+struct Hole_rows
 {
-public:
-  explicit Hole_rows(std::size_t holes)
-      : rows_(static_cast<std::size_t>(std::lround(std::sqrt(double(holes)))))
-      , holes_(holes) {
-    rows_ = (std::max<std::size_t>)(rows_, 1);
-  }
-
-  std::size_t rows() const { return rows_; }
+  explicit Hole_rows(std::size_t number)
+      : holes(number)
+      , rows((std::max)(1l, std::lround(std::sqrt(double(number))))) {}
 
   /// of the longest rows; at least one, as if for a hole that is not there.
-  std::size_t columns() const { return (std::max<std::size_t>)((holes_ + rows_ - 1) / rows_, 1); }
+  std::size_t columns() const { return (std::max<std::size_t>)((holes + rows - 1) / rows, 1); }
 
   /// the number of rows that have `columns()` holes.
-  std::size_t full_rows() const { return holes_ % rows_ == 0 ? rows_ : holes_ % rows_; }
+  std::size_t full_rows() const { return holes % rows == 0 ? rows : holes % rows; }
 
   std::size_t holes_in_row(std::size_t row) const {
-    return holes_ / rows_ + (row < holes_ % rows_ ? 1 : 0);
+    return holes / rows + (row < holes % rows ? 1 : 0);
   }
 
-private:
-  std::size_t rows_, holes_;
+  std::size_t holes, rows;
 };
 
 /// A flat slab with round holes at distance one, its rims rounded.
@@ -57,8 +48,7 @@ class Slab : public Field
 public:
   explicit Slab(std::size_t holes)
       : rows_(holes)
-      , full_rows_(static_cast<double>(rows_.full_rows()))
-      , short_rows_(static_cast<double>(rows_.rows()) - full_rows_) {}
+      , full_rows_(static_cast<double>(rows_.full_rows())) {}
 
   // The points within the rim's radius of a flat region, which is the outline without the holes,
   // made smaller by that radius.
@@ -70,7 +60,7 @@ public:
   Box box() const override {
     const double x = rows_.columns() / 2. + margin;
     return {Vector(-x, -0.5 - margin, -rim_radius),
-            Vector(x, rows_.rows() - 0.5 + margin, rim_radius)};
+            Vector(x, rows_.rows - 0.5 + margin, rim_radius)};
   }
 
 private:
@@ -87,12 +77,11 @@ private:
   /// the distance to one rectangle around the full rows and one around all rows as wide as the
   /// short ones.
   double outline(double x, double y) const {
-    const double columns = static_cast<double>(rows_.columns());
+    const double columns = static_cast<double>(rows_.columns()), all = double(rows_.rows);
     const double full =
         rectangle(x, y - (full_rows_ - 1.) / 2., columns / 2. + margin, full_rows_ / 2. + margin);
-    if(short_rows_ == 0.)
+    if(full_rows_ == all)
       return full;
-    const double all = full_rows_ + short_rows_;
     return (std::min)(
         full, rectangle(x, y - (all - 1.) / 2., (columns - 1.) / 2. + margin, all / 2. + margin));
   }
@@ -100,7 +89,7 @@ private:
   /// the distance into the nearest hole, negative outside of it.
   double hole(double x, double y) const {
     double nearest = std::numeric_limits<double>::infinity();
-    const double last_row = static_cast<double>(rows_.rows()) - 1.;
+    const double last_row = static_cast<double>(rows_.rows) - 1.;
     for(const double beside : {std::floor(y), std::floor(y) + 1.}) {
       const double row = std::clamp(beside, 0., last_row);
       const double count = static_cast<double>(rows_.holes_in_row(static_cast<std::size_t>(row)));
@@ -114,69 +103,54 @@ private:
   }
 
   Hole_rows rows_;
-  double full_rows_, short_rows_;
+  double full_rows_;
 };
-
-Soup make_multi_torus(const Request& request) {
-  require_faces(request, "multi-torus", 200 + 200 * request.genus);
-  return mesh_of_field(Slab(request.genus), request, "multi-torus");
-}
 
 /// A block of unit cubes with square holes through its whole depth. Holes and walls are equally
 /// wide, so two holes never touch, not even at an edge, and the surface is manifold.
-class Drilled_block
+struct Drilled_block
 {
-public:
-  Drilled_block(std::size_t holes, std::size_t hole_width)
-      : rows_(holes)
-      , hole_width_(hole_width)
-      , width_(hole_width * (2 * rows_.columns() + 1))
-      , height_(hole_width * (2 * rows_.rows() + 1))
-      , top_faces_(2 * (width_ * height_ - holes * hole_width * hole_width))
-      , ring_faces_(2 * (2 * (width_ + height_) + 4 * holes * hole_width)) {}
+  Drilled_block(std::size_t holes, std::size_t width_of_hole)
+      : rows(holes)
+      , hole_width(width_of_hole)
+      , width(hole_width * (2 * rows.columns() + 1))
+      , height(hole_width * (2 * rows.rows + 1))
+      , top_faces(2 * (width * height - holes * hole_width * hole_width))
+      , ring_faces(2 * (2 * (width + height) + 4 * holes * hole_width)) {}
 
-  std::size_t width() const { return width_; }
-  std::size_t height() const { return height_; }
-
-  std::size_t faces(std::size_t depth) const { return 2 * top_faces_ + depth * ring_faces_; }
+  std::size_t faces(std::size_t depth) const { return 2 * top_faces + depth * ring_faces; }
 
   /// the depth at which the block has about a number of faces.
   std::size_t depth_for(std::size_t faces) const {
-    const double walls = static_cast<double>(faces) - 2. * static_cast<double>(top_faces_);
-    return walls < ring_faces_ ? 1 : static_cast<std::size_t>(std::lround(walls / ring_faces_));
+    const double walls = static_cast<double>(faces) - 2. * static_cast<double>(top_faces);
+    return walls < ring_faces ? 1 : static_cast<std::size_t>(std::lround(walls / ring_faces));
   }
 
   bool is_solid(std::ptrdiff_t x, std::ptrdiff_t y) const {
-    if(x < 0 || y < 0 || x >= std::ptrdiff_t(width_) || y >= std::ptrdiff_t(height_))
+    if(x < 0 || y < 0 || x >= std::ptrdiff_t(width) || y >= std::ptrdiff_t(height))
       return false;
-    const std::size_t column = x / hole_width_, row = y / hole_width_;
-    return row % 2 == 0 || column % 2 == 0 || column / 2 >= rows_.holes_in_row(row / 2);
+    const std::size_t column = x / hole_width, row = y / hole_width;
+    return row % 2 == 0 || column % 2 == 0 || column / 2 >= rows.holes_in_row(row / 2);
   }
 
-private:
-  Hole_rows rows_;
-  std::size_t hole_width_, width_, height_;
-  std::size_t top_faces_, ring_faces_; // of one of the two caps; of the walls, per unit of depth
+  Hole_rows rows;
+  std::size_t hole_width, width, height;
+  std::size_t top_faces, ring_faces; ///< of one of the two caps; of the walls, per unit of depth
 };
 
-struct Block_size
-{
-  std::size_t hole_width, depth;
-};
-
-/// of the blocks with about a number of faces, the one that is closest to a cube.
-Block_size choose_size(std::size_t holes, std::size_t faces) {
-  Block_size best = {1, 1};
+/// of the blocks with about a number of faces, the one that is closest to a cube, and its depth.
+std::pair<Drilled_block, std::size_t> choose_block(std::size_t holes, std::size_t faces) {
+  std::pair<Drilled_block, std::size_t> best = {Drilled_block(holes, 1), 1};
   double least_error = std::numeric_limits<double>::infinity();
   for(std::size_t hole_width = 1;; ++hole_width) {
     const Drilled_block block(holes, hole_width);
     const std::size_t depth = block.depth_for(faces);
     if(hole_width > 1 && block.faces(depth) > 1.1 * faces)
       return best;
-    const double error = std::abs(std::log(double(depth) / block.width()));
+    const double error = std::abs(std::log(double(depth) / block.width));
     if(error < least_error) {
       least_error = error;
-      best = {hole_width, depth};
+      best = {block, depth};
     }
   }
 }
@@ -193,8 +167,8 @@ public:
     soup_.triangles.reserve(faces);
     soup_.points.reserve(faces / 2 + 2);
     number_vertices();
-    for(std::size_t y = 0; y < block_.height(); ++y)
-      for(std::size_t x = 0; x < block_.width(); ++x)
+    for(std::size_t y = 0; y < block_.height; ++y)
+      for(std::size_t x = 0; x < block_.width; ++x)
         if(block_.is_solid(x, y)) {
           add_caps(x, y);
           add_walls(x, y);
@@ -205,43 +179,35 @@ public:
 
 private:
   /// The vertices above a point of the plane grid: at the bottom, at the top and, on a wall, at the
-  /// heights between, which are consecutive.
+  /// heights between, which follow that at the bottom.
   struct Column
   {
-    std::uint32_t bottom = 0, top = 0, first_between = 0;
+    std::uint32_t bottom = 0, top = 0;
   };
 
-  std::size_t grid_index(std::size_t x, std::size_t y) const {
-    return y * (block_.width() + 1) + x;
-  }
+  std::size_t grid_index(std::size_t x, std::size_t y) const { return y * (block_.width + 1) + x; }
 
   void number_vertices() {
-    columns_.resize((block_.width() + 1) * (block_.height() + 1));
-    for(std::size_t y = 0; y <= block_.height(); ++y)
-      for(std::size_t x = 0; x <= block_.width(); ++x) {
+    columns_.resize((block_.width + 1) * (block_.height + 1));
+    for(std::size_t y = 0; y <= block_.height; ++y)
+      for(std::size_t x = 0; x <= block_.width; ++x) {
         const std::ptrdiff_t i = x, j = y;
         const int solid = block_.is_solid(i - 1, j - 1) + block_.is_solid(i, j - 1) +
                           block_.is_solid(i - 1, j) + block_.is_solid(i, j);
         if(solid == 0)
           continue;
         Column& column = columns_[grid_index(x, y)];
-        column.bottom = add_point(x, y, 0);
-        column.first_between = column.bottom + 1;
+        column.bottom = add_point(soup_, Vector(x, y, 0));
         if(solid < 4)
           for(std::uint32_t z = 1; z < depth_; ++z)
-            add_point(x, y, z);
-        column.top = add_point(x, y, depth_);
+            add_point(soup_, Vector(x, y, z));
+        column.top = add_point(soup_, Vector(x, y, depth_));
       }
-  }
-
-  std::uint32_t add_point(std::size_t x, std::size_t y, std::uint32_t z) {
-    soup_.points.push_back({double(x), double(y), double(z)});
-    return static_cast<std::uint32_t>(soup_.points.size() - 1);
   }
 
   std::uint32_t vertex(std::size_t x, std::size_t y, std::uint32_t z) const {
     const Column& column = columns_[grid_index(x, y)];
-    return z == 0 ? column.bottom : z == depth_ ? column.top : column.first_between + (z - 1);
+    return z == depth_ ? column.top : column.bottom + z;
   }
 
   void add_square(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -286,26 +252,17 @@ private:
   std::vector<Column> columns_;
 };
 
-Soup make_sponge(const Request& request) {
-  require_faces(request, "sponge", Drilled_block(request.genus, 1).faces(1));
-  const Block_size size = choose_size(request.genus, request.faces);
-  const Drilled_block block(request.genus, size.hole_width);
-  return Block_surface(block, size.depth, request.seed).take();
-}
-
 } // namespace
 
-const Kind multi_torus_kind = {
-    "multi-torus",
-    "a flat rounded slab with a hole for each handle; any genus g, from 200 + 200 g faces",
-    make_multi_torus};
+Soup make_multi_torus(const Request& request) {
+  require_faces(request, "multi-torus", 200 + 200 * request.genus);
+  return mesh_of_field(Slab(request.genus), request, "multi-torus");
+}
 
-const Kind sponge_kind = {
-    "sponge",
-    "a block of cubes with a square hole through it for each handle, with flat faces and sharp "
-    "edges; any genus g, from about 60 + 30 g faces",
-    make_sponge};
+Soup make_sponge(const Request& request) {
+  require_faces(request, "sponge", Drilled_block(request.genus, 1).faces(1));
+  const auto [block, depth] = choose_block(request.genus, request.faces);
+  return Block_surface(block, depth, request.seed).take();
+}
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

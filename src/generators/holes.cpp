@@ -16,9 +16,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 using Index = std::uint32_t;
@@ -161,6 +159,4 @@ Soup with_holes(const Soup& mesh, const Hole_request& holes) {
   return cutter.take();
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -9,7 +9,6 @@
 
 #include "Field.h"
 #include "Random.h"
-#include "Srs_net.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -18,14 +17,117 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
+
+/// A node of the net srs, in units of an eighth of the period.
+using Srs_node = std::array<int, 3>;
+
+/*!
+The net srs, the periodic graph along which the solid sin x cos y + sin y cos z + sin z cos x > 0
+runs: its nodes are the maxima of that function, eight to a period of 2 pi, and each has three
+neighbours. Verified numerically: the points of the solid that are closest to a node have only
+neighbours of it as their next closest node, so that cutting the solid in the middle of an edge of
+the net cuts one neck.
+*/
+constexpr int srs_period = 8;
+constexpr double srs_unit = CGAL_PI / 4.;
+constexpr double srs_edge_length = srs_unit * 2. * 1.41421356237309504880;
+constexpr std::size_t nodes_per_period = 8;
+
+constexpr std::array<Srs_node, nodes_per_period> srs_nodes = {
+    {{1, 1, 1}, {1, 7, 3}, {3, 1, 7}, {3, 7, 5}, {5, 3, 7}, {5, 5, 5}, {7, 3, 1}, {7, 5, 3}}};
+
+/// the steps from each of these nodes to its neighbours.
+constexpr std::array<std::array<Srs_node, 3>, nodes_per_period> srs_steps = {
+    {{{{0, -2, 2}, {2, 0, -2}, {-2, 2, 0}}},
+     {{{0, 2, -2}, {2, 0, 2}, {-2, -2, 0}}},
+     {{{-2, 0, 2}, {0, -2, -2}, {2, 2, 0}}},
+     {{{-2, 0, -2}, {0, 2, 2}, {2, -2, 0}}},
+     {{{-2, -2, 0}, {0, 2, -2}, {2, 0, 2}}},
+     {{{-2, 2, 0}, {0, -2, 2}, {2, 0, -2}}},
+     {{{2, -2, 0}, {-2, 0, -2}, {0, 2, 2}}},
+     {{{2, 2, 0}, {-2, 0, 2}, {0, -2, -2}}}}};
+
+Vector position(const Srs_node& node) { return Vector(node[0], node[1], node[2]) * srs_unit; }
+
+Srs_node plus(const Srs_node& a, const Srs_node& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+Srs_node period_of(const Srs_node& node) {
+  Srs_node result;
+  for(int i = 0; i < 3; ++i)
+    result[i] = static_cast<int>(std::floor(double(node[i]) / srs_period));
+  return result;
+}
+
+/// the number of a node in `srs_nodes`, whatever its period.
+int number_of(const Srs_node& node) {
+  Srs_node reduced = period_of(node);
+  for(int i = 0; i < 3; ++i)
+    reduced[i] = node[i] - srs_period * reduced[i];
+  return static_cast<int>(std::find(srs_nodes.begin(), srs_nodes.end(), reduced) -
+                          srs_nodes.begin());
+}
+
+/// the number of the step from a node to a neighbour.
+int step_between(const Srs_node& from, const Srs_node& to) {
+  const auto& steps = srs_steps[number_of(from)];
+  int s = 0;
+  while(plus(from, steps[s]) != to)
+    ++s;
+  return s;
+}
+
+/// A finite connected part of the net: its nodes, each with the set of the steps, as bits, along
+/// which it has an edge.
+using Srs_subgraph = std::map<Srs_node, unsigned>;
+
+/// a part of the net with a given number of independent cycles, grown like a box around a random
+/// point: it takes in nodes in the order of their distance, each with its edges to those taken in
+/// before.
+Srs_subgraph grow_srs_subgraph(std::size_t cycles, Random& random) {
+  std::array<double, 3> centre;
+  for(double& c : centre)
+    c = random.uniform(0., srs_period);
+  const auto distance = [&](const Srs_node& node) {
+    double d = 0.;
+    for(int i = 0; i < 3; ++i)
+      d = (std::max)(d, std::abs(node[i] - centre[i]));
+    return d;
+  };
+  Srs_subgraph graph;
+  std::set<std::pair<double, Srs_node>> front;
+  for(const Srs_node& node : srs_nodes)
+    front.emplace(distance(node), node);
+  front.erase(std::next(front.begin()), front.end());
+  do {
+    const Srs_node node = front.begin()->second;
+    front.erase(front.begin());
+    unsigned edges = 0;
+    for(int s = 0; s < 3; ++s) {
+      const Srs_node beside = plus(node, srs_steps[number_of(node)][s]);
+      const auto neighbour = graph.find(beside);
+      if(neighbour == graph.end())
+        front.emplace(distance(beside), beside);
+      else if(edges == 0 || cycles > 0) {
+        cycles -= edges != 0;
+        edges |= 1u << s;
+        neighbour->second |= 1u << step_between(beside, node);
+      }
+    }
+    graph[node] = edges;
+  } while(cycles > 0);
+  return graph;
+}
 
 /*!
 One of the two halves into which the gyroid parts space, as far as it belongs to a part of its net:
@@ -54,13 +156,6 @@ private:
   static constexpr double reach = 2., slab = 0.3, rounding = 0.2, margin = 0.5;
   static constexpr int bins_per_period = 4;
   static constexpr auto no_period = static_cast<std::size_t>(-1);
-
-  /// What a node owns: whether it is in the part, and with which of its edges.
-  struct Node
-  {
-    bool is_in = false;
-    std::uint8_t edges = 0;
-  };
 
   /// A node near a bin of a period, both relative to that period.
   struct Near_node
@@ -99,12 +194,11 @@ private:
       const Vector from_node = from_corner - near.position;
       if(from_node.squared_length() >= square(nearest + reach))
         continue; // its cell is further away
-      const std::size_t index = period_index(Srs_net::plus(period, near.period));
+      const std::size_t index = period_index(plus(period, near.period));
       if(index == no_period)
         continue;
-      const Node node = nodes_[index][near.number];
-      if(node.is_in)
-        nearest = (std::min)(nearest, cell(from_node, near.number, node.edges));
+      if(const auto edges = nodes_[index][near.number])
+        nearest = (std::min)(nearest, cell(from_node, near.number, *edges));
     }
     return nearest;
   }
@@ -113,21 +207,14 @@ private:
   /// which joins the cells, and short of them for others.
   static double cell(const Vector& from_node, int number, unsigned edges) {
     double distance = length(from_node) - reach;
-    const auto& steps = Srs_net::steps(number);
+    const auto& steps = srs_steps[number];
     for(int s = 0; s < 3; ++s) {
-      const Vector direction = Srs_net::position(steps[s]) / Srs_net::edge_length;
-      const double beyond_middle = from_node * direction - Srs_net::edge_length / 2.;
+      const Vector direction = position(steps[s]) / srs_edge_length;
+      const double beyond_middle = from_node * direction - srs_edge_length / 2.;
       const bool is_joined = ((edges >> s) & 1) != 0;
       distance = (std::max)(distance, beyond_middle + (is_joined ? -slab : slab));
     }
     return distance;
-  }
-
-  static Srs_node period_of(const Srs_node& node) {
-    Srs_node period;
-    for(int i = 0; i < 3; ++i)
-      period[i] = static_cast<int>(std::floor(double(node[i]) / Srs_net::period));
-    return period;
   }
 
   /// the number of a period in the array of those that have nodes of the part, or `no_period`.
@@ -150,17 +237,13 @@ private:
         first[i] = (std::min)(first[i], node[i]);
         last[i] = (std::max)(last[i], node[i]);
       }
-    nodes_box_ = {Srs_net::position(first), Srs_net::position(last)};
-    std::size_t count = 1;
+    nodes_box_ = {position(first), position(last)};
     first_period_ = period_of(first);
-    for(int i = 0; i < 3; ++i) {
+    for(int i = 0; i < 3; ++i)
       periods_[i] = period_of(last)[i] - first_period_[i] + 1;
-      count *= periods_[i];
-    }
-    nodes_.resize(count);
+    nodes_.resize(std::size_t(periods_[0]) * periods_[1] * periods_[2]);
     for(const auto& [node, edges] : graph)
-      nodes_[period_index(period_of(node))][Srs_net::number(node)] = {
-          true, static_cast<std::uint8_t>(edges)};
+      nodes_[period_index(period_of(node))][number_of(node)] = static_cast<std::uint8_t>(edges);
   }
 
   /// lists, for each bin of a period, the nodes whose cell may be closer than `margin` to a point
@@ -168,45 +251,38 @@ private:
   void list_near_nodes() {
     const double side = 2. * CGAL_PI / bins_per_period;
     const double far = reach + margin + std::sqrt(3.) / 2. * side;
-    for(int i = 0; i < bins_per_period; ++i)
-      for(int j = 0; j < bins_per_period; ++j)
-        for(int k = 0; k < bins_per_period; ++k) {
-          const Vector centre = side * Vector(i + 0.5, j + 0.5, k + 0.5);
-          auto& near = near_nodes_[(i * bins_per_period + j) * bins_per_period + k];
-          for(const Srs_node& node : nodes_around_period())
-            if(length(Srs_net::position(node) - centre) < far)
-              near.push_back({period_of(node), Srs_net::number(node), Srs_net::position(node)});
-          // The closest first: they most often rule the others out.
-          std::sort(near.begin(), near.end(), [&](const Near_node& a, const Near_node& b) {
-            return length(a.position - centre) < length(b.position - centre);
-          });
-        }
+    constexpr int n = bins_per_period;
+    for(int bin = 0; bin < n * n * n; ++bin) {
+      const Vector centre = side * Vector(bin / (n * n) + 0.5, bin / n % n + 0.5, bin % n + 0.5);
+      auto& near = near_nodes_[bin];
+      for(const Srs_node& node : nodes_around_period())
+        if(length(position(node) - centre) < far)
+          near.push_back({period_of(node), number_of(node), position(node)});
+      // The closest first: they most often rule the others out.
+      std::sort(near.begin(), near.end(), [&](const Near_node& a, const Near_node& b) {
+        return length(a.position - centre) < length(b.position - centre);
+      });
+    }
   }
 
   static std::vector<Srs_node> nodes_around_period() {
     std::vector<Srs_node> around;
-    for(int x = -1; x <= 1; ++x)
-      for(int y = -1; y <= 1; ++y)
-        for(int z = -1; z <= 1; ++z)
-          for(const Srs_node& node : Srs_net::nodes())
-            around.push_back(Srs_net::plus(
-                node, {x * Srs_net::period, y * Srs_net::period, z * Srs_net::period}));
+    for(int x : {-srs_period, 0, srs_period})
+      for(int y : {-srs_period, 0, srs_period})
+        for(int z : {-srs_period, 0, srs_period})
+          for(const Srs_node& node : srs_nodes)
+            around.push_back(plus(node, {x, y, z}));
     return around;
   }
 
   Box nodes_box_;
   Srs_node first_period_;
   std::array<int, 3> periods_;
-  std::vector<std::array<Node, Srs_net::nodes_per_period>> nodes_; // by period and number
+  // By period and number, of those that are in the part: with which of its edges.
+  std::vector<std::array<std::optional<std::uint8_t>, nodes_per_period>> nodes_;
   std::array<std::vector<Near_node>, bins_per_period * bins_per_period * bins_per_period>
       near_nodes_;
 };
-
-Soup make_gyroid(const Request& request) {
-  require_faces(request, "gyroid", 400 + 300 * request.genus);
-  Random random(request.seed);
-  return mesh_of_field(Gyroid_part(grow_srs_subgraph(request.genus, random)), request, "gyroid");
-}
 
 /// a direction, all equally likely.
 Vector random_direction(Random& random) {
@@ -249,6 +325,14 @@ private:
   double level_, steepest_ = 0.;
 };
 
+} // namespace
+
+Soup make_gyroid(const Request& request) {
+  require_faces(request, "gyroid", 400 + 300 * request.genus);
+  Random random(request.seed);
+  return mesh_of_field(Gyroid_part(grow_srs_subgraph(request.genus, random)), request, "gyroid");
+}
+
 Soup make_waves(const Request& request) {
   const std::size_t f = (std::max<std::size_t>)(request.frequency, 1);
   require_faces(request, "waves", 1000. + 400. * std::pow(f, 3));
@@ -256,20 +340,4 @@ Soup make_waves(const Request& request) {
   return mesh_of_field(Waves_in_box(static_cast<double>(f), random), request.faces);
 }
 
-} // namespace
-
-const Kind gyroid_kind = {
-    "gyroid",
-    "a block of the gyroid, cut so that it has the handles asked for; any genus g, from "
-    "400 + 300 g faces",
-    make_gyroid};
-
-const Kind waves_kind = {
-    "waves",
-    "a level set of a sum of random waves in a box; the genus and the number of components are "
-    "what comes out, from 1000 + 400 f^3 faces for frequency f",
-    make_waves, WAVE_FREQUENCY, 20000};
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -7,21 +7,17 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "isosurface.h"
+#include "mesh_of_field.h"
 
-#include "Field.h"
+#include <boost/multiprecision/integer.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// An edge of a cell of the lattice: it starts at corner `base` and goes along `direction`, where
@@ -99,14 +95,18 @@ Vector corner_position(int corner) {
   return Bcc_lattice::displacement(Bcc_lattice::step_to_corner(corner));
 }
 
-/// One tetrahedron of a cell, its corners parted into those inside and those outside.
-struct Parted_tetrahedron
-{
-  std::vector<int> inside, outside;
-
-  /// appends a triangle through three edges, turned to face the outside.
-  void add_triangle(std::array<std::pair<int, int>, 3> edges,
-                    std::vector<Cell_triangle>& triangles) const {
+/// appends the triangles that part the corners of a tetrahedron, turned to face the outside.
+void add_triangles(const std::vector<int>& inside,
+                   const std::vector<int>& outside,
+                   std::vector<Cell_triangle>& triangles) {
+  std::vector<std::pair<int, int>> crossed; // edges, one after the other around the polygon
+  for(const int a : inside)
+    for(const int b : outside)
+      crossed.emplace_back(a, b);
+  if(crossed.size() == 4)
+    std::swap(crossed[2], crossed[3]);
+  for(std::size_t last = 2; last < crossed.size(); ++last) {
+    std::array<std::pair<int, int>, 3> edges = {crossed[0], crossed[last - 1], crossed[last]};
     std::array<Vector, 3> p;
     for(int i = 0; i < 3; ++i)
       p[i] = (corner_position(edges[i].first) + corner_position(edges[i].second)) / 2.;
@@ -117,26 +117,15 @@ struct Parted_tetrahedron
     Cell_triangle triangle;
     for(int i = 0; i < 3; ++i) {
       // Of two corners of a tetrahedron one contains the other, as a set of basis vectors.
-      const int base = edges[i].first & edges[i].second;
-      triangle[i] = {static_cast<std::uint8_t>(base),
-                     static_cast<std::uint8_t>(edges[i].first ^ edges[i].second)};
+      const auto [a, b] = edges[i];
+      triangle[i] = {static_cast<std::uint8_t>(a & b), static_cast<std::uint8_t>(a ^ b)};
     }
     triangles.push_back(triangle);
   }
+}
 
-  void triangulate(std::vector<Cell_triangle>& triangles) const {
-    const auto& [a, b] = std::tie(inside, outside);
-    if(a.size() == 1)
-      add_triangle({{{a[0], b[0]}, {a[0], b[1]}, {a[0], b[2]}}}, triangles);
-    else if(b.size() == 1)
-      add_triangle({{{a[0], b[0]}, {a[1], b[0]}, {a[2], b[0]}}}, triangles);
-    else if(a.size() == 2) {
-      add_triangle({{{a[0], b[0]}, {a[0], b[1]}, {a[1], b[1]}}}, triangles);
-      add_triangle({{{a[0], b[0]}, {a[1], b[1]}, {a[1], b[0]}}}, triangles);
-    }
-  }
-};
-
+/// By the set of the corners of a cell that are inside, as bits: the triangles that separate them
+/// from the others in the six tetrahedra of the cell, seen counterclockwise from the outside.
 using Table = std::array<std::vector<Cell_triangle>, 256>;
 
 Table make_table() {
@@ -144,62 +133,33 @@ Table make_table() {
   for(unsigned cell = 0; cell < table.size(); ++cell) {
     std::array<int, 3> path = {0, 1, 2};
     do {
-      Parted_tetrahedron tetrahedron;
+      std::vector<int> inside, outside;
       int corner = 0;
       for(int step = 0; step <= 3; ++step) {
-        auto& side = ((cell >> corner) & 1) != 0 ? tetrahedron.inside : tetrahedron.outside;
-        side.push_back(corner);
+        (((cell >> corner) & 1) != 0 ? inside : outside).push_back(corner);
         if(step < 3)
           corner |= 1 << path[step];
       }
-      tetrahedron.triangulate(table[cell]);
+      add_triangles(inside, outside, table[cell]);
     } while(std::next_permutation(path.begin(), path.end()));
   }
   return table;
 }
 
-/// the triangles that separate the corners whose bits are set in `inside` from the others in the
-/// six tetrahedra of a cell, seen counterclockwise from the outside.
-const std::vector<Cell_triangle>& cell_triangles(unsigned inside) {
-  static const Table table = make_table();
-  return table[inside];
-}
-
 using Word = std::uint64_t;
 constexpr int word_bits = 64;
 
-/// the position of the lowest bit of a word that is not zero.
-int lowest_bit(Word word) {
-#if defined(__GNUC__)
-  return __builtin_ctzll(word);
-#else
-  int bit = 0;
-  for(; (word & 1) == 0; word >>= 1)
-    ++bit;
-  return bit;
-#endif
-}
-
 /// The extent of the tables of a slice: the lattice's rows and columns with a margin, so that all
 /// neighbours of a point of the lattice have an entry.
-class Slice_shape
+struct Slice_shape
 {
-public:
-  explicit Slice_shape(const Bcc_lattice& lattice)
-      : rows_(lattice.rows() + 2)
-      , words_(lattice.columns() / word_bits + 3) {}
+  int rows, words; ///< words per row
 
-  int rows() const { return rows_; }
-  int words() const { return words_; } ///< per row
-  std::size_t size_in_words() const { return std::size_t(rows_) * words_; }
-  std::size_t row_start(int row) const { return std::size_t(row + 1) * words_; } ///< in words
+  std::size_t size_in_words() const { return std::size_t(rows) * words; }
+  std::size_t row_start(int row) const { return std::size_t(row + 1) * words; } ///< in words
 
   /// the entry of a point; word 0 of a row is margin.
   std::size_t entry(int column, int row) const { return (row_start(row) + 1) * word_bits + column; }
-  std::size_t size() const { return size_in_words() * word_bits; }
-
-private:
-  int rows_, words_;
 };
 
 /// A bit for each point of a slice: whether it is inside the solid.
@@ -238,24 +198,7 @@ private:
 };
 
 /// The vertices on the lattice edges that start at the points of a slice, by direction.
-class Edge_vertices
-{
-public:
-  Edge_vertices(const Slice_shape& shape, int first_direction, int last_direction)
-      : shape_(shape)
-      , first_(first_direction)
-      , count_(last_direction - first_direction + 1)
-      , vertices_(shape.size() * count_) {}
-
-  std::uint32_t& operator()(int column, int row, int direction) {
-    return vertices_[shape_.entry(column, row) * count_ + (direction - first_)];
-  }
-
-private:
-  Slice_shape shape_;
-  std::size_t first_, count_;
-  std::vector<std::uint32_t> vertices_; // only those of crossed edges are ever written or read
-};
+using Edge_vertices = std::vector<std::uint32_t>; // only those of crossed edges are ever touched
 
 /// Sweeps the lattice slice by slice; two slices are in memory.
 class Marcher
@@ -265,12 +208,12 @@ public:
       : field_(field)
       , soup_(soup)
       , lattice_(field.box(), spacing)
-      , shape_(lattice_)
+      , shape_{lattice_.rows() + 2, lattice_.columns() / word_bits + 3}
       , lower_(shape_)
       , upper_(shape_)
-      , in_lower_(shape_, 1, last_flat_direction)
-      , in_upper_(shape_, 1, last_flat_direction)
-      , between_(shape_, last_flat_direction + 1, 7) {}
+      , in_lower_(shape_.size_in_words() * word_bits * last_flat_direction)
+      , in_upper_(in_lower_.size())
+      , between_(shape_.size_in_words() * word_bits * (7 - last_flat_direction)) {}
 
   void march() {
     for(int slice = -1; slice < lattice_.slices(); ++slice) {
@@ -289,6 +232,13 @@ private:
   // Directions are sums of a1, a2, a3, coded as corners of a cell: those without a3 stay in a
   // slice.
   static constexpr int last_flat_direction = 3;
+
+  std::uint32_t& vertex(Edge_vertices& vertices, int column, int row, int direction) {
+    const std::size_t entry = shape_.entry(column, row);
+    return direction > last_flat_direction
+               ? vertices[entry * (7 - last_flat_direction) + (direction - last_flat_direction - 1)]
+               : vertices[entry * last_flat_direction + (direction - 1)];
+  }
 
   /// finds the points of a slice that are inside, stepping along the rows by the distance to the
   /// surface that the field grants.
@@ -317,24 +267,23 @@ private:
                       const Inside_bits& to,
                       Edge_vertices& vertices) {
     const Lattice_step step = Bcc_lattice::step_to_corner(direction);
-    for(int row = -1; row + step.row + 1 < shape_.rows(); ++row)
-      for(int word = 0; word < shape_.words(); ++word) {
+    for(int row = -1; row + step.row + 1 < shape_.rows; ++row)
+      for(int word = 0; word < shape_.words; ++word) {
         Word crossed = from.word(row, word, 0) ^ to.word(row + step.row, word, step.column);
         for(; crossed != 0; crossed &= crossed - 1) {
-          const int column = (word - 1) * word_bits + lowest_bit(crossed);
-          vertices(column, row, direction) = static_cast<std::uint32_t>(soup_.points.size());
+          const auto bit = static_cast<int>(boost::multiprecision::lsb(crossed));
+          const int column = (word - 1) * word_bits + bit;
           const Vector from_point = lattice_.point(column, row, slice);
           const Vector to_point =
               lattice_.point(column + step.column, row + step.row, slice + step.slice);
-          const Vector middle = (from_point + to_point) / 2.;
-          soup_.points.push_back({middle.x(), middle.y(), middle.z()});
+          vertex(vertices, column, row, direction) = add_point(soup_, (from_point + to_point) / 2.);
         }
       }
   }
 
   void connect_vertices() {
-    for(int row = -1; row + 2 < shape_.rows(); ++row)
-      for(int word = 0; word < shape_.words(); ++word) {
+    for(int row = -1; row + 2 < shape_.rows; ++row)
+      for(int word = 0; word < shape_.words; ++word) {
         std::array<Word, 8> corners;
         Word any = 0, all = ~Word(0);
         for(int c = 0; c < 8; ++c) {
@@ -345,7 +294,7 @@ private:
           all &= corners[c];
         }
         for(Word mixed = any & ~all; mixed != 0; mixed &= mixed - 1) {
-          const int bit = lowest_bit(mixed);
+          const auto bit = static_cast<int>(boost::multiprecision::lsb(mixed));
           unsigned inside = 0;
           for(int c = 0; c < 8; ++c)
             inside |= ((corners[c] >> bit) & 1) << c;
@@ -355,7 +304,8 @@ private:
   }
 
   void emit_cell(int column, int row, unsigned inside) {
-    for(const Cell_triangle& triangle : cell_triangles(inside)) {
+    static const Table table = make_table();
+    for(const Cell_triangle& triangle : table[inside]) {
       std::array<std::uint32_t, 3> vertices;
       for(int i = 0; i < 3; ++i) {
         const Lattice_step step = Bcc_lattice::step_to_corner(triangle[i].base);
@@ -363,7 +313,7 @@ private:
         Edge_vertices& edges = direction > last_flat_direction ? between_
                                : step.slice == 0               ? in_lower_
                                                                : in_upper_;
-        vertices[i] = edges(column + step.column, row + step.row, direction);
+        vertices[i] = vertex(edges, column + step.column, row + step.row, direction);
       }
       soup_.triangles.push_back(vertices);
     }
@@ -387,6 +337,4 @@ Soup isosurface(const Field& field, double spacing, std::size_t expected_faces) 
   return soup;
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

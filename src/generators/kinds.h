@@ -12,32 +12,34 @@
 
 #include "generators.h"
 
-#include <cstddef>
+#include <string>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
-extern const Kind sphere_kind;
-extern const Kind torus_kind;
-extern const Kind knot_kind;
-extern const Kind multi_torus_kind;
-extern const Kind lattice_kind;
-extern const Kind gyroid_kind;
-extern const Kind sponge_kind;
-extern const Kind plates_kind;
-extern const Kind bars_kind;
-extern const Kind chain_kind;
-extern const Kind torus_link_kind;
-extern const Kind ladder_kind;
-extern const Kind shell_kind;
-extern const Kind foam_kind;
-extern const Kind interlaced_kind;
-extern const Kind waves_kind;
-extern const Kind scan_kind;
-extern const Kind twins_kind;
-extern const Kind hollow_kind;
-extern const Kind random_kind;
+// What makes a mesh of the kind of that name.
+Soup make_sphere(const Request& request);
+Soup make_torus(const Request& request);
+Soup make_knot(const Request& request);
+Soup make_multi_torus(const Request& request);
+Soup make_lattice(const Request& request);
+Soup make_gyroid(const Request& request);
+Soup make_sponge(const Request& request);
+Soup make_plates(const Request& request);
+Soup make_bars(const Request& request);
+Soup make_chain(const Request& request);
+Soup make_torus_link(const Request& request);
+Soup make_ladder(const Request& request);
+Soup make_shell(const Request& request);
+Soup make_foam(const Request& request);
+Soup make_interlaced(const Request& request);
+Soup make_waves(const Request& request);
+Soup make_scan(const Request& request);
+Soup make_twins(const Request& request);
+Soup make_hollow(const Request& request);
+Soup make_random(const Request& request);
+
+/// throws `std::invalid_argument`: "a mesh of the kind '...' ", and why there is none.
+[[noreturn]] void refuse(const char* kind, const std::string& why);
 
 /// throws `std::invalid_argument` if fewer faces are asked for than the kind needs at this genus,
 /// or more than 32-bit indices can count.
@@ -49,14 +51,9 @@ void require_genus(const Request& request, const char* kind, std::size_t only);
 /// throws `std::invalid_argument` if a smaller genus is asked for.
 void require_least_genus(const Request& request, const char* kind, std::size_t least);
 
-/// throws `std::invalid_argument` unless there are parts, and each can have a handle.
-void require_parts(const Request& request, const char* kind);
-
 /// whether a closed manifold mesh is connected and has the given genus.
 bool is_connected_of_genus(const Soup& soup, std::size_t genus);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_KINDS_H

@@ -9,8 +9,6 @@
 
 #include "mesh_of_field.h"
 
-#include "Field.h"
-#include "isosurface.h"
 #include "kinds.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,6 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -25,20 +24,8 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
-
-void add_octants(const Box& box, std::vector<Box>& boxes) {
-  const Vector half = (box.high - box.low) / 2.;
-  for(int octant = 0; octant < 8; ++octant) {
-    const Vector low =
-        box.low + Vector((octant & 1) != 0 ? half.x() : 0., (octant & 2) != 0 ? half.y() : 0.,
-                         (octant & 4) != 0 ? half.z() : 0.);
-    boxes.push_back({low, low + half});
-  }
-}
 
 /// whether no point is inside a solid. What it is too tedious to be sure of is not empty.
 bool is_empty(const Field& field) {
@@ -51,49 +38,15 @@ bool is_empty(const Field& field) {
     if(value < 0. || count == most_boxes)
       return false;
     // The field is no more than the distance to the surface: a large value tells of the whole box.
+    const Vector half = (box.high - box.low) / 2.;
     if(value < length(box.high - box.low) / 2.)
-      add_octants(box, boxes);
+      for(int octant = 0; octant < 8; ++octant) {
+        const Vector low = box.low + Box{Vector(0., 0., 0.), half}.corner(octant);
+        boxes.push_back({low, low + half});
+      }
   }
   return true;
 }
-
-/// moves each vertex by `factor` times the way to the mean of its neighbours.
-class Laplacian_step
-{
-public:
-  explicit Laplacian_step(Soup& soup)
-      : soup_(soup)
-      , degree_(soup.points.size(), 0)
-      , sum_(soup.points.size()) {
-    for(const auto& triangle : soup.triangles)
-      for(std::uint32_t v : triangle)
-        ++degree_[v];
-  }
-
-  void operator()(double factor) {
-    sum_.assign(sum_.size(), {0., 0., 0.});
-    for(const auto& [a, b, c] : soup_.triangles) {
-      // Each edge is seen once in each direction: from a to b here, from b to a across it.
-      add(a, b);
-      add(b, c);
-      add(c, a);
-    }
-    for(std::size_t v = 0; v < sum_.size(); ++v)
-      if(degree_[v] != 0)
-        for(int i = 0; i < 3; ++i)
-          soup_.points[v][i] += factor * (sum_[v][i] / degree_[v] - soup_.points[v][i]);
-  }
-
-private:
-  void add(std::uint32_t to, std::uint32_t from) {
-    for(int i = 0; i < 3; ++i)
-      sum_[to][i] += soup_.points[from][i];
-  }
-
-  Soup& soup_;
-  std::vector<std::uint32_t> degree_;
-  std::vector<std::array<double, 3>> sum_;
-};
 
 /// Meshes with so many faces for each handle do not come to cross themselves when they are
 /// smoothed.
@@ -123,7 +76,7 @@ public:
 
   /// throws `std::invalid_argument` if the solid is empty, or so thin that the lattice would have
   /// too many points.
-  Soup mesh_with_faces(std::size_t wanted) {
+  Lattice_mesh mesh_with_faces(std::size_t wanted) {
     too_fine_ = 0.;
     too_coarse_ = std::numeric_limits<double>::infinity();
     std::size_t expected = 0;
@@ -132,7 +85,7 @@ public:
       const double faces = static_cast<double>(soup.triangles.size());
       // Meshes of a few triangles jump from one number to another: be content with too many then.
       if(std::abs(faces - wanted) <= 0.05 * wanted || spacing_ == too_fine_)
-        return soup;
+        return {std::move(soup), spacing_};
       if(expected == 0 && faces == 0. && is_empty(field_))
         throw std::invalid_argument("the shape is empty");
       // From coarse to fine by small factors: coarse meshes are cheap, and each tells more.
@@ -144,8 +97,6 @@ public:
                                     std::to_string(wanted) + " faces");
     }
   }
-
-  double spacing() const { return spacing_; }
 
 private:
   void change_spacing(bool is_too_coarse, double factor) {
@@ -193,28 +144,6 @@ void fit_to_surface(Soup& soup, const Field& field, double spacing) {
   }
 }
 
-Soup interpolated(const Soup& from, const Soup& to, double part) {
-  Soup soup = to;
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    for(int i = 0; i < 3; ++i)
-      soup.points[v][i] = from.points[v][i] + part * (to.points[v][i] - from.points[v][i]);
-  return soup;
-}
-
-/// as much of this as does not make the mesh cross itself, as the one of the lattice never does.
-Soup fitted_without_crossing(const Soup& soup, const Field& field, double spacing) {
-  Soup fitted = soup;
-  fit_to_surface(fitted, field, spacing);
-  if(!crosses_itself(fitted))
-    return fitted;
-  for(const double part : {0.5, 0.25}) {
-    Soup between = interpolated(soup, fitted, part);
-    if(!crosses_itself(between))
-      return between;
-  }
-  return soup;
-}
-
 } // namespace
 
 bool crosses_itself(const Soup& soup) {
@@ -229,9 +158,23 @@ bool crosses_itself(const Soup& soup) {
 }
 
 void relax(Soup& soup, int rounds) {
-  Laplacian_step step(soup);
-  for(int round = 0; round < rounds; ++round)
-    step(0.5);
+  std::vector<std::uint32_t> degree(soup.points.size(), 0);
+  for(const auto& triangle : soup.triangles)
+    for(const std::uint32_t v : triangle)
+      ++degree[v];
+  std::vector<std::array<double, 3>> sum(soup.points.size());
+  for(int round = 0; round < rounds; ++round) {
+    sum.assign(sum.size(), {0., 0., 0.});
+    // Each edge is seen once in each direction: from a to b here, from b to a across it.
+    for(const auto& triangle : soup.triangles)
+      for(int corner = 0; corner < 3; ++corner)
+        for(int i = 0; i < 3; ++i)
+          sum[triangle[corner]][i] += soup.points[triangle[(corner + 1) % 3]][i];
+    for(std::size_t v = 0; v < sum.size(); ++v)
+      if(degree[v] != 0)
+        for(int i = 0; i < 3; ++i)
+          soup.points[v][i] += 0.5 * (sum[v][i] / degree[v] - soup.points[v][i]);
+  }
 }
 
 Soup mesh_of_field(const Field& field, const Request& request, const char* kind) {
@@ -239,13 +182,13 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
   // A mesh whose spacing is close to the size of the details may miss one by bad luck: try finer
   // ones.
   for(const double excess : {1., 1.07, 1.15}) {
-    Soup soup = search.mesh_with_faces(static_cast<std::size_t>(excess * request.faces));
-    if(!is_connected_of_genus(soup, request.genus))
+    Lattice_mesh mesh = search.mesh_with_faces(static_cast<std::size_t>(excess * request.faces));
+    if(!is_connected_of_genus(mesh.soup, request.genus))
       continue;
-    if(soup.triangles.size() < fine * (request.genus + 1))
-      return fitted_without_crossing(soup, field, search.spacing());
-    fit_to_surface(soup, field, search.spacing());
-    return soup;
+    if(mesh.soup.triangles.size() < fine * (request.genus + 1))
+      return fitted(mesh, field);
+    fit_to_surface(mesh.soup, field, mesh.spacing);
+    return std::move(mesh.soup);
   }
   throw std::invalid_argument(std::to_string(request.faces) +
                               " faces are too few for a mesh of the kind '" + kind + "' of genus " +
@@ -253,19 +196,28 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
 }
 
 Lattice_mesh lattice_mesh(const Field& field, std::size_t faces) {
-  Spacing_search search(field, most_lattice_points(faces));
-  Soup soup = search.mesh_with_faces(faces);
-  return {std::move(soup), search.spacing()};
+  return Spacing_search(field, most_lattice_points(faces)).mesh_with_faces(faces);
 }
 
 Soup fitted(const Lattice_mesh& mesh, const Field& field) {
-  return fitted_without_crossing(mesh.soup, field, mesh.spacing);
+  Soup fitted = mesh.soup;
+  fit_to_surface(fitted, field, mesh.spacing);
+  if(!crosses_itself(fitted))
+    return fitted;
+  // As much of this as does not make the mesh cross itself, as the one of the lattice never does.
+  for(const double part : {0.5, 0.25}) {
+    Soup between = mesh.soup;
+    for(std::size_t v = 0; v < between.points.size(); ++v)
+      for(int i = 0; i < 3; ++i)
+        between.points[v][i] += part * (fitted.points[v][i] - between.points[v][i]);
+    if(!crosses_itself(between))
+      return between;
+  }
+  return mesh.soup;
 }
 
 Soup mesh_of_field(const Field& field, std::size_t faces) {
   return fitted(lattice_mesh(field, faces), field);
 }
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

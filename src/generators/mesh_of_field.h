@@ -11,11 +11,8 @@
 #define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_MESH_OF_FIELD_H
 
 #include "Field.h"
-#include "generators.h"
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// meshes a solid whose surface is connected and has the genus asked for, with about as many faces
 /// as asked for and even triangles. Throws `std::invalid_argument` if the faces are too few to show
@@ -43,12 +40,20 @@ Soup fitted(const Lattice_mesh& mesh, const Field& field);
 /// moves each vertex half of the way to the mean of its neighbours, `rounds` times.
 void relax(Soup& soup, int rounds);
 
+/*!
+The surface of a solid by marching tetrahedra on the body-centred cubic lattice whose cubes have
+side `spacing`, with its vertices in the middle of the lattice's edges. Whatever the field, the
+surface is closed, manifold, oriented outwards and a simplicial complex: it is the boundary of the
+piecewise linear solid that the signs at the lattice's points give.
+
+`expected_faces` only saves memory.
+*/
+Soup isosurface(const Field& field, double spacing, std::size_t expected_faces = 0);
+
 /// whether triangles of a closed surface meet where they are not neighbours. About as slow as
 /// making a mesh.
 bool crosses_itself(const Soup& soup);
 
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_MESH_OF_FIELD_H

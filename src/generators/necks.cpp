@@ -17,16 +17,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// Two surfaces with the same vertices and triangles, the second one turned over, between which
@@ -49,8 +44,6 @@ public:
       , edge_length_(mean_edge_length(walls.first))
       , surface_(both(walls)) {}
 
-  double edge_length() const { return edge_length_; }
-
   /// joins them at a vertex, unless they are joined beside it.
   bool join(std::uint32_t centre) {
     const Indices triangles = stars_.triangles_around(centre, 1);
@@ -70,9 +63,9 @@ public:
 
 private:
   static Soup both(const Two_walls& walls) {
-    Soup second = reversed(walls.first);
-    for(std::size_t v = 0; v < second.points.size(); ++v)
-      second.points[v] = {walls.opposite[v].x(), walls.opposite[v].y(), walls.opposite[v].z()};
+    Soup second = {{}, reversed(walls.first).triangles};
+    for(const Vector& p : walls.opposite)
+      add_point(second, p);
     return joined({walls.first, second});
   }
 
@@ -119,7 +112,7 @@ Soup joined_at_random(const Two_walls& walls,
                       Random& random,
                       const IsPlace& is_place) {
   Joined_walls result(walls);
-  std::vector<std::uint32_t> places;
+  Indices places;
   for(std::uint32_t v = 0; v < walls.first.points.size(); ++v)
     if(is_place(v))
       places.push_back(v);
@@ -139,13 +132,15 @@ Soup wall(const Request& request, const char* kind, Random& random) {
   require_faces(request, kind,
                 2 * Rounded_body::least_faces(request.genus) + 3 * faces_of_neck * request.necks);
   if(request.necks == 0)
-    throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' has a neck");
+    refuse(kind, "has a neck");
   // The bump is below, so that what is above is a cap of a ball.
   const Rounded_body body(request.genus, random.uniform(0., 2. * CGAL_PI),
                           {{Vector(0.1, 0., -0.6), 0.55}});
   const std::size_t faces = (request.faces - faces_of_neck * request.necks) / 2;
   return mesh_of_field(body, {faces, request.genus}, kind);
 }
+
+} // namespace
 
 Soup make_twins(const Request& request) {
   constexpr double gap = 0.1;
@@ -177,24 +172,4 @@ Soup make_hollow(const Request& request) {
   return joined_at_random(walls, request, random, [](std::uint32_t) { return true; });
 }
 
-} // namespace
-
-const Kind twins_kind = {
-    "twins",
-    "two bodies like pots, each with g handles and one the mirror image of the other, joined by k "
-    "necks: genus 2 g + k - 1; necks are shorter than 10 mean edges, and so than 0.5, what is "
-    "around "
-    "or through a handle is longer than 1; from 50000 faces, more for more than 8 handles, and 180 "
-    "per neck",
-    make_twins, GENUS | NECKS, 100000};
-
-const Kind hollow_kind = {
-    "hollow",
-    "a hollow body like a pot with g handles, k small holes in its wall: genus 2 g + k - 1; holes "
-    "are shorter around than 10 mean edges, and so than 0.5, what is around or through a handle is "
-    "longer than 0.8; as many faces as for twins",
-    make_hollow, GENUS | NECKS, 100000};
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

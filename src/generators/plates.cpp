@@ -9,7 +9,6 @@
 
 #include "Field.h"
 #include "Random.h"
-#include "generators.h"
 #include "kinds.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -25,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A straight hole through a box: a convex polygon inscribed in an ellipse, along an axis.
@@ -39,34 +36,24 @@ struct Bore
   double phase; ///< an angle
 };
 
-/// How the faces of a box with bores are cut into triangles.
-enum class Cut {
-  DELAUNAY, ///< as even as they can be without further vertices
-  ANY       ///< as vertices and constraints come, with slivers, as some programs export parts
-};
-
-/// one or the other.
-inline Cut random_cut(Random& random) { return random.below(2) == 0 ? Cut::DELAUNAY : Cut::ANY; }
-
-/// the number of faces of boxes with bores that have a number of corners, all together.
-inline std::size_t faces_of_bored_boxes(std::size_t boxes, std::size_t bores, std::size_t corners) {
-  return 12 * boxes + 4 * (bores + corners);
-}
-
-/// Writes the surface of a box with bores.
+/// Writes the surface of a box from the origin to a corner, with bores that keep away from each
+/// other. It has no more vertices than the corners of the box and the polygons: its faces are
+/// constrained triangulations, and the walls of the bores have two triangles for each side.
 class Bored_box_surface
 {
 public:
-  Bored_box_surface(const Vector& size, const std::vector<Bore>& bores, Cut cut)
+  /// The faces are as even as they can be without further vertices, or as vertices and constraints
+  /// come, with slivers, as some programs export parts.
+  Bored_box_surface(const Vector& size, const std::vector<Bore>& bores, Random& random)
       : size_(size)
       , bores_(bores) {
     for(int corner = 0; corner < 8; ++corner)
-      soup_.points.push_back({(corner & 1) != 0 ? size.x() : 0., (corner & 2) != 0 ? size.y() : 0.,
-                              (corner & 4) != 0 ? size.z() : 0.});
+      add_point(soup_, Box{Vector(0., 0., 0.), size}.corner(corner));
     for(const Bore& bore : bores)
       add_bore(bore);
+    const bool is_even = random.below(2) == 0;
     for(int axis = 0; axis < 3; ++axis)
-      if(cut == Cut::DELAUNAY)
+      if(is_even)
         add_faces<CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>>(axis);
       else
         add_faces<CGAL::Constrained_triangulation_2<Kernel, Structure>>(axis);
@@ -149,19 +136,17 @@ private:
   Soup soup_;
 };
 
-/// the surface of a box from the origin to a corner, with bores that keep away from each other. It
-/// has no more vertices than the corners of the box and the polygons: its faces are constrained
-/// triangulations, and the walls of the bores have two triangles for each side.
-Soup bored_box(const Vector& size, const std::vector<Bore>& bores, Cut cut) {
-  return Bored_box_surface(size, bores, cut).take();
-}
+/// the least number of faces of boxes with bores, all together.
+std::size_t least_faces(std::size_t boxes, std::size_t bores) { return 12 * boxes + 16 * bores; }
 
-/// numbers of corners of bores, three or more, that make up for a number of faces.
-std::vector<std::size_t>
-choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, Random& random) {
-  const std::size_t least = faces_of_bored_boxes(boxes, bores, 3 * bores);
+/// numbers of corners, of bores.
+using Corners = std::vector<std::size_t>;
+
+/// three or more for each bore, that make up for a number of faces.
+Corners choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, Random& random) {
+  const std::size_t least = least_faces(boxes, bores);
   std::size_t left = faces > least ? (faces - least) / 4 : 0;
-  std::vector<std::size_t> corners;
+  Corners corners;
   for(std::size_t after = bores; after > 0; --after) {
     // At most twice the mean of what is left; the last one takes it all.
     const std::size_t more = after == 1 ? left : random.below(2 * left / after + 1);
@@ -172,15 +157,13 @@ choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, Random& 
   return corners;
 }
 
-/// numbers of corners, of the bores of a part.
-using Corners = std::vector<std::size_t>;
-
 /// the parts that `make_part(corners, place, random)` makes beside each other; it moves the place.
 template <typename MakePart>
 Soup make_parts(const Request& request, const char* kind, const MakePart& make_part) {
-  require_parts(request, kind);
-  require_faces(request, kind,
-                faces_of_bored_boxes(request.parts, request.genus, 3 * request.genus));
+  if(request.parts == 0)
+    refuse(kind, "has a part");
+  require_least_genus(request, kind, request.parts);
+  require_faces(request, kind, least_faces(request.parts, request.genus));
   Random random(request.seed);
   const Corners corners = choose_corners(request.parts, request.genus, request.faces, random);
   std::vector<Soup> parts;
@@ -205,16 +188,7 @@ Soup make_bar(const Corners& corners, double depth, double height, Random& rando
     bores.push_back({axis, Vector(x, depth / 2., height / 2.), Vector(a, b * depth, b * height),
                      corners[i], random.uniform(0., 2. * CGAL_PI)});
   }
-  return bored_box(size, bores, random_cut(random));
-}
-
-Soup make_bars(const Request& request) {
-  return make_parts(request, "bars", [](const Corners& corners, double& y, Random& random) {
-    const double depth = random.uniform(0.4, 1.5), height = random.uniform(0.4, 1.5);
-    const Soup bar = translated(make_bar(corners, depth, height, random), {0., y, 0.});
-    y += depth + random.uniform(0.05, 0.3);
-    return bar;
-  });
+  return Bored_box_surface(size, bores, random).take();
 }
 
 /// a bore along the z axis somewhere in a square of side one.
@@ -234,7 +208,19 @@ Soup make_plate(const Corners& corners, double thickness, Random& random) {
   std::vector<Bore> bores;
   for(std::size_t i = 0; i < corners.size(); ++i)
     bores.push_back(bore_in_square(double(i / rows), double(i % rows), corners[i], random));
-  return bored_box(Vector(double(columns), double(rows), thickness), bores, random_cut(random));
+  const Vector size(double(columns), double(rows), thickness);
+  return Bored_box_surface(size, bores, random).take();
+}
+
+} // namespace
+
+Soup make_bars(const Request& request) {
+  return make_parts(request, "bars", [](const Corners& corners, double& y, Random& random) {
+    const double depth = random.uniform(0.4, 1.5), height = random.uniform(0.4, 1.5);
+    const Soup bar = translated(make_bar(corners, depth, height, random), {0., y, 0.});
+    y += depth + random.uniform(0.05, 0.3);
+    return bar;
+  });
 }
 
 Soup make_plates(const Request& request) {
@@ -247,21 +233,4 @@ Soup make_plates(const Request& request) {
   });
 }
 
-} // namespace
-
-const Kind bars_kind = {
-    "bars",
-    "a comb of bars with straight bores through them in two directions, of few, long and thin "
-    "triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for each part",
-    make_bars, GENUS | PARTS};
-
-const Kind plates_kind = {
-    "plates",
-    "a stack of plates and blocks with straight bores of random sizes through them, of few, long "
-    "and thin triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for "
-    "each part",
-    make_plates, GENUS | PARTS};
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

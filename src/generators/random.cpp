@@ -18,12 +18,9 @@
 #include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A closed oriented combinatorial surface that stays a simplicial complex while it is changed.
@@ -35,30 +32,25 @@ public:
   using Triangle = std::array<Index, 3>;
 
   Flippable_triangulation(const std::vector<Triangle>& triangles, Index number_of_vertices)
-      : number_of_vertices_(number_of_vertices) {
-    for(const Triangle& triangle : triangles)
-      source_.insert(source_.end(), triangle.begin(), triangle.end());
+      : number_of_vertices_(number_of_vertices)
+      , triangles_(triangles) {
     pair_halfedges();
   }
 
   Index number_of_vertices() const { return number_of_vertices_; }
-  std::size_t number_of_triangles() const { return source_.size() / 3; }
-  std::size_t number_of_halfedges() const { return source_.size(); }
-  Triangle triangle(std::size_t t) const {
-    return {source_[3 * t], source_[3 * t + 1], source_[3 * t + 2]};
-  }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
 
   /// replaces an edge by the other diagonal of its two triangles, unless that is an edge already.
   bool flip(Index h) {
     const Index g = opposite_[h];
     const Index hn = next(h), hp = next(hn), gn = next(g), gp = next(gn);
-    const Index a = source_[h], b = source_[g], c = source_[hp], d = source_[gp];
+    const Index a = source(h), b = source(g), c = source(hp), d = source(gp);
     if(!edges_.insert(key(c, d)).second)
       return false;
     edges_.erase(key(a, b));
     // Triangle (a, b, c) becomes (d, b, c), triangle (b, a, d) becomes (c, a, d).
-    source_[h] = d;
-    source_[g] = c;
+    source(h) = d;
+    source(g) = c;
     const Index beyond_hp = opposite_[hp], beyond_gp = opposite_[gp];
     link(h, beyond_gp);
     link(g, beyond_hp);
@@ -68,12 +60,12 @@ public:
 
   /// puts a new vertex into a triangle.
   void split_triangle(Index t) {
-    const auto [a, b, c] = triangle(t);
+    const auto [a, b, c] = triangles_[t];
     const Index v = number_of_vertices_++;
     const Index ab = 3 * t, bc = ab + 1, ca = ab + 2;
     const Index beyond_bc = opposite_[bc], beyond_ca = opposite_[ca];
     const Index second = add_triangle({b, c, v}), third = add_triangle({c, a, v});
-    source_[ca] = v; // (a, b, c) becomes (a, b, v)
+    source(ca) = v; // (a, b, c) becomes (a, b, v)
     link(second, beyond_bc);
     link(third, beyond_ca);
     link(bc, second + 2);
@@ -84,6 +76,7 @@ public:
   }
 
 private:
+  Index& source(Index h) { return triangles_[h / 3][h % 3]; }
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
   static std::uint64_t key(Index a, Index b) {
@@ -96,17 +89,16 @@ private:
   }
 
   Index add_triangle(const Triangle& triangle) {
-    const Index first = static_cast<Index>(source_.size());
-    source_.insert(source_.end(), triangle.begin(), triangle.end());
-    opposite_.resize(source_.size());
-    return first;
+    triangles_.push_back(triangle);
+    opposite_.resize(3 * triangles_.size());
+    return static_cast<Index>(opposite_.size() - 3);
   }
 
   void pair_halfedges() {
-    opposite_.resize(source_.size());
+    opposite_.resize(3 * triangles_.size());
     std::unordered_map<std::uint64_t, Index> waiting; // by edge: the halfedge that was seen first
-    for(Index h = 0; h < source_.size(); ++h) {
-      const std::uint64_t edge = key(source_[h], source_[next(h)]);
+    for(Index h = 0; h < opposite_.size(); ++h) {
+      const std::uint64_t edge = key(source(h), source(next(h)));
       const auto [it, is_first] = waiting.try_emplace(edge, h);
       if(!is_first)
         link(it->second, h);
@@ -115,7 +107,8 @@ private:
   }
 
   Index number_of_vertices_;
-  std::vector<Index> source_, opposite_;
+  std::vector<Triangle> triangles_;
+  std::vector<Index> opposite_;
   std::unordered_set<std::uint64_t> edges_;
 };
 
@@ -144,8 +137,7 @@ Surface smallest_torus() {
 void add_handle(Surface& surface, std::size_t t) {
   const Surface torus = smallest_torus();
   const Triangle removed = torus.triangles.front(), hole = surface.triangles[t];
-  std::array<std::uint32_t, 7> image;
-  image.fill(0);
+  std::array<std::uint32_t, 7> image{};
   for(std::uint32_t v = 0; v < 7; ++v)
     if(std::find(removed.begin(), removed.end(), v) == removed.end())
       image[v] = surface.number_of_vertices++;
@@ -166,7 +158,7 @@ void add_handle(Surface& surface, std::size_t t) {
 
 void flip_edges(Flippable_triangulation& surface, std::size_t times, Random& random) {
   for(std::size_t i = 0; i < times; ++i)
-    surface.flip(static_cast<std::uint32_t>(random.below(surface.number_of_halfedges())));
+    surface.flip(static_cast<std::uint32_t>(random.below(3 * surface.triangles().size())));
 }
 
 Flippable_triangulation random_triangulation(std::size_t genus, std::size_t faces, Random& random) {
@@ -175,75 +167,63 @@ Flippable_triangulation random_triangulation(std::size_t genus, std::size_t face
     add_handle(start, random.below(start.triangles.size()));
 
   Flippable_triangulation surface(start.triangles, start.number_of_vertices);
-  while(surface.number_of_triangles() + 2 <= faces) {
-    surface.split_triangle(static_cast<std::uint32_t>(random.below(surface.number_of_triangles())));
+  while(surface.triangles().size() + 2 <= faces) {
+    surface.split_triangle(static_cast<std::uint32_t>(random.below(surface.triangles().size())));
     flip_edges(surface, 2, random);
   }
   // From hardly mixed to thoroughly.
-  flip_edges(surface, surface.number_of_halfedges() * random.below(4), random);
+  flip_edges(surface, 3 * surface.triangles().size() * random.below(4), random);
   return surface;
 }
 
-/// Ways to place the vertices of a surface, from a cloud of points to nearly degenerate.
-class Random_placement
-{
-public:
-  Random_placement(Soup& soup, Random& random)
-      : soup_(soup)
-      , random_(random) {
-    for(auto& point : soup_.points)
-      for(double& x : point)
-        x = random_.uniform(-1., 1.);
+/// moves vertices together that are close on the surface.
+void pull_together(Soup& soup, Random& random) {
+  relax(soup, 5 + static_cast<int>(random.below(30)));
+  for(int axis = 0; axis < 3; ++axis) {
+    double largest = 0.;
+    for(const auto& point : soup.points)
+      largest = (std::max)(largest, std::abs(point[axis]));
+    for(auto& point : soup.points)
+      point[axis] /= largest > 0. ? largest : 1.;
   }
+}
 
-  /// moves vertices together that are close on the surface.
-  void relax() {
-    generators::relax(soup_, 5 + static_cast<int>(random_.below(30)));
-    for(int axis = 0; axis < 3; ++axis) {
-      double largest = 0.;
-      for(const auto& point : soup_.points)
-        largest = (std::max)(largest, std::abs(point[axis]));
-      for(auto& point : soup_.points)
-        point[axis] /= largest > 0. ? largest : 1.;
-    }
+/// makes the surface very small or very large, and flat.
+void flatten(Soup& soup, Random& random) {
+  const double scale = std::pow(10., random.uniform(-9., 9.));
+  const std::array<double, 3> stretch = {scale, scale, scale * 1e-6};
+  for(auto& point : soup.points)
+    for(int axis = 0; axis < 3; ++axis)
+      point[axis] *= stretch[axis];
+}
+
+/// moves vertices almost, or quite, onto neighbours.
+void collapse_edges(Soup& soup, Random& random) {
+  for(std::size_t i = 0; i < soup.points.size() / 3; ++i) {
+    const Triangle& triangle = soup.triangles[random.below(soup.triangles.size())];
+    const double rest = random.below(4) == 0 ? 0. : std::pow(10., random.uniform(-12., -1.));
+    auto& moved = soup.points[triangle[0]];
+    const auto& target = soup.points[triangle[1]];
+    for(int axis = 0; axis < 3; ++axis)
+      moved[axis] = target[axis] + rest * (moved[axis] - target[axis]);
   }
+}
 
-  /// makes the surface very small or very large, and flat.
-  void flatten() {
-    const double scale = std::pow(10., random_.uniform(-9., 9.));
-    const std::array<double, 3> stretch = {scale, scale, scale * 1e-6};
-    for(auto& point : soup_.points)
-      for(int axis = 0; axis < 3; ++axis)
-        point[axis] *= stretch[axis];
-  }
-
-  /// moves vertices almost, or quite, onto neighbours.
-  void collapse_edges() {
-    for(std::size_t i = 0; i < soup_.points.size() / 3; ++i) {
-      const Triangle& triangle = soup_.triangles[random_.below(soup_.triangles.size())];
-      const double rest = random_.below(4) == 0 ? 0. : std::pow(10., random_.uniform(-12., -1.));
-      auto& moved = soup_.points[triangle[0]];
-      const auto& target = soup_.points[triangle[1]];
-      for(int axis = 0; axis < 3; ++axis)
-        moved[axis] = target[axis] + rest * (moved[axis] - target[axis]);
-    }
-  }
-
-private:
-  Soup& soup_;
-  Random& random_;
-};
-
+/// from a cloud of points to nearly degenerate.
 void place_vertices(Soup& soup, Random& random) {
-  Random_placement placement(soup, random);
+  for(auto& point : soup.points)
+    for(double& x : point)
+      x = random.uniform(-1., 1.);
   const std::size_t manner = random.below(4);
   if(manner != 0)
-    placement.relax();
+    pull_together(soup, random);
   if(manner == 2)
-    placement.flatten();
+    flatten(soup, random);
   if(manner == 3)
-    placement.collapse_edges();
+    collapse_edges(soup, random);
 }
+
+} // namespace
 
 Soup make_random(const Request& request) {
   // The smallest sphere has 4 triangles, the smallest torus 14; each further torus replaces one
@@ -253,22 +233,10 @@ Soup make_random(const Request& request) {
   Random random(request.seed);
   const auto surface = random_triangulation(request.genus, request.faces, random);
   Soup soup;
-  for(std::size_t t = 0; t < surface.number_of_triangles(); ++t)
-    soup.triangles.push_back(surface.triangle(t));
+  soup.triangles = surface.triangles();
   soup.points.resize(surface.number_of_vertices());
   place_vertices(soup, random);
   return permute_vertices(soup, static_cast<unsigned>(random.next()));
 }
 
-} // namespace
-
-const Kind random_kind = {
-    "random",
-    "a random triangulation with random points, often ugly and never embedded: scattered, smooth, "
-    "flat at any scale, or with slivers and coincident points; any genus g, from 4 faces (g = 0) "
-    "or 2 + 12 g faces",
-    make_random};
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

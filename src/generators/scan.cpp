@@ -13,13 +13,17 @@
 #include "kinds.h"
 #include "mesh_of_field.h"
 
+#include <CGAL/Fuzzy_sphere.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
 #include <CGAL/number_type_config.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -27,19 +31,18 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 using Point_2 = std::array<double, 2>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-inline double cross(const Point_2& o, const Point_2& p, const Point_2& q) {
+double cross(const Point_2& o, const Point_2& p, const Point_2& q) {
   return (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
 }
 
 /// by how much one direction is counterclockwise of another, in [-pi, pi].
-inline double turn(const Point_2& from, const Point_2& to) {
+double turn(const Point_2& from, const Point_2& to) {
   return std::atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
 }
 
@@ -48,15 +51,14 @@ Triangles between two cycles in the plane around the origin, both counterclockwi
 other. Corners below the size of the outer cycle are its vertices, the others those of the inner
 one. Nothing if the triangles overlapped: those here are all counterclockwise and go around once.
 */
-inline std::vector<std::array<std::uint32_t, 3>> annulus(const std::vector<Point_2>& outer,
-                                                         const std::vector<Point_2>& inner) {
+Triangles annulus(const std::vector<Point_2>& outer, const std::vector<Point_2>& inner) {
   const auto n = static_cast<std::uint32_t>(outer.size());
   const auto m = static_cast<std::uint32_t>(inner.size());
   std::uint32_t nearest = 0;
   for(std::uint32_t j = 1; j < m; ++j)
     if(std::abs(turn(outer[0], inner[j])) < std::abs(turn(outer[0], inner[nearest])))
       nearest = j;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Triangles triangles;
   double angle = 0., inner_angle = turn(outer[0], inner[nearest]);
   for(std::uint32_t i = 0, j = 0; i < n || j < m;) {
     const std::uint32_t u = i % n, next_u = (i + 1) % n;
@@ -80,62 +82,16 @@ inline std::vector<std::array<std::uint32_t, 3>> annulus(const std::vector<Point
     }
   }
   const bool is_once_around = std::abs(angle - 2. * CGAL_PI) < 1e-6;
-  return is_once_around ? triangles : std::vector<std::array<std::uint32_t, 3>>();
+  return is_once_around ? triangles : Triangles();
 }
 
-/// The points of a mesh, sorted into cubes to find those near a place.
-class Points_in_cells
-{
-public:
-  Points_in_cells(const Soup& soup, double side)
-      : soup_(soup)
-      , side_(side)
-      , box_{point_of(soup, 0), point_of(soup, 0)} {
-    for(std::uint32_t v = 0; v < soup.points.size(); ++v)
-      box_ = box_.with(point_of(soup, v));
-    for(int axis = 0; axis < 3; ++axis)
-      cells_[axis] = static_cast<int>((box_.high[axis] - box_.low[axis]) / side) + 1;
-    begin_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
-    points_.resize(soup.points.size());
-    for(std::uint32_t v = 0; v < soup.points.size(); ++v)
-      ++begin_[cell_of(v)];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    for(std::uint32_t v = 0; v < soup.points.size(); ++v)
-      points_[--begin_[cell_of(v)]] = v;
-  }
-
-  /// those no further from a place than a radius, which is at most the side.
-  std::vector<std::uint32_t> within(const Vector& p, double radius) const {
-    std::vector<std::uint32_t> near;
-    const std::array<int, 3> at = coordinates(p);
-    for(int k = (std::max)(at[2] - 1, 0); k <= (std::min)(at[2] + 1, cells_[2] - 1); ++k)
-      for(int j = (std::max)(at[1] - 1, 0); j <= (std::min)(at[1] + 1, cells_[1] - 1); ++j)
-        for(int i = (std::max)(at[0] - 1, 0); i <= (std::min)(at[0] + 1, cells_[0] - 1); ++i)
-          for(std::uint32_t e = begin_[number({i, j, k})]; e < begin_[number({i, j, k}) + 1]; ++e)
-            if((point_of(soup_, points_[e]) - p).squared_length() <= radius * radius)
-              near.push_back(points_[e]);
-    return near;
-  }
-
-private:
-  std::array<int, 3> coordinates(const Vector& p) const {
-    std::array<int, 3> at;
-    for(int axis = 0; axis < 3; ++axis)
-      at[axis] =
-          std::clamp(static_cast<int>((p[axis] - box_.low[axis]) / side_), 0, cells_[axis] - 1);
-    return at;
-  }
-  std::size_t number(const std::array<int, 3>& at) const {
-    return (std::size_t(at[2]) * cells_[1] + at[1]) * cells_[0] + at[0];
-  }
-  std::size_t cell_of(std::uint32_t v) const { return number(coordinates(point_of(soup_, v))); }
-
-  const Soup& soup_;
-  double side_;
-  Box box_;
-  std::array<int, 3> cells_;
-  std::vector<std::uint32_t> begin_, points_;
-};
+/// The points of a mesh, with their numbers, to find those near a place.
+using Numbered_point = std::pair<CGAL::Simple_cartesian<double>::Point_3, std::uint32_t>;
+using Search_traits =
+    CGAL::Search_traits_adapter<Numbered_point,
+                                CGAL::First_of_pair_property_map<Numbered_point>,
+                                CGAL::Search_traits_3<CGAL::Simple_cartesian<double>>>;
+using Point_tree = CGAL::Kd_tree<Search_traits>;
 
 /*!
 Builds arches on a fine surface: tubes that leave it at one place and come back a few edges away,
@@ -144,21 +100,21 @@ above it or, as tunnels, below.
 Each has a ball for its own in which the surface is nearly flat: a graph over a plane, between two
 heights. The arch begins above all of that and stands on two discs that are taken out, so it meets
 nothing. Its own parts do not meet as it is thinner than it bends, and the balls are disjoint.
+No loop around an arch or through it needs to be longer than 20 mean lengths of edges.
 */
 class Small_bridges
 {
 public:
-  /// no loop around an arch or through it needs to be longer, in mean lengths of edges.
-  static constexpr double most_length = 20.;
-
   Small_bridges(const Soup& soup, double edge_length)
       : soup_(soup)
       , edge_length_(edge_length)
       , stars_(soup)
-      , cells_(soup, ball_radius(most_rings) + margin * edge_length)
       , normals_(vertex_normals(soup))
       , is_taken_(soup.points.size(), 0)
-      , surface_(soup) {}
+      , surface_(soup) {
+    for(std::uint32_t v = 0; v < soup.points.size(); ++v)
+      tree_.insert(Numbered_point(CGAL::ORIGIN + point_of(soup, v), v));
+  }
 
   /// builds one around a vertex in a random direction, if there is room for it.
   bool build(std::uint32_t centre, bool is_tunnel, Random& random) {
@@ -197,10 +153,9 @@ private:
   };
 
   Frame frame_at(std::uint32_t v, double angle, bool is_tunnel) const {
-    const Vector normal = normals_[v] / length(normals_[v]);
+    const Vector normal = unit(normals_[v]);
     const Vector axis = std::abs(normal.x()) < 0.6 ? Vector(1, 0, 0) : Vector(0, 1, 0);
-    Vector x = CGAL::cross_product(axis, normal);
-    x = x / length(x);
+    const Vector x = unit(CGAL::cross_product(axis, normal));
     const Vector along = std::cos(angle) * x + std::sin(angle) * CGAL::cross_product(normal, x);
     return {point_of(soup_, v), along, CGAL::cross_product(normal, along),
             is_tunnel ? -normal : normal};
@@ -220,8 +175,11 @@ private:
     Ground ground = {{}, ball_radius(rings), 0.};
     double lowest = 0.;
     const double own_radius = ground.radius + 0.5 * edge_length_;
-    for(const std::uint32_t v : cells_.within(frame.origin, ground.radius + margin * edge_length_))
-    {
+    std::vector<Numbered_point> near;
+    tree_.search(std::back_inserter(near),
+                 CGAL::Fuzzy_sphere<Search_traits>(CGAL::ORIGIN + frame.origin,
+                                                   ground.radius + margin * edge_length_));
+    for(const auto& [point, v] : near) {
       const Vector p = point_of(soup_, v);
       if((p - frame.origin).squared_length() < own_radius * own_radius) {
         if(is_taken_[v] != 0)
@@ -259,10 +217,9 @@ private:
   }
 
   static bool are_disjoint(const Foot& left, const Foot& right) {
-    for(const std::uint32_t v : left.cycle)
-      if(std::find(right.cycle.begin(), right.cycle.end(), v) != right.cycle.end())
-        return false;
-    return !left.cycle.empty() && !right.cycle.empty() && left.centre != right.centre;
+    const auto &a = left.cycle, &b = right.cycle;
+    return !a.empty() && !b.empty() && left.centre != right.centre &&
+           std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) == a.end();
   }
 
   /// the frame with its origin half-way between the feet, and its first axis from one to the other.
@@ -351,8 +308,7 @@ private:
       const double c = std::cos(angle), s = std::sin(angle);
       const Vector centre =
           frame.origin - half_span * c * frame.along + (base + height * s) * frame.up;
-      Vector inwards = height * c * frame.along - half_span * s * frame.up;
-      inwards = inwards / length(inwards);
+      const Vector inwards = unit(height * c * frame.along - half_span * s * frame.up);
       Indices ring;
       for(const auto& [x, y] : circle(size, radius, false))
         ring.push_back(surface_.add_point(centre + x * inwards + y * frame.aside));
@@ -366,16 +322,12 @@ private:
   }
 
   /// in the order of the mirrored circle.
-  static Indices mirrored(const Indices& ring) {
-    Indices result;
-    for(std::size_t i = 0; i < ring.size(); ++i)
-      result.push_back(ring[(ring.size() - i) % ring.size()]);
-    return result;
+  static Indices mirrored(Indices ring) {
+    std::reverse(ring.begin() + 1, ring.end());
+    return ring;
   }
 
-  void add(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-           const Indices& outer,
-           const Indices& inner) {
+  void add(const Triangles& triangles, const Indices& outer, const Indices& inner) {
     const auto vertex = [&](std::uint32_t i) {
       return i < outer.size() ? outer[i] : inner[i - outer.size()];
     };
@@ -386,7 +338,7 @@ private:
   const Soup& soup_;
   double edge_length_;
   Vertex_stars stars_;
-  Points_in_cells cells_;
+  Point_tree tree_;
   std::vector<Vector> normals_;
   std::vector<char> is_taken_;
   Patched_surface surface_;
@@ -467,6 +419,8 @@ Soup with_small_bridges(const Soup& soup,
   return bridges.take();
 }
 
+} // namespace
+
 Soup make_scan(const Request& request) {
   constexpr std::size_t faces_of_bridge = 80;
   const std::size_t planted = request.bridges + request.tunnels;
@@ -479,16 +433,4 @@ Soup make_scan(const Request& request) {
   return with_small_bridges(soup, edge_length, request, random);
 }
 
-} // namespace
-
-const Kind scan_kind = {
-    "scan",
-    "a body like a pot with g large handles, rough as if it were scanned, and on it small bridges "
-    "and just below it small tunnels, a handle each; loops of the body are longer than 1, those "
-    "of the bridges and tunnels shorter than 20 mean edges, and so than 0.9; from 25000 faces, "
-    "more for more than 8 handles, and 600 for each bridge and tunnel",
-    make_scan, GENUS | SMALL_BRIDGES, 60000};
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -6,7 +6,6 @@ set(HTL_GENERATOR_SOURCES
   holes.cpp
   implicit_surfaces.cpp
   isosurface.cpp
-  ladder.cpp
   mesh_of_field.cpp
   necks.cpp
   plates.cpp
@@ -14,7 +13,6 @@ set(HTL_GENERATOR_SOURCES
   scan.cpp
   Shape.cpp
   sphere.cpp
-  Srs_net.cpp
   tubes.cpp)
 
 # htl_embed_shapes(<output>): the texts in shapes/ as a source.

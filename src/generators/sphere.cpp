@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 namespace {
 
 /// A polyhedron with triangular faces whose vertices lie on a sphere around the origin.
@@ -67,68 +65,51 @@ public:
   Soup take() { return std::move(soup_); }
 
 private:
-  void add_point(const Vector& p) {
-    const Vector q = p / length(p);
-    soup_.points.push_back({q.x(), q.y(), q.z()});
-  }
+  std::uint32_t add_point(const Vector& p) { return generators::add_point(soup_, unit(p)); }
 
-  /// the first of the n - 1 vertices inside an edge, in the order from its lower corner.
-  std::uint32_t edge_start(int low, int high) {
-    const auto next = static_cast<std::uint32_t>(soup_.points.size());
-    const auto [it, is_new] = edges_.try_emplace({low, high}, next);
-    if(is_new)
-      for(std::uint32_t i = 1; i < n_; ++i)
-        add_point(base_.corners[low] * (n_ - i) + base_.corners[high] * i);
-    return it->second;
-  }
-
+  /// the i-th vertex on the way from one corner to another, which are those for 0 and n.
   std::uint32_t on_edge(int from, int to, std::uint32_t i) {
-    return from < to ? edge_start(from, to) + i - 1 : edge_start(to, from) + (n_ - i) - 1;
-  }
-
-  /// the vertex of a face with barycentric coordinates (n - i - j, i, j).
-  std::uint32_t
-  vertex(const std::array<int, 3>& face, std::uint32_t inner, std::uint32_t i, std::uint32_t j) {
-    const auto [a, b, c] = face;
-    if(i + j == 0)
-      return a;
-    if(i == n_)
-      return b;
-    if(j == n_)
-      return c;
-    if(j == 0)
-      return on_edge(a, b, i);
-    if(i == 0)
-      return on_edge(a, c, j);
-    if(i + j == n_)
-      return on_edge(b, c, j);
-    // Row j of the inner vertices has n - 1 - j of them.
-    return inner + (j - 1) * (n_ - 1) - (j - 1) * j / 2 + (i - 1);
+    if(i == 0 || i == n_)
+      return i == 0 ? from : to;
+    if(from > to)
+      return on_edge(to, from, n_ - i);
+    const auto next = static_cast<std::uint32_t>(soup_.points.size());
+    const auto [it, is_new] = edges_.try_emplace({from, to}, next);
+    if(is_new)
+      for(std::uint32_t k = 1; k < n_; ++k)
+        add_point(base_.corners[from] * (n_ - k) + base_.corners[to] * k);
+    return it->second + i - 1;
   }
 
   void subdivide(const std::array<int, 3>& face) {
     const auto [a, b, c] = face;
-    for(const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-      edge_start((std::min)(p, q), (std::max)(p, q));
-
-    const auto inner = static_cast<std::uint32_t>(soup_.points.size());
+    // By j and i: the vertex with barycentric coordinates (n - i - j, i, j).
+    std::vector<std::vector<std::uint32_t>> at(n_ + 1, std::vector<std::uint32_t>(n_ + 1));
+    for(std::uint32_t i = 0; i <= n_; ++i)
+      at[0][i] = on_edge(a, b, i);
+    for(std::uint32_t j = 0; j <= n_; ++j)
+      at[j][n_ - j] = on_edge(b, c, j);
+    for(std::uint32_t j = 0; j <= n_; ++j)
+      at[j][0] = on_edge(a, c, j);
     for(std::uint32_t j = 1; j + 1 < n_; ++j)
       for(std::uint32_t i = 1; i + j < n_; ++i)
-        add_point(base_.corners[a] * (n_ - i - j) + base_.corners[b] * i + base_.corners[c] * j);
+        at[j][i] = add_point(base_.corners[a] * (n_ - i - j) + base_.corners[b] * i +
+                             base_.corners[c] * j);
     for(std::uint32_t j = 0; j < n_; ++j)
       for(std::uint32_t i = 0; i + j < n_; ++i) {
-        const auto right = vertex(face, inner, i + 1, j), up = vertex(face, inner, i, j + 1);
-        soup_.triangles.push_back({vertex(face, inner, i, j), right, up});
+        soup_.triangles.push_back({at[j][i], at[j][i + 1], at[j + 1][i]});
         if(i + j + 1 < n_)
-          soup_.triangles.push_back({right, vertex(face, inner, i + 1, j + 1), up});
+          soup_.triangles.push_back({at[j][i + 1], at[j + 1][i + 1], at[j + 1][i]});
       }
   }
 
   const Base& base_;
   std::uint32_t n_;
   Soup soup_;
-  std::map<std::pair<int, int>, std::uint32_t> edges_;
+  std::map<std::pair<int, int>, std::uint32_t> edges_; ///< the first vertex inside each
 };
+
+} // namespace
 
 Soup make_sphere(const Request& request) {
   require_genus(request, "sphere", 0);
@@ -151,12 +132,4 @@ Soup make_sphere(const Request& request) {
   return Sphere_builder(best_base, static_cast<std::uint32_t>(best_n)).take();
 }
 
-} // namespace
-
-const Kind sphere_kind = {"sphere",    "a sphere, a subdivided icosahedron; genus 0, from 4 faces",
-                          make_sphere, GENUS,
-                          10000,       0};
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::generators

@@ -7,9 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "Font.h"
-
-#include "picture.h"
+#include "Text_layer.h"
 
 #ifdef HTL_PICTURE_HAS_FONT
 
@@ -23,54 +21,31 @@
 namespace htl_picture {
 namespace {
 
-class Font
+struct Font
 {
-public:
   Font() {
-    stbtt_InitFont(&info_, font_data, 0);
-    stbtt_GetFontVMetrics(&info_, &ascent_, &descent_, nullptr);
+    stbtt_InitFont(&info, font_data, 0);
+    stbtt_GetFontVMetrics(&info, &ascent, nullptr, nullptr);
   }
 
-  Mask written(const std::string& text, double height) const {
-    const float scale = stbtt_ScaleForPixelHeight(&info_, static_cast<float>(height));
-    Mask mask;
-    mask.width = static_cast<int>(std::ceil(scale * width(text)));
-    mask.height = static_cast<int>(std::ceil(height));
-    mask.covered.resize(std::size_t(mask.width) * mask.height);
-    float x = 0.f;
-    for(const char c : text) {
-      add(c, x, scale, mask);
-      x += scale * advance(c);
-    }
-    return mask;
-  }
-
-private:
   float advance(char c) const {
     int advance, bearing;
-    stbtt_GetCodepointHMetrics(&info_, c, &advance, &bearing);
+    stbtt_GetCodepointHMetrics(&info, c, &advance, &bearing);
     return static_cast<float>(advance);
-  }
-
-  float width(const std::string& text) const {
-    float sum = 0.f;
-    for(const char c : text)
-      sum += advance(c);
-    return sum;
   }
 
   void add(char c, float at, float scale, Mask& mask) const {
     const float shift = at - std::floor(at);
     int left, top, right, bottom;
-    stbtt_GetCodepointBitmapBoxSubpixel(&info_, c, scale, scale, shift, 0.f, &left, &top, &right,
+    stbtt_GetCodepointBitmapBoxSubpixel(&info, c, scale, scale, shift, 0.f, &left, &top, &right,
                                         &bottom);
     const int w = right - left, h = bottom - top;
     if(w <= 0 || h <= 0)
       return; // a blank
     std::vector<unsigned char> glyph(std::size_t(w) * h);
-    stbtt_MakeCodepointBitmapSubpixel(&info_, glyph.data(), w, h, w, scale, scale, shift, 0.f, c);
+    stbtt_MakeCodepointBitmapSubpixel(&info, glyph.data(), w, h, w, scale, scale, shift, 0.f, c);
     const int x0 = static_cast<int>(std::floor(at)) + left;
-    const int y0 = static_cast<int>(std::lround(scale * ascent_)) + top;
+    const int y0 = static_cast<int>(std::lround(scale * ascent)) + top;
     for(int y = (std::max)(0, -y0); y < h && y0 + y < mask.height; ++y)
       for(int x = (std::max)(0, -x0); x < w && x0 + x < mask.width; ++x) {
         float& covered = mask.covered[std::size_t(y0 + y) * mask.width + x0 + x];
@@ -78,8 +53,8 @@ private:
       }
   }
 
-  stbtt_fontinfo info_;
-  int ascent_ = 0, descent_ = 0;
+  stbtt_fontinfo info;
+  int ascent = 0;
 };
 
 } // namespace
@@ -88,7 +63,20 @@ bool has_font() { return true; }
 
 Mask written(const std::string& text, double height) {
   static const Font font;
-  return font.written(text, height);
+  const float scale = stbtt_ScaleForPixelHeight(&font.info, static_cast<float>(height));
+  float width = 0.f;
+  for(const char c : text)
+    width += font.advance(c);
+  Mask mask;
+  mask.width = static_cast<int>(std::ceil(scale * width));
+  mask.height = static_cast<int>(std::ceil(height));
+  mask.covered.resize(std::size_t(mask.width) * mask.height);
+  float x = 0.f;
+  for(const char c : text) {
+    font.add(c, x, scale, mask);
+    x += scale * font.advance(c);
+  }
+  return mask;
 }
 
 } // namespace htl_picture

@@ -10,7 +10,6 @@
 #ifndef HTL_PICTURE_TEXT_LAYER_H
 #define HTL_PICTURE_TEXT_LAYER_H
 
-#include "Font.h"
 #include "picture.h"
 
 #include <array>
@@ -21,6 +20,24 @@
 #include <vector>
 
 namespace htl_picture {
+
+/// How much of each pixel is covered by a text, from 0 to 1, row by row from above.
+struct Mask
+{
+  int width = 0, height = 0;
+  std::vector<float> covered;
+
+  /// nothing is covered outside of it.
+  float at(int x, int y) const {
+    return x < 0 || y < 0 || x >= width || y >= height ? 0.f : covered[std::size_t(y) * width + x];
+  }
+};
+
+/// a text of ASCII in one row, as high as the font's lines are; empty without a font.
+Mask written(const std::string& text, double height);
+
+/// a TrueType font, as the build found it.
+extern const unsigned char font_data[];
 
 /// A rectangle of pixels.
 struct Rectangle

@@ -93,21 +93,6 @@ private:
   png_infop info_;
 };
 
-/// the content of a PNG file of pixels, row by row from the top. Throws `std::runtime_error` on
-/// failure. `look` is called between rows, and may end it by throwing.
-std::string encode_png(int width,
-                       int height,
-                       const std::vector<Colour>& pixels,
-                       const std::function<void()>& look) {
-  Png png;
-  png.begin(width, height);
-  for(int y = 0; y < height; ++y) {
-    look();
-    png.write_row(pixels.data() + std::size_t(y) * std::size_t(width));
-  }
-  return png.end();
-}
-
 constexpr int samples = 2; // per pixel, in each direction
 
 /// What is to be drawn.
@@ -185,21 +170,16 @@ private:
     std::array<Projected_point, 3> corners;
   };
 
-  void recall(std::uint32_t triangle) {
-    if(recent_.triangle == triangle)
-      return;
-    recent_.triangle = triangle;
-    recent_.normals = normals_(triangle);
-    for(int i = 0; i < 3; ++i)
-      recent_.corners[i] = projected_[scene_.triangles[triangle][i]];
-  }
-
   /// the normal of the surface seen at a sample, turned to the eye; null if there is no surface.
   Vector_3 normal(int x, int y) {
     const std::uint32_t triangle = surface_.triangle(x, y);
     if(triangle == Surface_layer::no_triangle)
       return {};
-    recall(triangle);
+    if(recent_.triangle != triangle) {
+      recent_ = {triangle, normals_(triangle), {}};
+      for(int i = 0; i < 3; ++i)
+        recent_.corners[i] = projected_[scene_.triangles[triangle][i]];
+    }
     const auto weights = corner_weights(recent_.corners, x + 0.5f, y + 0.5f);
     Vector_3 sum;
     for(int i = 0; i < 3; ++i)
@@ -334,13 +314,6 @@ private:
   Recent recent_;
 };
 
-std::vector<Colour> paint(const Scene& scene, const Options& options) {
-  check_size(options.width, options.height);
-  if(!scene.triangle_colours.empty() && scene.triangle_colours.size() != scene.triangles.size())
-    throw std::runtime_error("no picture: there must be a colour for each triangle");
-  return Painter(scene, options).paint();
-}
-
 } // namespace
 
 void check_size(std::size_t width, std::size_t height) {
@@ -358,8 +331,18 @@ std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Colour>& triangle_colours,
                            const std::vector<Line>& lines,
                            const Options& options) {
-  return encode_png(options.width, options.height,
-                    paint({points, triangles, triangle_colours, lines}, options), options.look);
+  check_size(options.width, options.height);
+  if(!triangle_colours.empty() && triangle_colours.size() != triangles.size())
+    throw std::runtime_error("no picture: there must be a colour for each triangle");
+  const Scene scene = {points, triangles, triangle_colours, lines};
+  const std::vector<Colour> pixels = Painter(scene, options).paint();
+  Png png;
+  png.begin(options.width, options.height);
+  for(int y = 0; y < options.height; ++y) {
+    options.look();
+    png.write_row(pixels.data() + std::size_t(y) * std::size_t(options.width));
+  }
+  return png.end();
 }
 
 } // namespace htl_picture

@@ -7,11 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "Grid.h"
-#include "Streams.h"
-#include "encode_surface.h"
+#include "encoding.h"
 #include "page_texts.h"
-#include "window.h"
 
 #include <nlohmann/json.hpp>
 

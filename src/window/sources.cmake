@@ -1,9 +1,8 @@
 # The sources of the pages in which surfaces can be turned, relative to this folder. They need zlib and
 # nlohmann-json.
 set(HTL_WINDOW_SOURCES
-  encode_surface.cpp
-  page.cpp
-  Streams.cpp)
+  encoding.cpp
+  page.cpp)
 
 # htl_embed_page(<output>): the files in page/ as a source. Blanks at the beginning of lines and after
 # commas of scripts, and lines of comments, are for who reads them here.

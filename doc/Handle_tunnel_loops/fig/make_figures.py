@@ -442,8 +442,8 @@ def linking():
 def design():
     svg = Svg("design.svg", 760, 300)
     main = [("mesh", "FaceListGraph", "the user's"), ("adaptor", "HandleTunnelLoops-\nMeshAdaptor", "mesh"),
-            ("arrays", "Flat_mesh", "mesh"), ("passes", "HandleTunnelLoops-\nPasses", "pipeline, passes,\nshortening"),
-            ("conversion", "Loop_converter", "loops"), ("certificate", "Certification", "certificate,\nlinking")]
+            ("arrays", "Flat_mesh", "mesh"), ("passes", "HandleTunnelLoops-\nPasses", "passes, shortening,\nhomology"),
+            ("conversion", "Loop_converter", "mesh"), ("certificate", "Certification", "certificate,\nlinking")]
     w, gap, y = 108, 20.8, 30
     for k, (what, who, folder) in enumerate(main):
         x = 4 + k * (w + gap)
@@ -462,9 +462,9 @@ def design():
     svg.arrow((px + 14, 160), (px + 14, y + 94))
     svg.text(px - 22, 143, "questions", 11, DARK, "end")
     svg.text(px + 22, 143, "times, contours, walks", 11, DARK, "start")
-    for k, (name, folder) in enumerate((("Host_backend", "backends, field,\nsaddles, executors"),
-                                        ("Device_solver", "device, kernels"),
-                                        ("Fallback_backend", "backends"))):
+    for k, (name, folder) in enumerate((("Host_backend", "passes, field"),
+                                        ("Device_solver", "device"),
+                                        ("Fallback_backend", "device"))):
         x = px - 186 + 126 * k
         svg.box(x, 238, 120, 56, "#e8edf4")
         svg.text(x + 60, 255, name, 11, DARK, weight="bold")

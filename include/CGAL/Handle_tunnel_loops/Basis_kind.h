@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
 /// Which basis of the first homology group is looked for.
@@ -33,7 +32,6 @@ inline const char* name_of(Basis_kind kind) {
   return kind == Basis_kind::PURE ? "pure" : "shortest";
 }
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_BASIS_KIND_H

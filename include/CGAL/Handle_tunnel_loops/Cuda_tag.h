@@ -70,8 +70,7 @@ why it was not the device.
 struct Cuda_if_available_tag : public Parallel_if_available_tag
 {};
 
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace Handle_tunnel_loops::internal {
 
 #ifdef CGAL_LINKED_WITH_CUDA
 
@@ -107,8 +106,7 @@ template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Parallel
 
 #endif
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
+} // namespace Handle_tunnel_loops::internal
 } // namespace CGAL
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_CUDA_TAG_H

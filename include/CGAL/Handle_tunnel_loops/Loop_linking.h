@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -59,7 +58,6 @@ struct Loop_linking
   bool bounds_outside() const { return problem.empty() && column.empty(); }
 };
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_LOOP_LINKING_H

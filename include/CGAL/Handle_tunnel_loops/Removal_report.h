@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
 /// Which ways of removing a handle are allowed.
@@ -93,7 +92,6 @@ struct Removal_report
   std::vector<Refused_handle> refused_necks;
 };
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_REMOVAL_REPORT_H

@@ -14,8 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -162,7 +161,6 @@ struct Solver_options
   bool do_log_fronts = false;
 };
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_SOLVER_OPTIONS_H

@@ -27,10 +27,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <iterator>
-#include <type_traits>
-#include <utility>
-
 namespace CGAL {
 
 /*!

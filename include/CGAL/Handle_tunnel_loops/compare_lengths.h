@@ -18,6 +18,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/enum.h>
 
+#include <utility>
+
 namespace CGAL {
 
 /*!
@@ -66,6 +68,49 @@ Comparison_result compare_lengths(const Loop_on_surface<TriangleMesh, Point>& a,
                                   const NamedParameters& np = parameters::default_values()) {
   namespace impl = Handle_tunnel_loops::internal;
   return impl::compare_lengths(impl::edge_places(tm, a, np), impl::edge_places(tm, b, np));
+}
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+computes an interval that holds the length of a loop on `tm`: that of the closed polyline through
+the places `source(halfedge) + ratio * (target(halfedge) - source(halfedge))` of its steps, with
+ratios and coordinates taken as doubles (those of an exact kernel are rounded). It is as wide as
+rounding makes it: for each step some \f$ 10^{-16} \f$ of its coordinates and of the length. The
+complexity is linear.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Point the point type of the loop
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param loop the loop
+\param tm the mesh
+\param np named parameters
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the ends of the interval, the smaller one first; the larger one is infinite where a square
+  is beyond the range of `double`
+
+\pre the coordinates of `tm` are finite.
+
+\sa `CGAL::compare_lengths()`
+*/
+template <typename TriangleMesh,
+          typename Point,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::pair<double, double>
+length_interval(const Loop_on_surface<TriangleMesh, Point>& loop,
+                const TriangleMesh& tm,
+                const NamedParameters& np = parameters::default_values()) {
+  namespace impl = Handle_tunnel_loops::internal;
+  return impl::length_interval(impl::edge_places(tm, loop, np));
 }
 
 } // namespace CGAL

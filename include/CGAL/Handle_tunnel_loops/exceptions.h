@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
 /// What makes a mesh unfit for the computation.
@@ -159,7 +158,6 @@ private:
   std::size_t needed_, free_;
 };
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_EXCEPTIONS_H

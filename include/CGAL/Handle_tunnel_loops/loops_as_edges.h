@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Loop_imprint.h>
-#include <CGAL/Handle_tunnel_loops/internal/cutting/Loop_walker.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -77,17 +77,14 @@ OutputIterator loop_to_halfedges(const Loop& loop,
                                  const TriangleMesh& tm,
                                  OutputIterator out,
                                  const NamedParameters& np = parameters::default_values()) {
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
-  const Vertex_point_map point =
+  const auto point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
-  const Handle_tunnel_loops::internal::Loop_walker<TriangleMesh, Vertex_point_map> walk(tm, point);
-  const auto halfedges = walk(loop);
+  const auto halfedges = Handle_tunnel_loops::internal::halfedges_of_loop(loop, tm, point);
   return std::copy(halfedges.begin(), halfedges.end(), out);
 }
 
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace Handle_tunnel_loops::internal {
 
 /// calls `f` for each loop of a pair, or for a loop.
 template <typename TriangleMesh, typename Point, typename Function>
@@ -100,8 +97,7 @@ void for_each_loop_of(const Loop& loop, const Function& f) {
   f(loop);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
+} // namespace Handle_tunnel_loops::internal
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -206,10 +202,9 @@ OutputIterator imprint_loops(const LoopRange& loops,
   namespace impl = Handle_tunnel_loops::internal;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
-  const Vertex_point_map point = parameters::choose_parameter(
-      get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tm));
-  impl::Loop_imprint<TriangleMesh, Vertex_point_map> imprint(tm, point);
+  const auto point = parameters::choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                  get_property_map(vertex_point, tm));
+  impl::Loop_imprint imprint(tm, point);
   for(const auto& item : loops)
     impl::for_each_loop_of(item, [&](const auto& loop) { imprint.add(loop); });
   const auto walks = imprint.run();

@@ -14,8 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
 /// So many bytes of a device's memory are kept, at most, when a computation with `Cuda_tag` or
@@ -33,7 +32,6 @@ Defined in the library `Handle_tunnel_loops::cuda`.
 */
 void release_device_memory();
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_RELEASE_DEVICE_MEMORY_H

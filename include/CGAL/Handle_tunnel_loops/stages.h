@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
 /// The stages of a computation, in order. What is left out by the parameters has none.
@@ -103,7 +102,6 @@ struct Statistics
   }
 };
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_STAGES_H

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstring>
 #include <map>
+#include <type_traits>
 
 namespace htloops {
 namespace {
@@ -35,15 +36,6 @@ Vector across(const Vector& direction, const Vector& wanted) {
     return aside;
   const Vector least = std::abs(direction[0]) < 0.6 ? Vector{1., 0., 0.} : Vector{0., 1., 0.};
   return unit(sum(least, -dot(least, direction), direction));
-}
-
-// Points that follow each other at the same place are one.
-std::vector<Vector> without_repetitions(const std::vector<Vector>& line, bool is_closed) {
-  std::vector<Vector> points = line;
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  while(is_closed && points.size() > 1 && points.front() == points.back())
-    points.pop_back();
-  return points;
 }
 
 class Tube
@@ -114,8 +106,6 @@ private:
   Smooth_surface tube_;
 };
 
-using Colour = std::array<unsigned char, 3>;
-
 // The sums of the normals of the faces around each point.
 std::vector<Vector> normals_of(const Drawn_surface& surface, double diagonal) {
   std::vector<Vector> normals(surface.points.size());
@@ -138,10 +128,8 @@ std::vector<Vector> normals_of(const Drawn_surface& surface, double diagonal) {
 class Gltf
 {
 public:
-  explicit Gltf(const Bounds& bounds) {
-    for(int i = 0; i < 3; ++i)
-      middle_[i] = bounds.low[i] / 2. + bounds.high[i] / 2.;
-  }
+  explicit Gltf(const CGAL::Bbox_3& box)
+      : middle_(coordinates(middle_of(box))) {}
 
   // What is of one colour is of one kind.
   void add(const std::string& name,
@@ -150,18 +138,15 @@ public:
            const Colour& colour) {
     if(surface.triangles.empty())
       return;
-    Bounds bounds;
+    std::vector<Vector> points;
     for(const Vector& p : surface.points)
-      bounds.add(relative(p));
-    const Json attributes = {
-        {"POSITION", accessor_of_points(surface.points, bounds)},
-        {"NORMAL", accessor_of(surface.normals.size(), "VEC3", single, array_buffer,
-                               [&] { append_numbers(surface.normals); })}};
-    const Json primitive = {
-        {"attributes", attributes},
-        {"indices", accessor_of(3 * surface.triangles.size(), "SCALAR", unsigned_number,
-                                element_array_buffer, [&] { append(surface.triangles); })},
-        {"material", material(kind, colour)}};
+      points.push_back(sum(p, -1., middle_));
+    const std::size_t positions = accessor_of(points);
+    add_bounds(json_["accessors"][positions], box_of(points));
+    const Json attributes = {{"POSITION", positions}, {"NORMAL", accessor_of(surface.normals)}};
+    const Json primitive = {{"attributes", attributes},
+                            {"indices", accessor_of(surface.triangles)},
+                            {"material", material(kind, colour)}};
     json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
     json_["nodes"].push_back({{"name", name}, {"mesh", json_["meshes"].size() - 1}});
   }
@@ -185,13 +170,6 @@ public:
   }
 
 private:
-  static constexpr int single = 5126, unsigned_number = 5125; // types of numbers
-  static constexpr int array_buffer = 34962, element_array_buffer = 34963;
-
-  Vector relative(const Vector& p) const {
-    return {p[0] - middle_[0], p[1] - middle_[1], p[2] - middle_[2]};
-  }
-
   static void append_word(std::string& bytes, std::uint32_t word) {
     for(int shift = 0; shift < 32; shift += 8)
       bytes += static_cast<char>(word >> shift & 255u);
@@ -203,54 +181,42 @@ private:
     bytes += kind + content;
   }
 
-  void append_number(double value) {
+  static std::uint32_t word_of(std::uint32_t number) { return number; }
+
+  static std::uint32_t word_of(double value) {
     const auto number = static_cast<float>(value);
     std::uint32_t word;
     std::memcpy(&word, &number, sizeof word);
-    append_word(buffer_, word);
+    return word;
   }
 
-  void append_numbers(const std::vector<Vector>& vectors) {
-    for(const Vector& v : vectors)
-      for(const double x : v)
-        append_number(x);
-  }
-
-  void append(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    for(const auto& triangle : triangles)
-      for(const std::uint32_t corner : triangle)
-        append_word(buffer_, corner);
-  }
-
-  template <typename Append>
-  std::size_t
-  accessor_of(std::size_t count, const char* type, int component, int target, Append append) {
+  // Vectors of single precision, or the corners of triangles one by one.
+  template <typename Number>
+  std::size_t accessor_of(const std::vector<std::array<Number, 3>>& rows) {
+    constexpr bool are_corners = std::is_integral_v<Number>;
+    constexpr int array_buffer = 34962, element_array_buffer = 34963;
+    constexpr int single = 5126, unsigned_number = 5125; // types of numbers
     const std::size_t begin = buffer_.size();
-    append();
+    for(const auto& row : rows)
+      for(const Number number : row)
+        append_word(buffer_, word_of(number));
     json_["bufferViews"].push_back({{"buffer", 0},
                                     {"byteOffset", begin},
                                     {"byteLength", buffer_.size() - begin},
-                                    {"target", target}});
+                                    {"target", are_corners ? element_array_buffer : array_buffer}});
     json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
-                                  {"componentType", component},
-                                  {"count", count},
-                                  {"type", type}});
+                                  {"componentType", are_corners ? unsigned_number : single},
+                                  {"count", rows.size() * (are_corners ? 3u : 1u)},
+                                  {"type", are_corners ? "SCALAR" : "VEC3"}});
     return json_["accessors"].size() - 1;
   }
 
-  std::size_t accessor_of_points(const std::vector<Vector>& points, const Bounds& bounds) {
-    const std::size_t accessor = accessor_of(points.size(), "VEC3", single, array_buffer, [&] {
-      for(const Vector& p : points)
-        for(const double x : relative(p))
-          append_number(x);
-    });
-    // As they are after rounding.
-    const auto rounded = [](const Vector& v) {
-      return Json{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-    };
-    json_["accessors"][accessor]["min"] = rounded(bounds.low);
-    json_["accessors"][accessor]["max"] = rounded(bounds.high);
-    return accessor;
+  // As they are after rounding.
+  static void add_bounds(Json& accessor, const CGAL::Bbox_3& box) {
+    for(int i = 0; i < 3; ++i)
+      accessor["min"].push_back(static_cast<float>(box.min(i)));
+    for(int i = 0; i < 3; ++i)
+      accessor["max"].push_back(static_cast<float>(box.max(i)));
   }
 
   // One for each colour; glTF wants the amount of light.
@@ -331,18 +297,14 @@ Smooth_surface tube_around(const std::vector<Vector>& line, bool is_closed, doub
 void export_gltf(const std::string& file,
                  const Drawn_surface& surface,
                  const Exported_lines& lines) {
-  Bounds bounds;
-  for(const Vector& p : surface.points)
-    bounds.add(p);
-  const double diagonal = std::hypot(bounds.high[0] - bounds.low[0], bounds.high[1] - bounds.low[1],
-                                     bounds.high[2] - bounds.low[2]);
+  const CGAL::Bbox_3 box = box_of(surface.points);
+  const double diagonal = diagonal_of(box);
   constexpr double least = 1e-25, most = 1e25;
   if(!surface.points.empty() && !(diagonal > least && diagonal < most))
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "--gltf " + file +
+    throw wrong_usage("--gltf " + file +
                       ": the numbers of glTF are of single precision, in which the " +
                       "surface is too " + (diagonal > least ? "large" : "small"));
-  Gltf gltf(bounds);
+  Gltf gltf(box);
   add_surface(gltf, surface, diagonal);
   constexpr double relative_radius = 0.003;
   for(const Exported_line& line : lines.lines)

@@ -27,8 +27,6 @@ double light_at(double time, double last) {
   return mean + (1. - mean) * std::cos(pi * band);
 }
 
-using Colour = std::array<unsigned char, 3>;
-
 constexpr Colour colour_of_rest = {222, 226, 232}, colour_of_front = {170, 20, 30};
 
 // The times at which the layers end, by layer.
@@ -49,18 +47,16 @@ std::vector<double> ends_of_layers(const Answer& answer) {
 class Layer_parts
 {
   using Vertex = Mesh::Vertex_index;
-  using Parts = std::vector<Level_cutter::Face_part>;
+  using Parts = std::vector<CGAL::Handle_tunnel_loops::internal::Face_part>;
 
 public:
   Layer_parts(const Answer& answer, double now)
       : told_(answer.vertex_layers)
       , ends_(ends_of_layers(answer))
-      , width_of_band_(last_time(told_) / number_of_time_bands)
       , now_(now) {}
 
   Parts parts_of(const std::array<Vertex, 3>& corners) {
-    Parts parts;
-    append(corners[0], corners[1], parts);
+    Parts parts = parts_of(corners[0], corners[1]);
     append(corners[1], corners[2], parts);
     return parts;
   }
@@ -133,22 +129,9 @@ private:
 
   const Vertex_layers& told_;
   std::vector<double> ends_;
-  double width_of_band_, now_;
+  const double now_, width_of_band_ = last_time(told_) / number_of_time_bands;
   std::vector<double> levels_; // of the present edge
 };
-
-Drawn_surface painted(const Mesh& mesh, const Answer& answer, double now) {
-  Drawn_surface surface;
-  Layer_parts parts(answer, now);
-  Level_cutter cutter(mesh, answer.vertex_layers.times);
-  for(const Mesh::Face_index f : mesh.faces())
-    cutter.cut(f, parts, [&](const Level_cutter::Triangle& triangle, std::size_t part) {
-      surface.triangles.push_back(triangle);
-      surface.colours.push_back(Layer_parts::colour_of_part(part));
-    });
-  surface.points = cutter.take_points();
-  return surface;
-}
 
 // The contours of a level: closed, or from border to border.
 class Contour_walker
@@ -157,8 +140,7 @@ public:
   Contour_walker(const Mesh& mesh, const std::vector<double>& values, double level)
       : mesh_(mesh)
       , values_(values)
-      , level_(level)
-      , is_walked_(mesh.number_of_halfedges(), 0) {}
+      , level_(level) {}
 
   std::vector<Exported_line> walk() {
     for(const bool from_border : {true, false})
@@ -205,17 +187,16 @@ private:
   const Mesh& mesh_;
   const std::vector<double>& values_;
   double level_;
-  std::vector<char> is_walked_; // by halfedge that rises
+  // By halfedge that rises.
+  std::vector<char> is_walked_ = std::vector<char>(mesh_.number_of_halfedges(), 0);
   std::vector<Exported_line> lines_;
 };
 
 } // namespace
 
-std::array<unsigned char, 3> colour_of_layer(std::size_t layer) {
-  return colour_of_arc(layer == 0 ? 0 : layer - 1);
-}
+Colour colour_of_layer(std::size_t layer) { return colour_of_arc(layer == 0 ? 0 : layer - 1); }
 
-std::array<unsigned char, 3> darkened(std::array<unsigned char, 3> colour, double light) {
+Colour darkened(Colour colour, double light) {
   for(unsigned char& part : colour)
     part = static_cast<unsigned char>(light * part);
   return colour;
@@ -226,26 +207,21 @@ double last_time(const Vertex_layers& layers) {
 }
 
 void export_layers(const std::string& file, const Mesh& mesh, const Vertex_layers& layers) {
-  Vertex_properties properties = {{"red", "uchar", {}},
-                                  {"green", "uchar", {}},
-                                  {"blue", "uchar", {}},
-                                  {"layer", "int", {}},
-                                  {"time", "double", layers.times}};
   const double last = last_time(layers);
-  for(std::size_t v = 0; v < layers.layers.size(); ++v) {
-    const auto colour =
-        darkened(colour_of_layer(layers.layers[v]), light_at(layers.times[v], last));
-    for(std::size_t i = 0; i < 3; ++i)
-      properties[i].values.push_back(colour[i]);
-    properties[3].values.push_back(static_cast<double>(layers.layers[v]));
-  }
+  Vertex_properties properties = colour_properties(layers.layers.size(), [&](std::size_t v) {
+    return darkened(colour_of_layer(layers.layers[v]), light_at(layers.times[v], last));
+  });
+  properties.push_back({"layer", "int", {layers.layers.begin(), layers.layers.end()}});
+  properties.push_back({"time", "double", layers.times});
   write_mesh(file, mesh, properties);
 }
 
 Grown_layers grown_layers(const Mesh& mesh, const Answer& answer, double part) {
+  const std::vector<double>& times = answer.vertex_layers.times;
   const double now = part * last_time(answer.vertex_layers);
-  return {painted(mesh, answer, now),
-          {"fronts", "front", Contour_walker(mesh, answer.vertex_layers.times, now).walk()}};
+  Layer_parts parts(answer, now);
+  return {drawn_surface(Level_cutter(mesh, times).cut(parts), Layer_parts::colour_of_part),
+          {"fronts", "front", Contour_walker(mesh, times, now).walk()}};
 }
 
 } // namespace htloops

@@ -15,17 +15,16 @@
 #include "mesh_types.h"
 #include "solve/answer.h"
 
-#include <array>
 #include <cstddef>
 #include <string>
 
 namespace htloops {
 
 /// the colour of a layer where it is lightest.
-std::array<unsigned char, 3> colour_of_layer(std::size_t layer);
+Colour colour_of_layer(std::size_t layer);
 
 /// the colour with so much of its light, 0 to 1.
-std::array<unsigned char, 3> darkened(std::array<unsigned char, 3> colour, double light);
+Colour darkened(Colour colour, double light);
 
 /// into how many bands the contours divide the time in which a mesh is covered.
 constexpr int number_of_time_bands = 40;

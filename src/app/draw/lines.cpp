@@ -15,10 +15,9 @@ namespace htloops {
 namespace {
 
 void add_lines(Exported_lines& lines, const Pair& pair, std::size_t index) {
-  for(const CGAL::Loop_type type : loop_types)
+  for(const Loop_type type : loop_types)
     lines.lines.push_back({pair.loop(type).points(), true, colour_of(type), name_of(type),
-                           type == CGAL::Loop_type::HANDLE ? 0 : 1, index,
-                           pair.loop(type).length()});
+                           type == Loop_type::HANDLE ? 0 : 1, index, pair.loop(type).length()});
 }
 
 // The lines as vertices and edges with a colour per vertex.
@@ -172,7 +171,7 @@ Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
                               loop.length(), false, false});
   };
   add(answer.boundaries.curves, colour_of_boundary_curve, "boundary", 2);
-  add(answer.boundaries.waists, colour_of(CGAL::Loop_type::BOUNDARY), "waist", 3);
+  add(answer.boundaries.waists, colour_of(Loop_type::BOUNDARY), "waist", 3);
   return result;
 }
 

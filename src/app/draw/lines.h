@@ -15,7 +15,6 @@
 #include "write/files.h"
 #include "write/pair_listing.h"
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -27,7 +26,7 @@ struct Exported_line
 {
   std::vector<Point> points; ///< of a closed line, the first is not repeated
   bool is_closed = false;
-  std::array<unsigned char, 3> colour = {0, 0, 0};
+  Colour colour = {0, 0, 0};
   std::string kind;      ///< a word
   int kind_number = 0;   ///< the same as a number
   std::size_t index = 0; ///< of what it stands for

@@ -116,8 +116,7 @@ constexpr File_format<void(Text_writer&, const Reeb_answer&)> graph_formats[] = 
 void check_opened_mesh_format(const std::string& file) {
   check_mesh_format(file);
   if(boost::algorithm::iends_with(file, ".stl"))
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "cannot write " + file +
+    throw wrong_usage("cannot write " + file +
                       ": STL knows points only, the cut would be closed again");
 }
 
@@ -183,27 +182,13 @@ void export_graph(const std::string& file, const Reeb_answer& answer) {
 }
 
 void export_coloured_mesh(const std::string& file, const Mesh& mesh, const Reeb_answer& answer) {
-  Text_writer out(file);
-  out << "ply\nformat ascii 1.0\ncomment parts of a Reeb graph\nelement vertex "
-      << mesh.number_of_vertices()
-      << "\nproperty double x\nproperty double y\nproperty double z\n"
-         "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int arc\n"
-         "element face "
-      << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const std::size_t arc = answer.vertex_arc[v.idx()];
-    const bool is_isolated = arc == Reeb_answer::no_arc;
-    const auto [red, green, blue] = colour_of_arc(is_isolated ? 0 : arc);
-    out << mesh.point(v) << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << ' '
-        << (is_isolated ? -1ll : static_cast<long long>(arc)) << '\n';
-  }
-  for(const Mesh::Face_index f : mesh.faces()) {
-    out << '3';
-    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      out << ' ' << v.idx();
-    out << '\n';
-  }
-  out.finish();
+  Vertex_properties properties = colour_properties(answer.vertex_arc.size(), [&](std::size_t v) {
+    return colour_of_arc(answer.vertex_arc[v] == Reeb_answer::no_arc ? 0 : answer.vertex_arc[v]);
+  });
+  std::vector<double>& arcs = properties.emplace_back(Vertex_property{"arc", "int", {}}).values;
+  for(const std::size_t arc : answer.vertex_arc)
+    arcs.push_back(arc == Reeb_answer::no_arc ? -1. : static_cast<double>(arc));
+  write_mesh(file, mesh, properties, "parts of a Reeb graph");
 }
 
 } // namespace htloops

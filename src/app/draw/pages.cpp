@@ -13,25 +13,24 @@
 #include "words.h"
 #include "write/files.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <filesystem>
 
 namespace htloops {
 namespace {
 
-using CGAL::Loop_type;
-
 // The extents of a box are told in fewer letters than where there is room.
 std::vector<std::string> narrow_cells_of(const Listed_pair& pair) {
   std::vector<std::string> cells = cells_of(pair);
-  for(std::size_t at; (at = cells.back().find(" x ")) != std::string::npos;)
-    cells.back().replace(at, 3, "\u00d7");
+  boost::algorithm::replace_all(cells.back(), " x ", "\u00d7");
   return cells;
 }
 
 /// adds the sorts of lines that handle loops and tunnel loops are, which come first.
 void add_groups_of_loops(htl_window::Scene& scene) {
-  scene.groups = {{"handle loops", colour_of(CGAL::Loop_type::HANDLE)},
-                  {"tunnel loops", colour_of(CGAL::Loop_type::TUNNEL)}};
+  scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(Loop_type::TUNNEL)}};
 }
 
 // adds a line of a group, told of in a row.
@@ -105,23 +104,15 @@ void add_arcs(htl_window::Scene& scene,
     add_line(scene, answer.graph[e].polyline, false, 0, row_of[answer.graph[e].index]);
 }
 
-using CGAL::Handle_tunnel_loops::Refused_handle;
-using CGAL::Handle_tunnel_loops::Removal_report;
-using CGAL::Handle_tunnel_loops::Removed_handle;
-
-void add_row(htl_window::Table& table, std::vector<std::string> cells, double length) {
-  table.rows.push_back(std::move(cells));
-  table.lengths.push_back(length);
-}
-
 void add_row(htl_window::Table& table, const std::string& name, const Removed_handle& handle) {
-  add_row(table, cells_of(handle, name), handle.length);
+  table.rows.push_back(cells_of(handle, name));
   table.rows.back().emplace_back();
+  table.lengths.push_back(handle.length);
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Refused_handle& handle) {
-  add_row(table, {name, "refused", formatted("%.6g", handle.length), "", "", handle.reason},
-          handle.length);
+  table.rows.push_back({name, "refused", formatted("%.6g", handle.length), "", "", handle.reason});
+  table.lengths.push_back(handle.length);
 }
 
 template <typename Handle>

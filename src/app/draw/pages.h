@@ -18,8 +18,6 @@
 #include "write/pair_listing.h"
 #include "write/tables.h"
 
-#include <CGAL/Handle_tunnel_loops/Removal_report.h>
-
 #include <string>
 #include <vector>
 
@@ -54,12 +52,12 @@ struct Removal_shown
   const std::string& mesh_file;
   const Mesh& before;
   const Pairs& pairs;
-  const CGAL::Handle_tunnel_loops::Removal_report& report;
+  const Removal_report& report;
   const Mesh& after;
 };
 
 /// the pairs of the handles that were to be removed, refused ones among them.
-Pairs pairs_to_remove(const Pairs& pairs, const CGAL::Handle_tunnel_loops::Removal_report& report);
+Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report);
 
 /// writes a page in which both meshes can be turned, with the loops of these pairs and what became
 /// of each.

@@ -69,7 +69,7 @@ void check_picture_size(const Picture_options& options) {
     htl_picture::check_size(static_cast<std::size_t>(options.size[0]),
                             static_cast<std::size_t>(options.size[1]));
   } catch(const std::runtime_error& error) {
-    throw Failure(Exit_code::WRONG_USAGE, std::string("--size: ") + error.what());
+    throw wrong_usage(std::string("--size: ") + error.what());
   }
 }
 
@@ -97,7 +97,7 @@ void export_picture(const Picture_options& options,
     content = htl_picture::encode_picture(surface.points, surface.triangles, surface.colours,
                                           tubes_along(lines, options.has_labels), picture);
   } catch(const std::runtime_error& error) {
-    throw Failure(Exit_code::WRONG_USAGE, "--picture " + file + ": " + error.what());
+    throw wrong_usage("--picture " + file + ": " + error.what());
   }
   // The file is begun when the picture is there, which takes its time, and never by libpng, which
   // would remove what it cannot write to.

@@ -9,27 +9,12 @@
 
 #include "draw/surfaces.h"
 
-#include <iterator>
+#include <algorithm>
 
 namespace htloops {
-namespace {
-
-template <typename Iterator> std::vector<Vector> all_coordinates(Iterator begin, Iterator end) {
-  std::vector<Vector> result;
-  result.reserve(static_cast<std::size_t>(std::distance(begin, end)));
-  for(; begin != end; ++begin)
-    result.push_back(coordinates(*begin));
-  return result;
-}
-
-} // namespace
-
-std::vector<std::array<double, 3>> coordinates(const std::vector<Point>& points) {
-  return all_coordinates(points.begin(), points.end());
-}
 
 Drawn_surface drawn_surface(const Mesh& mesh) {
-  Drawn_surface surface{all_coordinates(mesh.points().begin(), mesh.points().end()), {}, {}};
+  Drawn_surface surface{coordinates(mesh.points()), {}, {}};
   surface.triangles.reserve(mesh.number_of_faces());
   for(const Mesh::Face_index f : mesh.faces()) {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
@@ -39,10 +24,13 @@ Drawn_surface drawn_surface(const Mesh& mesh) {
   return surface;
 }
 
-Level_cutter::Level_cutter(const Mesh& mesh, const std::vector<double>& values)
-    : mesh_(mesh)
-    , values_(values)
-    , points_(all_coordinates(mesh.points().begin(), mesh.points().end())) {}
+void Level_cutter::add_polygon(const Polygon& polygon, std::size_t arc, bool is_turned) {
+  for(std::size_t i = 2; i < polygon.size(); ++i) {
+    const std::uint32_t a = polygon[i - 1], b = polygon[i];
+    surface_.triangles.push_back({polygon[0], is_turned ? b : a, is_turned ? a : b});
+    surface_.triangle_arcs.push_back(static_cast<std::uint32_t>(arc));
+  }
+}
 
 Level_cutter::Corners Level_cutter::corners_of(Mesh::Face_index f) const {
   const Mesh::Halfedge_index h = mesh_.halfedge(f);
@@ -77,11 +65,11 @@ Level_cutter::Polygon Level_cutter::polygon(const Corners& corners, double low, 
 }
 
 std::uint32_t Level_cutter::point_at(Vertex low, Vertex high, double level) {
-  const auto next = static_cast<std::uint32_t>(points_.size());
+  const auto next = static_cast<std::uint32_t>(surface_.points.size());
   const auto [position, is_new] = cuts_.try_emplace({low, high, level}, next);
   if(is_new) {
     const double ratio = (level - value(low)) / (value(high) - value(low));
-    points_.push_back(
+    surface_.points.push_back(
         coordinates(mesh_.point(low) + ratio * (mesh_.point(high) - mesh_.point(low))));
   }
   return position->second;
@@ -91,34 +79,26 @@ std::uint32_t Level_cutter::add_middle(Mesh::Face_index f) {
   const Mesh::Halfedge_index h = mesh_.halfedge(f);
   const Point& p = mesh_.point(mesh_.source(h));
   const auto to = [&](Vertex v) { return mesh_.point(v) - p; };
-  points_.push_back(coordinates(p + (to(mesh_.target(h)) + to(mesh_.target(mesh_.next(h)))) / 3.));
-  return static_cast<std::uint32_t>(points_.size() - 1);
+  surface_.points.push_back(
+      coordinates(p + (to(mesh_.target(h)) + to(mesh_.target(mesh_.next(h)))) / 3.));
+  return static_cast<std::uint32_t>(surface_.points.size() - 1);
 }
 
 namespace internal = CGAL::Handle_tunnel_loops::internal;
 
 Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer) {
-  Arc_surface result;
   const internal::Vertices_on_arcs vertices(mesh, get(boost::vertex_index, mesh),
                                             map_of_vertices(mesh, answer.vertex_arc),
                                             map_of_vertices(mesh, answer.values));
   internal::Face_arcs arcs(vertices, answer.graph);
-  Level_cutter cutter(mesh, answer.values);
-  const auto add = [&](const Level_cutter::Triangle& triangle, std::size_t arc) {
-    result.triangles.push_back(triangle);
-    result.triangle_arcs.push_back(static_cast<std::uint32_t>(arc));
-  };
-  for(const Mesh::Face_index f : mesh.faces())
-    cutter.cut(f, arcs, add);
-  result.points = cutter.take_points();
-  return result;
+  return Level_cutter(mesh, answer.values).cut(arcs);
 }
 
-Drawn_surface drawn_surface(const Arc_surface& surface) {
+Drawn_surface drawn_surface(const Arc_surface& surface, Colour (*colour_of_part)(std::size_t)) {
   Drawn_surface drawn{surface.points, surface.triangles, {}};
   drawn.colours.reserve(drawn.triangles.size());
   for(const std::uint32_t arc : surface.triangle_arcs)
-    drawn.colours.push_back(colour_of_arc(arc));
+    drawn.colours.push_back(colour_of_part(arc));
   return drawn;
 }
 

@@ -21,11 +21,10 @@ namespace {
 class Placement
 {
 public:
-  explicit Placement(const std::vector<Vector>& points) {
-    for(const Vector& p : points)
-      box_.add(p);
+  explicit Placement(const std::vector<Vector>& points)
+      : box_(box_of(points)) {
     for(int i = 0; i < 3; ++i) // an extent may be larger than the largest number
-      half_ = (std::max)(half_, box_.high[i] / 2. - box_.low[i] / 2.);
+      half_ = (std::max)(half_, box_.max(i) / 2. - box_.min(i) / 2.);
   }
 
   bool is_point() const { return !(half_ > 0.); }
@@ -33,12 +32,12 @@ public:
   Vector operator()(const Vector& p) const {
     Vector q;
     for(int i = 0; i < 3; ++i)
-      q[i] = p[i] / half_ - (box_.low[i] / 2. + box_.high[i] / 2.) / half_;
+      q[i] = p[i] / half_ - (box_.min(i) / 2. + box_.max(i) / 2.) / half_;
     return q;
   }
 
 private:
-  Bounds box_;
+  CGAL::Bbox_3 box_;
   double half_ = 0.;
 };
 
@@ -195,7 +194,7 @@ Vector best_direction(const Drawn_surface& surface,
 } // namespace
 
 void choose(View& view, const Pair& pair) {
-  for(const CGAL::Loop_type type : loop_types)
+  for(const Loop_type type : loop_types)
     view.chosen.push_back(coordinates(pair.loop(type).points()));
 }
 

@@ -53,9 +53,7 @@ class Flaps
 {
 public:
   Flaps(const std::vector<Group>& groups, const Edge_table& edges)
-      : groups_(groups)
-      , joined_(groups.size())
-      , votes_(groups.size(), 0) {
+      : groups_(groups) {
     for(std::uint32_t i = 0; i < groups.size(); ++i)
       for(const std::uint32_t f : groups[i].faces)
         group_of_face_[f] = i;
@@ -95,10 +93,11 @@ private:
   }
 
   const std::vector<Group>& groups_;
-  boost::disjoint_sets_with_storage<> joined_;
+  boost::disjoint_sets_with_storage<> joined_{groups_.size()};
   std::unordered_map<std::uint32_t, std::uint32_t> group_of_face_;
   std::vector<std::pair<std::uint32_t, int>> votes_of_groups_;
-  std::vector<long long> votes_; // of the groups that stand for joined ones
+  // Of the groups that stand for joined ones.
+  std::vector<long long> votes_ = std::vector<long long>(groups_.size());
 };
 
 bool repeats_corner(const Corners& corners) {
@@ -120,13 +119,6 @@ bool has_degenerate_faces(const Soup& soup) {
   for_each_polygon(
       soup, [&](std::size_t, const Corners& corners) { has_any |= repeats_corner(corners); });
   return has_any;
-}
-
-Corners without_repetitions(Corners corners) {
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  while(corners.size() > 1 && corners.front() == corners.back())
-    corners.pop_back();
-  return corners;
 }
 
 // What becomes of triangles with the same three vertices as another one, where edges have too many
@@ -158,24 +150,16 @@ std::vector<Fate> fates_of_faces(const Soup& soup) {
 void drop_degenerate_faces(Mended_soup& mended) {
   if(!has_degenerate_faces(mended.soup))
     return;
-  Soup kept;
-  std::vector<std::uint32_t> face_in_file;
   Finding dropped, shortened;
-  for_each_polygon(mended.soup, [&](std::size_t f, const Corners& corners) {
-    const auto name = [&] { return name_of_face(mended.face_in_file[f]); };
+  replace_faces(mended, [&](std::size_t f, const Corners& corners, Soup& kept) {
     const Corners rest = without_repetitions(corners);
-    if(rest.size() < 3) {
-      dropped.add(name);
-      return;
-    }
-    if(rest.size() < corners.size())
-      shortened.add(name);
-    add_face(kept, rest);
-    face_in_file.push_back(mended.face_in_file[f]);
+    if(rest.size() < 3 || rest.size() < corners.size())
+      (rest.size() < 3 ? dropped : shortened).add([&] {
+        return name_of_face(mended.face_in_file[f]);
+      });
+    if(rest.size() >= 3)
+      add_face(kept, rest);
   });
-  kept.points = std::move(mended.soup.points);
-  mended.soup = std::move(kept);
-  mended.face_in_file = std::move(face_in_file);
   report(mended, dropped, "degenerate face dropped", "degenerate faces dropped");
   report(mended, shortened, "face relieved of corners that repeat a vertex",
          "faces relieved of corners that repeat a vertex");

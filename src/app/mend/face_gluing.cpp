@@ -9,8 +9,8 @@
 
 #include "mend/steps.h"
 
+#include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace htloops {
@@ -139,8 +139,8 @@ public:
 
   std::vector<std::array<std::uint32_t, 2>> pairs() {
     partner_.assign(wings_.size(), no_partner);
-    for(const std::vector<std::uint32_t>& group : groups_of_pieces())
-      match(group);
+    for(const auto& size_and_group : groups_of_pieces())
+      match(size_and_group.second);
     std::vector<std::uint32_t> rest;
     for(std::uint32_t i = 0; i < wings_.size(); ++i)
       if(partner_[i] == no_partner)
@@ -154,6 +154,9 @@ public:
   }
 
 private:
+  // By the sizes of the pieces, which are negative here, and by their numbers.
+  using Groups = std::map<std::pair<long long, std::uint32_t>, std::vector<std::uint32_t>>;
+
   bool is_flat(const Wing& wing) const { return CGAL::collinear(bottom_, top_, wing.tip); }
 
   // 0: beside the first wing, 1: less than half a turn from it, 2: opposite, 3: more, 4: nowhere,
@@ -196,21 +199,11 @@ private:
   }
 
   // Positions of wings around the edge: those of the largest piece, of the next one, ...
-  std::vector<std::vector<std::uint32_t>> groups_of_pieces() const {
-    std::vector<std::uint32_t> order;
-    for(std::uint32_t i = 0; i < wings_.size(); ++i)
-      order.push_back(i);
-    const auto key = [this](std::uint32_t i) {
+  Groups groups_of_pieces() const {
+    Groups groups;
+    for(std::uint32_t i = 0; i < wings_.size(); ++i) {
       const Wing& wing = wings_[i];
-      return std::make_tuple(-static_cast<long long>(wing.size_of_piece), wing.piece);
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
-    std::vector<std::vector<std::uint32_t>> groups;
-    for(const std::uint32_t i : order) {
-      if(groups.empty() || wings_[groups.back().front()].piece != wings_[i].piece)
-        groups.emplace_back();
-      groups.back().push_back(i);
+      groups[{-static_cast<long long>(wing.size_of_piece), wing.piece}].push_back(i);
     }
     return groups;
   }
@@ -242,11 +235,7 @@ class Gluer
 {
 public:
   explicit Gluer(Mended_soup& mended)
-      : mended_(mended)
-      , soup_(mended.soup)
-      , edges_(mended.soup)
-      , pieces_(mended.soup.faces.size())
-      , neighbors_(3 * mended.soup.faces.size(), no_halfedge) {}
+      : mended_(mended) {}
 
   std::optional<Neighbors> run() {
     if(!glue_at_sound_edges() || !glue_at_crowded_edges())
@@ -286,10 +275,7 @@ private:
         is_turned = pieces_.turned_faces();
       const auto found = Edge_star(soup_, edge, pieces_, is_turned).pairs();
       pairs.insert(pairs.end(), found.begin(), found.end());
-      counter.add([&] {
-        return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]) +
-               " with " + std::to_string(edge.size()) + " faces";
-      });
+      counter.add([&] { return edge.name_with_faces(); });
     });
     bool is_orientable = true;
     for(const auto& [h, g] : pairs)
@@ -322,10 +308,10 @@ private:
   }
 
   Mended_soup& mended_;
-  Soup& soup_;
-  const Edge_table edges_;
-  Face_pieces pieces_;
-  Neighbors neighbors_;
+  Soup& soup_ = mended_.soup;
+  const Edge_table edges_{soup_};
+  Face_pieces pieces_{soup_.faces.size()};
+  Neighbors neighbors_ = Neighbors(3 * soup_.faces.size(), no_halfedge);
 };
 
 } // namespace

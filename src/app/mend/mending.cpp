@@ -21,9 +21,9 @@ namespace {
 
 // Nothing exact can be said of points that are nowhere, and halfedges have numbers of 32 bits.
 bool can_be_mended(const Soup& soup) {
-  constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
-  return 3 * (soup.faces.size() + soup.further_corners.size()) <= largest_number_of_halfedges &&
-         soup.points.size() <= largest_number_of_halfedges &&
+  return 3 * (soup.faces.size() + soup.further_corners.size()) <=
+             Soup::largest_number_of_halfedges &&
+         soup.points.size() <= Soup::largest_number_of_halfedges &&
          std::all_of(soup.points.begin(), soup.points.end(), is_finite);
 }
 

@@ -146,8 +146,7 @@ class Welder
 {
 public:
   explicit Welder(Mended_soup& mended)
-      : mended_(mended)
-      , soup_(mended.soup) {}
+      : mended_(mended) {}
 
   void run() {
     const std::vector<Counted_edge> edges = edges_of(soup_);
@@ -214,7 +213,7 @@ private:
   }
 
   Mended_soup& mended_;
-  Soup& soup_;
+  Soup& soup_ = mended_.soup;
   std::vector<std::uint32_t> places_; // of points: equal ones have the same number
   std::size_t number_of_places_ = 0;
   std::vector<bool> is_welded_;

@@ -25,6 +25,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace htloops {
@@ -77,6 +78,21 @@ inline void add_face(Soup& soup, const Corners& corners) {
   face.resize(corners.size());
   for(std::size_t i = 0; i < corners.size(); ++i)
     soup.set_corner(face, i, corners[i]);
+}
+
+/// makes a soup of the faces that `replace(number of the face, corners, soup)` adds to it in place
+/// of each.
+template <typename Replace> void replace_faces(Mended_soup& mended, Replace replace) {
+  Soup soup;
+  std::vector<std::uint32_t> face_in_file;
+  soup.faces.reserve(mended.soup.faces.size() + mended.soup.further_corners.size());
+  for_each_polygon(mended.soup, [&](std::size_t f, const Corners& corners) {
+    replace(f, corners, soup);
+    face_in_file.resize(soup.faces.size(), mended.face_in_file[f]);
+  });
+  soup.points = std::move(mended.soup.points);
+  mended.soup = std::move(soup);
+  mended.face_in_file = std::move(face_in_file);
 }
 
 /// one number for an edge, whatever its direction; the smaller vertex counts first.

@@ -213,15 +213,11 @@ class Triangulator
 {
 public:
   explicit Triangulator(Mended_soup& mended)
-      : mended_(mended)
-      , edges_(edges_of_polygons(mended.soup)) {}
+      : mended_(mended) {}
 
   void run() {
-    Soup soup;
-    std::vector<std::uint32_t> face_in_file;
-    soup.faces.reserve(mended_.soup.faces.size() + mended_.soup.further_corners.size());
     Finding counter;
-    for_each_polygon(mended_.soup, [&](std::size_t f, const Corners& corners) {
+    replace_faces(mended_, [&](std::size_t f, const Corners& corners, Soup& soup) {
       if(corners.size() <= 3) {
         add_face(soup, corners);
       } else {
@@ -229,11 +225,7 @@ public:
         for(const auto& [u, v, w] : triangles_of(corners))
           add_face(soup, {u, v, w});
       }
-      face_in_file.resize(soup.faces.size(), mended_.face_in_file[f]);
     });
-    soup.points = std::move(mended_.soup.points);
-    mended_.soup = std::move(soup);
-    mended_.face_in_file = std::move(face_in_file);
     keep_diagonals();
     report(mended_, counter, "face of more than three vertices made triangles",
            "faces of more than three vertices made triangles");
@@ -291,7 +283,7 @@ private:
   }
 
   Mended_soup& mended_;
-  std::vector<std::uint64_t> edges_; // sorted
+  const std::vector<std::uint64_t> edges_ = edges_of_polygons(mended_.soup); // sorted
   std::unordered_set<std::uint64_t> diagonals_;
   std::map<Corners, Triangles> cut_already_; // of polygons with an edge of too many faces
 };

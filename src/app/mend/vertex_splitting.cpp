@@ -24,9 +24,7 @@ class Splitter
 public:
   Splitter(Mended_soup& mended, const Neighbors& neighbors)
       : mended_(mended)
-      , neighbors_(neighbors)
-      , is_seen_(neighbors.size(), false)
-      , number_of_fans_(mended.soup.points.size(), 0) {}
+      , neighbors_(neighbors) {}
 
   void run() {
     const auto number_of_vertices = static_cast<std::uint32_t>(number_of_fans_.size());
@@ -73,8 +71,9 @@ private:
 
   Mended_soup& mended_;
   const Neighbors& neighbors_;
-  std::vector<bool> is_seen_;
-  std::vector<std::uint32_t> number_of_fans_;
+  std::vector<bool> is_seen_ = std::vector<bool>(neighbors_.size());
+  std::vector<std::uint32_t> number_of_fans_ =
+      std::vector<std::uint32_t>(mended_.soup.points.size());
 };
 
 // Their sum may be beyond all numbers.
@@ -87,7 +86,6 @@ class Divider
 public:
   Divider(Mended_soup& mended, Neighbors& neighbors)
       : mended_(mended)
-      , soup_(mended.soup)
       , neighbors_(neighbors) {}
 
   void run() {
@@ -97,8 +95,8 @@ public:
       for(auto moved = moved_.find(h); moved != moved_.end(); moved = moved_.find(h))
         h = moved->second;
       counter.add([&] {
-        return "edge " + std::to_string(mended_.in_file(soup_.source(h))) + "-" +
-               std::to_string(mended_.in_file(soup_.source(next_in_triangle(h))));
+        return name_of_edge(mended_.in_file(soup_.source(h)),
+                            mended_.in_file(soup_.source(next_in_triangle(h))));
       });
       divide(h);
     }
@@ -158,7 +156,7 @@ private:
   }
 
   Mended_soup& mended_;
-  Soup& soup_;
+  Soup& soup_ = mended_.soup;
   Neighbors& neighbors_;
   std::unordered_map<std::uint32_t, std::uint32_t> moved_;
 };

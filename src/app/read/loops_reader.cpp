@@ -29,103 +29,92 @@ const char known_format[] = "htloops/1";
 
 // A value in a document that knows, for messages, where it stands: which member or element it is,
 // and of what. The outer node must live as long as the inner one.
-class Node
+struct Node
 {
-public:
-  explicit Node(const Json& document)
-      : value_(document) {}
+  static constexpr std::size_t no_index = static_cast<std::size_t>(-1);
 
-  bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
+  const Json& value;
+  const Node* outer = nullptr;
+  const char* name = "";
+  std::size_t index = no_index;
+
+  bool has(const char* key) const { return value.is_object() && value.contains(key); }
 
   Node member(const char* key) const {
-    if(!value_.is_object())
+    if(!value.is_object())
       fail("is not an object");
-    const auto found = value_.find(key);
-    if(found == value_.end())
+    const auto found = value.find(key);
+    if(found == value.end())
       fail("has no member '" + std::string(key) + "'");
-    return Node(*found, this, key, no_index);
+    return {*found, this, key};
   }
 
-  // calls visit(node) for each element; `name` is what an element is called.
-  template <typename Visit> void for_each(const char* name, Visit visit) const {
-    if(!value_.is_array())
+  // calls visit(node) for each element; `what` is what an element is called.
+  template <typename Visit> void for_each(const char* what, Visit visit) const {
+    if(!value.is_array())
       fail("is not an array");
-    std::size_t index = 0;
-    for(const Json& element : value_)
-      visit(Node(element, this, name, index++));
+    std::size_t position = 0;
+    for(const Json& element : value)
+      visit(Node{element, this, what, position++});
   }
 
   std::array<double, 3> point() const {
     check_is_triple();
-    return {number(value_[0]), number(value_[1]), number(value_[2])};
+    return {number(value[0]), number(value[1]), number(value[2])};
   }
 
   Location_record location() const {
     check_is_triple();
-    return {integer(value_[0]), integer(value_[1]), number(value_[2])};
+    return {integer(value[0]), integer(value[1]), number(value[2])};
   }
 
   std::size_t count() const {
-    if(!value_.is_number_unsigned())
+    if(!value.is_number_unsigned())
       fail("is not a count");
-    return value_.get<std::size_t>();
+    return value.get<std::size_t>();
   }
 
-  double number() const { return number(value_); }
+  double number() const { return number(value); }
 
-  bool is(const char* text) const { return value_.is_string() && value_ == text; }
+  bool is(const char* text) const { return value.is_string() && value == text; }
 
-  std::size_t size() const { return value_.size(); }
+  std::size_t size() const { return value.size(); }
 
   [[noreturn]] void fail(const std::string& problem) const {
     throw Failure(Exit_code::UNREADABLE_FILE, place() + " " + problem);
   }
 
 private:
-  static constexpr std::size_t no_index = static_cast<std::size_t>(-1);
-
-  Node(const Json& value, const Node* outer, const char* name, std::size_t index)
-      : value_(value)
-      , outer_(outer)
-      , name_(name)
-      , index_(index) {}
-
   std::string place() const {
-    if(outer_ == nullptr)
+    if(outer == nullptr)
       return "the document";
     const std::string own =
-        index_ == no_index ? name_ : std::string(name_) + " " + std::to_string(index_);
-    return outer_->outer_ == nullptr ? own : outer_->place() + ", " + own;
+        index == no_index ? name : std::string(name) + " " + std::to_string(index);
+    return outer->outer == nullptr ? own : outer->place() + ", " + own;
   }
 
   void check_is_triple() const {
-    if(!value_.is_array() || value_.size() != 3)
+    if(!value.is_array() || value.size() != 3)
       fail("is not an array of three numbers");
   }
 
-  long long integer(const Json& value) const {
-    if(!value.is_number_integer())
+  long long integer(const Json& x) const {
+    if(!x.is_number_integer())
       fail("has a vertex index that is not an integer");
     // An index that is too large for its type is out of range anyway.
     constexpr auto largest = (std::numeric_limits<long long>::max)();
-    return value.is_number_unsigned() && value.get<unsigned long long>() > largest
-               ? largest
-               : value.get<long long>();
+    return x.is_number_unsigned() && x.get<unsigned long long>() > largest ? largest
+                                                                           : x.get<long long>();
   }
 
   // JSON has no infinity; null stands for it.
-  double number(const Json& value) const {
-    if(value.is_null())
+  double number(const Json& x) const {
+    if(x.is_null())
       return std::numeric_limits<double>::infinity();
-    if(!value.is_number())
-      fail(&value == &value_ ? "is not a number" : "has something that is not a number");
-    return value.get<double>();
+    if(!x.is_number())
+      fail(&x == &value ? "is not a number" : "has something that is not a number");
+    return x.get<double>();
   }
-
-  const Json& value_;
-  const Node* outer_ = nullptr;
-  const char* name_ = "";
-  std::size_t index_ = no_index;
 };
 
 Loop_record read_loop(const Node& node) {
@@ -141,8 +130,7 @@ Loop_record read_loop(const Node& node) {
 }
 
 // Files of before there were two kinds do not say.
-CGAL::Handle_tunnel_loops::Basis_kind basis_kind(const Node& document) {
-  using CGAL::Handle_tunnel_loops::Basis_kind;
+Basis_kind basis_kind(const Node& document) {
   if(!document.has("basis"))
     return Basis_kind::PURE;
   const Node basis = document.member("basis");
@@ -192,21 +180,21 @@ public:
       return std::move(result_);
     measure_mesh();
     for(std::size_t i = 0; i < record_.pairs.size(); ++i) {
-      const auto bind_one_of_pair = [&](CGAL::Loop_type type) {
+      const auto bind_one_of_pair = [&](Loop_type type) {
         place_ = "pair " + std::to_string(i) + ", " + name_of(type);
         return bind_loop(record_.pairs[i].loop(type), type, i);
       };
-      Loop handle = bind_one_of_pair(CGAL::Loop_type::HANDLE);
-      Loop tunnel = bind_one_of_pair(CGAL::Loop_type::TUNNEL);
+      Loop handle = bind_one_of_pair(Loop_type::HANDLE);
+      Loop tunnel = bind_one_of_pair(Loop_type::TUNNEL);
       result_.pairs.emplace_back(std::move(handle), std::move(tunnel));
     }
     for(std::size_t i = 0; i < record_.boundaries.size(); ++i) {
       const Boundary_record& boundary = record_.boundaries[i];
       place_ = "boundary " + std::to_string(i);
-      result_.curves.push_back(bind_loop(boundary.curve, CGAL::Loop_type::BOUNDARY, i));
+      result_.curves.push_back(bind_loop(boundary.curve, Loop_type::BOUNDARY, i));
       place_ += ", waist";
       if(boundary.waist)
-        result_.waists.push_back(bind_loop(*boundary.waist, CGAL::Loop_type::BOUNDARY, i));
+        result_.waists.push_back(bind_loop(*boundary.waist, Loop_type::BOUNDARY, i));
     }
     return std::move(result_);
   }
@@ -233,7 +221,7 @@ private:
     tolerance_ = relative_tolerance * largest + 8. * std::numeric_limits<double>::denorm_min();
   }
 
-  Loop bind_loop(const Loop_record& record, CGAL::Loop_type type, std::size_t number) {
+  Loop bind_loop(const Loop_record& record, Loop_type type, std::size_t number) {
     if(record.locations.size() != record.points.size())
       add_problem(place_ + ": " + std::to_string(record.locations.size()) + " locations, but " +
                   std::to_string(record.points.size()) + " points");
@@ -329,7 +317,7 @@ private:
 Loops_record read_loops_json(const Input_file& file) {
   try {
     const Json document = Json::parse(file.content());
-    return read_document(Node(document));
+    return read_document(Node{document});
   } catch(const Json::exception& exception) {
     throw Failure(Exit_code::UNREADABLE_FILE, file.name() + " is not JSON: " + exception.what());
   } catch(const Failure& failure) {

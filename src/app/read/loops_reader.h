@@ -13,8 +13,6 @@
 #include "mesh_types.h"
 #include "read/input_file.h"
 
-#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
-
 #include <array>
 #include <cstddef>
 #include <string>
@@ -40,8 +38,8 @@ struct Pair_record
 {
   Loop_record handle, tunnel;
 
-  const Loop_record& loop(CGAL::Loop_type type) const {
-    return type == CGAL::Loop_type::HANDLE ? handle : tunnel;
+  const Loop_record& loop(Loop_type type) const {
+    return type == Loop_type::HANDLE ? handle : tunnel;
   }
 };
 
@@ -57,7 +55,7 @@ struct Loops_record
 {
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
-  CGAL::Handle_tunnel_loops::Basis_kind basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::PURE;
+  Basis_kind basis_kind = Basis_kind::PURE;
   std::vector<Pair_record> pairs;
   bool has_boundaries = false; ///< older files do not say
   std::vector<Boundary_record> boundaries;
@@ -70,11 +68,11 @@ Loops_record read_loops_json(const Input_file& file);
 /// Loops from a file as loops on a mesh, as far as they are ones.
 struct Bound_loops
 {
-  CGAL::Handle_tunnel_loops::Basis_kind basis_kind; ///< what they are meant to be
-  Pairs pairs;                                      ///< complete only if there is no problem
-  bool has_boundaries = false;                      ///< whether the file tells of them
-  std::vector<Loop> curves, waists;                 ///< of the boundary
-  std::vector<std::string> problems;                ///< in words, naming pair, kind and position
+  Basis_kind basis_kind;             ///< what they are meant to be
+  Pairs pairs;                       ///< complete only if there is no problem
+  bool has_boundaries = false;       ///< whether the file tells of them
+  std::vector<Loop> curves, waists;  ///< of the boundary
+  std::vector<std::string> problems; ///< in words, naming pair, kind and position
 };
 
 /// finds the places that a file names on the mesh. A problem is an index or a ratio out of range,

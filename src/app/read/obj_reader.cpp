@@ -61,8 +61,7 @@ class Obj_parser
 public:
   Obj_parser(const std::string& file, const std::string& text)
       : file_(file)
-      , text_(file, text)
-      , furthest_(text_) {}
+      , text_(file, text) {}
 
   Soup parse() {
     while(text_.skip_to_content())
@@ -135,7 +134,7 @@ private:
   // end.
   long long furthest_vertex_ = 0;
   std::size_t furthest_face_ = 0;
-  Text_source furthest_;
+  Text_source furthest_ = text_;
 };
 
 } // namespace

@@ -72,8 +72,7 @@ class Off_parser
 public:
   Off_parser(const std::string& file, std::string_view text)
       : size_of_text_(text.size())
-      , text_(file, text)
-      , header_(read_off_header(text_)) {}
+      , text_(file, text) {}
 
   Soup parse() {
     read_points();
@@ -83,11 +82,7 @@ public:
   }
 
 private:
-  // No more than what the text has room for, whatever its header says.
-  template <typename Elements> void reserve(Elements& elements, std::size_t announced) const {
-    constexpr std::size_t shortest_element = 6;
-    elements.reserve((std::min)(announced, size_of_text_ / shortest_element));
-  }
+  static constexpr std::size_t shortest_element = 6;
 
   template <typename Number> bool read(Number& number) {
     if(header_.is_free_form)
@@ -102,7 +97,7 @@ private:
 
   void read_points() {
     const std::size_t count = header_.number_of_points;
-    reserve(soup_.points, count);
+    soup_.points.reserve((std::min)(count, size_of_text_ / shortest_element));
     for(std::size_t i = 0; i < count; ++i) {
       if(!text_.skip_to_content())
         fail_at_end("vertices", i, count);
@@ -118,7 +113,7 @@ private:
 
   void read_faces() {
     const std::size_t count = header_.number_of_faces;
-    reserve(soup_.faces, count);
+    soup_.faces.reserve((std::min)(count, size_of_text_ / shortest_element));
     for(std::size_t i = 0; i < count; ++i) {
       if(!text_.skip_to_content())
         fail_at_end("faces", i, count);
@@ -152,9 +147,9 @@ private:
                           " " + what);
   }
 
-  const std::size_t size_of_text_;
+  const std::size_t size_of_text_; // there is no room for more, whatever the header says
   Text_source text_;
-  const Off_header header_;
+  const Off_header header_ = read_off_header(text_);
   Soup soup_;
 };
 

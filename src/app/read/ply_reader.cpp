@@ -114,15 +114,10 @@ std::size_t number_of_vertices(const Ply_header& header) {
 class Ply_parser
 {
 public:
-  Ply_parser(const std::string& file,
-             std::size_t size,
-             const Ply_header& header,
-             const Ply_numbers& numbers)
+  Ply_parser(const std::string& file, std::string_view content)
       : file_(file)
-      , size_(size)
-      , header_(header)
-      , numbers_(numbers)
-      , number_of_points_(number_of_vertices(header)) {}
+      , content_(content)
+      , text_(file, content) {}
 
   Soup parse() {
     for(const Ply_element& element : header_.elements) {
@@ -142,11 +137,7 @@ public:
   }
 
 private:
-  // No more than what the file has room for, whatever its header says.
-  template <typename Elements> void reserve(Elements& elements, std::size_t announced) const {
-    constexpr std::size_t smallest_element = 4;
-    elements.reserve((std::min)(announced, size_ / smallest_element));
-  }
+  static constexpr std::size_t smallest_element = 4;
 
   void read_points(const Ply_element& element) {
     std::array<std::size_t, 3> coordinates;
@@ -157,7 +148,7 @@ private:
       if(coordinates[i] == nowhere)
         fail_to_read(file_, "its vertices have no coordinate " + name);
     }
-    reserve(soup_.points, element.count);
+    soup_.points.reserve((std::min)(element.count, content_.size() / smallest_element));
     read_items(element, nowhere, ignore, [&] {
       soup_.points.emplace_back(values_[coordinates[0]], values_[coordinates[1]],
                                 values_[coordinates[2]]);
@@ -166,7 +157,7 @@ private:
 
   void read_faces(const Ply_element& element) {
     const std::size_t corners = vertex_list_of(element);
-    reserve(soup_.faces, element.count);
+    soup_.faces.reserve((std::min)(element.count, content_.size() / smallest_element));
     const auto set_corner = [&](std::size_t i, std::size_t count, double value) {
       if(i == 0)
         face_.resize(count);
@@ -272,10 +263,11 @@ private:
   }
 
   const std::string& file_;
-  const std::size_t size_;
-  const Ply_header& header_;
-  Ply_numbers numbers_;
-  const std::size_t number_of_points_;
+  const std::string_view content_; // there is no room for more, whatever the header says
+  Text_source text_;
+  const Ply_header header_ = read_ply_header(text_);
+  Ply_numbers numbers_{file_, content_, text_, header_.format};
+  const std::size_t number_of_points_ = number_of_vertices(header_);
   Soup soup_;
   std::size_t item_ = 0;
   std::vector<double> values_;
@@ -321,10 +313,7 @@ bool Ply_numbers::read(const Ply_type& type, double& value) {
 }
 
 Soup read_ply(const std::string& file, std::string_view content) {
-  Text_source text(file, content);
-  const Ply_header header = read_ply_header(text);
-  const Ply_numbers numbers(file, content, text, header.format);
-  return Ply_parser(file, content.size(), header, numbers).parse();
+  return Ply_parser(file, content).parse();
 }
 
 } // namespace htloops

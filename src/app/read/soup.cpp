@@ -18,8 +18,6 @@
 namespace htloops {
 namespace {
 
-constexpr std::uint32_t nothing = static_cast<std::uint32_t>(-1);
-
 static_assert(sizeof(Point) == 3 * sizeof(double), "points are compared by their bytes");
 
 bool are_same(const Point& p, const Point& q) { return std::memcmp(&p, &q, sizeof p) == 0; }
@@ -49,9 +47,6 @@ bool is_utf16(std::string_view content) {
 }
 
 } // namespace
-
-Point_merger::Point_merger()
-    : slots_(1024, nothing) {}
 
 std::uint32_t Point_merger::number(const Point& point) {
   if(!is_finite(point)) {

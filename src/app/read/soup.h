@@ -46,6 +46,8 @@ private:
 /// Points and faces as they stand in a file, nothing known about them.
 struct Soup
 {
+  static constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
+
   std::vector<Point> points;
   std::vector<Soup_face> faces;
   /// What faces of more than three vertices have from the fourth on, one face after the other.
@@ -80,6 +82,10 @@ inline std::string name_of_face(std::size_t face) { return "face " + std::to_str
 
 inline std::string name_of_vertex(std::size_t vertex) { return "vertex " + std::to_string(vertex); }
 
+inline std::string name_of_edge(std::size_t u, std::size_t v) {
+  return "edge " + std::to_string(u) + "-" + std::to_string(v);
+}
+
 /// that a face names a vertex, counted from `first`, which is not among those of the file.
 inline std::string
 no_such_vertex(std::size_t face, long long vertex, std::size_t number_of_vertices, int first = 0) {
@@ -113,8 +119,6 @@ private:
 class Point_merger
 {
 public:
-  Point_merger();
-
   /// the number of a point, a new one if it has not come yet. Bits are compared, but for
   /// the two zeros. A point that is nowhere, as a coordinate is infinite or not a number, is at the
   /// place of no other.
@@ -124,11 +128,14 @@ public:
   std::vector<Point> take_points() { return std::move(points_); }
 
 private:
+  static constexpr std::uint32_t nothing = static_cast<std::uint32_t>(-1);
+
   std::size_t slot_of(const Point& point) const;
   void grow();
 
   std::vector<Point> points_;
-  std::vector<std::uint32_t> slots_; // numbers of points; a power of two of them
+  // Numbers of points; a power of two of them.
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(1024, nothing);
 };
 
 } // namespace htloops

@@ -35,10 +35,6 @@ template <typename Visit> void for_each_halfedge(const Soup& soup, Visit visit) 
 using Number_map = boost::typed_identity_property_map<std::uint32_t>;
 using Disjoint_sets = boost::disjoint_sets_with_storage<Number_map, Number_map>;
 
-std::string name_of_edge(const Edge_table::Edge& edge) {
-  return "edge " + std::to_string(edge.vertices[0]) + "-" + std::to_string(edge.vertices[1]);
-}
-
 class Diagnostician
 {
 public:
@@ -75,11 +71,10 @@ private:
   }
 
   void check_size() {
-    constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
     if(soup_.faces.empty())
       defects().push_back({Mesh_defect::EMPTY, 1, "the mesh has no face"});
-    if(3 * soup_.faces.size() > largest_number_of_halfedges ||
-       soup_.points.size() > largest_number_of_halfedges)
+    if(3 * soup_.faces.size() > Soup::largest_number_of_halfedges ||
+       soup_.points.size() > Soup::largest_number_of_halfedges)
       defects().push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^31 halfedges"});
     are_faces_sound_ = defects().empty();
   }
@@ -123,14 +118,13 @@ private:
       const std::uint32_t h = edge.halfedge(0);
       const std::uint32_t g = edge.halfedge(edge.size() - 1);
       if(edge.size() == 1) {
-        boundary.add([&] { return name_of_edge(edge) + " of " + name_of_face(h / 3); });
+        boundary.add([&] { return edge.name() + " of " + name_of_face(h / 3); });
         diagnosis_.edges.push_back({h, Diagnosis::no_halfedge});
       } else if(edge.size() > 2) {
-        crowded.add(
-            [&] { return name_of_edge(edge) + " with " + std::to_string(edge.size()) + " faces"; });
+        crowded.add([&] { return edge.name_with_faces(); });
       } else if(have_same_direction(h, g)) {
         disoriented.add([&] {
-          return name_of_edge(edge) + " between faces " + std::to_string(h / 3) + " and " +
+          return edge.name() + " between faces " + std::to_string(h / 3) + " and " +
                  std::to_string(g / 3);
         });
       } else {

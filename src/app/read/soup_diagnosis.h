@@ -46,6 +46,10 @@ public:
 
     std::size_t size() const { return static_cast<std::size_t>(end - begin); }
     std::uint32_t halfedge(std::size_t i) const { return begin[i].halfedge; }
+    std::string name() const { return name_of_edge(vertices[0], vertices[1]); }
+    std::string name_with_faces() const {
+      return name() + " with " + std::to_string(size()) + " faces";
+    }
   };
 
   /// All faces of the soup must be triangles of three different vertices in range.

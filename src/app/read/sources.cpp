@@ -52,7 +52,6 @@ bool parse(std::string_view word, double& value) {
 Text_source::Text_source(std::string_view file, std::string_view text)
     : file_(file)
     , begin_(text.data())
-    , at_(text.data())
     , end_(text.data() + text.size()) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if(text.substr(0, byte_order_mark.size()) == byte_order_mark)

@@ -68,7 +68,7 @@ private:
 
   std::string_view file_;
   const char* begin_;
-  const char* at_;
+  const char* at_ = begin_;
   const char* end_;
 };
 

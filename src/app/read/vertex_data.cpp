@@ -30,13 +30,9 @@ Vertex_properties read_columns(const Ply_element& vertex, Ply_numbers numbers) {
     columns.push_back({property.name, property.type_name, {}});
   for(std::size_t v = 0; v < vertex.count; ++v) {
     numbers.begin_element();
-    for(std::size_t i = 0; i < columns.size(); ++i) {
-      double value;
-      if(!numbers.read(*vertex.properties[i].type, value))
+    for(std::size_t i = 0; i < columns.size(); ++i)
+      if(!numbers.read(*vertex.properties[i].type, columns[i].values.emplace_back()))
         return {};
-      if(!is_coordinate(columns[i].name))
-        columns[i].values.push_back(value);
-    }
   }
   columns.erase(std::remove_if(columns.begin(), columns.end(),
                                [](const Vertex_property& p) { return is_coordinate(p.name); }),

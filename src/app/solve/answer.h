@@ -23,6 +23,10 @@
 
 namespace htloops {
 
+using CGAL::Handle_tunnel_loops::Certificate;
+using CGAL::Handle_tunnel_loops::Loop_linking;
+using CGAL::Handle_tunnel_loops::Statistics;
+
 /// How the fronts of the first pass came to the vertices: by vertex, the layer, from 1, and the
 /// time in steps. Those that have no faces are in layer 0, and have the time -1. Empty unless asked
 /// for.
@@ -37,12 +41,12 @@ struct Answer
 {
   Pairs pairs;
   Boundaries boundaries;
-  CGAL::Handle_tunnel_loops::Statistics statistics;
+  Statistics statistics;
   Vertex_layers vertex_layers;
   std::string backend;
   int number_of_threads = 1;
   double total_seconds = 0.; ///< without reading and writing
-  CGAL::Handle_tunnel_loops::Certificate certificate;
+  Certificate certificate;
 };
 
 } // namespace htloops

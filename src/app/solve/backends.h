@@ -27,7 +27,7 @@ struct Solve_options : CGAL::Handle_tunnel_loops::Solver_options
 {
   std::optional<Mesh::Vertex_index> seed;
   bool do_find_layers = false; ///< and arrival times
-  CGAL::Handle_tunnel_loops::Basis_kind basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::PURE;
+  Basis_kind basis_kind = Basis_kind::PURE;
   int number_of_threads = 0; ///< 0: as many as the machine has
 };
 

@@ -18,12 +18,11 @@ namespace htloops {
 
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists) {
   using Tag = CGAL::Parallel_if_available_tag;
-  const auto kind = CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST;
   Boundaries boundaries;
   CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.curves));
   if(do_find_waists)
     CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.waists),
-                              CGAL::parameters::basis_kind(kind));
+                              CGAL::parameters::basis_kind(Basis_kind::SHORTEST));
   return boundaries;
 }
 
@@ -32,8 +31,6 @@ std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t nu
   if(number <= 1)
     return component;
   CGAL::Handle_tunnel_loops::internal::Sets_of_indices sets(component.size());
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    sets.make_set(v.idx());
   for(const Mesh::Edge_index e : mesh.edges())
     sets.unite(mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx());
   std::size_t next = 0;

@@ -35,10 +35,7 @@ private:
 
 } // namespace
 
-CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
-                                               const Pairs& pairs,
-                                               CGAL::Handle_tunnel_loops::Basis_kind basis_kind,
-                                               bool with_sides) {
+Certificate certify(const Mesh& mesh, const Pairs& pairs, Basis_kind basis_kind, bool with_sides) {
   CGAL::Handle_tunnel_loops::Solver_options options;
   options.do_compute_linking = with_sides;
   return CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(

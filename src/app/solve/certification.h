@@ -11,9 +11,7 @@
 #define HTLOOPS_CERTIFICATION_H
 
 #include "mesh_types.h"
-
-#include <CGAL/Handle_tunnel_loops/Basis_kind.h>
-#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+#include "solve/answer.h"
 
 #include <functional>
 #include <string>
@@ -22,10 +20,7 @@
 namespace htloops {
 
 /// what loops that were found elsewhere are; on what sides they bound only `with_sides`.
-CGAL::Handle_tunnel_loops::Certificate certify(const Mesh& mesh,
-                                               const Pairs& pairs,
-                                               CGAL::Handle_tunnel_loops::Basis_kind basis_kind,
-                                               bool with_sides);
+Certificate certify(const Mesh& mesh, const Pairs& pairs, Basis_kind basis_kind, bool with_sides);
 
 /// what is wrong with boundary curves and waists that were found elsewhere, in words.
 std::vector<std::string> problems_of_boundaries(const Mesh& mesh,

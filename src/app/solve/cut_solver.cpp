@@ -10,7 +10,6 @@
 #include "solve/cut_solver.h"
 
 #include "solve/boundaries.h"
-#include "solve/thread_limit.h"
 
 #include <CGAL/Handle_tunnel_loops_solver.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -52,8 +51,7 @@ using Tag = CGAL::Parallel_if_available_tag;
 // `CGAL::dual_cuts()` has them.
 std::vector<Loop> basis_of(const Mesh& mesh, const Pairs& pairs, std::size_t number_of_components) {
   std::vector<Loop> basis;
-  for_each_loop(pairs,
-                [&](const Loop& loop, CGAL::Loop_type, std::size_t) { basis.push_back(loop); });
+  for_each_loop(pairs, [&](const Loop& loop, Loop_type, std::size_t) { basis.push_back(loop); });
   const std::vector<Loop> curves = find_boundaries(mesh, false).curves;
   const std::vector<std::size_t> components = components_of_vertices(mesh, number_of_components);
   const auto component = [&](const Loop& curve) {

@@ -11,7 +11,6 @@
 #define HTLOOPS_LIBRARY_BACKEND_H
 
 #include "solve/backends.h"
-#include "solve/thread_limit.h"
 
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>

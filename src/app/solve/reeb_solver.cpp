@@ -74,10 +74,10 @@ std::size_t number_of_cycles(const Reeb_answer& answer) {
 }
 
 // Hues go around by the golden ratio, so that the first arcs, and neighbours, differ well.
-std::array<unsigned char, 3> colour_of_arc(std::size_t arc) {
+Colour colour_of_arc(std::size_t arc) {
   constexpr double golden = 0.6180339887498949, brightness = 242., paleness = 0.45;
   const double hue = 6. * std::fmod(golden * double(arc), 1.);
-  std::array<unsigned char, 3> colour;
+  Colour colour;
   for(int i = 0; i < 3; ++i) {
     const double distance = std::abs(std::fmod(hue + (i == 0 ? 0. : i == 1 ? 4. : 2.), 6.) - 3.);
     const double strength = (std::min)((std::max)(distance - 1., 0.), 1.);

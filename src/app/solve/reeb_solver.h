@@ -18,7 +18,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -60,7 +59,7 @@ CGAL::Reeb_arc_shapes shapes_of_arcs(const Mesh& mesh, const Reeb_answer& answer
 std::size_t number_of_cycles(const Reeb_answer& answer);
 
 /// the colour of an arc, and of the vertices that belong to it.
-std::array<unsigned char, 3> colour_of_arc(std::size_t arc);
+Colour colour_of_arc(std::size_t arc);
 
 struct Reeb_options : CGAL::Handle_tunnel_loops::Reeb_options
 {

@@ -10,7 +10,6 @@
 #include "solve/removal_solver.h"
 
 #include "failure.h"
-#include "solve/thread_limit.h"
 #include "words.h"
 
 #include <CGAL/boost/graph/iterator.h>
@@ -26,14 +25,12 @@ namespace htloops {
 namespace {
 
 namespace parameters = CGAL::parameters;
-using CGAL::Handle_tunnel_loops::Removal_report;
 
 void check_numbers(const std::vector<std::size_t>& numbers, std::size_t count) {
   for(const std::size_t number : numbers)
     if(number >= count)
-      throw Failure(Exit_code::WRONG_USAGE, "there is no pair " + std::to_string(number) +
-                                                ": there are " + counted(count, "pair", "pairs") +
-                                                " (they count from 0)");
+      throw wrong_usage("there is no pair " + std::to_string(number) + ": there are " +
+                        counted(count, "pair", "pairs") + " (they count from 0)");
 }
 
 // Which pairs may be looked at, by number.
@@ -54,7 +51,7 @@ Removal_report remove_as_wanted(Mesh& mesh, const NamedParameters& np) {
   } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception&) {
     throw;
   } catch(const std::invalid_argument& reason) {
-    throw Failure(Exit_code::WRONG_USAGE, reason.what());
+    throw wrong_usage(reason.what());
   }
 }
 
@@ -75,10 +72,8 @@ double mean(const Mesh& mesh,
 }
 
 bool has_known_neighbour(const Mesh& mesh, const std::vector<bool>& is_known, Vertex v) {
-  for(const Vertex w : CGAL::vertices_around_target(mesh.halfedge(v), mesh))
-    if(is_known[w.idx()])
-      return true;
-  return false;
+  const auto around = CGAL::vertices_around_target(mesh.halfedge(v), mesh);
+  return std::any_of(around.begin(), around.end(), [&](Vertex w) { return is_known[w.idx()]; });
 }
 
 // Those of the vertices in question that are beside known ones; the others stay.

@@ -21,6 +21,12 @@
 
 namespace htloops {
 
+using CGAL::Handle_tunnel_loops::Refused_handle;
+using CGAL::Handle_tunnel_loops::Removal_method;
+using CGAL::Handle_tunnel_loops::Removal_report;
+using CGAL::Handle_tunnel_loops::Removal_way;
+using CGAL::Handle_tunnel_loops::Removed_handle;
+
 /// Which handles are to be removed, and how. What is not given selects all handles.
 struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options
 {
@@ -30,7 +36,7 @@ struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options
 
 struct Removal_answer
 {
-  CGAL::Handle_tunnel_loops::Removal_report report;
+  Removal_report report;
   double total_seconds = 0.;
   int number_of_threads = 1;
 };

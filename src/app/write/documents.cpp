@@ -21,7 +21,6 @@
 namespace htloops {
 namespace {
 
-using CGAL::Handle_tunnel_loops::Loop_linking;
 using CGAL::Handle_tunnel_loops::Stage;
 
 // A file with an object of JSON, written member by member, each on a line of its own; of a long
@@ -90,7 +89,7 @@ Json timings(const Answer& answer, double read_seconds) {
 
 Json json_of(const std::optional<std::size_t>& count) { return count ? Json(*count) : Json(); }
 
-Json json_of(const CGAL::Handle_tunnel_loops::Certificate& certificate) {
+Json json_of(const Certificate& certificate) {
   return {{"closed_on_surface", certificate.closed_on_surface},
           {"basis", certificate.basis},
           {"pairing", certificate.pairing},
@@ -130,24 +129,31 @@ Json json_of_line(const Loop& loop, const Mesh& mesh, Json json = Json()) {
   return json;
 }
 
-// Of the surface at a loop.
-std::size_t
-component_of(const Loop& loop, const Mesh& mesh, const std::vector<std::size_t>& components) {
-  return components[mesh.source(loop.steps().front().halfedge).idx()];
-}
-
+// Its length and the component of the surface that it is on, what else is told of it, and where it
+// runs.
 Json json_of(const Loop& loop,
              const Mesh& mesh,
              const std::vector<std::size_t>& components,
-             const Loop_linking* linking) {
-  Json json = {{"length", loop.length()}, {"component", component_of(loop, mesh, components)}};
-  if(linking != nullptr) {
-    json["bounds"] = word_for_side(*linking);
-    json["bounds_alone"] = word_for_side_alone(*linking);
-    if(!linking->problem.empty())
-      json["undecided_because"] = linking->problem;
-  }
+             const Json& more) {
+  const Mesh::Vertex_index v = mesh.source(loop.steps().front().halfedge);
+  Json json = {{"length", loop.length()}, {"component", components[v.idx()]}};
+  json.update(more);
   return json_of_line(loop, mesh, std::move(json));
+}
+
+Json json_of(const Loop_linking& linking) {
+  Json json = {{"bounds", word_for_side(linking)}, {"bounds_alone", word_for_side_alone(linking)}};
+  if(!linking.problem.empty())
+    json["undecided_because"] = linking.problem;
+  return json;
+}
+
+// Of a boundary curve, if that was looked for.
+Json json_of_waist(const Loop& curve, const Boundaries& boundaries, const Mesh& mesh) {
+  if(boundaries.waists.empty())
+    return Json::object();
+  const Loop& waist = boundaries.waists[curve.pair_index()];
+  return {{"waist", json_of_line(waist, mesh, {{"length", waist.length()}})}};
 }
 
 // How small a pair is, and where its shorter loop lies.
@@ -157,19 +163,6 @@ Json json_of_place(const Listed_pair& pair) {
           {"centre", json_of_point(pair.centre)},
           {"box", Json::array({Json::array({box.xmin(), box.ymin(), box.zmin()}),
                                Json::array({box.xmax(), box.ymax(), box.zmax()})})}};
-}
-
-// A boundary curve, with its waist if that was looked for.
-Json json_of(const Loop& curve,
-             const Boundaries& boundaries,
-             const Mesh& mesh,
-             const std::vector<std::size_t>& components) {
-  Json json = {{"length", curve.length()}, {"component", component_of(curve, mesh, components)}};
-  if(!boundaries.waists.empty()) {
-    const Loop& waist = boundaries.waists[curve.pair_index()];
-    json["waist"] = json_of_line(waist, mesh, {{"length", waist.length()}});
-  }
-  return json_of_line(curve, mesh, std::move(json));
 }
 
 using Graph = CGAL::Reeb_graph<Mesh>;
@@ -209,9 +202,6 @@ Json json_of_arc_of_vertex(std::size_t arc) {
   return arc == Reeb_answer::no_arc ? Json() : Json(arc);
 }
 
-using CGAL::Handle_tunnel_loops::Refused_handle;
-using CGAL::Handle_tunnel_loops::Removed_handle;
-
 Json json_of(const Removed_handle& handle) {
   return {{"pair", handle.pair},
           {"by", name_of(handle.by)},
@@ -235,7 +225,7 @@ template <typename Necks> Json json_of_necks(const Necks& necks) {
 
 Json json_of(const Dual_cut& cut, const Mesh& mesh) {
   Json json = {{"loop", name_of(cut.loop.type())}};
-  json[cut.loop.type() == CGAL::Loop_type::BOUNDARY ? "boundary" : "pair"] = cut.loop.pair_index();
+  json[cut.loop.type() == Loop_type::BOUNDARY ? "boundary" : "pair"] = cut.loop.pair_index();
   json["edges"] = array_of(cut.edges, [&mesh](const auto& edge) {
     return Json::array({mesh.source(edge.first).idx(), mesh.target(edge.first).idx(), edge.second});
   });
@@ -307,15 +297,16 @@ void write_loops_json(const std::string& target,
   std::size_t index = 0; // of the next loop
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
     Json json = json_of_place(listed_pair(pair, index / 2, box));
-    for(const CGAL::Loop_type type : loop_types) {
-      json[name_of(type)] =
-          json_of(pair.loop(type), mesh, components, linking.empty() ? nullptr : &linking[index]);
+    for(const Loop_type type : loop_types) {
+      json[name_of(type)] = json_of(pair.loop(type), mesh, components,
+                                    linking.empty() ? Json::object() : json_of(linking[index]));
       ++index;
     }
     return json;
   });
-  out.array("boundaries", answer.boundaries.curves,
-            [&](const Loop& curve) { return json_of(curve, answer.boundaries, mesh, components); });
+  out.array("boundaries", answer.boundaries.curves, [&](const Loop& curve) {
+    return json_of(curve, mesh, components, json_of_waist(curve, answer.boundaries, mesh));
+  });
   out.finish();
 }
 
@@ -341,8 +332,7 @@ void write_reeb_json(const std::string& target,
   out.finish();
 }
 
-void write_removal_json(const std::string& file,
-                        const CGAL::Handle_tunnel_loops::Removal_report& report) {
+void write_removal_json(const std::string& file, const Removal_report& report) {
   const auto json = [](const auto& handle) { return json_of(handle); };
   Json_writer document(file);
   document.member("format", "htloops-remove/1");

@@ -14,8 +14,7 @@
 #include "solve/answer.h"
 #include "solve/cut_solver.h"
 #include "solve/reeb_solver.h"
-
-#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+#include "solve/removal_solver.h"
 
 #include <nlohmann/json.hpp>
 
@@ -54,8 +53,7 @@ void write_reeb_json(const std::string& target,
 
 /// writes what was removed and what was refused in the format "htloops-remove/1"; the name "-" is
 /// the standard output.
-void write_removal_json(const std::string& file,
-                        const CGAL::Handle_tunnel_loops::Removal_report& report);
+void write_removal_json(const std::string& file, const Removal_report& report);
 
 /// writes the cuts, with the loops that they cross, as a document of format "htloops-dual/1".
 void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dual_cuts& cuts);

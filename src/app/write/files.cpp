@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& target, const std::string& reason) {
-  throw Failure(Exit_code::WRONG_USAGE, "cannot write " + target + ": " + reason);
+  throw wrong_usage("cannot write " + target + ": " + reason);
 }
 
 [[noreturn]] void fail_with_errno(const std::string& target) {
@@ -72,8 +72,7 @@ class Staged_path
 {
 public:
   explicit Staged_path(const std::string& target)
-      : target_(target)
-      , destination_(destination_of(target)) {
+      : target_(target) {
     std::error_code error;
     const fs::file_status status = fs::status(destination_, error);
     if(fs::is_directory(status))
@@ -115,8 +114,9 @@ public:
 private:
   bool is_in_place() const { return temporary_ == destination_; }
 
-  std::string target_;      // as the user named it
-  std::string destination_; // with symbolic links followed, so that a link stays one
+  const std::string target_; // as the user named it
+  const std::string destination_ =
+      destination_of(target_); // with symbolic links followed, so that a link stays one
   std::string temporary_;
   bool is_committed_ = false;
   std::optional<Unfinished_file> unfinished_; // while there is something to remove

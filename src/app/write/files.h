@@ -105,8 +105,7 @@ const File_format<Writer>& format_of(const std::string& file,
       return format;
     known += " " + std::string(format.suffix);
   }
-  throw Failure(Exit_code::WRONG_USAGE,
-                "cannot write " + file + ": the name must end in one of" + known);
+  throw wrong_usage("cannot write " + file + ": the name must end in one of" + known);
 }
 
 /// throws the same; without a name, nothing is to be written.

@@ -11,6 +11,7 @@
 
 #include "write/files.h"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,10 +25,20 @@ struct Written_mesh
 {
   const generators::Soup& mesh;
   const Vertex_properties& properties;
+  const std::string& comment;
 };
 
 void write_point(Text_writer& out, const char* before, const std::array<double, 3>& point) {
   out << before << point[0] << ' ' << point[1] << ' ' << point[2];
+}
+
+// Without an exponent, as far as it is of a type that has none.
+void write_value(Text_writer& out, const Vertex_property& property, double value) {
+  out << ' ';
+  if(property.is_real() || std::trunc(value) != value || std::abs(value) > 1e15)
+    out << value;
+  else
+    out << static_cast<long long>(value);
 }
 
 void write_points_and_triangles(Text_writer& out,
@@ -38,7 +49,7 @@ void write_points_and_triangles(Text_writer& out,
   for(std::size_t v = 0; v < written.mesh.points.size(); ++v) {
     write_point(out, before_point, written.mesh.points[v]);
     for(const Vertex_property& property : written.properties)
-      out << ' ' << property.values[v];
+      write_value(out, property, property.values[v]);
     out << '\n';
   }
   for(const auto& [a, b, c] : written.mesh.triangles)
@@ -57,7 +68,10 @@ void write_obj(Text_writer& out, const Written_mesh& written) {
 }
 
 void write_ply(Text_writer& out, const Written_mesh& written) {
-  out << "ply\nformat ascii 1.0\nelement vertex " << written.mesh.points.size()
+  out << "ply\nformat ascii 1.0\n";
+  if(!written.comment.empty())
+    out << "comment " << written.comment << '\n';
+  out << "element vertex " << written.mesh.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\n";
   for(const Vertex_property& property : written.properties)
     out << "property " << property.type << ' ' << property.name << '\n';
@@ -136,7 +150,9 @@ void check_mesh_format(const std::string& file) {
   check_format(name_with_format(file), mesh_formats);
 }
 
-void write_mesh(const std::string& file, const generators::Soup& mesh) { write(file, {mesh, {}}); }
+void write_mesh(const std::string& file, const generators::Soup& mesh) {
+  write(file, {mesh, {}, ""});
+}
 
 Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties) {
   const auto& format = format_of(file);
@@ -151,8 +167,11 @@ Vertex_properties kept_by_format(const std::string& file, const Vertex_propertie
   return colours.size() < 3 ? Vertex_properties() : colours;
 }
 
-void write_mesh(const std::string& file, const Mesh& mesh, const Vertex_properties& properties) {
-  write(file, {compact(mesh), compact(mesh, properties)});
+void write_mesh(const std::string& file,
+                const Mesh& mesh,
+                const Vertex_properties& properties,
+                const std::string& comment) {
+  write(file, {compact(mesh), compact(mesh, properties), comment});
 }
 
 } // namespace htloops

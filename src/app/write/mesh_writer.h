@@ -13,6 +13,7 @@
 #include "generators/generators.h"
 #include "mesh_types.h"
 
+#include <cstddef>
 #include <string>
 
 namespace htloops {
@@ -27,11 +28,25 @@ void write_mesh(const std::string& file, const CGAL::Handle_tunnel_loops::genera
 /// the properties that such a file has room for: all in PLY, colours in OFF, else none.
 Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties);
 
+/// the colours of vertices as properties; `colour_of(v)` is that of one.
+template <typename Colour_of>
+Vertex_properties colour_properties(std::size_t number_of_vertices, Colour_of colour_of) {
+  Vertex_properties properties = {
+      {"red", "uchar", {}}, {"green", "uchar", {}}, {"blue", "uchar", {}}};
+  for(std::size_t v = 0; v < number_of_vertices; ++v) {
+    const auto colour = colour_of(v);
+    for(std::size_t i = 0; i < 3; ++i)
+      properties[i].values.push_back(colour[i]);
+  }
+  return properties;
+}
+
 /// writes a mesh of which elements may have been removed; the others keep their order. All vertices
-/// have a value of each property, and the file has room for them.
+/// have a value of each property, and the file has room for them. Only PLY has room for a comment.
 void write_mesh(const std::string& file,
                 const Mesh& mesh,
-                const Vertex_properties& properties = {});
+                const Vertex_properties& properties = {},
+                const std::string& comment = "");
 
 } // namespace htloops
 

@@ -79,21 +79,26 @@ CGAL::Bbox_3 box_of(const Mesh& mesh) {
   return CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
 }
 
-double diagonal_of(const Mesh& mesh) {
-  const CGAL::Bbox_3 box = box_of(mesh);
+double diagonal_of(const CGAL::Bbox_3& box) {
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+double diagonal_of(const Mesh& mesh) { return diagonal_of(box_of(mesh)); }
+
+Point middle_of(const CGAL::Bbox_3& box) {
+  const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
+  return {middle(0), middle(1), middle(2)};
 }
 
 Listed_pair listed_pair(const Pair& pair, std::size_t number, const CGAL::Bbox_3& box_of_mesh) {
   const double handle = relative_length(pair.handle(), box_of_mesh),
                tunnel = relative_length(pair.tunnel(), box_of_mesh);
   const CGAL::Bbox_3 box = box_of((handle <= tunnel ? pair.handle() : pair.tunnel()).points());
-  const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
   return {number,
           pair.handle().length(),
           pair.tunnel().length(),
           (std::min)(handle, tunnel),
-          Point(middle(0), middle(1), middle(2)),
+          middle_of(box),
           box};
 }
 

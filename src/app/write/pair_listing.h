@@ -54,8 +54,12 @@ using Pair_listing = std::vector<Listed_pair>;
 /// the pairs that are wanted, in the order that is wanted; those that are equal in it by number.
 Pair_listing list_pairs(const Mesh& mesh, const Pairs& pairs, const Listing_options& options = {});
 
-/// the diagonal of the bounding box.
+/// the diagonal of a box, or of the bounding box.
+double diagonal_of(const CGAL::Bbox_3& box);
 double diagonal_of(const Mesh& mesh);
+
+/// the middle of a box.
+Point middle_of(const CGAL::Bbox_3& box);
 
 /// the bounding box.
 CGAL::Bbox_3 box_of(const Mesh& mesh);

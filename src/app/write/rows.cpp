@@ -12,8 +12,9 @@
 #include "write/documents.h"
 #include "write/tables.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
-#include <utility>
 
 namespace htloops {
 namespace {
@@ -22,10 +23,7 @@ namespace {
 std::string cell_of(const std::string& text) {
   if(text.find_first_of(",\"\r\n") == std::string::npos)
     return text;
-  std::string cell = "\"";
-  for(const char c : text)
-    cell += c == '"' ? "\"\"" : std::string(1, c);
-  return cell + '"';
+  return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
 void write_sides(Text_writer& out, const Answer& answer, std::size_t pair) {
@@ -78,14 +76,11 @@ std::string padded(std::string name, int width) {
 
 } // namespace
 
-void write_pair_rows(Text_writer& out,
-                     const std::string& mesh_file,
-                     const Answer& answer,
-                     const Pair_listing& listing) {
-  for(const Listed_pair& pair : listing) {
-    out << cell_of(mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
+void write_pair_rows(Text_writer& out, const Mesh_line& line) {
+  for(const Listed_pair& pair : line.listing) {
+    out << cell_of(line.mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
         << pair.tunnel_length << ',' << pair.size;
-    write_sides(out, answer, pair.pair);
+    write_sides(out, line.answer, pair.pair);
     out << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();
     for(int i = 0; i < 3; ++i)
       out << ',' << pair.box.min(i);
@@ -95,29 +90,11 @@ void write_pair_rows(Text_writer& out,
   }
 }
 
-void write_pair_csv(const std::string& target,
-                    const std::string& mesh_file,
-                    const Answer& answer,
-                    const Pair_listing& listing) {
+void write_pair_csv(const std::string& target, const Mesh_line& line) {
   Text_writer out(target);
   out << pair_header;
-  write_pair_rows(out, mesh_file, answer, listing);
+  write_pair_rows(out, line);
   out.finish();
-}
-
-Mesh_line answered_line(const std::string& mesh_file,
-                        const Mesh& mesh,
-                        double read_seconds,
-                        Answer answer,
-                        Pair_listing listing) {
-  return {mesh_file,
-          0,
-          "",
-          mesh.number_of_vertices(),
-          mesh.number_of_faces(),
-          read_seconds,
-          std::move(answer),
-          std::move(listing)};
 }
 
 void write_mesh_line(Text_writer& out, const Mesh_line& line) {

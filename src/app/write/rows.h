@@ -10,7 +10,6 @@
 #ifndef HTLOOPS_ROWS_H
 #define HTLOOPS_ROWS_H
 
-#include "mesh_types.h"
 #include "solve/answer.h"
 #include "write/files.h"
 #include "write/pair_listing.h"
@@ -26,19 +25,6 @@ constexpr char pair_header[] =
     "mesh,pair,handle_length,tunnel_length,size,handle_bounds,tunnel_bounds,"
     "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax\n";
 
-/// writes a row for each listed pair: the mesh, the number, the lengths, the side on which each
-/// loop bounds, and where the shorter loop is. Numbers read back exactly.
-void write_pair_rows(Text_writer& out,
-                     const std::string& mesh_file,
-                     const Answer& answer,
-                     const Pair_listing& listing);
-
-/// writes a header and the pairs of one mesh.
-void write_pair_csv(const std::string& target,
-                    const std::string& mesh_file,
-                    const Answer& answer,
-                    const Pair_listing& listing);
-
 /// What is told of one mesh of several.
 struct Mesh_line
 {
@@ -51,11 +37,12 @@ struct Mesh_line
   Pair_listing listing = {};
 };
 
-Mesh_line answered_line(const std::string& mesh_file,
-                        const Mesh& mesh,
-                        double read_seconds,
-                        Answer answer,
-                        Pair_listing listing);
+/// writes a row for each listed pair: the mesh, the number, the lengths, the side on which each
+/// loop bounds, and where the shorter loop is. Numbers read back exactly.
+void write_pair_rows(Text_writer& out, const Mesh_line& line);
+
+/// writes a header and the pairs of one mesh.
+void write_pair_csv(const std::string& target, const Mesh_line& line);
 
 /// writes an object of JSON on a line. On the standard output it is there at once.
 void write_mesh_line(Text_writer& out, const Mesh_line& line);

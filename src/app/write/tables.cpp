@@ -20,9 +20,6 @@
 namespace htloops {
 namespace {
 
-using CGAL::Handle_tunnel_loops::Certificate;
-using CGAL::Handle_tunnel_loops::Loop_linking;
-
 std::string name_of_loop(std::size_t loop) {
   return "pair " + std::to_string(loop / 2) + (loop % 2 == 0 ? ", handle" : ", tunnel");
 }
@@ -37,7 +34,7 @@ std::string words(const std::vector<Loop_linking::Number>& numbers, std::size_t 
   return text + (numbers.size() > largest_number_of_numbers ? "; ..." : "");
 }
 
-std::string in_colour(const std::string& text, CGAL::Loop_type type) {
+std::string in_colour(const std::string& text, Loop_type type) {
   const auto [red, green, blue] = colour_of(type);
   return formatted("\033[38;2;%d;%d;%dm", red, green, blue) + text + "\033[0m";
 }
@@ -92,7 +89,7 @@ table(const Columns& columns, std::size_t count, const Table_options& options, C
                     [&](std::size_t i) { return row(columns, cells(i), options.use_colour); });
 }
 
-double total_length(const Pairs& pairs, CGAL::Loop_type type) {
+double total_length(const Pairs& pairs, Loop_type type) {
   double sum = 0.;
   for(const Pair& pair : pairs)
     sum += pair.loop(type).length();
@@ -103,26 +100,23 @@ double total_length(const Pairs& pairs, CGAL::Loop_type type) {
 std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolution) {
   if(resolution.is_resolved())
     return "";
-  std::string text = "the mesh is coarse for the field:";
-  const char* separator = " ";
-  const auto append = [&](std::size_t number, const char* one, const char* many) {
-    if(number == 0)
-      return;
-    text += separator + counted(number, one, many);
-    separator = ", ";
-  };
-  append(resolution.handles_within_steps, "handle passed in one step",
-         "handles passed in one step");
-  append(resolution.rests, "rest", "rests");
-  append(resolution.early_vertices, "vertex reached ahead of the front",
-         "vertices reached ahead of the front");
-  append(resolution.events_in_seed_region, "event beside the seed", "events beside the seed");
-  return text + "\n";
+  std::string text;
+  for(const auto& [number, one, many] :
+      {std::tuple(resolution.handles_within_steps, "handle passed in one step",
+                  "handles passed in one step"),
+       std::tuple(resolution.rests, "rest", "rests"),
+       std::tuple(resolution.early_vertices, "vertex reached ahead of the front",
+                  "vertices reached ahead of the front"),
+       std::tuple(resolution.events_in_seed_region, "event beside the seed",
+                  "events beside the seed")})
+    if(number > 0)
+      text += (text.empty() ? " " : ", ") + counted(number, one, many);
+  return "the mesh is coarse for the field:" + text + "\n";
 }
 
 // Why loops do not bound on their sides, where that was wanted.
 std::string reasons(const Answer& answer, bool show_all) {
-  if(answer.certificate.basis_kind != CGAL::Handle_tunnel_loops::Basis_kind::PURE)
+  if(answer.certificate.basis_kind != Basis_kind::PURE)
     return "";
   const std::vector<std::string> lines = remarks_on_sides(answer.certificate);
   constexpr std::size_t most_lines = 5;
@@ -145,19 +139,13 @@ std::array<double, 3> without_rounding(const std::array<double, 3>& numbers, dou
 }
 
 std::string centre_of(const Loop& curve) {
-  const CGAL::Bbox_3 box = CGAL::bbox_3(curve.points().begin(), curve.points().end());
-  const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
-  return formatted("(%.4g, %.4g, %.4g)", middle(0), middle(1), middle(2));
+  const Point p = middle_of(CGAL::bbox_3(curve.points().begin(), curve.points().end()));
+  return formatted("(%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());
 }
 
 std::string name_of_node(const Reeb_answer& answer, std::size_t node) {
   return name_of(answer.graph[node].type) + (" " + std::to_string(node));
 }
-
-using CGAL::Handle_tunnel_loops::Refused_handle;
-using CGAL::Handle_tunnel_loops::Removal_report;
-using CGAL::Handle_tunnel_loops::Removal_way;
-using CGAL::Handle_tunnel_loops::Removed_handle;
 
 constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
 
@@ -297,8 +285,8 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
             " of loops, certified as a basis of H1(S; Z)" +
             (has_boundary ? " with the boundary curves but one of each component\n" : "\n") +
             formatted("total length %.6g of the handles, %.6g of the tunnels\n",
-                      total_length(answer.pairs, CGAL::Loop_type::HANDLE),
-                      total_length(answer.pairs, CGAL::Loop_type::TUNNEL));
+                      total_length(answer.pairs, Loop_type::HANDLE),
+                      total_length(answer.pairs, Loop_type::TUNNEL));
   const std::string sides = summary_of_sides(answer.certificate);
   if(!sides.empty())
     text += sides + "\n" + reasons(answer, options.show_all);

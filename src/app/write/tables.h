@@ -14,10 +14,8 @@
 #include "solve/answer.h"
 #include "solve/boundaries.h"
 #include "solve/reeb_solver.h"
+#include "solve/removal_solver.h"
 #include "write/pair_listing.h"
-
-#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
-#include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
 #include <array>
 #include <cstddef>
@@ -39,26 +37,25 @@ template <typename... Values> std::string formatted(const char* format, Values..
 struct Table_column
 {
   const char* name;
-  int width;                                ///< 0: the last one
-  bool is_number;                           ///< these stand to the right
-  std::optional<CGAL::Loop_type> kind = {}; ///< of the loops that it tells of
+  int width;                          ///< 0: the last one
+  bool is_number;                     ///< these stand to the right
+  std::optional<Loop_type> kind = {}; ///< of the loops that it tells of
 };
 
 /// what was done to the mesh of a file before anything was computed: a line for each kind.
 std::string table_of_changes(const std::string& file, const std::vector<Change>& changes);
 
 /// the word for the side on which a loop bounds: inside, outside, neither or undecided.
-const char* word_for_side(const CGAL::Handle_tunnel_loops::Loop_linking& linking);
+const char* word_for_side(const Loop_linking& linking);
 
 /// the same if the other components were not there.
-const char* word_for_side_alone(const CGAL::Handle_tunnel_loops::Loop_linking& linking);
+const char* word_for_side_alone(const Loop_linking& linking);
 
 /// how many loops bound where; empty if linking numbers were not computed.
-std::string summary_of_sides(const CGAL::Handle_tunnel_loops::Certificate& certificate);
+std::string summary_of_sides(const Certificate& certificate);
 
 /// a line for each loop that bounds on neither side or may do so, with the numbers that show it.
-std::vector<std::string>
-remarks_on_sides(const CGAL::Handle_tunnel_loops::Certificate& certificate);
+std::vector<std::string> remarks_on_sides(const Certificate& certificate);
 
 struct Table_options
 {
@@ -68,8 +65,8 @@ struct Table_options
 };
 
 constexpr Table_column pair_columns[] = {{"pair", 5, true},
-                                         {"handle", 12, true, CGAL::Loop_type::HANDLE},
-                                         {"tunnel", 12, true, CGAL::Loop_type::TUNNEL},
+                                         {"handle", 12, true, Loop_type::HANDLE},
+                                         {"tunnel", 12, true, Loop_type::TUNNEL},
                                          {"size", 8, true},
                                          {"centre of the shorter", 34, false},
                                          {"its box", 0, false}};
@@ -113,31 +110,28 @@ std::string table_of_arcs(const std::vector<Listed_arc>& arcs, bool show_all);
 void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arcs);
 
 /// the word for a way, as it stands in files and messages.
-const char* name_of(CGAL::Handle_tunnel_loops::Removal_way way);
+const char* name_of(Removal_way way);
 
 /// what stands in the first columns of a table of removals; `name` is the number of a pair, or
 /// neck.
-std::vector<std::string> cells_of(const CGAL::Handle_tunnel_loops::Removed_handle& handle,
-                                  const std::string& name);
+std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name);
 
 /// tables of the handles and necks that were removed, and of those that were refused, for a person.
-std::string table_of_removals(const CGAL::Handle_tunnel_loops::Removal_report& report,
-                              bool show_all);
+std::string table_of_removals(const Removal_report& report, bool show_all);
 
 /// lines that sum them up.
-std::string summary(const CGAL::Handle_tunnel_loops::Removal_report& report);
+std::string summary(const Removal_report& report);
 
 /// the colour (red, green, blue) of a kind of loops, in exports and pictures alike. People who do
 /// not see all colours tell these apart (Okabe and Ito, Color Universal Design, 2008).
-constexpr std::array<unsigned char, 3> colour_of(CGAL::Loop_type type) {
-  using Colour = std::array<unsigned char, 3>;
-  return type == CGAL::Loop_type::HANDLE   ? Colour{213, 94, 0}
-         : type == CGAL::Loop_type::TUNNEL ? Colour{0, 114, 178}
-                                           : Colour{0, 158, 115};
+constexpr Colour colour_of(Loop_type type) {
+  return type == Loop_type::HANDLE   ? Colour{213, 94, 0}
+         : type == Loop_type::TUNNEL ? Colour{0, 114, 178}
+                                     : Colour{0, 158, 115};
 }
 
 /// that of the boundary of the surface itself.
-constexpr std::array<unsigned char, 3> colour_of_boundary_curve = {60, 60, 60};
+constexpr Colour colour_of_boundary_curve = {60, 60, 60};
 
 } // namespace htloops
 

@@ -13,7 +13,6 @@
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 
 #include <memory>
@@ -25,8 +24,6 @@ struct Check_options : Mesh_options
 {
   std::string loops_file;
 };
-
-using CGAL::Handle_tunnel_loops::Certificate;
 
 // The names of handles and tunnels are wrong, and nothing else.
 bool has_wrong_types_only(const Certificate& c) {
@@ -73,20 +70,21 @@ void run(const Check_options& options) {
 }
 
 constexpr char check_description[] =
-    "Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop\n"
-    "crosses its handle loop once, and which of them bound inside and outside the surface.\n"
-    "\n"
-    "The certificate is computed from the two files alone; what the JSON says of itself is "
-    "ignored,\n"
-    "but for the kind of basis: of the shortest one it is not asked that pairs cross once.\n"
-    "A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel\n"
-    "loop that have each other's names are one.\n";
+    R"(Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop
+crosses its handle loop once, and which of them bound inside and outside the surface.
+
+The certificate is computed from the two files alone; what the JSON says of itself is ignored,
+but for the kind of basis: of the shortest one it is not asked that pairs cross once.
+A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel
+loop that have each other's names are one.
+)";
 
 constexpr char check_examples[] =
-    "Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.\n"
-    "\n"
-    "Example:\n"
-    "  htloops check cup.off cup.json && echo 'a basis'\n";
+    R"(Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.
+
+Example:
+  htloops check cup.off cup.json && echo 'a basis'
+)";
 
 } // namespace
 
@@ -94,10 +92,7 @@ void add_check_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Check_options>();
   CLI::App* check = app.add_subcommand("check", check_description)->group("Commands");
   add_mesh_argument(*check, *options, "the mesh that the loops were computed on");
-  check->add_option("LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote")
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
+  add_input(*check, "LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote");
   add_remedy_options(*check, *options);
   check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*check, check_examples);

@@ -10,12 +10,10 @@
 #ifndef HTLOOPS_COMMAND_H
 #define HTLOOPS_COMMAND_H
 
+#include <CLI/CLI.hpp>
+
 #include <functional>
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace htloops {
 
@@ -33,6 +31,22 @@ void add_generate_command(CLI::App& app, Command& command);
 
 /// completions for shells, and the manual page.
 void add_help_commands(CLI::App& app, Command& command);
+
+/// How the help looks: a list of commands shows the first paragraph of each description.
+class Help_formatter : public CLI::Formatter
+{
+public:
+  /// `subcommand` is what the commands below are called, in capitals.
+  explicit Help_formatter(const std::string& subcommand);
+
+  std::string
+  make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+};
+
+/// gives a command that has all its options the one for help, last, and the text that ends the
+/// help.
+void complete_help(CLI::App& command, const std::string& footer = "");
 
 /// How something ended: an exit code, 0 if all is done, and what is said to the user if it is not.
 struct Outcome

@@ -16,7 +16,6 @@
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
@@ -94,17 +93,13 @@ void run(const Cut_command_options& options) {
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
   command.option_defaults()->group("What to write");
-  as_output(command.add_option("-o,--output", options.opened_file,
-                               "the opened mesh, with a vertex for each side: .off .obj .ply"),
-            "FILE");
-  as_output(command.add_option("--selection", options.selection_file,
-                               "the edges, as a selection of CGAL"),
-            "FILE.selection.txt");
-  as_output(command.add_option(
-                "--dual", options.dual_file,
-                "for each handle and tunnel loop, and all boundary curves but one of each\n"
-                "component, a cut that crosses it once and no other"),
-            "FILE.json");
+  add_output(command, "-o,--output", "FILE", options.opened_file,
+             "the opened mesh, with a vertex for each side: .off .obj .ply");
+  add_output(command, "--selection", "FILE.selection.txt", options.selection_file,
+             "the edges, as a selection of CGAL");
+  add_output(command, "--dual", "FILE.json", options.dual_file,
+             "for each handle and tunnel loop, and all boundary curves but one of each\n"
+             "component, a cut that crosses it once and no other");
   add_lines_option(command, options, "the edges");
   add_picture_options(command, options, "the cut", false);
   add_view_options(command, options);
@@ -122,21 +117,20 @@ void add_computation_options(CLI::App& command, Cut_command_options& options) {
   add_threads_option(command, options);
 }
 
-constexpr char cut_description[] =
-    "Cuts a triangle mesh open, along short arcs of its edges.\n"
-    "\n"
-    "Each component of positive genus, or with several boundary curves, becomes one disk, as\n"
-    "parametrizations ask for.\n";
+constexpr char cut_description[] = R"(Cuts a triangle mesh open, along short arcs of its edges.
 
-constexpr char cut_examples[] =
-    "Examples:\n"
-    "  htloops cut part.off -o open.obj                the opened mesh\n"
-    "  htloops cut part.off --selection part.selection.txt\n"
-    "                                                  for CGAL::Seam_mesh, and for CGAL's "
-    "programs\n"
-    "  htloops cut part.off --through 17,4 --picture cut.png\n"
-    "                                                  through two vertices, and a look at it\n"
-    "  htloops cut plate.off --dual cuts.json          jumps of potentials on a plate with holes\n";
+Each component of positive genus, or with several boundary curves, becomes one disk, as
+parametrizations ask for.
+)";
+
+constexpr char cut_examples[] = R"(Examples:
+  htloops cut part.off -o open.obj                the opened mesh
+  htloops cut part.off --selection part.selection.txt
+                                                  for CGAL::Seam_mesh, and for CGAL's programs
+  htloops cut part.off --through 17,4 --picture cut.png
+                                                  through two vertices, and a look at it
+  htloops cut plate.off --dual cuts.json          jumps of potentials on a plate with holes
+)";
 
 } // namespace
 

@@ -12,7 +12,6 @@
 #include "app/words.h"
 #include "app/write/mesh_writer.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 #include "generators/Shape.h"
 #include "generators/generators.h"
@@ -51,7 +50,7 @@ generators::Soup generate(const generators::Kind& kind, const Generate_options& 
     return options.text_file.empty() ? generators::make(kind, options.request)
                                      : make_from_text(options);
   } catch(const std::invalid_argument& reason) {
-    throw Failure(Exit_code::WRONG_USAGE, reason.what());
+    throw wrong_usage(reason.what());
   }
 }
 
@@ -160,13 +159,13 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
 constexpr char generate_description[] =
     "Makes a mesh, most of a known genus, to test and to measure with.\n";
 
-constexpr char generate_examples[] =
-    "Examples:\n"
-    "  htloops generate torus -o torus.off\n"
-    "  htloops generate gyroid --faces 1000000 --genus 250 -o gyroid.off\n"
-    "  htloops generate plates --faces 1000 --genus 20 --parts 3 -o plates.off\n"
-    "  htloops generate torus-link --genus 2 --long-way 3 --short-way 4 -o link.off\n"
-    "  htloops generate torus --help                   the options of a kind\n";
+constexpr char generate_examples[] = R"(Examples:
+  htloops generate torus -o torus.off
+  htloops generate gyroid --faces 1000000 --genus 250 -o gyroid.off
+  htloops generate plates --faces 1000 --genus 20 --parts 3 -o plates.off
+  htloops generate torus-link --genus 2 --long-way 3 --short-way 4 -o link.off
+  htloops generate torus --help                   the options of a kind
+)";
 
 } // namespace
 

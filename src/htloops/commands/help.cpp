@@ -7,11 +7,12 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "commands/help.h"
-
 #include "app/words.h"
 #include "commands/command.h"
 #include "commands/options.h"
+
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -149,10 +150,7 @@ std::string man_page(const CLI::App& tool) {
 }
 
 std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for(const std::string& word : words)
-    text += (text.empty() ? "" : " ") + word;
-  return text;
+  return boost::algorithm::join(words, " ");
 }
 
 // On one line, without what a shell or its functions would take for something else.
@@ -167,10 +165,7 @@ std::string plain(std::string text) {
 
 // The same where a colon ends a text, as in zsh.
 std::string with_escaped_colons(const std::string& text) {
-  std::string escaped;
-  for(const char c : plain(text))
-    escaped += c == ':' ? "\\:" : std::string(1, c);
-  return escaped;
+  return boost::algorithm::replace_all_copy(plain(text), ":", "\\:");
 }
 
 std::vector<std::string> names_of_commands(const CLI::App& command) {
@@ -343,10 +338,10 @@ std::string wrapped(const std::string& text) {
   return lines;
 }
 
-constexpr char completion_examples[] =
-    "Examples:\n"
-    "  source <(htloops completion bash)               for this shell; an installed htloops is\n"
-    "                                                  completed in each\n";
+constexpr char completion_examples[] = R"(Examples:
+  source <(htloops completion bash)               for this shell; an installed htloops is
+                                                  completed in each
+)";
 
 } // namespace
 

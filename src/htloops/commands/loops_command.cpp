@@ -16,12 +16,12 @@
 #include "app/interrupt.h"
 #include "app/words.h"
 #include "app/write/documents.h"
-#include "app/write/rows.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/loops_options.h"
 #include "terminal/terminal.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -34,26 +34,15 @@
 namespace htloops {
 namespace {
 
-// What is told of an answer besides the whole basis.
-struct Told
-{
-  Pair_listing listing;
-  std::string left_out; // how many pairs are not in the listing
-  std::string summary;  // without colours
-};
-
-std::string words_of_left_out(std::size_t number) {
+// How many pairs are not in the listing.
+std::string words_of_left_out(const Mesh_line& line) {
+  const std::size_t number = line.answer.pairs.size() - line.listing.size();
   return number == 0 ? "" : counted(number, "pair is", "pairs are") + " left out as asked for\n";
 }
 
-Told told_of(const Loops_options& options,
-             const Mesh& mesh,
-             const Answer& answer,
-             double read_seconds) {
-  Pair_listing listing = list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh));
-  const std::size_t left_out = answer.pairs.size() - listing.size();
-  return {std::move(listing), words_of_left_out(left_out),
-          summary(answer, read_seconds, {options.show_all, false, options.is_verbose})};
+// Without colours.
+std::string summary_of(const Loops_options& options, const Mesh_line& line) {
+  return summary(line.answer, line.read_seconds, {options.show_all, false, options.is_verbose});
 }
 
 // Whether 'htloops remove', which finds the pairs anew, finds these, with the same numbers.
@@ -70,10 +59,7 @@ std::string quoted(const std::string& file) {
   };
   if(std::all_of(file.begin(), file.end(), is_plain))
     return file;
-  std::string text = "'";
-  for(const char c : file)
-    text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + '\'';
+  return "'" + boost::algorithm::replace_all_copy(file, "'", "'\\''") + "'";
 }
 
 // Whether there is a file that 'htloops remove' can be given.
@@ -96,31 +82,27 @@ std::string remark_on_numbers(const Loops_options& options) {
 }
 
 // Pairs that were asked for are to be seen.
-View view_of(const Loops_options& options, const Answer& answer, const Pair_listing& listing) {
+View view_of(const Loops_options& options, const Mesh_line& line) {
   View view = options.view;
-  if(listing.size() < answer.pairs.size())
-    for(const Listed_pair& listed : listing)
-      choose(view, answer.pairs[listed.pair]);
+  if(line.listing.size() < line.answer.pairs.size())
+    for(const Listed_pair& listed : line.listing)
+      choose(view, line.answer.pairs[listed.pair]);
   return view;
 }
 
 // The loops, or the layers at a moment.
-void draw(const Loops_options& options,
-          const View& view,
-          const Mesh& mesh,
-          const Answer& answer,
-          const Pair_listing& listing) {
+void draw(const Loops_options& options, const View& view, const Mesh& mesh, const Mesh_line& line) {
   if(options.picture.file.empty() && options.gltf_file.empty())
     return;
   Drawn_surface surface;
   Exported_lines lines;
   if(options.moment) {
-    Grown_layers grown = grown_layers(mesh, answer, *options.moment);
+    Grown_layers grown = grown_layers(mesh, line.answer, *options.moment);
     surface = std::move(grown.surface);
     lines = std::move(grown.fronts);
   } else {
     surface = drawn_surface(mesh);
-    lines = lines_of(answer, listing);
+    lines = lines_of(line.answer, line.listing);
   }
   if(!options.picture.file.empty())
     export_picture(options.picture, view, surface, lines);
@@ -128,28 +110,26 @@ void draw(const Loops_options& options,
     export_gltf(options.gltf_file, surface, lines);
 }
 
-void write_files(const Loops_options& options,
-                 const Mesh& mesh,
-                 const Answer& answer,
-                 const Told& told,
-                 double read_seconds) {
+void write_files(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
+  const Answer& answer = line.answer;
   if(!options.json_file.empty())
     write_loops_json(options.json_file, mesh, answer,
-                     {options.mesh_file, json_of(options), read_seconds});
+                     {options.mesh_file, json_of(options), line.read_seconds});
   if(!options.events_file.empty())
     write_events(options.events_file, answer);
   if(!options.csv_file.empty())
-    write_pair_csv(options.csv_file, options.mesh_file, answer, told.listing);
+    write_pair_csv(options.csv_file, line);
   for(const std::string& file : options.lines_files)
-    export_lines(file, lines_of(answer, told.listing));
+    export_lines(file, lines_of(answer, line.listing));
   if(!options.layers_file.empty())
     export_layers(options.layers_file, mesh, answer.vertex_layers);
-  const View view = view_of(options, answer, told.listing);
-  draw(options, view, mesh, answer, told.listing);
+  const View view = view_of(options, line);
+  draw(options, view, mesh, line);
   if(!options.page_file.empty())
     write_page(options.page_file,
-               scene_of_loops(view, options.mesh_file, mesh, answer, told.listing,
-                              told.left_out + told.summary + remark_on_numbers(options),
+               scene_of_loops(view, options.mesh_file, mesh, answer, line.listing,
+                              words_of_left_out(line) + summary_of(options, line) +
+                                  remark_on_numbers(options),
                               choice_of_pairs(options)));
 }
 
@@ -158,7 +138,8 @@ bool is_output_taken(const Loops_options& options) {
          options.page_file == "-" || options.is_mesh_on_standard_output();
 }
 
-void show(const Loops_options& options, const Answer& answer, const Told& told) {
+void show(const Loops_options& options, const Mesh_line& line) {
+  const Answer& answer = line.answer;
   if(answer.statistics.has_device_failed)
     std::fprintf(stderr, "htloops: the processor went on, as the CUDA device failed: %s\n",
                  answer.statistics.fallback.c_str());
@@ -166,36 +147,28 @@ void show(const Loops_options& options, const Answer& answer, const Told& told) 
     return;
   std::FILE* stream = is_output_taken(options) ? stderr : stdout;
   const Table_options table{options.show_all, use_colour(options.colour, stream)};
-  show_text(table_of_pairs(told.listing, table) + told.left_out +
-                table_of_boundaries(answer.boundaries, options.show_all) + told.summary,
+  show_text(table_of_pairs(line.listing, table) + words_of_left_out(line) +
+                table_of_boundaries(answer.boundaries, options.show_all) +
+                summary_of(options, line),
             is_output_taken(options));
 }
 
 Mesh_line solve_and_tell(const Loops_options& options) {
-  const Stopwatch stopwatch;
-  const Mesh mesh = read_mesh(options);
-  const double read_seconds = stopwatch.seconds();
-  write_read_mesh(options, mesh);
-  Answer answer = solve(mesh, options, !options.is_quiet && is_terminal(stderr));
-  Told told = told_of(options, mesh, answer, read_seconds);
-  write_files(options, mesh, answer, told, read_seconds);
-  show(options, answer, told);
-  return answered_line(options.mesh_file, mesh, read_seconds, std::move(answer),
-                       std::move(told.listing));
+  auto [mesh, line] = read_and_solve(options, !options.is_quiet && is_terminal(stderr));
+  write_files(options, mesh, line);
+  show(options, line);
+  return std::move(line);
 }
 
 // Whatever happens to the mesh, there is a line about it.
 void run_with_line(const Loops_options& options) {
   Text_writer out(options.jsonl_file);
-  Mesh_line line;
-  const Outcome outcome = outcome_of([&] { line = solve_and_tell(options); });
+  const Mesh_line line = line_of(options.mesh_file, [&] { return solve_and_tell(options); });
   throw_if_interrupted(); // then there is no answer about the mesh
-  write_mesh_line(out, outcome.exit_code == 0
-                           ? line
-                           : Mesh_line{options.mesh_file, outcome.exit_code, outcome.message});
+  write_mesh_line(out, line);
   out.finish();
-  if(outcome.exit_code != 0)
-    throw Failure(static_cast<Exit_code>(outcome.exit_code), outcome.message);
+  if(line.exit_code != 0)
+    throw Failure(static_cast<Exit_code>(line.exit_code), line.error);
 }
 
 void run(Loops_options& options) {
@@ -210,31 +183,29 @@ void run(Loops_options& options) {
 }
 
 constexpr char loops_description[] =
-    "Finds the handle and tunnel loops of a triangle mesh, closed or with boundary.\n"
-    "\n"
-    "A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside "
-    "the\n"
-    "surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop "
-    "once.\n"
-    "With --basis shortest loops are short instead, whatever side they bound on, and those of a\n"
-    "pair cross an odd number of times.\n"
-    "They are checked to be a basis of H1(S; Z) before they are written; on a surface with "
-    "boundary,\n"
-    "together with all boundary curves but one of each component.\n";
+    R"(Finds the handle and tunnel loops of a triangle mesh, closed or with boundary.
 
-constexpr char loops_examples[] =
-    "Examples:\n"
-    "  htloops loops cup.off                           a table of the loops\n"
-    "  htloops loops cup.off -o cup.json --lines cup.ply\n"
-    "                                                  the loops for a program and for a viewer\n"
-    "  htloops loops cup.off --html cup.html --shorter-than 3%\n"
-    "                                                  a look at the small ones in a browser\n"
-    "  htloops loops cup.off -qo - | jq '.pairs | length'\n"
-    "                                                  JSON into a pipe\n"
-    "  htloops loops *.off --jsonl - --jobs 4          a line for each of many meshes\n"
-    "  cat cup.off | htloops loops - --format off      a mesh from a pipe\n"
-    "  htloops loops soup.obj --triangulate --repair --write-mesh sound.obj\n"
-    "                                                  a mesh that is not fit as it is\n";
+A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside the
+surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop once.
+With --basis shortest loops are short instead, whatever side they bound on, and those of a
+pair cross an odd number of times.
+They are checked to be a basis of H1(S; Z) before they are written; on a surface with boundary,
+together with all boundary curves but one of each component.
+)";
+
+constexpr char loops_examples[] = R"(Examples:
+  htloops loops cup.off                           a table of the loops
+  htloops loops cup.off -o cup.json --lines cup.ply
+                                                  the loops for a program and for a viewer
+  htloops loops cup.off --html cup.html --shorter-than 3%
+                                                  a look at the small ones in a browser
+  htloops loops cup.off -qo - | jq '.pairs | length'
+                                                  JSON into a pipe
+  htloops loops *.off --jsonl - --jobs 4          a line for each of many meshes
+  cat cup.off | htloops loops - --format off      a mesh from a pipe
+  htloops loops soup.obj --triangulate --repair --write-mesh sound.obj
+                                                  a mesh that is not fit as it is
+)";
 
 } // namespace
 

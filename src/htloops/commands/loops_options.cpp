@@ -12,9 +12,8 @@
 #include "app/failure.h"
 #include "app/solve/backends.h"
 #include "app/write/files.h"
+#include "commands/command.h"
 #include "terminal/terminal.h"
-
-#include <CLI/CLI.hpp>
 
 #include <map>
 #include <utility>
@@ -27,51 +26,31 @@ const std::map<std::string, Pair_order> orders = {{"size", Pair_order::SIZE},
                                                   {"pair", Pair_order::PAIR},
                                                   {"place", Pair_order::PLACE}};
 
-void add_meshes_argument(CLI::App& command, Loops_options& options) {
-  command.add_option("MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl")
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
-  add_format_option(command, options);
-}
-
 void add_output_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the loops");
-  as_output(command.add_option("--csv", options.csv_file, "a row of numbers for each pair"),
-            "FILE.csv");
-  as_output(
-      command.add_option("--jsonl", options.jsonl_file,
-                         "an object of JSON for each mesh, on a line: genus, sizes, times, error"),
-      "FILE.jsonl");
+  add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each pair");
+  add_output(command, "--jsonl", "FILE.jsonl", options.jsonl_file,
+             "an object of JSON for each mesh, on a line: genus, sizes, times, error");
   add_lines_option(command, options, "the loops");
-  as_output(command.add_option("--events", options.events_file,
-                               "what happens to the fronts of the first pass, as JSON"),
-            "FILE.json");
-  as_output(
-      command.add_option("--layers", options.layers_file,
-                         "the mesh with the layers of the first pass, and when its fronts came"),
-      "FILE.ply");
+  add_output(command, "--events", "FILE.json", options.events_file,
+             "what happens to the fronts of the first pass, as JSON");
+  add_output(command, "--layers", "FILE.ply", options.layers_file,
+             "the mesh with the layers of the first pass, and when its fronts came");
   add_picture_options(command, options, "the loops");
   add_page_option(command, options, "the mesh and the loops");
   add_gltf_option(command, options, "the loops");
-  command
-      .add_option("--moment", options.moment,
-                  "the layers and fronts of the first pass, in place of the loops, in the picture\n"
-                  "and the model: when this part of it had passed, 0 to 1")
-      ->option_text("PART")
-      ->check(CLI::Range(0., 1.))
-      ->check(why_not_finite);
+  add_part(command, "--moment", options.moment,
+           "the layers and fronts of the first pass, in place of the loops, in the picture\n"
+           "and the model: when this part of it had passed, 0 to 1");
   add_view_options(command, options);
 }
 
 void add_computation_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("How to compute");
-  command
-      .add_option("--backend", options.backend,
-                  "auto, host, cuda or reference; default: auto, a CUDA device if there is one")
-      ->option_text("NAME")
-      ->check(CLI::IsMember(names_of_backends()));
+  add_choice(command, "--backend", "NAME", options.backend,
+             "auto, host, cuda or reference; default: auto, a CUDA device if there is one",
+             names_of_backends());
   command.add_flag(
       "--literal", options.is_literal,
       "with --backend reference: the rules of the paper to the letter, and no others;\n"
@@ -87,39 +66,30 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       .add_option("--seed", options.seed,
                   "vertex to grow from, from 0 as in the file; default: the first")
       ->option_text("VERTEX");
-  command
-      .add_option("--basis", options.basis,
-                  "pure (handles bound inside and tunnels outside; the default) or\n"
-                  "shortest (whatever side they bound on: for cutting and parametrization)")
-      ->option_text("KIND")
-      ->check(CLI::IsMember({"pure", "shortest"}));
+  add_choice(command, "--basis", "KIND", options.basis,
+             "pure (handles bound inside and tunnels outside; the default) or\n"
+             "shortest (whatever side they bound on: for cutting and parametrization)",
+             {"pure", "shortest"});
   command.add_flag("--waists", options.do_find_waists,
                    "for each boundary curve its waist, too: a short loop of its class");
   command.add_flag("--no-refine", options.do_not_refine,
                    "keep the handles of the first pass: faster");
   command.add_flag("--no-tighten", options.do_not_tighten,
                    "do not tighten the loops, nor look for shorter ones: faster");
-  command
-      .add_option("--classify", options.classifier,
-                  "what tells handles from tunnels: linking (numbers, exact; the default)\n"
-                  "or offset (change of length: faster, but no loop is made to bound)")
-      ->option_text("HOW")
-      ->check(CLI::IsMember({"linking", "offset"}));
+  add_choice(command, "--classify", "HOW", options.classifier,
+             "what tells handles from tunnels: linking (numbers, exact; the default)\n"
+             "or offset (change of length: faster, but no loop is made to bound)",
+             {"linking", "offset"});
 }
 
 void add_listing_options(CLI::App& command, Listing_choice& choice) {
-  command
-      .add_option("--sort", choice.order,
-                  "size (of the shorter loop), length (of both), pair (the number) or place;\n"
-                  "default: size, the smallest first")
-      ->option_text("KEY")
-      ->check(CLI::IsMember(orders));
-  command
-      .add_option("--shorter-than", choice.shorter_than,
-                  "pairs with a loop that is shorter; %: of the diagonal of the box")
-      ->option_text("L|P%");
-  command.add_option("--longer-than", choice.longer_than, "pairs both loops of which are longer")
-      ->option_text("L|P%");
+  add_choice(command, "--sort", "KEY", choice.order,
+             "size (of the shorter loop), length (of both), pair (the number) or place;\n"
+             "default: size, the smallest first",
+             orders);
+  add_length(command, "--shorter-than", choice.shorter_than,
+             "pairs with a loop that is shorter; %: of the diagonal of the box");
+  add_length(command, "--longer-than", choice.longer_than, "pairs both loops of which are longer");
   add_box_option(command, choice.box, "pairs");
 }
 
@@ -129,9 +99,8 @@ void add_display_options(CLI::App& command, Loops_options& options) {
   command.add_flag("--all", options.show_all, "all rows of a long table");
   command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors");
   command.add_flag("-v,--verbose", options.is_verbose, "why no CUDA device was used, too");
-  command.add_option("--color", options.colour, "auto, always or never; default: auto")
-      ->option_text("WHEN")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
+  add_choice(command, "--color", "WHEN", options.colour, "auto, always or never; default: auto",
+             {"auto", "always", "never"});
 }
 
 // What there would be several of.
@@ -148,8 +117,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
       {"--seed", options.seed.has_value()}};
   for(const auto& [name, is_given] : given)
     if(is_given)
-      throw Failure(Exit_code::WRONG_USAGE,
-                    std::string(name) +
+      throw wrong_usage(std::string(name) +
                         " is for one mesh; for several there are --jsonl and --csv");
 }
 
@@ -160,8 +128,7 @@ void check_listing_choice(const Listing_choice& choice) {
   box_of(choice.box);
 }
 
-} // namespace
-
+// What was chosen, with percentages of the diagonal of a mesh.
 Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh) {
   Listing_options options;
   const double whole = diagonal_of(mesh);
@@ -174,8 +141,33 @@ Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh) 
   return options;
 }
 
+Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress) {
+  Solve_options solve_options;
+  if(options.seed)
+    solve_options.seed = vertex_of_mesh(mesh, *options.seed);
+  solve_options.do_refine_handles = !options.do_not_refine;
+  if(options.is_literal)
+    solve_options.literal_rules = CGAL::Handle_tunnel_loops::Literal_rules::all();
+  solve_options.do_tighten = !options.do_not_tighten && !options.is_literal;
+  solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
+  solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
+  solve_options.do_log_fronts = !options.events_file.empty() || options.moment;
+  solve_options.do_find_layers = !options.layers_file.empty() || options.moment;
+  solve_options.number_of_threads = options.number_of_threads;
+  Progress_bar bar(show_progress);
+  Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
+  if(options.backend == "auto" && cuda_backend.solve == nullptr)
+    answer.statistics.fallback = "this htloops was built without CUDA";
+  if(answer.statistics.number_of_boundaries > 0)
+    answer.boundaries = find_boundaries(mesh, options.do_find_waists);
+  return answer;
+}
+
+} // namespace
+
 void add_loops_options(CLI::App& command, Loops_options& options) {
-  add_meshes_argument(command, options);
+  add_input(command, "MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl");
+  add_format_option(command, options);
   add_output_options(command, options);
   add_remedy_options(command, options);
   add_computation_options(command, options);
@@ -186,11 +178,10 @@ void check_loops_options(const Loops_options& options) {
   choose_backend(options.backend);
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
-    throw Failure(Exit_code::WRONG_USAGE, "--literal goes with --backend reference");
+    throw wrong_usage("--literal goes with --backend reference");
   check_suffix(options.layers_file, ".ply");
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
-    throw Failure(Exit_code::WRONG_USAGE,
-                  std::string("--moment says when to look at the layers: it needs ") +
+    throw wrong_usage(std::string("--moment says when to look at the layers: it needs ") +
                       (has_pictures ? "--picture or --gltf" : "--gltf"));
   check_name(options.csv_file, "a table as CSV", ".csv");
   check_name(options.jsonl_file, "lines of JSON", ".jsonl");
@@ -212,27 +203,23 @@ Json json_of(const Loops_options& options) {
           {"repair", options.remedies.do_repair}};
 }
 
-Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress) {
-  Solve_options solve_options;
-  if(options.seed)
-    solve_options.seed = vertex_of_mesh(mesh, *options.seed);
-  solve_options.do_refine_handles = !options.do_not_refine;
-  if(options.is_literal)
-    solve_options.literal_rules = CGAL::Handle_tunnel_loops::Literal_rules::all();
-  solve_options.do_tighten = !options.do_not_tighten && !options.is_literal;
-  solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
-  using CGAL::Handle_tunnel_loops::Basis_kind;
-  solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
-  solve_options.do_log_fronts = !options.events_file.empty() || options.moment;
-  solve_options.do_find_layers = !options.layers_file.empty() || options.moment;
-  solve_options.number_of_threads = options.number_of_threads;
-  Progress_bar bar(show_progress);
-  Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
-  if(options.backend == "auto" && cuda_backend.solve == nullptr)
-    answer.statistics.fallback = "this htloops was built without CUDA";
-  if(answer.statistics.number_of_boundaries > 0)
-    answer.boundaries = find_boundaries(mesh, options.do_find_waists);
-  return answer;
+std::pair<Mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress) {
+  const Stopwatch stopwatch;
+  Mesh mesh = read_mesh(options);
+  Mesh_line line = {options.mesh_file};
+  line.number_of_vertices = mesh.number_of_vertices();
+  line.number_of_faces = mesh.number_of_faces();
+  line.read_seconds = stopwatch.seconds();
+  write_read_mesh(options, mesh);
+  line.answer = solve(mesh, options, show_progress);
+  line.listing = list_pairs(mesh, line.answer.pairs, listing_options(options.listing, mesh));
+  return {std::move(mesh), std::move(line)};
+}
+
+Mesh_line line_of(const std::string& mesh_file, const std::function<Mesh_line()>& solve) {
+  Mesh_line line;
+  const Outcome outcome = outcome_of([&] { line = solve(); });
+  return outcome.exit_code == 0 ? line : Mesh_line{mesh_file, outcome.exit_code, outcome.message};
 }
 
 } // namespace htloops

@@ -10,19 +10,17 @@
 #ifndef HTLOOPS_LOOPS_OPTIONS_H
 #define HTLOOPS_LOOPS_OPTIONS_H
 
-#include "app/solve/answer.h"
 #include "app/write/documents.h"
 #include "app/write/pair_listing.h"
+#include "app/write/rows.h"
 #include "commands/options.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace htloops {
 
@@ -34,9 +32,6 @@ struct Listing_choice
   std::string longer_than;
   std::vector<double> box;
 };
-
-/// what was chosen, with percentages of the diagonal of a mesh.
-Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh);
 
 /// The options of `htloops loops`. `mesh_file` is the first of the meshes.
 struct Loops_options : Common_options
@@ -72,8 +67,11 @@ void check_loops_options(const Loops_options& options);
 /// the options that an answer depends on.
 Json json_of(const Loops_options& options);
 
-/// finds the loops of a mesh, with boundary curves, if it has some.
-Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress);
+/// reads a mesh and finds its loops, with boundary curves, if it has some.
+std::pair<Mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress);
+
+/// what is told of a mesh: what `solve()` returns, or why it threw.
+Mesh_line line_of(const std::string& mesh_file, const std::function<Mesh_line()>& solve);
 
 /// finds the loops of meshes, several at once if that is asked for, and tells of each on a line of
 /// its own, in the order in which they were given. Goes on after one that fails; throws `Failure`

@@ -12,8 +12,6 @@
 #include "app/failure.h"
 #include "app/interrupt.h"
 #include "app/solve/progress.h"
-#include "app/solve/thread_limit.h"
-#include "app/write/rows.h"
 #include "commands/command.h"
 
 #include <algorithm>
@@ -29,20 +27,9 @@
 namespace htloops {
 namespace {
 
-// Of one mesh; what is thrown becomes a part of it.
-Mesh_line solve_one(const Loops_options& all, const std::string& file) {
-  Loops_options options = all;
+Mesh_line solve_one(Loops_options options, const std::string& file) {
   options.mesh_file = file;
-  Mesh_line line;
-  const Outcome outcome = outcome_of([&] {
-    const Stopwatch stopwatch;
-    const Mesh mesh = read_mesh(options);
-    const double read_seconds = stopwatch.seconds();
-    Answer answer = solve(mesh, options, false);
-    Pair_listing listing = list_pairs(mesh, answer.pairs, listing_options(options.listing, mesh));
-    line = answered_line(file, mesh, read_seconds, std::move(answer), std::move(listing));
-  });
-  return outcome.exit_code == 0 ? line : Mesh_line{file, outcome.exit_code, outcome.message};
+  return line_of(file, [&] { return read_and_solve(options, false).second; });
 }
 
 // Where lines go, in the order of the meshes, as soon as those before are there.
@@ -50,8 +37,7 @@ class Line_printer
 {
 public:
   explicit Line_printer(const Loops_options& options)
-      : options_(options)
-      , waiting_(options.mesh_files.size()) {
+      : options_(options) {
     if(!options.jsonl_file.empty())
       objects_.emplace(options.jsonl_file);
     if(!options.csv_file.empty())
@@ -87,7 +73,7 @@ private:
     if(objects_)
       write_mesh_line(*objects_, line);
     if(rows_ && line.exit_code == 0)
-      write_pair_rows(*rows_, line.mesh_file, line.answer, line.listing);
+      write_pair_rows(*rows_, line);
     if(!options_.is_quiet && !is_output_taken())
       show_text((next_ == 0 ? header_of_lines(options_.mesh_files) : "") +
                     row_of(line, options_.mesh_files),
@@ -98,7 +84,8 @@ private:
 
   const Loops_options& options_;
   std::mutex mutex_;
-  std::vector<std::optional<Mesh_line>> waiting_;
+  std::vector<std::optional<Mesh_line>> waiting_ =
+      std::vector<std::optional<Mesh_line>>(options_.mesh_files.size());
   std::size_t next_ = 0; // to be printed
   std::size_t number_of_failures_ = 0;
   int exit_code_ = 0; // of the first that failed

@@ -19,8 +19,6 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -69,30 +67,27 @@ bool is_same_file(const std::string& name, const std::string& other) {
 
 void check_differ(const Named_file& file, const std::string& path, const Named_file& output) {
   if(is_same_file(path, path_of_output(output.name)))
-    throw Failure(Exit_code::WRONG_USAGE, file.option + " " + file.name + " and " + output.option +
-                                              " " + output.name +
-                                              " name the same file, which would be overwritten");
+    throw wrong_usage(file.option + " " + file.name + " and " + output.option + " " + output.name +
+                      " name the same file, which would be overwritten");
 }
 
 // As of a variable of the shell that is not set.
 void check_has_name(const Named_file& file) {
   if(file.name.empty())
-    throw Failure(Exit_code::WRONG_USAGE, file.option + ": the name of the file is empty");
+    throw wrong_usage(file.option + ": the name of the file is empty");
 }
 
 // As what follows -o in "-o -q".
 void check_is_no_option(const Named_file& output) {
   if(output.name.size() > 1 && output.name.front() == '-')
-    throw Failure(Exit_code::WRONG_USAGE, output.option + " " + output.name +
-                                              " looks like two options; a file of that name is ./" +
-                                              output.name);
+    throw wrong_usage(output.option + " " + output.name +
+                      " looks like two options; a file of that name is ./" + output.name);
 }
 
 void check_picture(const Picture_options& picture) {
   check_name(picture.file, "a picture in PNG", ".png");
   if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "--labels and --legend want a build with stb and the DejaVu fonts");
+    throw wrong_usage("--labels and --legend want a build with stb and the DejaVu fonts");
 }
 
 void add_word_options(CLI::App& command, Picture_options& picture) {
@@ -124,20 +119,15 @@ void check_files(const CLI::App& app) {
 }
 
 void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what) {
-  command.add_option("MESH", options.mesh_file, what)
-      ->option_text(" ")
-      ->type_name(input_file)
-      ->required();
+  add_input(command, "MESH", options.mesh_file, what);
   add_format_option(command, options);
 }
 
 void add_format_option(CLI::App& command, Mesh_options& options) {
-  command
-      .add_option("--format", options.format,
-                  "off, obj, ply or stl, whatever the name of the mesh says; for - as a mesh,\n"
-                  "which is the standard input")
-      ->option_text("FORMAT")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}))
+  add_choice(command, "--format", "FORMAT", options.format,
+             "off, obj, ply or stl, whatever the name of the mesh says; for - as a mesh,\n"
+             "which is the standard input",
+             {"off", "obj", "ply", "stl"})
       ->group("What to read");
 }
 
@@ -148,16 +138,13 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
   command.add_flag("--repair", options.remedies.do_repair,
                    "weld points, drop degenerate and duplicate faces, split edges and\n"
                    "vertices with too many faces, turn faces over; says what it did");
-  as_output(
-      command.add_option("--write-mesh", options.written_mesh_file,
-                         "the mesh as it is then, which the answer is about: .off .obj .ply .stl"),
-      "FILE");
+  add_output(command, "--write-mesh", "FILE", options.written_mesh_file,
+             "the mesh as it is then, which the answer is about: .off .obj .ply .stl");
 }
 
 Input_file input_of(const Mesh_options& options) {
   if(options.mesh_file == "-" && options.format.empty())
-    throw Failure(Exit_code::WRONG_USAGE,
-                  "the standard input has no name that tells its format: --format says it");
+    throw wrong_usage("the standard input has no name that tells its format: --format says it");
   return Input_file(options.mesh_file, options.format);
 }
 
@@ -177,20 +164,42 @@ void write_read_mesh(const Mesh_options& options, const Mesh& mesh) {
     write_mesh(options.written_mesh_file, mesh);
 }
 
-CLI::Option* as_output(CLI::Option* option, const std::string& what_to_give) {
-  return option->option_text(what_to_give)->type_name(output_file)->allow_extra_args(false);
+CLI::Option* add_numbers(CLI::App& command,
+                         const char* name,
+                         const char* text,
+                         std::vector<double>& numbers,
+                         int count,
+                         const std::string& what) {
+  return command.add_option(name, numbers, what)
+      ->option_text(text)
+      ->delimiter(',')
+      ->expected(count)
+      ->check(why_not_finite);
+}
+
+CLI::Option* add_part(CLI::App& command,
+                      const char* name,
+                      std::optional<double>& part,
+                      const std::string& what) {
+  return command.add_option(name, part, what)
+      ->option_text("PART")
+      ->check(CLI::Range(0., 1.))
+      ->check(why_not_finite);
+}
+
+CLI::Option*
+add_length(CLI::App& command, const char* name, std::string& length, const std::string& what) {
+  return command.add_option(name, length, what)->option_text("L|P%");
 }
 
 void add_json_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(
-      command.add_option("-o,--output", options.json_file, what + " as JSON; - is standard output"),
-      "FILE.json");
+  add_output(command, "-o,--output", "FILE.json", options.json_file,
+             what + " as JSON; - is standard output");
 }
 
 void add_lines_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(command.add_option("--lines", options.lines_files,
-                               what + " as lines: .ply .obj .vtp .polylines.txt; repeatable"),
-            "FILE");
+  add_output(command, "--lines", "FILE", options.lines_files,
+             what + " as lines: .ply .obj .vtp .polylines.txt; repeatable");
 }
 
 void add_picture_options(CLI::App& command,
@@ -199,9 +208,8 @@ void add_picture_options(CLI::App& command,
                          bool has_words) {
   if(!has_pictures)
     return;
-  as_output(
-      command.add_option("--picture", options.picture.file, "a picture of the mesh and " + what),
-      "FILE.png");
+  add_output(command, "--picture", "FILE.png", options.picture.file,
+             "a picture of the mesh and " + what);
   command
       .add_option("--size", options.picture.size, "of the picture, in pixels; default: 1600,1200")
       ->option_text("W,H")
@@ -210,43 +218,30 @@ void add_picture_options(CLI::App& command,
       ->check(CLI::Range(16, 16384))
       ->check(why_not_finite)
       ->needs("--picture");
-  command
-      .add_option("--opacity", options.picture.opacity,
-                  "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
-                  "default: 0.5, and more the more lines there are")
-      ->option_text("PART")
-      ->check(CLI::Range(0., 1.))
-      ->check(why_not_finite)
+  add_part(command, "--opacity", options.picture.opacity,
+           "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
+           "default: 0.5, and more the more lines there are")
       ->needs("--picture");
   if(has_words)
     add_word_options(command, options.picture);
 }
 
 void add_page_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(command.add_option("--html", options.page_file,
-                               "a page for a browser, to turn " + what + " in"),
-            "FILE.html");
+  add_output(command, "--html", "FILE.html", options.page_file,
+             "a page for a browser, to turn " + what + " in");
 }
 
 void add_gltf_option(CLI::App& command, Common_options& options, const std::string& what) {
-  as_output(
-      command.add_option("--gltf", options.gltf_file, what + " as tubes, with the mesh, as glTF"),
-      "FILE.glb");
+  add_output(command, "--gltf", "FILE.glb", options.gltf_file,
+             what + " as tubes, with the mesh, as glTF");
 }
 
 void add_view_options(CLI::App& command, Common_options& options) {
-  const auto add_direction = [&](const char* name, std::vector<double>& direction,
-                                 const char* meaning) {
-    command.add_option(name, direction, meaning)
-        ->option_text("X,Y,Z")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(why_not_finite);
-  };
-  add_direction("--view", options.view.from,
-                "direction that is looked from; default: where most is visible, of pairs that\n"
-                "were asked for above all");
-  add_direction("--up", options.view.up, "direction that is upright; default: 0,0,1");
+  add_numbers(command, "--view", "X,Y,Z", options.view.from, 3,
+              "direction that is looked from; default: where most is visible, of pairs that\n"
+              "were asked for above all");
+  add_numbers(command, "--up", "X,Y,Z", options.view.up, 3,
+              "direction that is upright; default: 0,0,1");
 }
 
 void add_threads_option(CLI::App& command, Common_options& options) {
@@ -267,11 +262,10 @@ void check_common_options(const Common_options& options) {
     if(direction.empty())
       continue;
     if(is_zero(direction))
-      throw Failure(Exit_code::WRONG_USAGE, std::string(name) + " 0,0,0 is no direction");
+      throw wrong_usage(std::string(name) + " 0,0,0 is no direction");
     if(options.picture.file.empty() && options.page_file.empty())
-      throw Failure(Exit_code::WRONG_USAGE, std::string(name) +
-                                                " says how to look at something: it needs " +
-                                                (has_pictures ? "--picture or --html" : "--html"));
+      throw wrong_usage(std::string(name) + " says how to look at something: it needs " +
+                        (has_pictures ? "--picture or --html" : "--html"));
   }
   check_name(options.json_file, "JSON", ".json");
   check_name(options.page_file, "a page in HTML", ".html");
@@ -285,9 +279,8 @@ void check_common_options(const Common_options& options) {
 void check_name(const std::string& file, const char* what, const char* end) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if(!extension.empty() && !boost::algorithm::iequals(extension, end))
-    throw Failure(Exit_code::WRONG_USAGE, "cannot write " + file + ": what is written there is " +
-                                              what + ", and the name must end in " + end +
-                                              ", or have no such end");
+    throw wrong_usage("cannot write " + file + ": what is written there is " + what +
+                      ", and the name must end in " + end + ", or have no such end");
 }
 
 std::string why_no_count(const std::string& text) {
@@ -306,12 +299,11 @@ std::string why_not_finite(const std::string& text) {
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
   const std::string name = "the seed vertex " + std::to_string(number);
   if(number >= mesh.number_of_vertices())
-    throw Failure(Exit_code::WRONG_USAGE, name + " is not one of the " +
-                                              std::to_string(mesh.number_of_vertices()) +
-                                              " vertices (they count from 0)");
+    throw wrong_usage(name + " is not one of the " + std::to_string(mesh.number_of_vertices()) +
+                      " vertices (they count from 0)");
   const Mesh::Vertex_index v(number);
   if(mesh.is_isolated(v))
-    throw Failure(Exit_code::WRONG_USAGE, name + " belongs to no face");
+    throw wrong_usage(name + " belongs to no face");
   return v;
 }
 
@@ -327,11 +319,8 @@ bool is_zero(const std::vector<double>& direction) {
 }
 
 CLI::Option* add_box_option(CLI::App& command, std::vector<double>& box, const std::string& what) {
-  return command.add_option("--box", box, what + " with a loop that lies in a box")
-      ->option_text("x,y,z,X,Y,Z")
-      ->delimiter(',')
-      ->expected(6)
-      ->check(why_not_finite);
+  return add_numbers(command, "--box", "x,y,z,X,Y,Z", box, 6,
+                     what + " with a loop that lies in a box");
 }
 
 std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box) {
@@ -339,8 +328,7 @@ std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box) {
     return std::nullopt;
   for(std::size_t i = 0; i < 3; ++i)
     if(!(box[i] <= box[i + 3]))
-      throw Failure(Exit_code::WRONG_USAGE,
-                    "--box: its least corner comes first, then its largest");
+      throw wrong_usage("--box: its least corner comes first, then its largest");
   return CGAL::Bbox_3(box[0], box[1], box[2], box[3], box[4], box[5]);
 }
 
@@ -354,8 +342,8 @@ parse_length(const std::string& option, const std::string& text, double whole) {
   double length = 0.;
   Text_source cursor(option, number);
   if(!cursor.read(length) || cursor.skip_to_content() || !(length > 0.) || !std::isfinite(length))
-    throw Failure(Exit_code::WRONG_USAGE,
-                  option + " " + text + ": not a length, such as 0.25, nor a percentage of the " +
+    throw wrong_usage(option + " " + text +
+                      ": not a length, such as 0.25, nor a percentage of the " +
                       "diagonal of the bounding box, such as 3%");
   return is_percentage ? length / 100. * whole : length;
 }

@@ -18,15 +18,12 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <CLI/CLI.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-class Option;
-} // namespace CLI
 
 namespace htloops {
 
@@ -86,8 +83,51 @@ struct Common_options : Mesh_options
   int number_of_threads = 0;
 };
 
-/// makes an option the name of a file that is written; of several it takes one at a time.
-CLI::Option* as_output(CLI::Option* option, const std::string& what_to_give);
+// In each, `text` stands for the value in the help.
+
+/// declares an option that names a file that is written; of several it takes one at a time.
+template <typename Files>
+void add_output(
+    CLI::App& command, const char* name, const char* text, Files& files, const std::string& what) {
+  command.add_option(name, files, what)
+      ->option_text(text)
+      ->type_name(output_file)
+      ->allow_extra_args(false);
+}
+
+/// declares the name of a file that is read, or of several, as what comes without the name of an
+/// option.
+template <typename Files>
+void add_input(CLI::App& command, const char* name, Files& files, const std::string& what) {
+  command.add_option(name, files, what)->option_text(" ")->type_name(input_file)->required();
+}
+
+/// declares one that takes one of some words.
+template <typename Words = std::vector<std::string>>
+CLI::Option* add_choice(CLI::App& command,
+                        const char* name,
+                        const char* text,
+                        std::string& choice,
+                        const std::string& what,
+                        const Words& words) {
+  return command.add_option(name, choice, what)->option_text(text)->check(CLI::IsMember(words));
+}
+
+/// declares one that takes so many numbers, with commas between them.
+CLI::Option* add_numbers(CLI::App& command,
+                         const char* name,
+                         const char* text,
+                         std::vector<double>& numbers,
+                         int count,
+                         const std::string& what);
+
+/// declares one that takes a part of a whole, 0 to 1.
+CLI::Option*
+add_part(CLI::App& command, const char* name, std::optional<double>& part, const std::string& what);
+
+/// declares one that takes what `parse_length()` understands.
+CLI::Option*
+add_length(CLI::App& command, const char* name, std::string& length, const std::string& what);
 
 // Each declares some of them; `what` is "the loops", say.
 void add_json_option(CLI::App& command, Common_options& options, const std::string& what);

@@ -21,7 +21,6 @@
 #include "app/write/files.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
@@ -48,7 +47,7 @@ struct Reeb_command_options : Common_options
 
 void check_options(const Reeb_command_options& options) {
   if(!options.height.empty() && is_zero(options.height))
-    throw Failure(Exit_code::WRONG_USAGE, "--height 0,0,0 is no direction");
+    throw wrong_usage("--height 0,0,0 is no direction");
   for(const std::string& file : options.graph_files)
     check_graph_format(file);
   check_suffix(options.parts_file, ".ply");
@@ -91,8 +90,7 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
   reeb.values = values_of(options, mended);
   if(!options.measure.empty())
     reeb.measure = reeb_measures().at(options.measure);
-  if(options.threshold)
-    reeb.threshold = *options.threshold;
+  reeb.threshold = options.threshold.value_or(reeb.threshold);
   reeb.backend = options.backend;
   reeb.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
@@ -175,14 +173,11 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the graph");
   add_lines_option(command, options, "the arcs");
-  as_output(command.add_option("--graph", options.graph_files,
-                               "nodes and arcs: .graphml .dot; repeatable"),
-            "FILE");
-  as_output(
-      command.add_option("--parts", options.parts_file, "the mesh with vertices coloured by arc"),
-      "FILE.ply");
-  as_output(command.add_option("--csv", options.csv_file, "a row of numbers for each arc"),
-            "FILE.csv");
+  add_output(command, "--graph", "FILE", options.graph_files,
+             "nodes and arcs: .graphml .dot; repeatable");
+  add_output(command, "--parts", "FILE.ply", options.parts_file,
+             "the mesh with vertices coloured by arc");
+  add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
   add_picture_options(command, options, "the graph");
   add_page_option(command, options, "the mesh and the graph");
   add_gltf_option(command, options, "the arcs");
@@ -197,14 +192,9 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
                       "vertex to diffuse from; repeatable; default: handle loops, or an end")
           ->option_text("VERTEX")
           ->allow_extra_args(false);
-  CLI::Option* height =
-      command
-          .add_option("--height", options.height, "take the height in a direction, not a diffusion")
-          ->option_text("X,Y,Z")
-          ->delimiter(',')
-          ->expected(3)
-          ->check(why_not_finite)
-          ->excludes(seed);
+  CLI::Option* height = add_numbers(command, "--height", "X,Y,Z", options.height, 3,
+                                    "take the height in a direction, not a diffusion")
+                            ->excludes(seed);
   CLI::Option* values =
       command
           .add_option("--values", options.values_file, "take a number for each vertex from a file")
@@ -212,44 +202,34 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
           ->type_name(input_file)
           ->excludes(seed)
           ->excludes(height);
-  command
-      .add_option(
-          "--backend", options.backend,
-          "of the diffusion: auto, host, cuda or reference; default: auto, a CUDA device if "
-          "there is one")
-      ->option_text("NAME")
-      ->check(CLI::IsMember(names_of_backends()))
+  add_choice(command, "--backend", "NAME", options.backend,
+             "of the diffusion: auto, host, cuda or reference; default: auto, a CUDA device if "
+             "there is one",
+             names_of_backends())
       ->excludes(height)
       ->excludes(values);
-  command
-      .add_option("--simplify", options.threshold,
-                  "leaves to take off, as part of the whole, 0 to 1; default: 0.03")
-      ->option_text("PART")
-      ->check(CLI::Range(0., 1.))
-      ->check(why_not_finite);
-  command
-      .add_option("--measure", options.measure,
-                  "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
-                  "else persistence")
-      ->option_text("NAME")
-      ->check(CLI::IsMember(reeb_measures()));
+  add_part(command, "--simplify", options.threshold,
+           "leaves to take off, as part of the whole, 0 to 1; default: 0.03");
+  add_choice(command, "--measure", "NAME", options.measure,
+             "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
+             "else persistence",
+             reeb_measures());
   add_threads_option(command, options);
 }
 
-constexpr char reeb_description[] =
-    "Computes the Reeb graph of a triangle mesh.\n"
-    "\n"
-    "Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an "
-    "animal,\n"
-    "the bars of a frame. A connected surface of genus g has a graph with g independent cycles.\n";
+constexpr char reeb_description[] = R"(Computes the Reeb graph of a triangle mesh.
 
-constexpr char reeb_examples[] =
-    "Examples:\n"
-    "  htloops reeb chair.off --picture chair.png      a look at it\n"
-    "  htloops reeb chair.off -o chair.json --parts parts.ply --lines bones.obj\n"
-    "                                                  for a program and for a viewer\n"
-    "  htloops reeb chair.off --height 0,0,1 --simplify 0 --graph chair.graphml\n"
-    "                                                  the full Reeb graph of the height\n";
+Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an animal,
+the bars of a frame. A connected surface of genus g has a graph with g independent cycles.
+)";
+
+constexpr char reeb_examples[] = R"(Examples:
+  htloops reeb chair.off --picture chair.png      a look at it
+  htloops reeb chair.off -o chair.json --parts parts.ply --lines bones.obj
+                                                  for a program and for a viewer
+  htloops reeb chair.off --height 0,0,1 --simplify 0 --graph chair.graphml
+                                                  the full Reeb graph of the height
+)";
 
 } // namespace
 

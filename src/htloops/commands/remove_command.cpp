@@ -18,9 +18,10 @@
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
+
+#include <boost/algorithm/string/join.hpp>
 
 #include <cstdio>
 #include <map>
@@ -45,15 +46,13 @@ struct Remove_options : Common_options // the JSON is the report
   bool show_all = false;
 };
 
-using CGAL::Handle_tunnel_loops::Removal_method;
-
 const std::map<std::string, Removal_method> methods = {{"cut", Removal_method::CUT},
                                                        {"fill", Removal_method::FILL},
                                                        {"cheapest", Removal_method::CHEAPEST}};
 
 void check_options(const Remove_options& options) {
   if(options.result_file.empty() && !options.is_dry_run)
-    throw Failure(Exit_code::WRONG_USAGE, "-o OUT says where the mesh goes; or --dry-run");
+    throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
   check_mesh_format(options.result_file);
   parse_length("--shorter-than", options.shorter_than);
   parse_length("--necks", options.necks);
@@ -66,9 +65,7 @@ Vertex_properties properties_to_keep(const Input_file& file, const Remove_option
   if(options.is_dry_run)
     return {};
   Vertex_properties kept = kept_by_format(options.result_file, read_vertex_properties(file));
-  std::string list;
-  for(const std::string& data : unread_data(file, kept))
-    list += (list.empty() ? "" : "; ") + data;
+  const std::string list = boost::algorithm::join(unread_data(file, kept), "; ");
   if(!list.empty() && !options.is_quiet)
     std::fprintf(stderr, "htloops: of %s is not kept: %s\n", options.mesh_file.c_str(),
                  list.c_str());
@@ -92,8 +89,7 @@ std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
 
 Pairs read_basis(const Mesh& mesh, const std::string& file) {
   Bound_loops loops = read_loops_on(mesh, file);
-  const auto certificate =
-      certify(mesh, loops.pairs, CGAL::Handle_tunnel_loops::Basis_kind::PURE, false);
+  const auto certificate = certify(mesh, loops.pairs, Basis_kind::PURE, false);
   if(!certificate.closed_on_surface || !certificate.basis)
     require_none(file, lines_of(certificate.failure));
   return std::move(loops.pairs);
@@ -112,8 +108,7 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   Removal_options removal;
   removal.target_genus = options.genus.value_or(0);
   const double whole = diagonal_of(mesh);
-  if(const auto length = parse_length("--shorter-than", options.shorter_than, whole))
-    removal.maximal_length = *length;
+  removal.maximal_length = parse_length("--shorter-than", options.shorter_than, whole);
   if(!options.pairs.empty())
     removal.pairs = options.pairs;
   removal.box = box_of(options.box);
@@ -188,21 +183,17 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
   CLI::Option* selections[] = {
       command.add_option("--genus", options.genus, "the smallest, until genus G is left")
           ->option_text("G"),
-      command
-          .add_option("--shorter-than", options.shorter_than,
-                      "handles with a loop that is shorter; %: of the diagonal of the box")
-          ->option_text("L|P%"),
+      add_length(command, "--shorter-than", options.shorter_than,
+                 "handles with a loop that is shorter; %: of the diagonal of the box"),
       command
           .add_option("--pairs", options.pairs, "those of some pairs, as 'htloops loops' counts")
           ->option_text("I,J,...")
           ->delimiter(',')
           ->allow_extra_args(false),
       add_box_option(command, options.box, "handles"),
-      command
-          .add_option("--necks", options.necks,
-                      "handles with a loop that is shorter, and necks:\n"
-                      "shorter loops at which shells come apart")
-          ->option_text("L|P%"),
+      add_length(command, "--necks", options.necks,
+                 "handles with a loop that is shorter, and necks:\n"
+                 "shorter loops at which shells come apart"),
   };
   for(CLI::Option* const option : selections) {
     for(CLI::Option* const other : selections)
@@ -213,11 +204,8 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
 
 void add_computation_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("How to remove");
-  command
-      .add_option("--by", options.method,
-                  "cut, fill or cheapest; default: cheapest, or as it can be done")
-      ->option_text("WAY")
-      ->check(CLI::IsMember(methods));
+  add_choice(command, "--by", "WAY", options.method,
+             "cut, fill or cheapest; default: cheapest, or as it can be done", methods);
   command
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
@@ -228,33 +216,30 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
 
 void add_output_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to write");
-  as_output(command.add_option("-o,--output", options.result_file,
-                               "the mesh: .off .obj .ply .stl; - is standard output, OFF"),
-            "OUT");
+  add_output(command, "-o,--output", "OUT", options.result_file,
+             "the mesh: .off .obj .ply .stl; - is standard output, OFF");
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
-  as_output(command.add_option("--report", options.json_file, "what was done, as JSON"),
-            "FILE.json");
+  add_output(command, "--report", "FILE.json", options.json_file, "what was done, as JSON");
   add_picture_options(command, options, "the loops of what is removed");
   add_page_option(command, options, "the mesh before and after");
   add_view_options(command, options);
 }
 
-constexpr char remove_description[] =
-    "Removes handles of a triangle mesh.\n"
-    "\n"
-    "A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the "
-    "ends\n"
-    "are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,\n"
-    "numbers and colours of its vertices, too, where the file that is written has room for them.\n"
-    "A handle that neither can be done to is refused, by name; that is no failure.\n";
+constexpr char remove_description[] = R"(Removes handles of a triangle mesh.
 
-constexpr char remove_examples[] =
-    "Examples:\n"
-    "  htloops remove scan.ply -o clean.ply            all handles\n"
-    "  htloops remove scan.ply -o clean.ply --shorter-than 3%\n"
-    "                                                  the small ones\n"
-    "  htloops remove scan.ply --genus 2 --dry-run --html look.html\n"
-    "                                                  what would go, if two are to stay\n";
+A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the ends
+are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,
+numbers and colours of its vertices, too, where the file that is written has room for them.
+A handle that neither can be done to is refused, by name; that is no failure.
+)";
+
+constexpr char remove_examples[] = R"(Examples:
+  htloops remove scan.ply -o clean.ply            all handles
+  htloops remove scan.ply -o clean.ply --shorter-than 3%
+                                                  the small ones
+  htloops remove scan.ply --genus 2 --dry-run --html look.html
+                                                  what would go, if two are to stay
+)";
 
 } // namespace
 

@@ -11,12 +11,9 @@
 #include "app/interrupt.h"
 #include "app/version.h"
 #include "commands/command.h"
-#include "commands/help.h"
 #include "commands/options.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -109,19 +106,20 @@ constexpr char tool_description[] = "Finds handle and tunnel loops, and Reeb gra
                                     "meshes, and cuts them open.\n";
 
 constexpr char tool_footer[] =
-    "Exit codes: 0 done, 1 no certified answer (or no memory to find it), 2 wrong usage or\n"
-    "  unwritable output, 3 a file cannot be read, 4 the mesh is not an oriented manifold of\n"
-    "  triangles, 5 the backend asked for is not there; 128 and the\n"
-    "  number of the signal if interrupted: 130 by Ctrl-C.\n"
-    "\n"
-    "Examples:\n"
-    "  htloops generate torus -o torus.off             makes a mesh to try\n"
-    "  htloops loops torus.off -o torus.json           finds its loops\n"
-    "  htloops check torus.off torus.json              checks them\n"
-    "  htloops reeb torus.off --picture reeb.png       draws its Reeb graph\n"
-    "  htloops cut torus.off -o open.obj               cuts it open to a disk\n"
-    "  htloops remove torus.off -o ball.off            removes its handle\n"
-    "  htloops loops --help                            says more of a command\n";
+    R"(Exit codes: 0 done, 1 no certified answer (or no memory to find it), 2 wrong usage or
+  unwritable output, 3 a file cannot be read, 4 the mesh is not an oriented manifold of
+  triangles, 5 the backend asked for is not there; 128 and the
+  number of the signal if interrupted: 130 by Ctrl-C.
+
+Examples:
+  htloops generate torus -o torus.off             makes a mesh to try
+  htloops loops torus.off -o torus.json           finds its loops
+  htloops check torus.off torus.json              checks them
+  htloops reeb torus.off --picture reeb.png       draws its Reeb graph
+  htloops cut torus.off -o open.obj               cuts it open to a disk
+  htloops remove torus.off -o ball.off            removes its handle
+  htloops loops --help                            says more of a command
+)";
 
 // Names of files may be of any characters; none of them is to move the cursor.
 std::string printable(std::string message) {

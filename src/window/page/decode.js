@@ -1,5 +1,5 @@
 // What a page carries: numbers of variable length, in streams one after the other, deflated, in
-// base 64. See encode_surface.h for what they mean.
+// base 64. See encoding.h for what they mean.
 
 const STEPS = 65535; // of a coordinate, from one side of the box to the other
 

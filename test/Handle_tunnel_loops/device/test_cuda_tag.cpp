@@ -19,10 +19,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace CGAL::Handle_tunnel_loops::internal::device {
 
 // As the devices of this test: one that has the memory asked for by its number, in KiB, and none
 // with the number -1.
@@ -53,10 +50,7 @@ int current_cuda_device() { return 0; }
 
 void start_cuda_device(const Device_options&) {}
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::device
 
 namespace {
 

@@ -25,9 +25,7 @@
 // What a device computes is what the host's own passes compute: the same times, the same handles,
 // the same layers, the same walks. And its fronts have the components that they have.
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 inline bool operator==(const Crossing& a, const Crossing& b) {
   return a.left == b.left && a.right == b.right && a.ratio == b.ratio;
@@ -43,9 +41,7 @@ inline std::ostream& operator<<(std::ostream& os, const Handle_candidate& handle
             << ", " << handle.loop.size() << " crossings";
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 namespace device_agreement {
 

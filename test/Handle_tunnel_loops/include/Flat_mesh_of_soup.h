@@ -34,6 +34,7 @@ inline Flat_mesh flat_mesh_of(const Soup& soup) {
     } while(u != some_neighbor.at(v));
   }
   mesh.row_begin.push_back(static_cast<Index>(mesh.neighbor.size()));
+  mesh.first_hub = n;
   mesh.seeds = {0};
   mesh.component.assign(n, 0);
   mesh.genus = static_cast<std::size_t>(2 - generators::euler_characteristic(soup)) / 2;

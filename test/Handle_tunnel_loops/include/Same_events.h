@@ -7,8 +7,7 @@
 
 // Events of fronts are compared to the last bit of the lengths.
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 inline bool operator==(const Front_event::Front& a, const Front_event::Front& b) {
   return a.layer == b.layer && a.length == b.length;
@@ -22,7 +21,6 @@ inline std::ostream& operator<<(std::ostream& os, const Front_event& event) {
             << event.step;
 }
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // HTL_TEST_SAME_EVENTS_H

@@ -4,7 +4,7 @@
 #include "Generated_soups.h"
 
 #include "generators/Field.h"
-#include "generators/isosurface.h"
+#include "generators/mesh_of_field.h"
 
 #include <algorithm>
 #include <cmath>

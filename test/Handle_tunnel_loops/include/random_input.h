@@ -29,15 +29,13 @@ inline CGAL::Handle_tunnel_loops::Field_constants random_constants(generators::R
   return c;
 }
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
+namespace CGAL::Handle_tunnel_loops {
 
 inline std::ostream& operator<<(std::ostream& out, const Field_constants& c) {
   return out << c.mobility << ' ' << c.driving_force << ' ' << c.gradient_coefficient << ' '
              << c.penalty << ' ' << c.step;
 }
 
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops
 
 #endif // HTL_TEST_RANDOM_INPUT_H

@@ -4,8 +4,8 @@
 #include "Crossing_loops.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Handle_tunnel_loops/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
-#include <CGAL/Handle_tunnel_loops/length_interval.h>
 
 #include <gtest/gtest.h>
 

@@ -383,9 +383,7 @@ TEST(Initial_pass, LogsTheLifeOfEachFront) {
 // layer that splits and comes together again is not.
 TEST(Handles_within_steps, AreThoseThatLeaveNoTrace) {
   using Type = Front_event_type;
-  const auto number = [](const std::vector<Front_event>& events) {
-    return reference::Handles_within_steps(events).number();
-  };
+  const auto number = reference::handles_within_steps;
   const Front_event split = {Type::SPLIT, 5, 0, {{1, 1.}}, {{2, 1.}, {3, 1.}}};
   Front_event merge = {Type::MERGE, 6, 0, {{2, 1.}, {3, 1.}}, {{4, 1.}}};
   const Front_event part = {Type::SPLIT, 6, 0, {{4, 1.}}, {{5, 1.}, {6, 1.}}};
@@ -469,7 +467,7 @@ TEST(Loop_of_line, PassesWalksOnTheirLeft) {
     std::vector<Surface_point> line;
     for(const Index v : walk)
       line.push_back(reference::vertex_point(v));
-    const Crossing_loop loop = reference::Loop_of_line(mesh)(line);
+    const Crossing_loop loop = reference::loop_of_line(mesh, line);
     const Crossing_loop expected = pushed_left(mesh, walk);
     ASSERT_EQ(loop.size(), expected.size());
     for(std::size_t j = 0; j < loop.size(); ++j)

@@ -3,7 +3,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_nearby.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>

@@ -1,7 +1,6 @@
 #include "window/window.h"
 
-#include "window/Streams.h"
-#include "window/encode_surface.h"
+#include "window/encoding.h"
 #include "window/page_texts.h"
 
 #include <gtest/gtest.h>

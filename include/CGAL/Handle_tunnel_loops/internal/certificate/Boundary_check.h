@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Says in words what is wrong with boundary curves, and loops homologous to them, that were found
 /// elsewhere.
@@ -110,8 +108,6 @@ private:
   FaceIndexMap face_index_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_BOUNDARY_CHECK_H

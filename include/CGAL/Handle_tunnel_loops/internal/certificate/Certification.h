@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Computes a `Certificate` step by step, of pairs on a closed surface: the caller's own, or one
 /// that has its caps (`Closed_surface`, `Flat_surface`), which must outlive it.
@@ -333,9 +331,7 @@ bool are_loops_of(const TriangleMesh& tm, const PairRange& pairs) {
   });
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification_impl.h>

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE Certificate certify_flat(Execution execution,
                                        const Flat_surface& surface,
@@ -39,8 +37,6 @@ CGAL_HTL_CORE Naming certify_and_name_flat(Execution execution,
   return certify_and_name(execution, surface, kind, offset, pairs, std::move(relations), progress);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_CERTIFICATION_IMPL_H

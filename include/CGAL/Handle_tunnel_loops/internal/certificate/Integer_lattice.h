@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The lattice spanned by integer vectors, kept as sparse rows in echelon form. Integers have any
 /// size. Short rows added first keep the form sparse.
@@ -95,8 +93,6 @@ private:
   std::size_t number_of_units_ = 0;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_INTEGER_LATTICE_H

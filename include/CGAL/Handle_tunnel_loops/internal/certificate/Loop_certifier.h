@@ -28,12 +28,9 @@
 #include <iterator>
 #include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The pieces into which a triangle mesh falls when it is cut along some of its edges: sets of
 /// faces, one of which is the outside where the mesh has a boundary. Almost linear in the size of
@@ -409,8 +406,6 @@ private:
   std::vector<std::string> failures_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_LOOP_CERTIFIER_H

@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The value of loop `loop` on the directed edge of the smaller to the larger vertex index.
 struct Chain_entry
@@ -73,9 +71,7 @@ CGAL_HTL_CORE std::vector<std::string> why_no_basis(std::size_t number_of_loops,
                                                     const std::vector<Chain_entry>& chains,
                                                     const std::vector<Used_edge>& edges);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Decides whether loops bound, and whether their classes are a basis; see `Loop_certifier`.
 class Homology_classes
@@ -249,8 +247,6 @@ CGAL_HTL_CORE std::vector<std::string> why_no_basis(std::size_t number_of_loops,
   return Homology_classes(number_of_loops, chains, edges).why_no_basis();
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_HOMOLOGY_CLASSES_IMPL_H

@@ -16,12 +16,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The halfedges of a flat mesh by number: that from v to the i-th neighbour in its ring is number
 /// `row_begin[v] + i`.
@@ -120,6 +117,7 @@ struct Cut_problem
   Edge_rule rule(Index h) const { return rules.empty() ? Edge_rule::FREE : rules[h]; }
   bool is_kept(Index h) const { return rule(h) == Edge_rule::KEEP; }
   bool is_avoided(Index h) const { return rule(h) == Edge_rule::AVOID; }
+  bool is_spoke(Index h) const { return mesh.is_spoke(halfedges.source(h), halfedges.target(h)); }
   bool is_cone(Index v) const { return !cones.empty() && cones[v] != 0; }
 };
 
@@ -203,8 +201,6 @@ private:
   std::vector<Index> degree_;  // by vertex
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_PROBLEM_H

@@ -15,7 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -33,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Turns what a caller wants of a cut, in terms of the mesh, into a `Cut_problem`.
 template <typename TriangleMesh, typename VertexIndexMap> class Cut_request
@@ -43,6 +40,7 @@ template <typename TriangleMesh, typename VertexIndexMap> class Cut_request
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using edge_descriptor = typename Graph_traits::edge_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
   /// The surface must outlive it.
@@ -127,25 +125,18 @@ public:
   void cut_spheres(bool do_cut) { problem_.do_cut_spheres = do_cut; }
 
   template <typename Loop> void add_loop(const Loop& loop) {
-    std::vector<Edge_ends> places;
-    for(const auto& step : loop.steps()) {
-      const Index u = index_of(source(step.halfedge, tm_)),
-                  v = index_of(target(step.halfedge, tm_));
-      places.push_back({step.ratio == 1. ? v : u, step.ratio == 0. ? u : v});
-    }
     std::vector<Index> walk = shortest_walk_beside(
-        places, [this](Index u, Index v) { return problem_.mesh.edge_length(u, v); });
-    remove_spurs(walk);
+        loop, tm_, [this](vertex_descriptor v) { return index_of(v); },
+        [this](Index u, Index v) { return problem_.mesh.edge_length(u, v); });
     if(walk.size() > 1)
       problem_.walks.push_back(std::move(walk));
   }
 
   const Cut_problem& problem() const { return problem_; }
-  Cut_problem take_problem() { return std::move(problem_); }
 
-  edge_descriptor edge_of(Index h) const {
+  halfedge_descriptor halfedge_of_caller(Index h) const {
     const vertex_descriptor u = vertices_[problem_.halfedges.source(h)];
-    return edge(halfedge(u, vertices_[problem_.halfedges.target(h)], tm_).first, tm_);
+    return halfedge(u, vertices_[problem_.halfedges.target(h)], tm_).first;
   }
 
 private:
@@ -184,8 +175,6 @@ private:
   std::vector<Index> flat_index_; // by caller's index
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_REQUEST_H

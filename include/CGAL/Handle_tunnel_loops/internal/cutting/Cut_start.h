@@ -23,107 +23,71 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Shortest paths from some vertices to all others, along edges that are not to be avoided.
-class Shortest_forest
+/// The label of a vertex: how far it is, and the halfedge that leads there.
+struct Forest_label
 {
-public:
-  static constexpr double never = (std::numeric_limits<double>::max)();
-
-  explicit Shortest_forest(const Cut_problem& problem)
-      : problem_(problem)
-      , paths_(problem.mesh.number_of_vertices()) {}
-
-  void add_source(Index v) { paths_.reach(v, {0., no_index}); }
-
-  void grow() {
-    const Flat_halfedges& halfedges = problem_.halfedges;
-    paths_.grow([&](Index v) {
-      for(Index h = halfedges.begin(v); h < halfedges.end(v); ++h) {
-        const double sum = distance(v) + problem_.weight[h];
-        if(sum < distance(halfedges.target(h)) && !problem_.is_avoided(h))
-          paths_.reach(halfedges.target(h), {sum, h});
-      }
-    });
-  }
-
-  /// from the nearest source; `never` where no path leads.
-  double distance(Index v) const { return paths_[v].distance; }
-
-  /// whether a halfedge or its twin is on the path to one of its ends.
-  bool is_on_path(Index h) const {
-    return paths_[problem_.halfedges.target(h)].previous == h ||
-           paths_[problem_.halfedges.source(h)].previous == problem_.halfedges.twin(h);
-  }
-
-private:
-  struct Label
-  {
-    double distance = never;
-    Index previous = no_index; // the halfedge that leads to the vertex
-  };
-
-  const Cut_problem& problem_;
-  Shortest_paths<Label> paths_; // by vertex
+  double distance = (std::numeric_limits<double>::max)();
+  Index previous = no_index;
 };
 
-/// Gives the arcs of spheres their ends, as cones: where the caller wants one or names one vertex,
+/// the shortest paths from some vertices to all others, along edges that are not to be avoided.
+inline Shortest_paths<Forest_label> shortest_forest(const Cut_problem& problem,
+                                                    const std::vector<Index>& sources) {
+  const Flat_halfedges& halfedges = problem.halfedges;
+  Shortest_paths<Forest_label> paths(problem.mesh.number_of_vertices());
+  for(const Index v : sources)
+    paths.reach(v, {0., no_index});
+  paths.grow([&](Index v) {
+    for(Index h = halfedges.begin(v); h < halfedges.end(v); ++h) {
+      const double sum = paths[v].distance + problem.weight[h];
+      if(sum < paths[halfedges.target(h)].distance && !problem.is_avoided(h))
+        paths.reach(halfedges.target(h), {sum, h});
+    }
+  });
+  return paths;
+}
+
+/// the vertex farthest from another one.
+inline Index farthest_from(const Cut_problem& problem, Index v) {
+  const Shortest_paths<Forest_label> paths = shortest_forest(problem, {v});
+  Index farthest = problem.halfedges.target(problem.halfedges.begin(v));
+  for(Index u = 0; u < problem.mesh.number_of_vertices(); ++u)
+    if(paths.is_reached(u) && paths[u].distance > paths[farthest].distance)
+      farthest = u;
+  return farthest;
+}
+
+/// gives the arcs of spheres their ends, as cones: where the caller wants one or names one vertex,
 /// a sphere is cut from there, or from one end of it, to the vertex farthest away.
-class Sphere_ends
-{
-public:
-  explicit Sphere_ends(Cut_problem& problem)
-      : problem_(problem) {}
-
-  void add() {
-    const std::vector<Component_size> sizes = component_sizes(problem_);
-    std::vector<Index> number_of_cones(sizes.size(), 0), some_cone(sizes.size(), no_index);
-    for(Index v = 0; v < problem_.cones.size(); ++v)
-      if(problem_.is_cone(v)) {
-        ++number_of_cones[problem_.mesh.component[v]];
-        some_cone[problem_.mesh.component[v]] = v;
+inline void add_ends_on_spheres(Cut_problem& problem) {
+  const std::vector<Component_size> sizes = component_sizes(problem);
+  std::vector<std::vector<Index>> cones(sizes.size());
+  for(Index v = 0; v < problem.cones.size(); ++v)
+    if(problem.is_cone(v))
+      cones[problem.mesh.component[v]].push_back(v);
+  std::vector<char> is_kept(sizes.size(), 0);
+  for(Index h = 0; h < problem.rules.size(); ++h)
+    if(problem.is_kept(h))
+      is_kept[problem.mesh.component[problem.halfedges.source(h)]] = 1;
+  const auto add_cone = [&](Index v) {
+    problem.cones.resize(problem.mesh.number_of_vertices(), 0);
+    problem.cones[v] = 1;
+  };
+  for(std::size_t c = 0; c < sizes.size(); ++c)
+    if(sizes[c].genus() == 0 && !is_kept[c]) {
+      if(cones[c].size() == 1 && problem.mesh.is_hub(cones[c][0]))
+        problem.cones[cones[c][0]] = 0; // a disk as it is
+      else if(cones[c].size() == 1)
+        add_cone(farthest_from(problem, cones[c][0]));
+      else if(cones[c].empty() && problem.do_cut_spheres) {
+        const Index end = farthest_from(problem, problem.mesh.seeds[c]);
+        add_cone(end);
+        add_cone(farthest_from(problem, end));
       }
-    std::vector<char> is_kept(sizes.size(), 0);
-    for(Index h = 0; h < problem_.rules.size(); ++h)
-      if(problem_.is_kept(h))
-        is_kept[problem_.mesh.component[problem_.halfedges.source(h)]] = 1;
-    for(std::size_t c = 0; c < sizes.size(); ++c)
-      if(sizes[c].genus() == 0 && !is_kept[c]) {
-        if(number_of_cones[c] == 1 && problem_.mesh.is_hub(some_cone[c]))
-          problem_.cones[some_cone[c]] = 0; // a disk as it is
-        else if(number_of_cones[c] == 1)
-          add_cone(farthest_from(some_cone[c]));
-        else if(number_of_cones[c] == 0 && problem_.do_cut_spheres) {
-          const Index end = farthest_from(problem_.mesh.seeds[c]);
-          add_cone(end);
-          add_cone(farthest_from(end));
-        }
-      }
-  }
-
-private:
-  void add_cone(Index v) {
-    problem_.cones.resize(problem_.mesh.number_of_vertices(), 0);
-    problem_.cones[v] = 1;
-  }
-
-  Index farthest_from(Index v) const {
-    Shortest_forest forest(problem_);
-    forest.add_source(v);
-    forest.grow();
-    Index farthest = problem_.halfedges.target(problem_.halfedges.begin(v));
-    for(Index u = 0; u < problem_.mesh.number_of_vertices(); ++u)
-      if(forest.distance(u) != Shortest_forest::never &&
-         forest.distance(u) > forest.distance(farthest))
-        farthest = u;
-    return farthest;
-  }
-
-  Cut_problem& problem_;
-};
+    }
+}
 
 /*!
 Finds a cut that uses given walks as far as it can.
@@ -143,8 +107,11 @@ public:
       : problem_(problem)
       , in_base_(problem.halfedges.size(), 0) {
     for(const std::vector<Index>& walk : problem.walks)
-      for(std::size_t i = 0; i < walk.size(); ++i)
-        add_to_base(problem.halfedges.between(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]));
+      for(std::size_t i = 0; i < walk.size(); ++i) {
+        const Index h = halfedges().between(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]);
+        if(!problem.is_avoided(h))
+          in_base_[h] = in_base_[halfedges().twin(h)] = 1;
+      }
     for(Index h = 0; h < problem.rules.size(); ++h)
       if(problem.is_kept(h))
         in_base_[h] = 1;
@@ -169,16 +136,9 @@ private:
 
   const Flat_halfedges& halfedges() const { return problem_.halfedges; }
 
-  void add_to_base(Index h) {
-    if(!problem_.is_avoided(h))
-      in_base_[h] = in_base_[halfedges().twin(h)] = 1;
-  }
-
   bool is_base_connected() const {
     const std::size_t n = problem_.mesh.number_of_vertices();
     Sets_of_indices sets(n);
-    for(Index v = 0; v < n; ++v)
-      sets.make_set(v);
     std::vector<char> is_used(n, 0);
     for(Index h = 0; h < halfedges().size(); ++h)
       if(in_base_[h]) {
@@ -207,85 +167,76 @@ private:
 
   Cut_graph cut_of(bool by_distance) const {
     Sets_of_indices sets(problem_.mesh.number_of_faces());
-    for(Index f = 0; f < problem_.mesh.number_of_faces(); ++f)
-      sets.make_set(f);
     std::vector<char> is_crossed(halfedges().size(), 0);
     std::size_t joins = 0;
-    const auto join = [&](Index h) {
-      const Index twin = halfedges().twin(h), f = sets.find(halfedges().face(h)),
-                  g = sets.find(halfedges().face(twin));
-      if(f == g)
-        return;
-      sets.unite(f, g);
+    for(const Index h : edges_to_join(by_distance)) {
+      const Index twin = halfedges().twin(h);
+      if(!sets.unite(halfedges().face(h), halfedges().face(twin)))
+        continue;
       is_crossed[h] = is_crossed[twin] = 1;
       ++joins;
-    };
-    join_avoided(join);
-    join_others(join, by_distance);
-    join_base(join);
+    }
     if(joins + problem_.mesh.seeds.size() != problem_.mesh.number_of_faces())
       throw No_cut_exception("the edges to keep cut off a part of the surface");
     return pruned(is_crossed);
   }
 
-  template <typename Join> void join_avoided(const Join& join) const {
+  // Those across which faces are joined, in this order.
+  std::vector<Index> edges_to_join(bool by_distance) const {
+    std::vector<Index> order;
     for(Index h = 0; h < problem_.rules.size(); ++h)
       if(problem_.is_avoided(h))
-        join(h);
-  }
-
-  template <typename Join> void join_others(const Join& join, bool by_distance) const {
-    if(!by_distance) {
+        order.push_back(h);
+    if(by_distance)
+      append_others_by_distance(order);
+    else
       for(Index h = 0; h < halfedges().size(); ++h)
         if(!in_base_[h])
-          join(h);
-      return;
-    }
-    const Shortest_forest forest = forest_around_base();
-    std::vector<Keyed_edge> others, paths;
-    for(Index h = 0; h < halfedges().size(); ++h)
-      if(!in_base_[h] && halfedges().source(h) < halfedges().target(h) && !problem_.is_avoided(h)) {
-        const double key = forest.distance(halfedges().source(h)) + problem_.weight[h] +
-                           forest.distance(halfedges().target(h));
-        (forest.is_on_path(h) ? paths : others).push_back({key, h});
-      }
-    join_long_ones_first(join, others);
-    join_long_ones_first(join, paths);
-  }
-
-  template <typename Join> void join_base(const Join& join) const {
+          order.push_back(h);
     std::vector<Keyed_edge> base;
     for(Index h = 0; h < halfedges().size(); ++h)
       if(in_base_[h] && halfedges().source(h) < halfedges().target(h) && !problem_.is_kept(h))
         base.push_back({problem_.weight[h], h});
-    join_long_ones_first(join, base);
+    append_long_ones_first(base, order);
+    return order;
   }
 
-  template <typename Join>
-  static void join_long_ones_first(const Join& join, std::vector<Keyed_edge>& edges) {
+  void append_others_by_distance(std::vector<Index>& order) const {
+    const Shortest_paths<Forest_label> forest = shortest_forest(problem_, places_of_base());
+    std::vector<Keyed_edge> others, paths;
+    for(Index h = 0; h < halfedges().size(); ++h) {
+      const Index u = halfedges().source(h), v = halfedges().target(h);
+      if(in_base_[h] || u > v || problem_.is_avoided(h))
+        continue;
+      const bool is_on_path = forest[v].previous == h || forest[u].previous == halfedges().twin(h);
+      const double key = forest[u].distance + problem_.weight[h] + forest[v].distance;
+      (is_on_path ? paths : others).push_back({key, h});
+    }
+    append_long_ones_first(others, order);
+    append_long_ones_first(paths, order);
+  }
+
+  static void append_long_ones_first(std::vector<Keyed_edge>& edges, std::vector<Index>& order) {
     std::sort(edges.begin(), edges.end(), [](const Keyed_edge& a, const Keyed_edge& b) {
       return a.key > b.key || (a.key == b.key && a.halfedge < b.halfedge);
     });
     for(const Keyed_edge& e : edges)
-      join(e.halfedge);
+      order.push_back(e.halfedge);
   }
 
-  // Where a component has no base and no cone, paths begin at its seed.
-  Shortest_forest forest_around_base() const {
-    Shortest_forest forest(problem_);
-    std::vector<char> has_source(problem_.mesh.seeds.size(), 0);
-    const auto add_source = [&](Index v) {
-      has_source[problem_.mesh.component[v]] = 1;
-      forest.add_source(v);
-    };
+  // Where a component has no base and no cone, its seed.
+  std::vector<Index> places_of_base() const {
+    std::vector<Index> places;
+    std::vector<char> has_place(problem_.mesh.seeds.size(), 0);
     for(Index v = 0; v < problem_.mesh.number_of_vertices(); ++v)
-      if(problem_.is_cone(v) || is_in_base(v))
-        add_source(v);
+      if(problem_.is_cone(v) || is_in_base(v)) {
+        places.push_back(v);
+        has_place[problem_.mesh.component[v]] = 1;
+      }
     for(const Index v : problem_.mesh.seeds)
-      if(!has_source[problem_.mesh.component[v]])
-        add_source(v);
-    forest.grow();
-    return forest;
+      if(!has_place[problem_.mesh.component[v]])
+        places.push_back(v);
+    return places;
   }
 
   bool is_in_base(Index v) const {
@@ -315,8 +266,6 @@ private:
   std::vector<char> in_base_; // by halfedge
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_START_H

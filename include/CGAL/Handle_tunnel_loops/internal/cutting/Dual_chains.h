@@ -16,8 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -25,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 The chains of edges dual to a basis of the first homology group of a surface: chain j crosses loop j
@@ -158,8 +154,6 @@ private:
   std::vector<Chain> cycles_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_DUAL_CHAINS_H

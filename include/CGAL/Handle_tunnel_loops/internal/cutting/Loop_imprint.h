@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Divides one triangle, whose sides may have further vertices, along chords between vertices on
@@ -48,37 +46,32 @@ template <typename TriangleMesh, typename VertexPointMap> class Face_subdivision
 public:
   using Path = std::vector<vertex_descriptor>;
 
-  /// `corners` are those of the triangle, counterclockwise.
-  Face_subdivision(TriangleMesh& tm,
-                   VertexPointMap point,
-                   face_descriptor f,
-                   const std::vector<vertex_descriptor>& corners)
+  /// remembers the corners of the triangle.
+  Face_subdivision(TriangleMesh& tm, VertexPointMap point, face_descriptor f)
       : tm_(tm)
       , point_(point)
       , faces_(1, f) {
-    halfedge_descriptor h = halfedge(f, tm);
-    while(target(h, tm) != corners[0])
-      h = next(h, tm);
+    for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, tm), tm))
+      corners_.push_back(target(h, tm));
+  }
+
+  /// to be called when the sides have their further vertices.
+  void find_sides() {
+    halfedge_descriptor h = halfedge_to(corners_[0], faces_[0]);
     for(int side = 0; side < 3; ++side) {
-      const vertex_descriptor end = corners[(side + 1) % 3];
-      sides_[target(h, tm)] |= 1 << side;
-      while(target(h, tm) != end) {
-        h = next(h, tm);
-        sides_[target(h, tm)] |= 1 << side;
+      const vertex_descriptor end = corners_[(side + 1) % 3];
+      sides_[target(h, tm_)] |= 1 << side;
+      while(target(h, tm_) != end) {
+        h = next(h, tm_);
+        sides_[target(h, tm_)] |= 1 << side;
       }
     }
   }
 
-  /// divides the face from a to b; returns the number of the chord.
-  std::size_t add_chord(vertex_descriptor a, vertex_descriptor b) {
-    for(std::size_t i = 0; i < chords_.size(); ++i)
-      if(chords_[i].front() == a && chords_[i].back() == b)
-        return i;
-    for(std::size_t i = 0; i < chords_.size(); ++i)
-      if(chords_[i].front() == b && chords_[i].back() == a) {
-        chords_.emplace_back(chords_[i].rbegin(), chords_[i].rend());
-        return chords_.size() - 1;
-      }
+  /// divides the face from a to b.
+  void add_chord(vertex_descriptor a, vertex_descriptor b) {
+    if(chords_.count({a, b}) != 0 || chords_.count({b, a}) != 0)
+      return;
     Path path = {a};
     for(const auto& [u, v] : edges_to_cross(a, b)) {
       const vertex_descriptor x = add_crossing(a, b, u, v);
@@ -87,12 +80,17 @@ public:
     }
     divide(path.back(), b);
     path.push_back(b);
-    chords_.push_back(std::move(path));
-    return chords_.size() - 1;
+    chords_.emplace(Edge_ends(a, b), std::move(path));
   }
 
-  /// the vertices along a chord.
-  const Path& chord(std::size_t i) const { return chords_[i]; }
+  /// the vertices along the chord from a to b.
+  Path chord(vertex_descriptor a, vertex_descriptor b) const {
+    const auto it = chords_.find({a, b});
+    if(it != chords_.end())
+      return it->second;
+    const Path& back = chords_.at({b, a});
+    return Path(back.rbegin(), back.rend());
+  }
 
   /// cuts ears off all faces, the best ones first.
   void triangulate() {
@@ -102,17 +100,13 @@ public:
           break;
   }
 
+  /// the parts, first the face that was divided.
   const std::vector<face_descriptor>& faces() const { return faces_; }
 
 private:
   using Edge_ends = std::pair<vertex_descriptor, vertex_descriptor>;
 
   Vector position(vertex_descriptor v) const { return coordinates(point_, v); }
-
-  int sides(vertex_descriptor v) const {
-    const auto it = sides_.find(v);
-    return it == sides_.end() ? 0 : it->second;
-  }
 
   // The halfedge of a face that leads to a vertex, or none.
   halfedge_descriptor halfedge_to(vertex_descriptor v, face_descriptor f) const {
@@ -123,10 +117,6 @@ private:
   }
   bool has(face_descriptor f, vertex_descriptor v) const {
     return halfedge_to(v, f) != Graph_traits::null_halfedge();
-  }
-
-  bool is_part(face_descriptor f) const {
-    return std::find(faces_.begin(), faces_.end(), f) != faces_.end();
   }
 
   // For each face, how many edges there are at least to cross from there to a vertex.
@@ -141,7 +131,8 @@ private:
     for(std::size_t q = 0; q < queue.size(); ++q)
       for(const halfedge_descriptor h : halfedges_around_face(halfedge(queue[q], tm_), tm_)) {
         const face_descriptor f = face(opposite(h, tm_), tm_);
-        if(is_part(f) && distance.emplace(f, distance.at(queue[q]) + 1).second)
+        if(std::find(faces_.begin(), faces_.end(), f) != faces_.end() &&
+           distance.emplace(f, distance.at(queue[q]) + 1).second)
           queue.push_back(f);
       }
     return distance;
@@ -151,15 +142,15 @@ private:
   // the edges cross each other: the next one is that which the straight line misses least.
   std::vector<Edge_ends> edges_to_cross(vertex_descriptor a, vertex_descriptor b) const {
     const std::map<face_descriptor, std::size_t> distance = distances_to(b);
-    std::vector<face_descriptor> at_a;
+    std::vector<face_descriptor> now;
     std::size_t to_cross = faces_.size();
     for(const face_descriptor f : faces_)
       if(has(f, a)) {
-        at_a.push_back(f);
+        now.push_back(f);
         to_cross = (std::min)(to_cross, distance.at(f));
       }
     std::vector<Edge_ends> edges;
-    for(std::vector<face_descriptor> now = at_a; to_cross > 0; --to_cross) {
+    for(; to_cross > 0; --to_cross) {
       halfedge_descriptor exit = Graph_traits::null_halfedge();
       double least = (std::numeric_limits<double>::infinity)();
       for(const face_descriptor f : now)
@@ -200,7 +191,7 @@ private:
     const vertex_descriptor x = target(h, tm_);
     const Vector place = q + t * e;
     put(point_, x, Point(place[0], place[1], place[2]));
-    for(Path& path : chords_)
+    for(auto& [ends, path] : chords_)
       for(std::size_t i = 0; i + 1 < path.size(); ++i)
         if((path[i] == u && path[i + 1] == v) || (path[i] == v && path[i + 1] == u))
           path.insert(path.begin() + i + 1, x);
@@ -231,7 +222,7 @@ private:
     halfedge_descriptor ear = Graph_traits::null_halfedge(); // leads to its tip
     for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, tm_), tm_)) {
       const vertex_descriptor u = source(h, tm_), v = target(next(h, tm_), tm_);
-      if((sides(u) & sides(v)) != 0 || halfedge(u, v, tm_).second)
+      if((sides_[u] & sides_[v]) != 0 || halfedge(u, v, tm_).second)
         continue;
       const Vector tip = position(target(h, tm_));
       const Vector a = position(u) - tip, b = position(v) - tip, c = b - a;
@@ -251,8 +242,9 @@ private:
   TriangleMesh& tm_;
   VertexPointMap point_;
   std::vector<face_descriptor> faces_;
+  std::vector<vertex_descriptor> corners_; // counterclockwise
   std::map<vertex_descriptor, int> sides_; // bits; none for vertices inside
-  std::vector<Path> chords_;
+  std::map<Edge_ends, Path> chords_;
 };
 
 /// Makes loops walks of edges of their mesh, whose faces are divided for that.
@@ -290,15 +282,18 @@ public:
 
   /// divides the faces; returns the walks of the loops.
   std::vector<Walk> run() {
-    remember_faces();
+    // Faces beside an edge that is split are divided, too.
+    for(const Split_edge& e : edges_)
+      for(const halfedge_descriptor h : {e.halfedge, opposite(e.halfedge, tm_)})
+        number_of(face(h, tm_));
     for(Split_edge& e : edges_)
       split(e);
-    for(const Divided_face& f : faces_)
-      subdivisions_.emplace_back(tm_, point_, f.face, f.corners);
-    for(auto& pieces : loops_)
-      for(Piece& piece : pieces)
+    for(Subdivision& subdivision : subdivisions_)
+      subdivision.find_sides();
+    for(const auto& pieces : loops_)
+      for(const Piece& piece : pieces)
         if(piece.face != none)
-          piece.chord = subdivisions_[piece.face].add_chord(vertex(piece.a), vertex(piece.b));
+          subdivisions_[piece.face].add_chord(vertex(piece.a), vertex(piece.b));
     std::vector<Walk> walks;
     for(const auto& pieces : loops_)
       walks.push_back(walk_of(pieces));
@@ -309,9 +304,9 @@ public:
 
   /// calls `f(face, origin)` for all parts of the faces that were divided; after `run()`.
   template <typename Function> void for_each_part(const Function& f) const {
-    for(std::size_t i = 0; i < faces_.size(); ++i)
-      for(const face_descriptor part : subdivisions_[i].faces())
-        f(part, faces_[i].face);
+    for(const Subdivision& subdivision : subdivisions_)
+      for(const face_descriptor part : subdivision.faces())
+        f(part, subdivision.faces().front());
   }
 
 private:
@@ -332,7 +327,7 @@ private:
   struct Piece
   {
     Place a, b;
-    std::size_t face = none, chord = none;
+    std::size_t face = none;
   };
   struct Split_edge
   {
@@ -340,11 +335,6 @@ private:
     vertex_descriptor source, target;
     std::map<double, Point> points;               // by ratio
     std::map<double, vertex_descriptor> vertices; // by ratio; the ends, too
-  };
-  struct Divided_face
-  {
-    face_descriptor face;
-    std::vector<vertex_descriptor> corners;
   };
 
   Place place_of(halfedge_descriptor h, double ratio, const Point& point) {
@@ -380,7 +370,7 @@ private:
   }
 
   Piece piece_between(const Place& a, const Place& b) {
-    Piece piece = {a, b, none, none};
+    Piece piece = {a, b, none};
     if(is_along_edge(a, b))
       return piece;
     const Place& on_edge = a.edge != none ? a : b;
@@ -405,20 +395,10 @@ private:
   }
 
   std::size_t number_of(face_descriptor f) {
-    const auto [it, is_new] = number_of_face_.emplace(f, faces_.size());
-    if(is_new) {
-      faces_.push_back({f, {}});
-      for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, tm_), tm_))
-        faces_.back().corners.push_back(target(h, tm_));
-    }
+    const auto [it, is_new] = number_of_face_.emplace(f, subdivisions_.size());
+    if(is_new)
+      subdivisions_.emplace_back(tm_, point_, f);
     return it->second;
-  }
-
-  // Faces beside an edge that is split are divided, too.
-  void remember_faces() {
-    for(const Split_edge& e : edges_)
-      for(const halfedge_descriptor h : {e.halfedge, opposite(e.halfedge, tm_)})
-        number_of(face(h, tm_));
   }
 
   void split(Split_edge& e) {
@@ -464,7 +444,7 @@ private:
       if(piece.face == none)
         append_along_edge(piece, path);
       else {
-        const auto& chord = subdivisions_[piece.face].chord(piece.chord);
+        const auto chord = subdivisions_[piece.face].chord(vertex(piece.a), vertex(piece.b));
         path.insert(path.end(), chord.begin(), chord.end() - 1);
       }
     Walk walk;
@@ -478,13 +458,10 @@ private:
   std::vector<std::vector<Piece>> loops_;
   std::vector<Split_edge> edges_;
   std::map<halfedge_descriptor, std::size_t> number_of_edge_;
-  std::vector<Divided_face> faces_;
   std::map<face_descriptor, std::size_t> number_of_face_;
   std::vector<Subdivision> subdivisions_; // by number of the face
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_LOOP_IMPRINT_H

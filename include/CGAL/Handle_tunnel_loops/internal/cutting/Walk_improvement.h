@@ -12,7 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -23,80 +26,82 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The ends of an edge on which a loop has a place; twice the same where that is a vertex.
 using Edge_ends = std::array<Index, 2>;
+
+/// the length of the shortest of the walks of `shortest_walk_beside()` that pass the given end of
+/// the first place, and the walk.
+template <typename Length>
+std::pair<double, std::vector<Index>> shortest_walk_from_end(const std::vector<Edge_ends>& places,
+                                                             const Length& length,
+                                                             std::size_t first) {
+  const auto cost = [&](Index u, Index v) { return u == v ? 0. : length(u, v); };
+  const double infinite = (std::numeric_limits<double>::max)();
+  std::array<double, 2> sum = {infinite, infinite};
+  sum[first] = 0.;
+  std::vector<std::array<unsigned char, 2>> previous(places.size() + 1);
+  for(std::size_t i = 1; i <= places.size(); ++i) {
+    const Edge_ends &from = places[i - 1], &to = places[i == places.size() ? 0 : i];
+    std::array<double, 2> next;
+    for(int b : {0, 1}) {
+      const double by_0 = sum[0] + cost(from[0], to[b]), by_1 = sum[1] + cost(from[1], to[b]);
+      previous[i][b] = by_1 < by_0;
+      next[b] = by_1 < by_0 ? by_1 : by_0;
+    }
+    sum = next;
+  }
+  std::vector<Index> walk(places.size());
+  std::size_t end = first;
+  for(std::size_t i = places.size(); i > 0; --i) {
+    end = previous[i][end];
+    walk[i - 1] = places[i - 1][end];
+  }
+  return {sum[first], std::move(walk)};
+}
 
 /*!
 Finds the shortest closed walk among those that pass, for each place of a loop in order, one end of
 its edge. Two places on a face move to two of its corners, which are equal or joined by an edge: so
 each of these walks is homotopic to the loop. Which end is the better one depends on the ends taken
 before and after it: a dynamic program over the two ends, once for each end of the first place.
+
+`length(u, v)` is the length of the edge between two vertices. Returns the vertices of the walk, a
+place each: those of consecutive places may be the same.
 */
-template <typename Length> class Walk_beside
-{
-public:
-  /// `length(u, v)` is the length of the edge between two vertices.
-  Walk_beside(const std::vector<Edge_ends>& places, const Length& length)
-      : places_(places)
-      , length_(length) {}
-
-  /// the vertices of the walk, a place each: those of consecutive places may be the same.
-  std::vector<Index> find() const {
-    if(places_.empty())
-      return {};
-    auto best = from_end(0);
-    if(places_.front()[0] != places_.front()[1]) {
-      auto other = from_end(1);
-      if(other.first < best.first)
-        best = std::move(other);
-    }
-    return std::move(best.second);
-  }
-
-private:
-  double cost(Index u, Index v) const { return u == v ? 0. : length_(u, v); }
-
-  // The length of the best walk that passes the given end of the first place, and the walk.
-  std::pair<double, std::vector<Index>> from_end(std::size_t first) const {
-    const double infinite = (std::numeric_limits<double>::max)();
-    std::array<double, 2> sum = {infinite, infinite};
-    sum[first] = 0.;
-    std::vector<std::array<unsigned char, 2>> previous(places_.size() + 1);
-    for(std::size_t i = 1; i <= places_.size(); ++i) {
-      const Edge_ends &from = places_[i - 1], &to = places_[i == places_.size() ? 0 : i];
-      std::array<double, 2> next;
-      for(int b : {0, 1}) {
-        const double by_0 = sum[0] + cost(from[0], to[b]), by_1 = sum[1] + cost(from[1], to[b]);
-        previous[i][b] = by_1 < by_0;
-        next[b] = by_1 < by_0 ? by_1 : by_0;
-      }
-      sum = next;
-    }
-    std::vector<Index> walk(places_.size());
-    std::size_t end = first;
-    for(std::size_t i = places_.size(); i > 0; --i) {
-      end = previous[i][end];
-      walk[i - 1] = places_[i - 1][end];
-    }
-    return {sum[first], std::move(walk)};
-  }
-
-  const std::vector<Edge_ends>& places_;
-  const Length& length_;
-};
-
-/// the shortest closed walk beside the places of a loop, see `Walk_beside`.
 template <typename Length>
 std::vector<Index> shortest_walk_beside(const std::vector<Edge_ends>& places,
                                         const Length& length) {
-  return Walk_beside<Length>(places, length).find();
+  if(places.empty())
+    return {};
+  auto best = shortest_walk_from_end(places, length, 0);
+  if(places.front()[0] != places.front()[1]) {
+    auto other = shortest_walk_from_end(places, length, 1);
+    if(other.first < best.first)
+      best = std::move(other);
+  }
+  return std::move(best.second);
+}
+
+/// the same for a loop on a mesh, whose vertices have the numbers `number(v)`, and without spurs.
+template <typename Loop, typename TriangleMesh, typename Number, typename Length>
+std::vector<Index> shortest_walk_beside(const Loop& loop,
+                                        const TriangleMesh& tm,
+                                        const Number& number,
+                                        const Length& length) {
+  std::vector<Edge_ends> places;
+  for(const auto& step : loop.steps()) {
+    const Index u = number(source(step.halfedge, tm)), v = number(target(step.halfedge, tm));
+    places.push_back({step.ratio == 1. ? v : u, step.ratio == 0. ? u : v});
+  }
+  std::vector<Index> walk = shortest_walk_beside(places, length);
+  remove_spurs(walk);
+  return walk;
 }
 
 /*!
@@ -138,7 +143,9 @@ public:
   /// goes around vertices that the walk has passed already, over vertices that it does not pass, by
   /// the shortest way there is, until no vertex is passed twice or no such way is left.
   void separate() {
-    count_visits();
+    visits_.clear();
+    for(const halfedge_descriptor h : walk_)
+      ++visits_[target(h, tm_)];
     for(Detour best = best_detour(); !best.path.empty(); best = best_detour()) {
       const std::size_t next = following(best.place);
       --visits_[target(walk_[best.place], tm_)];
@@ -218,12 +225,6 @@ private:
     return false;
   }
 
-  void count_visits() {
-    visits_.clear();
-    for(const halfedge_descriptor h : walk_)
-      ++visits_[target(h, tm_)];
-  }
-
   bool is_over_free_vertices(const Walk& path) const {
     for(std::size_t k = 0; k + 1 < path.size(); ++k) {
       const auto it = visits_.find(target(path[k], tm_));
@@ -257,8 +258,41 @@ private:
   std::map<vertex_descriptor, int> visits_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+/// turns a loop on a mesh into a closed walk on its edges, in time proportional to the loop,
+/// whatever the size of the mesh: the best one by ends of the edges that it passes, improved.
+template <typename Loop, typename TriangleMesh, typename VertexPointMap>
+auto halfedges_of_loop(const Loop& loop, const TriangleMesh& tm, VertexPointMap point) {
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  std::vector<vertex_descriptor> ends; // by number
+  for(const auto& step : loop.steps()) {
+    ends.push_back(source(step.halfedge, tm));
+    ends.push_back(target(step.halfedge, tm));
+  }
+  make_set(ends);
+  const auto number = [&](vertex_descriptor v) {
+    return static_cast<Index>(std::lower_bound(ends.begin(), ends.end(), v) - ends.begin());
+  };
+  const auto distance = [&](vertex_descriptor u, vertex_descriptor v) {
+    return norm(coordinates(point, v) - coordinates(point, u));
+  };
+  const std::vector<Index> walk = shortest_walk_beside(
+      loop, tm, number, [&](Index u, Index v) { return distance(ends[u], ends[v]); });
+  std::vector<halfedge_descriptor> halfedges;
+  for(std::size_t i = 0; i < walk.size() && walk.size() > 1; ++i) {
+    const auto [h, is_edge] = halfedge(ends[walk[i]], ends[walk[(i + 1) % walk.size()]], tm);
+    if(!is_edge)
+      throw std::invalid_argument("consecutive places of the loop have no common face");
+    halfedges.push_back(h);
+  }
+  const auto length = [&](halfedge_descriptor h) { return distance(source(h, tm), target(h, tm)); };
+  Walk_improvement improvement(tm, length, std::move(halfedges));
+  improvement.shorten();
+  improvement.separate();
+  return improvement.walk();
+}
+
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_WALK_IMPROVEMENT_H

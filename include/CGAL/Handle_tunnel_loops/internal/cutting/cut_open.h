@@ -17,23 +17,17 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// throws `No_cut_exception` if the rules for edges leave no cut.
 CGAL_HTL_CORE void check_rules(const Cut_problem& problem);
 
-/// the edges, a halfedge of each, along which every component falls open to one disk; none on
-/// components of genus 0 unless they have cones or kept edges, or spheres are to be cut.
+/// the edges, a halfedge of each, along which every component falls open to one disk, with those to
+/// hubs, if there are any; none on components of genus 0 unless they have cones or kept edges, or
+/// spheres are to be cut.
 CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem);
 
-/// the same with the edges to hubs, if there are any.
-CGAL_HTL_CORE std::vector<Index> cut_graph(Cut_problem problem);
-
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open_impl.h>

@@ -23,101 +23,77 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
+
+inline void require_of_cut(bool condition, const char* otherwise) {
+  if(!condition)
+    throw Uncertified_cut_exception(std::string("the cut fails its check: ") + otherwise);
+}
+
+/// into how many pieces the faces fall.
+inline std::size_t number_of_pieces(const Cut_problem& problem, const Cut_graph& cut) {
+  const Flat_halfedges& halfedges = problem.halfedges;
+  Sets_of_indices sets(problem.mesh.number_of_faces());
+  std::size_t pieces = problem.mesh.number_of_faces();
+  for(Index h = 0; h < halfedges.size(); ++h)
+    if(!cut.contains(h) && sets.unite(halfedges.face(h), halfedges.face(halfedges.twin(h))))
+      --pieces;
+  return pieces;
+}
+
+/// by component, of how many cycles its boundary is.
+inline std::vector<std::size_t> numbers_of_cycles(const Cut_problem& problem,
+                                                  const Cut_graph& cut) {
+  std::vector<std::size_t> cycles(problem.mesh.seeds.size(), 0);
+  std::vector<char> is_seen(problem.halfedges.size(), 0);
+  for(Index h = 0; h < is_seen.size(); ++h)
+    if(cut.contains(h) && !is_seen[h]) {
+      ++cycles[problem.mesh.component[problem.halfedges.source(h)]];
+      for(Index k = h; !is_seen[k]; k = cut.following(k))
+        is_seen[k] = 1;
+    }
+  return cycles;
+}
 
 /*!
 Counts what the surface is once it is cut open, by its definition: faces hang together across edges
 that are not cut, and a vertex has a copy for each corner between edges that are. A component is a
-disk if it is in one piece, its Euler characteristic is 1, and its boundary one cycle.
+disk if it is in one piece, its Euler characteristic is 1, and its boundary one cycle. Throws
+`Uncertified_cut_exception` if something is not as it was promised.
 */
-class Cut_check
-{
-public:
-  Cut_check(const Cut_problem& problem, const Cut_graph& cut)
-      : problem_(problem)
-      , halfedges_(problem.halfedges)
-      , cut_(cut) {}
-
-  /// throws `Uncertified_cut_exception` if something is not as it was promised.
-  void run() const {
-    check_edges();
-    check_pieces();
-    const std::vector<Component_size> sizes = component_sizes(problem_);
-    std::vector<std::size_t> edges(sizes.size(), 0), copies(sizes.size(), 0);
-    for(Index v = 0; v < problem_.mesh.number_of_vertices(); ++v) {
-      edges[problem_.mesh.component[v]] += cut_.degree(v); // twice
-      copies[problem_.mesh.component[v]] += cut_.degree(v) == 0 ? 1 : cut_.degree(v);
-    }
-    const std::vector<std::size_t> cycles = numbers_of_cycles();
-    for(std::size_t c = 0; c < sizes.size(); ++c) {
-      if(edges[c] == 0 && sizes[c].genus() == 0)
-        continue;
-      const std::size_t faces = sizes[c].halfedges / 3,
-                        all_edges = sizes[c].halfedges / 2 + edges[c] / 2;
-      require(copies[c] + faces == all_edges + 1, "a component is no disk");
-      require(cycles[c] == 1, "the boundary of a component is not one cycle");
-    }
+inline void check_cut(const Cut_problem& problem, const Cut_graph& cut) {
+  for(Index h = 0; h < problem.rules.size(); ++h)
+    require_of_cut(!(cut.contains(h) ? problem.is_avoided(h) : problem.is_kept(h)),
+                   "an edge is not as it is wanted");
+  const std::vector<Component_size> sizes = component_sizes(problem);
+  std::vector<std::size_t> edges(sizes.size(), 0), copies(sizes.size(), 0);
+  for(Index v = 0; v < problem.mesh.number_of_vertices(); ++v) {
+    require_of_cut(!problem.is_cone(v) || cut.degree(v) != 0, "it does not pass a cone");
+    edges[problem.mesh.component[v]] += cut.degree(v); // twice
+    copies[problem.mesh.component[v]] += cut.degree(v) == 0 ? 1 : cut.degree(v);
   }
-
-private:
-  static void require(bool condition, const char* otherwise) {
-    if(!condition)
-      throw Uncertified_cut_exception(std::string("the cut fails its check: ") + otherwise);
+  require_of_cut(number_of_pieces(problem, cut) == sizes.size(), "a component falls apart");
+  const std::vector<std::size_t> cycles = numbers_of_cycles(problem, cut);
+  for(std::size_t c = 0; c < sizes.size(); ++c) {
+    if(edges[c] == 0 && sizes[c].genus() == 0)
+      continue;
+    const std::size_t faces = sizes[c].halfedges / 3,
+                      all_edges = sizes[c].halfedges / 2 + edges[c] / 2;
+    require_of_cut(copies[c] + faces == all_edges + 1, "a component is no disk");
+    require_of_cut(cycles[c] == 1, "the boundary of a component is not one cycle");
   }
-
-  void check_edges() const {
-    for(Index h = 0; h < problem_.rules.size(); ++h)
-      require(!(cut_.contains(h) ? problem_.is_avoided(h) : problem_.is_kept(h)),
-              "an edge is not as it is wanted");
-    for(Index v = 0; v < problem_.cones.size(); ++v)
-      require(!problem_.is_cone(v) || cut_.degree(v) != 0, "it does not pass a cone");
-  }
-
-  void check_pieces() const {
-    Sets_of_indices sets(problem_.mesh.number_of_faces());
-    std::size_t pieces = problem_.mesh.number_of_faces();
-    for(Index f = 0; f < problem_.mesh.number_of_faces(); ++f)
-      sets.make_set(f);
-    for(Index h = 0; h < halfedges_.size(); ++h) {
-      const Index f = sets.find(halfedges_.face(h)),
-                  g = sets.find(halfedges_.face(halfedges_.twin(h)));
-      if(!cut_.contains(h) && f != g) {
-        sets.unite(f, g);
-        --pieces;
-      }
-    }
-    require(pieces == problem_.mesh.seeds.size(), "a component falls apart");
-  }
-
-  std::vector<std::size_t> numbers_of_cycles() const {
-    std::vector<std::size_t> cycles(problem_.mesh.seeds.size(), 0);
-    std::vector<char> is_seen(halfedges_.size(), 0);
-    for(Index h = 0; h < halfedges_.size(); ++h)
-      if(cut_.contains(h) && !is_seen[h]) {
-        ++cycles[problem_.mesh.component[halfedges_.source(h)]];
-        for(Index k = h; !is_seen[k]; k = cut_.following(k))
-          is_seen[k] = 1;
-      }
-    return cycles;
-  }
-
-  const Cut_problem& problem_;
-  const Flat_halfedges& halfedges_;
-  const Cut_graph& cut_;
-};
+}
 
 CGAL_HTL_CORE void check_rules(const Cut_problem& problem) {
   if(problem.has_rules_of_caller)
     Cut_start(problem).find();
 }
 
-CGAL_HTL_CORE std::vector<Index> cut_graph(Cut_problem problem) {
-  Sphere_ends(problem).add();
+CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem) {
+  add_ends_on_spheres(problem);
   Cut_graph cut = Cut_start(problem).find();
   Cut_shortening(problem, cut).run();
-  Cut_check(problem, cut).run();
+  check_cut(problem, cut);
   std::vector<Index> edges;
   for(Index h = 0; h < problem.halfedges.size(); ++h)
     if(cut.contains(h) && problem.halfedges.source(h) < problem.halfedges.target(h))
@@ -125,19 +101,6 @@ CGAL_HTL_CORE std::vector<Index> cut_graph(Cut_problem problem) {
   return edges;
 }
 
-CGAL_HTL_CORE std::vector<Index> cut_open(Cut_problem problem) {
-  std::vector<Index> edges = cut_graph(problem);
-  edges.erase(std::remove_if(edges.begin(), edges.end(),
-                             [&](Index h) {
-                               return problem.mesh.is_spoke(problem.halfedges.source(h),
-                                                            problem.halfedges.target(h));
-                             }),
-              edges.end());
-  return edges;
-}
-
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_CUT_OPEN_IMPL_H

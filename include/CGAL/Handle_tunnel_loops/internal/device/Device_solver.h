@@ -19,10 +19,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace CGAL::Handle_tunnel_loops::internal::device {
 
 /// On a device, by an executor that runs what is written for one. The mesh must outlive the object.
 template <typename Executor> class Device_solver : public Solver
@@ -114,9 +111,6 @@ private:
   Device_initial_pass<Executor> initial_;
 };
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::device
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DEVICE_SOLVER_H

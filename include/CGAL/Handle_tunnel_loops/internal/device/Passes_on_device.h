@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 namespace device {
 
@@ -131,6 +129,7 @@ private:
   // The answer of the device, or that of the processor if the device fails.
   template <typename Function>
   std::invoke_result_t<Function, Host_backend&> run(const Function& f) {
+    CGAL_assertion((device_ != nullptr) != host_.has_value());
     if(device_)
       try {
         return f(*device_);
@@ -144,8 +143,10 @@ private:
   template <typename Function>
   std::invoke_result_t<Function, Host_backend&> run_on_times(const Function& f) {
     return run([&](auto& backend) {
-      if(!device_ && !host_->has_arrival_times())
+      if(!device_ && !host_->has_arrival_times()) {
+        CGAL_assertion_msg(repeat_ != nullptr, "there was no initial field");
         repeat_();
+      }
       return f(backend);
     });
   }
@@ -231,8 +232,6 @@ private:
 
 } // namespace device
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_PASSES_ON_DEVICE_H

@@ -26,10 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace CGAL::Handle_tunnel_loops::internal::device {
 
 /// How a device is used, for benchmarks and tests to vary: no answer depends on it.
 struct Tuning
@@ -136,9 +133,6 @@ struct Ceilings
 /// measures the given device, or the current one if the number is negative.
 Ceilings measure_ceilings(int device);
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::device
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_SOLVER_H

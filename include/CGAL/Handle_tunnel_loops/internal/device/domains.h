@@ -18,10 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace device {
+namespace CGAL::Handle_tunnel_loops::internal::device {
 
 /// The arrays of a `Crossing_index`, and which of its loops are walls to the pass of a loop: those
 /// in a set of type `Loop_set`, made from the number of the loop.
@@ -330,9 +327,6 @@ private:
   Buffer<double> points_;
 };
 
-} // namespace device
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::device
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_DEVICE_DOMAINS_H

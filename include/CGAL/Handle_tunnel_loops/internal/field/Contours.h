@@ -21,9 +21,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// \file saddle_formulas.h
 /// What is computed at one vertex or one crossing of a contour, for host and device alike.
@@ -392,8 +390,6 @@ struct Trace_handles
   }
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_CONTOURS_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The rows of the Laplacian with room for eight neighbours each, so that the inner loop has a
 /// fixed length: valences vary at random, and a mispredicted branch costs as much as the sum
@@ -471,8 +469,6 @@ inline void add_sources_with_rings(Narrow_band& band,
       band.add_source(u, 1);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_NARROW_BAND_H

@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What executors have in common whose memory is that of the host.
 struct Host_memory
@@ -93,8 +91,6 @@ private:
   Execution execution_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_PROCESSOR_EXECUTOR_H

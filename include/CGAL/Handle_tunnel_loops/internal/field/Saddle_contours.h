@@ -19,9 +19,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What begins or ends at a vertex: a contour, or several in one.
 enum class Critical_kind { MINIMUM, SADDLE, MAXIMUM };
@@ -167,8 +165,6 @@ private:
   Buffer<Lower_component_arc> lower_components_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_SADDLE_CONTOURS_H

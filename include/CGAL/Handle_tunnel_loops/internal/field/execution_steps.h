@@ -33,9 +33,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 // ---- what threads do to common memory between two barriers
 
@@ -231,8 +229,6 @@ template <typename T> std::vector<T> begins_of(const std::vector<T>& sizes) {
   return begins;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_EXECUTION_STEPS_H

@@ -23,9 +23,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The total order in which the field reached the vertices; ties are broken by number.
 class Arrival_order
@@ -91,8 +89,6 @@ inline Crossing_loop descending_tunnel(const Flat_mesh& mesh,
   return pushed_left(mesh, walk);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_HANDLE_CANDIDATES_H

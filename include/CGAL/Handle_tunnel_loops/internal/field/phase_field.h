@@ -25,9 +25,7 @@
 /// \file phase_field.h
 /// The formulas of the field at one vertex, for host and device alike.
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A vertex is reached when its value passes this threshold.
 constexpr float front_threshold = 0.5f;
@@ -163,8 +161,6 @@ inline void check_constants(const Field_constants& c) {
     throw std::invalid_argument("the field's time step must be in [1/1024, 1]");
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_FIELD_PHASE_FIELD_H

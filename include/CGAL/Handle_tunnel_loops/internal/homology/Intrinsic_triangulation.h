@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 A triangulation of the surface of a mesh with more vertices and better triangles, whose edges are
@@ -342,8 +340,6 @@ private:
   std::priority_queue<std::pair<double, Index>> queue_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_INTRINSIC_TRIANGULATION_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 The classes of closed curves, as coordinates in a basis of loops.
@@ -248,8 +246,6 @@ inline void match_loops(const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
   CGAL_assertion_msg(false, "the loops are a basis");
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_LOOP_CLASSES_H

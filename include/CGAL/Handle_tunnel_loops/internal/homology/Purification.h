@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Closed walks of given classes: loops one after the other, each as often as it is asked for,
 /// joined by paths with few edges, there and back. A workspace that can be used again.
@@ -385,8 +383,6 @@ private:
   std::vector<char> is_pure_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_PURIFICATION_H

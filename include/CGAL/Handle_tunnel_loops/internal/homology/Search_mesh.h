@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Sums of random weights, one for each loop, by how often a walk crosses it. Modulo 2^64: they are
 /// zero for all walks that cross no loop but for a net number of zero, and for hardly any other.
@@ -564,8 +562,6 @@ private:
   std::map<Index, std::vector<std::pair<Index, Index>>> steps_across_; // and vertices, by loop
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_SEARCH_MESH_H

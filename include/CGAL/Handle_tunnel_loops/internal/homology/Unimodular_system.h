@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A number modulo the Mersenne prime 2^61 - 1.
 using Residue = std::uint64_t;
@@ -371,8 +369,6 @@ lattice_basis(std::vector<Class_vector> generators) {
   return basis;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HOMOLOGY_UNIMODULAR_SYSTEM_H

@@ -23,9 +23,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// computes the relations of the loops of pairs, handles and tunnels in turn.
 using Relate_pairs = std::function<Loop_relations(const std::vector<Flat_pair>&)>;
@@ -49,9 +47,7 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
                                                                std::vector<Flat_pair>& pairs,
                                                                Progress& progress);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes_impl.h>

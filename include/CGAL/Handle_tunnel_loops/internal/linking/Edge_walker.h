@@ -27,9 +27,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Moves loops onto the edges of the mesh, as closed walks from vertex to vertex in the same classes
@@ -279,8 +277,6 @@ private:
   Index failure_ = no_index;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_EDGE_WALKER_H

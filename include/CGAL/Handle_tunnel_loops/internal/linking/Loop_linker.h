@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The intersection and linking numbers of loops on a mesh, and the reasons where the latter mean
 /// nothing. Loops that run through places where the surface touches itself are led around them.
@@ -280,8 +278,6 @@ private:
   std::map<std::size_t, std::string> lasting_problems_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LOOP_LINKER_H

@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A loop with the faces along it, as far as its growth needs them.
 struct Loop_with_faces
@@ -196,9 +194,7 @@ private:
   std::vector<double> volume_; // by component; negative if the faces look inwards
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>

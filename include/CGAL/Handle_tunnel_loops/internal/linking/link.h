@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 struct Matrix_entry
 {
@@ -222,9 +220,7 @@ struct Surface_curves
 /// the intersection numbers of loops, and with \p do_link all the rest.
 CGAL_HTL_CORE Linking link(Execution execution, const Surface_curves& curves, bool do_link);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE Linking link(Execution execution, const Surface_curves& curves, bool do_link) {
   Linking_numbers numbers(execution, curves);
@@ -224,8 +222,6 @@ CGAL_HTL_CORE int compare_growth_of(const Loop_with_faces& a, const Loop_with_fa
   return sum.sign();
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LINK_IMPL_H

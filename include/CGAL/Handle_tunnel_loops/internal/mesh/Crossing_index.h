@@ -14,15 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Intersection numbers of one curve with numbered loops: loop -> number, zeros left out.
 using Sparse_numbers = std::map<Index, std::int64_t>;
@@ -175,8 +172,6 @@ private:
   const Loop_set& loops_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CROSSING_INDEX_H

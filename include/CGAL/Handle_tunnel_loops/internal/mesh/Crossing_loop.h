@@ -14,14 +14,11 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A loop passes an edge, with one end of it to the left and the other to the right. The place is
 /// `left + ratio * (right - left)`; a loop that goes through a vertex passes the edges on one side
@@ -244,8 +241,6 @@ private:
   bool is_forward_ = true;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_CROSSING_LOOP_H

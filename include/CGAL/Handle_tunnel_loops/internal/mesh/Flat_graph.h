@@ -15,7 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -31,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A `Flat_mesh`, with its caps, as a closed model of `FaceListGraph`, for what is written for any.
 /// The arrays must outlive it. Around vertices of few neighbours these are looked up by going
@@ -190,9 +187,7 @@ private:
       places_; // in the rings of vertices of many neighbours
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 namespace boost {
 

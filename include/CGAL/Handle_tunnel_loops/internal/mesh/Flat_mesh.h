@@ -17,17 +17,11 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The neighbours of a vertex in counterclockwise order; consecutive ones (and the last and the
 /// first) form a face with the vertex.
@@ -92,7 +86,7 @@ struct Flat_mesh
   std::vector<Index> seeds;              ///< one vertex of each component
   double half_scale = 0.5;               ///< half of the caller's unit of length / unit of `points`
   std::size_t genus = 0;                 ///< summed over the components
-  Index first_hub = 0;                   ///< hubs have consecutive numbers
+  Index first_hub = 0;                   ///< the hubs come after all other vertices
   Index number_of_hubs = 0;              ///< of the boundary curves
   std::vector<std::pair<Index, Index>> places_at_hubs; ///< vertices, and positions; sorted
 
@@ -185,8 +179,6 @@ inline double mean_edge_length(const Flat_mesh& mesh) {
   return sum / double(count);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_MESH_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What relates loops and certifies them needs a closed surface: here the caller's own.
 template <typename TriangleMesh,
@@ -188,8 +186,6 @@ private:
   std::vector<Point> points_; // by vertex, hubs included
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_FLAT_SURFACE_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Turns loops on the flat mesh into loops on the caller's mesh, which has no hubs: where a loop
 /// crosses an edge to one, it is at the vertex on the boundary.
@@ -135,8 +133,6 @@ private:
   const std::vector<vertex_descriptor>& vertices_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_LOOP_CONVERTER_H

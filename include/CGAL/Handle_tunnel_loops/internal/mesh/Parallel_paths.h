@@ -19,9 +19,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The closed walks on the edges along either side of a loop, for going from one place beside the
 /// loop to another the short way.
@@ -70,8 +68,6 @@ private:
   std::vector<double> along_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_PARALLEL_PATHS_H

@@ -28,9 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A caller's surface as the package works on it: as arrays, with the vertices that they stand for.
 /// The caller's mesh must outlive it.
@@ -96,8 +94,6 @@ template <typename TriangleMesh, typename VertexPointMap> struct Prepared_surfac
   std::vector<vertex_descriptor> vertices; ///< by index of the arrays, but for the hubs
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_PREPARED_SURFACE_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The point `p + ratio (q - p)`, exactly.
 struct Edge_place
@@ -78,9 +76,7 @@ inline bool is_shorter(const Flat_mesh& mesh, const Crossing_loop& a, const Cros
   return compare_lengths(mesh, a, b) == SMALLER;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths_impl.h>

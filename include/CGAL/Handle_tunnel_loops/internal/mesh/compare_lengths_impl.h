@@ -20,14 +20,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <iterator>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Compares lengths by intervals, and where these overlap by the sign of a sum of square roots.
 class Length_comparison
@@ -126,8 +123,6 @@ CGAL_HTL_CORE std::pair<double, double> length_interval(const std::vector<Edge_p
   return Length_comparison::interval(places);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_COMPARE_LENGTHS_IMPL_H

@@ -18,9 +18,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the halfedge from `u` to `v`, or a null one. Those on the faces at `h`, if it is not null, are
 /// looked at first: around a vertex there may be a million.
@@ -55,8 +53,6 @@ std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3> corners(con
   return {target(h, mesh), target(next(h, mesh), mesh), source(h, mesh)};
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_HALFEDGE_NEAR_H

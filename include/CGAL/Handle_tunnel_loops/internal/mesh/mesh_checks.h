@@ -23,9 +23,7 @@
 #include <atomic>
 #include <string>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Remembers the smallest index at which something was seen, whatever the order of the threads.
 class First_index
@@ -77,8 +75,6 @@ bool is_closed_after_check(Execution execution, const TriangleMesh& tm, VertexIn
   return is_closed;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_MESH_CHECKS_H

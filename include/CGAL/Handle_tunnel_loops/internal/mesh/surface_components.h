@@ -18,21 +18,21 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Disjoint sets of numbers, each with its smallest number as representative.
 class Sets_of_indices
 {
 public:
+  /// each number below `n` by itself.
   explicit Sets_of_indices(std::size_t n)
-      : parent_(n) {}
-
-  void make_set(Index i) { parent_[i] = i; }
+      : parent_(n) {
+    std::iota(parent_.begin(), parent_.end(), Index(0));
+  }
 
   /// a number of the same set, smaller than `i` if there is one.
   Index parent(Index i) const { return parent_[i]; }
@@ -44,14 +44,16 @@ public:
     return i;
   }
 
-  /// joins the sets of `i` and `j`; on the way there, makes the next one shorter.
-  void unite(Index i, Index j) {
+  /// joins the sets of `i` and `j`, and says whether they were two; on the way there, makes the
+  /// next one shorter.
+  bool unite(Index i, Index j) {
     if(parent_[i] == parent_[j])
-      return;
+      return false;
     i = shorten(i);
     j = shorten(j);
     parent_[(std::max)(i, j)] = (std::min)(i, j);
     CGAL_postcondition(parent_[i] <= i && parent_[j] <= j);
+    return i != j;
   }
 
 private:
@@ -74,14 +76,12 @@ inline Uninitialized_vector<Index> smallest_in_component(Execution execution,
   Sets_of_indices sets(n);
   const auto join_range = [&](std::size_t begin, std::size_t end) {
     std::vector<Edge> edges_out;
-    for(Index v = static_cast<Index>(begin); v < end; ++v) {
-      sets.make_set(v);
+    for(Index v = static_cast<Index>(begin); v < end; ++v)
       for(Index u : mesh.ring(v))
         if(u < begin)
           edges_out.emplace_back(u, v);
         else if(u < v)
           sets.unite(u, v);
-    }
     return edges_out;
   };
   for(const auto& [u, v] : collect<Edge>(execution, n, join_range, grain))
@@ -97,8 +97,6 @@ inline Uninitialized_vector<Index> smallest_in_component(Execution execution,
   return smallest;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_SURFACE_COMPONENTS_H

@@ -21,16 +21,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <map>
 #include <optional>
 #include <queue>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Chooses which handle loops can be replaced by their refinements so that the loops remain a basis.
@@ -209,8 +206,6 @@ private:
   std::vector<Index> touched_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_BASIS_EXCHANGE_H

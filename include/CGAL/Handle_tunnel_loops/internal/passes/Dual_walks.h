@@ -19,9 +19,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What the loop passes look for: for each of several loops walks that cross it once, see
 /// `Bidirectional_front`.
@@ -46,8 +44,6 @@ struct Dual_walks
 /// is told how far the work has come, in [0, 1], and says whether to go on.
 using Callback = std::function<bool(double)>;
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_DUAL_WALKS_H

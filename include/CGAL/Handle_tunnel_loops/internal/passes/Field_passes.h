@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What the passes have in common: where fields come from, and how loops are handled side by side.
 template <typename Backend> struct Pass_context
@@ -462,8 +460,6 @@ private:
   std::unique_ptr<Crossing_index> contour_index_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIELD_PASSES_H

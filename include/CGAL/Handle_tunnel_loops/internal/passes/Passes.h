@@ -21,9 +21,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What the passes are to do, whoever does them.
 struct Pass_options : Solver_options
@@ -67,8 +65,6 @@ public:
   diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_PASSES_H

@@ -22,9 +22,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What a computation is asked for.
 struct Loop_request
@@ -71,9 +69,7 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
                                      Progress& progress,
                                      Statistics& statistics);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops_impl.h>

@@ -16,14 +16,11 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the passes, as far as there is anything to do for them.
 inline std::vector<Flat_pair> pairs_of_passes(const Flat_mesh& mesh,
@@ -105,8 +102,6 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
   return certificate;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_IMPL_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the passes on the processor. \p seeds are the vertices to start from, one in each component;
 /// \p fallback says why it is not a device, if one was asked for.
@@ -69,9 +67,7 @@ CGAL_HTL_CORE std::vector<Time> diffusion_times(Passes& passes,
                                                 Progress& progress,
                                                 Statistics& statistics);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes_impl.h>

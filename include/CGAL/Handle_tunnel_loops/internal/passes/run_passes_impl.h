@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE std::unique_ptr<Passes> host_passes(Execution execution,
                                                   const Flat_mesh& mesh,
@@ -118,8 +116,6 @@ CGAL_HTL_CORE std::vector<Time> diffusion_times(Passes& passes,
   return times;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_RUN_PASSES_IMPL_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The arcs of a Reeb graph without which it falls apart: a contour on such an arc separates the
 /// surface, and one on any other does not. And how much lies on either side of them.
@@ -140,8 +138,6 @@ private:
   Index count_ = 0;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_BRIDGE_ARCS_H

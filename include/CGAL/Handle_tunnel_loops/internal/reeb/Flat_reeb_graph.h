@@ -17,9 +17,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A place of which only a picture is made.
 using Float_point = std::array<float, 3>;
@@ -86,8 +84,6 @@ struct Embedded_reeb_graph
   std::vector<Arc> arcs;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_FLAT_REEB_GRAPH_H

@@ -39,9 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the vertex of a boundary curve that is in the middle of these, in the order of a function. A hub
 /// with the same key is no critical point, unless the function has several maxima on the curve.
@@ -275,8 +273,6 @@ private:
   Reeb_statistics statistics_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_COMPUTATION_H

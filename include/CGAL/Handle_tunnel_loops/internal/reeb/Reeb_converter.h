@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Turns a Reeb graph on the flat mesh into one on the caller's mesh.
 template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits> class Reeb_converter
@@ -111,8 +109,6 @@ private:
   Vector origin_; // of the unit box, in the caller's coordinates
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_CONVERTER_H

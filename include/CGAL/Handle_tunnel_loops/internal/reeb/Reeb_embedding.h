@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Numbers sorted by groups: those of group g are `items[begin[g]]` to `items[begin[g + 1] - 1]`.
 template <typename T> struct Grouped
@@ -113,8 +111,6 @@ private:
   Grouped<Reeb_mean> samples_; // by arc
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_EMBEDDING_H

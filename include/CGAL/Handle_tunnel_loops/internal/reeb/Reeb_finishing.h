@@ -23,13 +23,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// From a swept graph to one that is handed out: simplified, embedded, and with the vertices of its
 /// arcs. `Value` gives the value of the function at a vertex.
@@ -268,8 +265,6 @@ inline void make_simple(Embedded_reeb_graph& graph) {
       graph.arcs.push_back(split_arc(graph, a, 0.5));
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_FINISHING_H

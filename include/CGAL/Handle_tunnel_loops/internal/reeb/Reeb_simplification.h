@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// An end of the part of an arc, or of a path of arcs, on which the means of the front are known.
 struct Arc_end
@@ -262,8 +260,6 @@ private:
   std::vector<Index> became_;                 // by path, one that it became a part of
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_SIMPLIFICATION_H

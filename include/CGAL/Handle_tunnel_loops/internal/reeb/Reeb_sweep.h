@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Unfolds a saddle with k lower components into k - 1 simple ones. In step i the contour arc around
@@ -363,8 +361,6 @@ private:
   Contour_arcs contour_arcs_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_REEB_SWEEP_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// an integer that orders as the finite value does; the two zeros are one.
 inline std::uint64_t ordering_key(double value) {
@@ -190,8 +188,6 @@ sweep_stars(Execution execution, const Flat_mesh& mesh, const Sweep_order& order
   return stars;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_SWEEP_ORDER_H

@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The vertices of a mesh with the values of a function, and the arcs of its Reeb graph that they
 /// belong to.
@@ -142,8 +140,6 @@ private:
   // By the first edge of each.
   std::map<Index, std::vector<Index>> connected_borders() const {
     Sets_of_indices sets(crossed_.size());
-    for(Index i = 0; i < crossed_.size(); ++i)
-      sets.make_set(i);
     const Triangle_mesh& tm = vertices_.mesh();
     for(Index i = 0; i < crossed_.size(); ++i)
       for(const Halfedge side : {crossed_[i].halfedge, opposite(crossed_[i].halfedge, tm)})
@@ -379,8 +375,6 @@ public:
   /// longest.
   std::vector<double> longest() const {
     Sets_of_indices sets(ends_.size());
-    for(Index i = 0; i < ends_.size(); ++i)
-      sets.make_set(i);
     for(const Piece& piece : pieces_)
       sets.unite(piece.ends[0], piece.ends[1]);
     std::vector<double> lengths(ends_.size()), longest(number_of_arcs_);
@@ -505,8 +499,6 @@ template <typename Graph> std::vector<bool> arcs_on_cycles(const Graph& graph) {
   return is_on_cycle;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_ARC_SHAPES_H

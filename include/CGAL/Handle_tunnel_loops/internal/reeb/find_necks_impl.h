@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Vertices by distance, roughly: those whose distances differ by less than the width of a bucket
 /// come in any order. No vertex may be put further ahead than an edge is long.
@@ -394,8 +392,6 @@ find_flat_necks(Execution execution, const Flat_mesh& mesh, const Neck_limits& l
   return choose_necks(mesh, areas, limits.minimal_share, disjoint_loops(mesh, std::move(all)));
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_FIND_NECKS_IMPL_H

@@ -23,9 +23,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Points by the cell of a rectangular grid that they are above, seldom more than one to a cell.
 /// Around them is a margin of empty cells, for all that is not above or below them.
@@ -198,8 +196,6 @@ winding_numbers(Execution execution, const Flat_mesh& mesh, const std::vector<Ve
   return are_too_many ? std::vector<int>() : crossings.counts();
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_WINDING_NUMBERS_H

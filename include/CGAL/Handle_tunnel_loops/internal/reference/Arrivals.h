@@ -26,10 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /// A vertex passes when the field, one minus the base layer, comes to this value.
 constexpr double threshold = 0.5;
@@ -163,9 +160,6 @@ private:
                                   std::to_string(number) + " vertices were covered");
 }
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_ARRIVALS_H

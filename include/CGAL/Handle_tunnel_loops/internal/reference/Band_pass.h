@@ -19,7 +19,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
@@ -32,10 +31,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
+
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
 /*!
 The advancing front of a layer as the paper has it (section 5): the triangles with a vertex that has
@@ -59,7 +57,6 @@ public:
     for(Index u = 0; u < mesh_.number_of_vertices(); ++u)
       if(is_in_band(values[u]))
         add_triangles_at(u);
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
     Graph graph(triangles_.size());
     for_each_corner([&](Index t, Index u, Index v) {
       const Index beside = triangle_[slot(mesh_, v, u)];
@@ -126,10 +123,11 @@ public:
       , patience_(patience(constants))
       , field_(mesh, constants, rules)
       , bands_(mesh, rules.band_threshold)
-      , is_active_(1, 0)
+      , is_active_(seeds.size() + 1, 1)
       , layers_(mesh.number_of_vertices(), no_index)
       , times_(mesh.number_of_vertices(), 0.) {
-    start(seeds);
+    field_.start(mesh, seeds);
+    note_layers();
   }
 
   const std::vector<Front_meeting>& meetings() const { return meetings_; }
@@ -138,49 +136,8 @@ public:
   const std::vector<Index>& layers_of_vertices() const { return layers_; }
   const std::vector<double>& times() const { return times_; }
 
-  void run(Progress& progress) {
-    const double n = static_cast<double>(mesh_.number_of_vertices());
-    for(std::size_t i = 1; number_of_covered_ < mesh_.number_of_vertices(); ++i) {
-      step();
-      note_layers(static_cast<double>(i));
-      if(i % 16 == 0)
-        progress.advance(static_cast<double>(number_of_covered_) / n);
-    }
-  }
-
-private:
-  void start(const std::vector<Index>& seeds) {
-    std::map<Index, Index> layer_of_vertex;
-    for(const Index seed : seeds) {
-      const Index layer = new_layer();
-      layer_of_vertex[seed] = layer;
-      for(const Index u : mesh_.ring(seed))
-        layer_of_vertex[u] = layer;
-    }
-    for(const auto& [v, layer] : layer_of_vertex)
-      field_.add_source(v);
-    field_.move_rows(is_active_.size(), [&](Index row, Index v) {
-      const auto it = layer_of_vertex.find(v);
-      return it == layer_of_vertex.end() ? row : it->second;
-    });
-    note_layers(0.);
-  }
-
-  void note_layers(double time) {
-    const Layered_field::Vector_of_values covered = field_.covered();
-    std::vector<double> largest(mesh_.number_of_vertices(), 0.);
-    std::vector<Index> layers = layers_;
-    for(Index layer = 1; layer < is_active_.size(); ++layer)
-      for(Layered_field::Matrix::InnerIterator it(field_.phi(), layer); it; ++it) {
-        const auto v = static_cast<Index>(it.col());
-        if(layers_[v] != no_index || covered[v] < threshold || !(it.value() > largest[v]))
-          continue;
-        largest[v] = it.value();
-        layers[v] = layer;
-        times_[v] = time;
-      }
-    layers_ = std::move(layers);
-  }
+  std::size_t number_of_covered() const { return number_of_covered_; }
+  bool is_done() const { return number_of_covered_ == mesh_.number_of_vertices(); }
 
   void step() {
     field_.step();
@@ -197,6 +154,25 @@ private:
     }
     if(steps_at_rest_ > patience_)
       fail_at_rest(number_of_covered_, mesh_.number_of_vertices());
+    ++number_of_steps_;
+    note_layers();
+  }
+
+private:
+  void note_layers() {
+    const Layered_field::Vector_of_values covered = field_.covered();
+    std::vector<double> largest(mesh_.number_of_vertices(), 0.);
+    std::vector<Index> layers = layers_;
+    for(Index layer = 1; layer < is_active_.size(); ++layer)
+      for(Layered_field::Matrix::InnerIterator it(field_.phi(), layer); it; ++it) {
+        const auto v = static_cast<Index>(it.col());
+        if(layers_[v] != no_index || covered[v] < threshold || !(it.value() > largest[v]))
+          continue;
+        largest[v] = it.value();
+        layers[v] = layer;
+        times_[v] = static_cast<double>(number_of_steps_);
+      }
+    layers_ = std::move(layers);
   }
 
   Index new_layer() {
@@ -240,7 +216,6 @@ private:
 
   // Groups of two or more active layers that have values at the same vertices.
   std::vector<std::vector<Index>> layers_in_contact() const {
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
     Graph graph(is_active_.size());
     std::vector<Index> layer_at(mesh_.number_of_vertices(), no_index);
     for(Index layer = 1; layer < is_active_.size(); ++layer)
@@ -316,13 +291,10 @@ private:
   std::vector<Index> layers_;   // by vertex
   std::vector<double> times_;
   std::vector<Front_meeting> meetings_;
-  std::size_t number_of_covered_ = 0, steps_at_rest_ = 0;
+  std::size_t number_of_covered_ = 0, number_of_steps_ = 0, steps_at_rest_ = 0;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

@@ -12,20 +12,19 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Front_event.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/connected_components.hpp>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /*!
 What a field has covered: vertices, and links between neighbors.
@@ -111,9 +110,9 @@ The fronts: the components of the boundary of a region (paper, section 5).
 
 The boundary has a piece in each triangle with one or two covered vertices. These are the nodes of a
 graph; they are adjacent where they share a crossed edge, and its connected components are the
-fronts. Each is a simple closed curve, however coarse the mesh. (A triangle with vertices that are
-covered but not linked may have more than one piece. So the nodes are the places at which the
-boundary comes into a triangle.)
+fronts. Each is a simple closed curve, however coarse the mesh, so that it is found by following it.
+(A triangle with vertices that are covered but not linked may have more than one piece. So the nodes
+are the places at which the boundary comes into a triangle.)
 */
 class Fronts
 {
@@ -122,12 +121,13 @@ public:
       : region_(region)
       , node_(region.mesh().neighbor.size(), no_index) {
     find_nodes();
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
-    Graph graph(crossings_.size());
-    for(Index i = 0; i < crossings_.size(); ++i)
-      boost::add_edge(i, node(region.next(crossings_[i])), graph);
-    front_.resize(crossings_.size());
-    number_ = static_cast<Index>(boost::connected_components(graph, front_.data()));
+    front_.resize(crossings_.size(), no_index);
+    for(const Crossing& start : crossings_)
+      if(front(start) == no_index) {
+        for(const Crossing& c : loop(start))
+          front_[node(c)] = number_;
+        ++number_;
+      }
   }
 
   Index number_of_fronts() const { return number_; }
@@ -198,9 +198,180 @@ template <typename Values> Crossing_loop placed(Crossing_loop loop, const Values
   return loop;
 }
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+/*!
+Follows the fronts and the layers that they lie in while vertices are covered one after the other.
+
+A vertex whose covered neighbors form one run moves a front on; where they are its whole ring, a
+front closes. With more runs, one is linked after the other, and each link either splits a front or
+merges two. A surface that is covered from one vertex begins and ends without a front. So, with
+s splits, m merges and c closings of one front each, 1 + s - m - c = 0, and Euler's formula for the
+disc, s + m links and c caps says 1 - (s + m) + c = 2 - 2g. Hence m = g: each merge is a handle, and
+there are no others.
+*/
+class Front_tracker
+{
+public:
+  /// \p keeps_areas says whether meetings are to know what was covered when they happened, which
+  /// takes a byte per vertex for each.
+  explicit Front_tracker(const Flat_mesh& mesh, bool keeps_areas = false)
+      : mesh_(mesh)
+      , keeps_areas_(keeps_areas)
+      , region_(mesh)
+      , layer_(mesh.neighbor.size(), no_index)
+      , layer_of_vertex_(mesh.number_of_vertices(), no_index)
+      , successors_(1) {}
+
+  const std::vector<Front_event>& events() const { return events_; }
+  const std::vector<Front_meeting>& meetings() const { return meetings_; }
+
+  /// one more than the largest layer; 0 is the base layer.
+  std::size_t number_of_layers() const { return successors_.size(); }
+
+  /// the layers that took the place of a layer.
+  const std::vector<Index>& successors(Index layer) const { return successors_[layer]; }
+
+  /// by vertex, the layer of the front that covered it.
+  const std::vector<Index>& layers_of_vertices() const { return layer_of_vertex_; }
+
+  /// covers the first vertex of a component, with a front in a new layer.
+  Index start(Index v) {
+    region_.add(v);
+    const Index layer = new_layer();
+    layer_of_vertex_[v] = layer;
+    set_layer_around(v, layer);
+    return layer;
+  }
+
+  /// covers a vertex next to a covered one, in the given time step; `covered` are the values from
+  /// which the fronts are interpolated.
+  template <typename Values> void cover(Index v, std::size_t step, const Values& covered) {
+    const Crossing behind = front_before(v);
+    const Index layer = layer_of(behind);
+    if(closes(v))
+      log(Front_event_type::CLOSING, step, v,
+          {record(layer, placed(Fronts(region_).loop(behind), covered))}, {});
+    region_.add(v);
+    layer_of_vertex_[v] = layer;
+    set_layer_around(v, layer);
+    for(Index run = 1; run < region_.number_of_runs(); ++run)
+      link(v, run, step, covered);
+  }
+
+  /// the layer of the front that `v`, which is not covered, lies before.
+  Index layer_before(Index v) const { return layer_of(front_before(v)); }
+
+  /// calls `f(v, layer)` for each place at which a front in a layer runs around a covered vertex.
+  template <typename Function> void for_each_front_vertex(const Function& f) const {
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(region_.contains(v))
+        for(Index u : mesh_.ring(v))
+          if(!region_.are_linked(v, u))
+            f(v, layer_of({v, u, 0.5}));
+  }
+
+  /// logs that the field was at rest, with `v` next to be covered.
+  void log_rest(std::size_t step, Index v) { log(Front_event_type::REST, step, v, {}, {}); }
+
+private:
+  Index layer_of(const Crossing& c) const { return layer_[slot(mesh_, c.left, c.right)]; }
+
+  Index new_layer() {
+    successors_.emplace_back();
+    return static_cast<Index>(successors_.size()) - 1;
+  }
+
+  // What `region_.add()` links `v` to first: the first run after an uncovered neighbor.
+  Crossing front_before(Index v) const {
+    const Ring ring = mesh_.ring(v);
+    const auto is_covered = [this](Index u) { return region_.contains(u); };
+    const Index* const uncovered = std::find_if_not(ring.begin(), ring.end(), is_covered);
+    const Index* u = std::find_if(uncovered, ring.end(), is_covered);
+    if(u == ring.end())
+      u = std::find_if(ring.begin(), uncovered, is_covered);
+    return {*u, v, 0.5};
+  }
+
+  bool closes(Index v) const {
+    const Ring ring = mesh_.ring(v);
+    return std::all_of(ring.begin(), ring.end(), [this](Index u) { return region_.contains(u); });
+  }
+
+  void set_layer_around(Index v, Index layer) {
+    for(Index u : mesh_.ring(v))
+      if(!region_.are_linked(v, u))
+        layer_[slot(mesh_, v, u)] = layer;
+  }
+
+  // The crossing after the last vertex of a run belongs to the front around the run, and is there
+  // before and after the run is linked.
+  Crossing crossing_after(Index v, Index run) const {
+    const Index last = region_.last_of_run(run);
+    return {last, mesh_.ring(v).after(last), 0.5};
+  }
+
+  template <typename Values>
+  void link(Index v, Index run, std::size_t step, const Values& covered) {
+    const Crossing a = crossing_after(v, run - 1), b = crossing_after(v, run);
+    const Fronts before(region_);
+    const bool is_merge = before.front(a) != before.front(b);
+    const Index layer_a = layer_of(a), layer_b = layer_of(b);
+    Crossing_loop loop_a = placed(before.loop(a), covered);
+    Crossing_loop loop_b = placed(before.loop(b), covered);
+
+    region_.link_next_run();
+    const Fronts after(region_);
+    CGAL_assertion(is_merge == (after.front(a) == after.front(b)));
+    if(is_merge) {
+      const Index merged = new_layer();
+      successors_[layer_a].push_back(merged);
+      if(layer_b != layer_a)
+        successors_[layer_b].push_back(merged);
+      take_over(after, a, merged);
+      log(Front_event_type::MERGE, step, v, {record(layer_a, loop_a), record(layer_b, loop_b)},
+          {record(merged, placed(after.loop(a), covered))});
+      Crossing_loop& shorter = is_shorter(mesh_, loop_b, loop_a) ? loop_b : loop_a;
+      meetings_.push_back({std::move(shorter), v, a.left, b.left,
+                           keeps_areas_ ? area_of(covered) : std::vector<char>()});
+    } else {
+      const Index part_a = new_layer(), part_b = new_layer();
+      for(const Index part : {part_a, part_b})
+        successors_[layer_a].push_back(part);
+      take_over(after, a, part_a);
+      take_over(after, b, part_b);
+      log(Front_event_type::SPLIT, step, v, {record(layer_a, loop_a)},
+          {record(part_a, placed(after.loop(a), covered)),
+           record(part_b, placed(after.loop(b), covered))});
+    }
+  }
+
+  void take_over(const Fronts& fronts, const Crossing& at, Index layer) {
+    for(const Crossing& c : fronts.crossings())
+      if(fronts.front(c) == fronts.front(at))
+        layer_[slot(mesh_, c.left, c.right)] = layer;
+  }
+
+  Front_event::Front record(Index layer, const Crossing_loop& loop) const {
+    return {layer, mesh_.in_units_of_caller(length(mesh_, loop))};
+  }
+
+  void log(Front_event_type type,
+           std::size_t step,
+           Index v,
+           std::vector<Front_event::Front> before,
+           std::vector<Front_event::Front> after) {
+    events_.push_back({type, step, mesh_.index_of_caller(v), std::move(before), std::move(after)});
+  }
+
+  const Flat_mesh& mesh_;
+  bool keeps_areas_;
+  Covered_region region_;
+  std::vector<Index> layer_;                   // of the front that crosses an edge, by slot
+  std::vector<Index> layer_of_vertex_;         // of the front that covered it
+  std::vector<std::vector<Index>> successors_; // by layer
+  std::vector<Front_event> events_;
+  std::vector<Front_meeting> meetings_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_FRONTS_H

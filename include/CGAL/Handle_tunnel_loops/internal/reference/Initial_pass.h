@@ -16,97 +16,40 @@
 
 #include <CGAL/Handle_tunnel_loops/Front_event.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Front_tracker.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 
 #include <cstddef>
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
-/*!
-The number of handles that cannot be seen by looking at the fronts after each time step.
-
-Fronts that are related by the events of a step, k of them before it, have merged to k - 1 handles
-as far as can be seen. If there were more merges, a front has split and its parts have met again in
-one step.
-*/
-class Handles_within_steps
-{
-public:
-  explicit Handles_within_steps(const std::vector<Front_event>& events) {
-    for(const Front_event& event : events) {
-      if(event.step != step_)
-        end_step();
-      step_ = event.step;
-      add(event);
-    }
-    end_step();
-  }
-
-  std::size_t number() const { return number_; }
-
-private:
-  // Fronts that are related; groups that were joined stay where they are, but empty.
-  struct Group
-  {
-    std::size_t fronts_before = 0, merges = 0;
-    std::vector<std::size_t> layers;
-  };
-
-  void end_step() {
-    for(const Group& group : groups_)
-      if(!group.layers.empty())
-        number_ += group.merges + 1 - group.fronts_before;
-    groups_.clear();
-    group_of_layer_.clear();
-  }
-
-  void add(const Front_event& event) {
+/// The number of handles that cannot be seen by looking at the fronts after each time step. Fronts
+/// are related by the events of a step; where two that are related already merge, a front has split
+/// and its parts have met again in one step.
+inline std::size_t handles_within_steps(const std::vector<Front_event>& events) {
+  std::size_t number = 0, step = 0;
+  std::map<std::size_t, std::size_t> group_of_layer; // in the present step
+  for(const Front_event& event : events) {
+    if(event.step != step)
+      group_of_layer.clear();
+    step = event.step;
     if(event.before.empty())
-      return;
-    const std::size_t group = group_of(event.before.front().layer);
+      continue;
     for(const Front_event::Front& front : event.before)
-      join(group, group_of(front.layer));
+      group_of_layer.emplace(front.layer, front.layer);
+    const std::size_t group = group_of_layer.at(event.before.front().layer),
+                      other = group_of_layer.at(event.before.back().layer);
+    number += event.type == Front_event_type::MERGE && group == other;
+    for(auto& [layer, its_group] : group_of_layer)
+      if(its_group == other)
+        its_group = group;
     for(const Front_event::Front& front : event.after)
-      put(front.layer, group);
-    groups_[group].merges += event.type == Front_event_type::MERGE;
+      group_of_layer[front.layer] = group;
   }
-
-  std::size_t group_of(std::size_t layer) {
-    const auto it = group_of_layer_.find(layer);
-    if(it != group_of_layer_.end())
-      return it->second;
-    groups_.emplace_back();
-    groups_.back().fronts_before = 1;
-    put(layer, groups_.size() - 1);
-    return groups_.size() - 1;
-  }
-
-  void put(std::size_t layer, std::size_t group) {
-    group_of_layer_[layer] = group;
-    groups_[group].layers.push_back(layer);
-  }
-
-  void join(std::size_t group, std::size_t other) {
-    if(group == other)
-      return;
-    groups_[group].fronts_before += groups_[other].fronts_before;
-    groups_[group].merges += groups_[other].merges;
-    for(std::size_t layer : groups_[other].layers)
-      put(layer, group);
-    groups_[other] = Group();
-  }
-
-  std::size_t number_ = 0, step_ = 0;
-  std::vector<Group> groups_; // of the present step
-  std::map<std::size_t, std::size_t> group_of_layer_;
-};
+  return number;
+}
 
 /*!
 The initial pass (paper, 4.1): fields grow from one vertex in each component of the surface until
@@ -135,8 +78,10 @@ public:
   const Layered_field& field() const { return field_; }
   const Arrivals& arrivals() const { return arrivals_; }
   const Front_tracker& tracker() const { return tracker_; }
+  const std::vector<Front_meeting>& meetings() const { return tracker_.meetings(); }
 
-  bool is_done() const { return arrivals_.number_of_reached() == mesh_.number_of_vertices(); }
+  std::size_t number_of_covered() const { return arrivals_.number_of_reached(); }
+  bool is_done() const { return number_of_covered() == mesh_.number_of_vertices(); }
 
   void step() {
     const Layered_field::Vector_of_values before = field_.covered();
@@ -151,18 +96,9 @@ public:
       push_on(covered);
   }
 
-  void run(Progress& progress) {
-    const double n = static_cast<double>(mesh_.number_of_vertices());
-    for(std::size_t i = 1; !is_done(); ++i) {
-      step();
-      if(i % 16 == 0)
-        progress.advance(static_cast<double>(arrivals_.number_of_reached()) / n);
-    }
-  }
-
   Field_resolution resolution() const {
     Field_resolution resolution;
-    resolution.handles_within_steps = Handles_within_steps(tracker_.events()).number();
+    resolution.handles_within_steps = handles_within_steps(tracker_.events());
     resolution.early_vertices = arrivals_.number_of_early_vertices();
     for(const Front_event& event : tracker_.events()) {
       resolution.rests += event.type == Front_event_type::REST;
@@ -176,37 +112,22 @@ private:
 
   // The region of a seed is the seed and its neighbors.
   void start(const std::vector<Index>& seeds) {
-    std::map<Index, Index> layer_of_vertex;
-    Values covered = field_.covered();
+    field_.start(mesh_, seeds);
+    const Values covered = field_.covered();
     for(Index seed : seeds) {
-      const Index layer = tracker_.start(seed);
+      tracker_.start(seed);
       arrivals_.reach(seed);
-      layer_of_vertex[seed] = layer;
-      for(Index u : mesh_.ring(seed))
-        layer_of_vertex[u] = layer;
-    }
-    for(const auto& [v, layer] : layer_of_vertex) {
-      field_.add_source(v);
-      covered[v] = 1.;
     }
     for(Index seed : seeds)
       for(Index u : mesh_.ring(seed)) {
         arrivals_.reach(u);
         cover(u, covered);
       }
-    set_to_one(layer_of_vertex);
+    resolve_rows();
   }
 
   void cover(Index v, const Values& covered) {
     tracker_.cover(v, arrivals_.number_of_steps(), covered);
-  }
-
-  void set_to_one(const std::map<Index, Index>& layer_of_vertex) {
-    field_.move_rows(tracker_.number_of_layers(), [&](Index row, Index v) {
-      const auto it = layer_of_vertex.find(v);
-      return it == layer_of_vertex.end() ? row : it->second;
-    });
-    resolve_rows();
   }
 
   // On a mesh that is coarser than the front is wide, the field can come to rest: at a vertex of
@@ -221,22 +142,17 @@ private:
       layer_of_vertex[v] = tracker_.layer_before(v);
       cover(v, covered);
     });
-    set_to_one(layer_of_vertex);
+    field_.move_vertices(tracker_.number_of_layers(), layer_of_vertex);
+    resolve_rows();
     last_progress_ = arrivals_.number_of_steps();
   }
 
-  // The layers at the end of the successions that begin with `layer`.
-  std::vector<Index> heirs(Index layer) const {
-    std::vector<Index> layers(1, layer), last;
-    while(!layers.empty()) {
-      const Index l = layers.back();
-      layers.pop_back();
-      const std::vector<Index>& next = tracker_.successors(l);
-      layers.insert(layers.end(), next.rbegin(), next.rend());
-      if(next.empty())
-        last.push_back(l);
-    }
-    return last;
+  // Adds the layers at the end of the successions that begin with `layer`.
+  void add_heirs(Index layer, std::vector<Index>& heirs) const {
+    for(const Index next : tracker_.successors(layer))
+      add_heirs(next, heirs);
+    if(tracker_.successors(layer).empty())
+      heirs.push_back(layer);
   }
 
   // Rows of layers that are no more go to the layers that took their place; where these are
@@ -247,15 +163,17 @@ private:
     std::vector<std::vector<Index>> target(tracker_.number_of_layers());
     for(Index row = 1; row < static_cast<Index>(field_.phi().rows()); ++row)
       if(!tracker_.successors(row).empty() && field_.phi().row(row).nonZeros() != 0)
-        target[row] = nearest_fronts(heirs(row));
+        target[row] = nearest_fronts(row);
     field_.move_rows(tracker_.number_of_layers(), [&](Index row, Index v) {
       return target[row].empty() ? row : target[row][v];
     });
     number_of_resolved_layers_ = tracker_.number_of_layers();
   }
 
-  // For each vertex the one of the layers whose front is the fewest edges away.
-  std::vector<Index> nearest_fronts(const std::vector<Index>& layers) const {
+  // For each vertex the one of the heirs of a layer whose front is the fewest edges away.
+  std::vector<Index> nearest_fronts(Index layer_before) const {
+    std::vector<Index> layers;
+    add_heirs(layer_before, layers);
     std::vector<char> is_candidate(tracker_.number_of_layers(), 0);
     for(Index layer : layers)
       is_candidate[layer] = 1;
@@ -290,10 +208,7 @@ private:
   std::size_t last_progress_ = 0;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

@@ -16,13 +16,14 @@
 
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Band_pass.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Dual_loop_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -32,98 +33,77 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
-/// Intersection numbers with the loops of a family. A loop counts one on each edge that it crosses
-/// from left to right, minus one in the other direction; the sum along a closed walk on the edges
-/// is the number of times, with sign, that they cross.
-class Crossing_numbers
-{
-public:
-  Crossing_numbers(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-      : mesh_(mesh)
-      , number_of_loops_(loops.size())
-      , counts_(mesh.neighbor.size()) {
-    for(Index j = 0; j < loops.size(); ++j)
-      for(const Crossing& c : loops[j]) {
-        counts_[slot(mesh_, c.left, c.right)].emplace_back(j, 1);
-        counts_[slot(mesh_, c.right, c.left)].emplace_back(j, -1);
-      }
-  }
-
-  /// the number of each loop of the family with another loop.
-  std::vector<int> operator()(const Crossing_loop& loop) const {
-    std::vector<int> numbers(number_of_loops_, 0);
-    for_each_left_edge(loop, [&](Index u, Index v) {
-      for(const auto& [j, count] : counts_[slot(mesh_, u, v)])
-        numbers[j] += count;
-    });
-    return numbers;
-  }
-
-  /// the edges that loops from number `first` up to `last`, which is excluded, cross.
-  Barred_edges walls(std::size_t first, std::size_t last) const {
-    Barred_edges walls(counts_.size(), 0);
-    for(std::size_t i = 0; i < counts_.size(); ++i)
-      for(const auto& [j, count] : counts_[i])
-        if(j >= first && j < last)
-          walls[i] = 1;
-    return walls;
-  }
-
-private:
-  const Flat_mesh& mesh_;
-  std::size_t number_of_loops_;
-  std::vector<std::vector<std::pair<Index, int>>> counts_; // loop and number, by slot
-};
+/// the edges that loops cross.
+template <typename Iterator>
+Barred_edges walls_along(const Flat_mesh& mesh, Iterator first, Iterator last) {
+  Barred_edges walls(mesh.neighbor.size(), 0);
+  for(; first != last; ++first)
+    for(const Crossing& c : *first)
+      walls[slot(mesh, c.left, c.right)] = walls[slot(mesh, c.right, c.left)] = 1;
+  return walls;
+}
 
 /*!
 Which handles may be replaced by other loops, so that the loops remain a basis.
 
-The first handles h_j do not cross each other, and tunnel t_i crosses handle i once and none with a
-larger number: the matrix A of the numbers t_i . h_j is triangular, with units on its diagonal. So
-h_1 .. h_g, t_1 .. t_g is a basis of the first homology group, and a loop x has coordinates in it:
-x = sum a_i h_i + sum b_i t_i, where x . h_j gives the b_i, and x . t_j then the a_i, by
-substitution. The tunnels stay; loops in the place of the handles complete them to a basis if and
-only if the matrix of their a_i has the determinant one or minus one.
+Loops x are told apart by the numbers x . h_j and x . t_j with the first handles and tunnels, and
+they are a basis if and only if the matrix of these numbers has the determinant one or minus one. So
+a loop may take the place of one of the basis if and only if its coordinate there is one or minus
+one. The inverse of the matrix, which has the coordinates, is kept up; it begins with unit rows in
+the place of the loops of the first basis, which replace them one by one: the handles do not cross
+each other, and tunnel t_i crosses handle i once and none with a larger number.
 
 All numbers are integers of any size.
 */
 class Handle_exchange
 {
 public:
-  using Integer = boost::multiprecision::cpp_int;
-  using Row = std::vector<Integer>;
   using Numbers = std::vector<int>;
 
   /// `with_handles[i][j]` is t_i . h_j, `with_tunnels[i][j]` is t_i . t_j.
-  Handle_exchange(std::vector<Numbers> with_handles, std::vector<Numbers> with_tunnels)
-      : a_(std::move(with_handles))
-      , t_(std::move(with_tunnels))
-      , inverse_(a_.size(), Row(a_.size(), 0)) {
-    for(std::size_t i = 0; i < a_.size(); ++i) {
-      CGAL_precondition_msg(std::abs(a_[i][i]) == 1, "a tunnel crosses its handle once");
+  Handle_exchange(const std::vector<Numbers>& with_handles,
+                  const std::vector<Numbers>& with_tunnels)
+      : g_(with_handles.size())
+      , inverse_(2 * g_, Row(2 * g_, 0)) {
+    for(std::size_t i = 0; i < 2 * g_; ++i)
       inverse_[i][i] = 1;
+    bool is_basis = true;
+    for(std::size_t i = 0; i < g_; ++i)
+      is_basis = exchange(i, with_handles[i], with_tunnels[i]) && is_basis;
+    for(std::size_t i = g_; i-- > 0;) {
+      Numbers crossings(g_);
+      for(std::size_t j = 0; j < g_; ++j)
+        crossings[j] = -with_handles[j][i];
+      is_basis = replace(i, Numbers(g_, 0), crossings) && is_basis;
     }
+    CGAL_precondition_msg(is_basis, "a tunnel crosses its handle once");
   }
 
   /// replaces handle `k` by the loop x with the given intersection numbers x . h_j and x . t_j if
   /// the loops remain a basis, and says so.
   bool replace(std::size_t k, const Numbers& with_handles, const Numbers& with_tunnels) {
-    const Row x = times_inverse(handle_part(with_handles, with_tunnels));
+    return exchange(g_ + k, with_handles, with_tunnels);
+  }
+
+private:
+  using Row = std::vector<boost::multiprecision::cpp_int>;
+
+  bool exchange(std::size_t k, const Numbers& with_handles, const Numbers& with_tunnels) {
+    Row x(2 * g_, 0); // the coordinates
+    for(std::size_t i = 0; i < 2 * g_; ++i)
+      if(const int number = i < g_ ? with_handles[i] : with_tunnels[i - g_]; number != 0)
+        for(std::size_t j = 0; j < 2 * g_; ++j)
+          x[j] += number * inverse_[i][j];
     if(x[k] != 1 && x[k] != -1)
       return false;
-    // x is the row in terms of the present rows; row k is what it is exchanged for.
     for(Row& row : inverse_) {
       row[k] *= x[k];
       for(std::size_t i = 0; i < row.size(); ++i)
@@ -133,44 +113,8 @@ public:
     return true;
   }
 
-private:
-  Row handle_part(const Numbers& with_handles, const Numbers& with_tunnels) const {
-    const std::size_t g = a_.size();
-    // x . h_j = sum over i >= j of b_i A_ij: the last one first.
-    Row b(g, 0);
-    for(std::size_t j = g; j-- > 0;) {
-      Integer rest = with_handles[j];
-      for(std::size_t i = j + 1; i < g; ++i)
-        if(a_[i][j] != 0)
-          rest -= b[i] * a_[i][j];
-      b[j] = rest * a_[j][j];
-    }
-    // x . t_j - sum b_i (t_i . t_j) = sum over i <= j of a_i (h_i . t_j) = - sum a_i A_ji.
-    Row a(g, 0);
-    for(std::size_t j = 0; j < g; ++j) {
-      Integer rest = with_tunnels[j];
-      for(std::size_t i = 0; i < g; ++i)
-        if(t_[i][j] != 0)
-          rest -= b[i] * t_[i][j];
-      for(std::size_t i = 0; i < j; ++i)
-        if(a_[j][i] != 0)
-          rest += a[i] * a_[j][i];
-      a[j] = -rest * a_[j][j];
-    }
-    return a;
-  }
-
-  Row times_inverse(const Row& row) const {
-    Row product(row.size(), 0);
-    for(std::size_t i = 0; i < row.size(); ++i)
-      if(row[i] != 0)
-        for(std::size_t j = 0; j < row.size(); ++j)
-          product[j] += row[i] * inverse_[i][j];
-    return product;
-  }
-
-  std::vector<Numbers> a_, t_;
-  std::vector<Row> inverse_; // of the matrix of the handle parts
+  std::size_t g_;
+  std::vector<Row> inverse_; // the tunnels come first
 };
 
 /// The passes as the paper has them. Fronts are always logged; nothing is tightened, as all loops
@@ -186,8 +130,7 @@ public:
       , options_(options)
       , rules_(options.literal_rules)
       , seeds_(seeds)
-      , constants_(literal_constants(options.field_constants, rules_))
-      , dual_loop_pass_(mesh, constants_, rules_) {
+      , constants_(literal_constants(options.field_constants, rules_)) {
     check_rules(rules_);
   }
 
@@ -206,13 +149,12 @@ public:
   /// The region that was covered when a handle was found lies to the left of all
   /// handles that were found later; these are walls, and a larger region is not barred.
   void tunnel_pass(Progress& progress, Statistics& statistics) override {
-    const Crossing_numbers with_handles(mesh_, handles_);
-    for(std::size_t k = 0; k < handles_.size(); ++k) {
+    const Crossing_index with_handles(mesh_, handles_);
+    for(Index k = 0; k < handles_.size(); ++k) {
       report(progress, k);
-      const std::vector<Crossing_loop> loops =
-          dual_loop_pass_.dual_loops(handles_[k], walls_of_tunnel(with_handles, k));
+      const std::vector<Crossing_loop> loops = loops_across(handles_[k], walls_of_tunnel(k));
       const auto tunnel = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
-        return rules_.first_reached || is_tunnel(with_handles(loop), k);
+        return rules_.first_reached || is_tunnel(loop, k, with_handles);
       });
       if(tunnel == loops.end() && (rules_.bands || rules_.covered_area || rules_.first_reached))
         throw Literal_failure_exception("no tunnel was found for handle " + std::to_string(k));
@@ -224,20 +166,20 @@ public:
   /// A refined loop takes the place of its handle if it crosses the tunnel once, is
   /// shorter, and the loops remain a basis.
   void refinement_pass(Progress& progress, Statistics& statistics) override {
-    const Crossing_numbers with_handles(mesh_, handles_), with_tunnels(mesh_, tunnels_);
+    const Crossing_index with_handles(mesh_, handles_), with_tunnels(mesh_, tunnels_);
     std::optional<Handle_exchange> exchange;
     if(!rules_.refined_always)
       exchange = exchange_of_handles(with_handles, with_tunnels);
-    for(std::size_t k = 0; k < handles_.size(); ++k) {
+    for(Index k = 0; k < handles_.size(); ++k) {
       report(progress, k);
       const std::vector<Crossing_loop> loops =
-          dual_loop_pass_.dual_loops(tunnels_[k], with_tunnels.walls(k, k + 1));
+          loops_across(tunnels_[k], walls_along(mesh_, &tunnels_[k], &tunnels_[k] + 1));
       const auto better = std::find_if(loops.begin(), loops.end(), [&](const Crossing_loop& loop) {
         if(!exchange)
           return true;
-        const Numbers numbers = with_tunnels(loop);
-        return std::abs(numbers[k]) == 1 && is_shorter(mesh_, loop, handles_[k]) &&
-               exchange->replace(k, with_handles(loop), numbers);
+        return is_dual(with_tunnels.intersections(loop), k, Only_loop{k}) &&
+               is_shorter(mesh_, loop, handles_[k]) &&
+               exchange->replace(k, numbers(loop, with_handles), numbers(loop, with_tunnels));
       });
       if(better == loops.end() && rules_.refined_always)
         throw Literal_failure_exception("no refined handle was found for tunnel " +
@@ -280,12 +222,9 @@ public:
   }
 
 private:
-  using Numbers = Handle_exchange::Numbers;
-
   void follow_fronts(Progress& progress, Statistics& statistics) {
     initial_pass_ = std::make_unique<Initial_pass>(mesh_, constants_, seeds_, rules_);
-    run(*initial_pass_, initial_pass_->tracker().meetings(), progress, statistics);
-    meetings_ = initial_pass_->tracker().meetings();
+    run(*initial_pass_, progress, statistics);
     CGAL_postcondition_msg(meetings_.size() == mesh_.genus, "as many handles as the genus");
     statistics.front_events = initial_pass_->tracker().events();
     statistics.resolution = initial_pass_->resolution();
@@ -294,8 +233,7 @@ private:
 
   void follow_bands(Progress& progress, Statistics& statistics) {
     Band_pass pass(mesh_, constants_, seeds_, rules_);
-    run(pass, pass.meetings(), progress, statistics);
-    meetings_ = pass.meetings();
+    run(pass, progress, statistics);
     if(meetings_.size() != mesh_.genus)
       throw Literal_failure_exception("the fronts met " + std::to_string(meetings_.size()) +
                                       " times, and there are " + std::to_string(mesh_.genus) +
@@ -311,25 +249,33 @@ private:
   }
 
   // What fronts met is counted where the pass fails, too.
-  template <typename Pass>
-  static void run(Pass& pass,
-                  const std::vector<Front_meeting>& meetings,
-                  Progress& progress,
-                  Statistics& statistics) {
+  template <typename Pass> void run(Pass& pass, Progress& progress, Statistics& statistics) {
+    const double n = static_cast<double>(mesh_.number_of_vertices());
     try {
-      pass.run(progress);
+      for(std::size_t i = 1; !pass.is_done(); ++i) {
+        pass.step();
+        if(i % 16 == 0)
+          progress.advance(static_cast<double>(pass.number_of_covered()) / n);
+      }
     } catch(...) {
-      statistics.swept_handles = meetings.size();
+      statistics.swept_handles = pass.meetings().size();
       throw;
     }
-    statistics.swept_handles = meetings.size();
+    meetings_ = pass.meetings();
+    statistics.swept_handles = meetings_.size();
+  }
+
+  std::vector<Crossing_loop> loops_across(const Crossing_loop& loop,
+                                          const Barred_edges& walls) const {
+    return dual_loops(mesh_, constants_, rules_, loop, walls);
   }
 
   // Edges that the field which looks for a tunnel may not cross.
-  Barred_edges walls_of_tunnel(const Crossing_numbers& with_handles, std::size_t k) const {
+  Barred_edges walls_of_tunnel(std::size_t k) const {
+    const auto first = handles_.begin() + k;
     if(!rules_.covered_area)
-      return with_handles.walls(k, handles_.size());
-    Barred_edges walls = with_handles.walls(k, k + 1);
+      return walls_along(mesh_, first, handles_.end());
+    Barred_edges walls = walls_along(mesh_, first, first + 1);
     const std::vector<char>& area = meetings_[k].area;
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
       for(Index i = mesh_.row_begin[v]; i < mesh_.row_begin[v + 1]; ++i)
@@ -338,14 +284,17 @@ private:
     return walls;
   }
 
-  Handle_exchange exchange_of_handles(const Crossing_numbers& with_handles,
-                                      const Crossing_numbers& with_tunnels) const {
-    std::vector<Numbers> numbers = numbers_of_tunnels(with_handles);
-    for(std::size_t k = 0; k < numbers.size(); ++k)
-      if(!is_tunnel(numbers[k], k))
+  Handle_exchange exchange_of_handles(const Crossing_index& with_handles,
+                                      const Crossing_index& with_tunnels) const {
+    std::vector<Handle_exchange::Numbers> of_handles, of_tunnels;
+    for(Index k = 0; k < tunnels_.size(); ++k) {
+      if(!is_tunnel(tunnels_[k], k, with_handles))
         throw Literal_failure_exception("what was found for handle " + std::to_string(k) +
                                         " is no tunnel of it");
-    return Handle_exchange(std::move(numbers), numbers_of_tunnels(with_tunnels));
+      of_handles.push_back(numbers(tunnels_[k], with_handles));
+      of_tunnels.push_back(numbers(tunnels_[k], with_tunnels));
+    }
+    return Handle_exchange(of_handles, of_tunnels);
   }
 
   // In the components of the given ones.
@@ -363,15 +312,15 @@ private:
   }
 
   // Whether a loop crosses handle k once and none that was found later.
-  static bool is_tunnel(const Numbers& numbers, std::size_t k) {
-    return std::abs(numbers[k]) == 1 && std::all_of(numbers.begin() + k + 1, numbers.end(),
-                                                    [](int number) { return number == 0; });
+  static bool is_tunnel(const Crossing_loop& loop, Index k, const Crossing_index& with_handles) {
+    return is_dual(with_handles.intersections(loop), k, Loops_from{k});
   }
 
-  std::vector<Numbers> numbers_of_tunnels(const Crossing_numbers& with_loops) const {
-    std::vector<Numbers> numbers;
-    for(const Crossing_loop& tunnel : tunnels_)
-      numbers.push_back(with_loops(tunnel));
+  // How often a loop crosses each of the handles, or of the tunnels.
+  Handle_exchange::Numbers numbers(const Crossing_loop& loop, const Crossing_index& index) const {
+    Handle_exchange::Numbers numbers(handles_.size(), 0);
+    for(const auto& [j, number] : index.intersections(loop))
+      numbers[j] = static_cast<int>(number);
     return numbers;
   }
 
@@ -412,14 +361,10 @@ private:
   std::unique_ptr<Initial_pass> initial_pass_;
   Swept_vertices swept_;
   std::vector<Front_meeting> meetings_;
-  Dual_loop_pass dual_loop_pass_;
   std::vector<Crossing_loop> handles_, tunnels_;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

@@ -12,19 +12,24 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/use.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /// A place on the mesh: `a + ratio * (b - a)` on an edge, or a vertex, if `a` is `b`.
 struct Surface_point
@@ -58,61 +63,51 @@ inline void remove_turns(std::vector<Surface_point>& line) {
   }
 }
 
-/*!
-Turns a closed line of places, of which consecutive ones lie in a common triangle but not on a
-common edge unless at its ends, into a crossing loop. At vertices it passes on their left.
-*/
-class Loop_of_line
-{
-public:
-  explicit Loop_of_line(const Flat_mesh& mesh)
-      : mesh_(mesh) {}
+/// appends how a line crosses the edge of a place on its way to the next one.
+inline void append_across(const Flat_mesh& mesh,
+                          const Surface_point& p,
+                          const Surface_point& next,
+                          Crossing_loop& loop) {
+  const Index apex = p.has_end(next.a) ? next.b : next.a;
+  if(mesh.ring(p.a).after(p.b) == apex)
+    loop.push_back({p.a, p.b, p.ratio});
+  else
+    loop.push_back({p.b, p.a, 1. - p.ratio});
+}
 
-  Crossing_loop operator()(const std::vector<Surface_point>& line) const {
-    Crossing_loop loop;
-    const std::size_t n = line.size();
-    for(std::size_t i = 0; i < n; ++i) {
-      const Surface_point &previous = line[i == 0 ? n - 1 : i - 1],
-                          &next = line[i + 1 == n ? 0 : i + 1];
-      if(line[i].is_vertex())
-        append_around(line[i].a, previous, next, loop);
-      else
-        append_across(line[i], next, loop);
-    }
-    remove_backtracks(loop);
-    return loop;
-  }
-
-private:
-  void append_across(const Surface_point& p, const Surface_point& next, Crossing_loop& loop) const {
-    const Index apex = p.has_end(next.a) ? next.b : next.a;
-    if(mesh_.ring(p.a).after(p.b) == apex)
-      loop.push_back({p.a, p.b, p.ratio});
-    else
-      loop.push_back({p.b, p.a, 1. - p.ratio});
-  }
-
-  // Clockwise from where the line comes from to where it goes to.
-  void append_around(Index v,
-                     const Surface_point& from,
-                     const Surface_point& to,
-                     Crossing_loop& loop) const {
-    const Ring ring = mesh_.ring(v);
-    const Index end = to.is_vertex() ? ring.position(to.a) : clockwise_end(ring, to);
-    Index p = from.is_vertex() ? ring.previous(ring.position(from.a)) : clockwise_end(ring, from);
-    CGAL_precondition(p < ring.size() && end < ring.size());
-    for(; p != end; p = ring.previous(p))
-      loop.push_back({ring[p], v, 1.});
-  }
-
-  // The position of the clockwise end of an edge of the ring.
-  static Index clockwise_end(const Ring& ring, const Surface_point& p) {
+/// appends the edges at a vertex, clockwise from where a line comes from to where it goes to.
+inline void append_around(const Flat_mesh& mesh,
+                          Index v,
+                          const Surface_point& from,
+                          const Surface_point& to,
+                          Crossing_loop& loop) {
+  const Ring ring = mesh.ring(v);
+  const auto clockwise_end = [&](const Surface_point& p) { // of an edge of the ring
     const Index position = ring.position(p.a);
     return ring[ring.next(position)] == p.b ? position : ring.position(p.b);
-  }
+  };
+  const Index end = to.is_vertex() ? ring.position(to.a) : clockwise_end(to);
+  Index p = from.is_vertex() ? ring.previous(ring.position(from.a)) : clockwise_end(from);
+  CGAL_precondition(p < ring.size() && end < ring.size());
+  for(; p != end; p = ring.previous(p))
+    loop.push_back({ring[p], v, 1.});
+}
 
-  const Flat_mesh& mesh_;
-};
+/// turns a closed line of places, of which consecutive ones lie in a common triangle but not on a
+/// common edge unless at its ends, into a crossing loop. At vertices it passes on their left.
+inline Crossing_loop loop_of_line(const Flat_mesh& mesh, const std::vector<Surface_point>& line) {
+  Crossing_loop loop;
+  const std::size_t n = line.size();
+  for(std::size_t i = 0; i < n; ++i) {
+    const Surface_point &previous = line[(i + n - 1) % n], &next = line[(i + 1) % n];
+    if(line[i].is_vertex())
+      append_around(mesh, line[i].a, previous, next, loop);
+    else
+      append_across(mesh, line[i], next, loop);
+  }
+  remove_backtracks(loop);
+  return loop;
+}
 
 /*!
 A streamline of the arrival time (paper, 4.2): from a vertex back to where the field came from,
@@ -275,9 +270,77 @@ private:
   std::vector<Surface_point> line_;
 };
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+/// the length of a loop up to each crossing, and in all.
+inline std::vector<double> lengths_up_to(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  std::vector<double> lengths(1, 0.);
+  for(std::size_t i = 0; i < loop.size(); ++i)
+    lengths.push_back(lengths.back() +
+                      norm(position(mesh, loop[(i + 1) % loop.size()]) - position(mesh, loop[i])));
+  return lengths;
+}
+
+/// goes on from `left`, a vertex on the left side of a loop, along the loop, the short way, to
+/// beside `right`. Leaves out what shares an edge with the ends.
+inline void append_along(const Flat_mesh& mesh,
+                         const Crossing_loop& loop,
+                         Index left,
+                         Index right,
+                         std::vector<Surface_point>& line) {
+  const std::vector<double> along = lengths_up_to(mesh, loop);
+  Shorter_arc arc(loop.data(), static_cast<Index>(loop.size()), along.data());
+  const bool has_found = arc.find(&Crossing::left, left, &Crossing::right, right);
+  CGAL_assertion_msg(has_found, "a line begins and ends at the loop");
+  CGAL_USE(has_found);
+  std::vector<Surface_point> way;
+  arc.for_each([&](const Crossing& c) { way.push_back({c.left, c.right, c.ratio}); });
+  auto first = way.begin(), last = way.end();
+  while(first != last && first->has_end(left))
+    ++first;
+  while(first != last && std::prev(last)->has_end(right))
+    --last;
+  line.insert(line.end(), first, last);
+}
+
+/*!
+The operation of the tunnel pass and the refinement pass (paper, 4.2 and 4.3): a field grows from
+the left side of a loop, which is a wall, until it comes to the right side. From the places that it
+comes to streamlines lead back to the left side; along the loop, and across it, they are closed.
+
+`walls` are edges that may not be crossed, those of the loop among them. Returns the loops of all
+streamlines, the shortest first.
+*/
+inline std::vector<Crossing_loop> dual_loops(const Flat_mesh& mesh,
+                                             const Field_constants& constants,
+                                             const Literal_rules& rules,
+                                             const Crossing_loop& loop,
+                                             const Barred_edges& walls) {
+  Single_field field(mesh, constants, walls, rules);
+  for(const Crossing& c : loop)
+    field.add_source(c.left);
+  std::vector<char> is_target(mesh.number_of_vertices(), 0);
+  for(const Crossing& c : loop)
+    is_target[c.right] = !field.is_source(c.right);
+  if(std::count(is_target.begin(), is_target.end(), 1) == 0)
+    return {};
+  std::vector<Crossing_loop> loops;
+  std::vector<Index> targets = field.run_until(is_target);
+  if(rules.are_of_fields() && targets.empty())
+    throw Literal_failure_exception("a field came to rest on its way around a loop");
+  if(rules.first_reached && targets.size() > 1)
+    targets.resize(1);
+  for(const Index target : targets) {
+    std::vector<Surface_point> line = Streamline(mesh, field.arrivals()).trace(target);
+    append_along(mesh, loop, line.back().a, target, line);
+    remove_turns(line);
+    loops.push_back(loop_of_line(mesh, line));
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+                   [&](const auto& a, const auto& b) { return is_shorter(mesh, a, b); });
+  return loops;
+}
+
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
+
+#endif // CGAL_EIGEN3_ENABLED
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REFERENCE_STREAMLINE_H

@@ -27,14 +27,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
-namespace reference {
+namespace CGAL::Handle_tunnel_loops::internal::reference {
 
 /// The Laplacian in local edge lengths: four times (mean of the neighbors - value). Its weights are
 /// positive and sum up to the same in each row, so that the front moves at the same number of edges
@@ -174,8 +172,27 @@ public:
     return Vector_of_values::Ones(phi_.cols()) - Vector_of_values(phi_.row(0).transpose());
   }
 
-  /// `v` has the value one in its layer from now on.
-  void add_source(Index v) { is_source_[v] = 1; }
+  /// From now on each seed and its neighbors have the value one in a layer of their own, from
+  /// number 1 on.
+  void start(const Flat_mesh& mesh, const std::vector<Index>& seeds) {
+    std::map<Index, Index> layer_of_vertex;
+    for(Index i = 0; i < seeds.size(); ++i) {
+      layer_of_vertex[seeds[i]] = i + 1;
+      for(Index u : mesh.ring(seeds[i]))
+        layer_of_vertex[u] = i + 1;
+    }
+    for(const auto& [v, layer] : layer_of_vertex)
+      is_source_[v] = 1;
+    move_vertices(seeds.size() + 1, layer_of_vertex);
+  }
+
+  /// moves all that there is at some vertices to one row each.
+  void move_vertices(std::size_t number_of_rows, const std::map<Index, Index>& row_of_vertex) {
+    move_rows(number_of_rows, [&](Index row, Index v) {
+      const auto it = row_of_vertex.find(v);
+      return it == row_of_vertex.end() ? row : it->second;
+    });
+  }
 
   /// moves what row i has at vertex v to row `target(i, v)`, for all i and v, and adds up what
   /// comes together.
@@ -421,10 +438,7 @@ inline std::vector<Time> fixed_point_times(const Flat_mesh& mesh,
   return times;
 }
 
-} // namespace reference
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal::reference
 
 #endif // CGAL_EIGEN3_ENABLED
 

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Finds the way from the left side of a loop around to its right side as `Bidirectional_front` does,
@@ -220,13 +218,20 @@ private:
     return (std::min)(loop.size() * partner.size() / 4 + 16, mesh_.number_of_vertices());
   }
 
+  // The loops that are looked for, those that cross them, and what crosses both.
+  struct Families
+  {
+    const std::vector<Crossing_loop>&loops, &partners;
+    Crossing_index index, partner_index;
+  };
+
   /// looks for the given loops. Returns those that have become shorter.
   std::vector<Index> look_for(std::vector<Crossing_loop>& loops,
                               const std::vector<Crossing_loop>& partners,
                               std::vector<Index> numbers) {
     if(numbers.empty())
       return {};
-    const Crossing_index index(mesh_, loops), partner_index(mesh_, partners);
+    const Families families = {loops, partners, {mesh_, loops}, {mesh_, partners}};
     const auto visits = [&](Index k) { return expected_visits(loops[k], partners[k]); };
     std::stable_sort(numbers.begin(), numbers.end(),
                      [&](Index a, Index b) { return visits(a) < visits(b); });
@@ -242,20 +247,14 @@ private:
           [&](std::size_t i) {
             const Index k = numbers[begin + i];
             if(progress_.goes_on())
-              shorter[k] = shorter_loop(k, loops[k], partners[k], index, partner_index);
+              shorter[k] = shorter_loop(k, families);
           },
           1);
       progress_.throw_if_interrupted();
       does_pay = std::any_of(numbers.begin() + begin, numbers.begin() + end,
                              [&](Index k) { return !shorter[k].empty(); });
     }
-    return replaced(loops, shorter);
-  }
-
-  // Replaces loops by those that are not empty.
-  static std::vector<Index> replaced(std::vector<Crossing_loop>& loops,
-                                     std::vector<Crossing_loop>& shorter) {
-    std::vector<Index> numbers;
+    numbers.clear();
     for(Index k = 0; k < loops.size(); ++k)
       if(!shorter[k].empty()) {
         loops[k] = std::move(shorter[k]);
@@ -265,41 +264,34 @@ private:
   }
 
   // Empty if there is none.
-  Crossing_loop shorter_loop(Index k,
-                             const Crossing_loop& loop,
-                             const Crossing_loop& partner,
-                             const Crossing_index& index,
-                             const Crossing_index& partner_index) {
+  Crossing_loop shorter_loop(Index k, const Families& families) {
+    const Crossing_loop &loop = families.loops[k], &partner = families.partners[k];
     const double length_before = length(mesh_, loop);
     const std::vector<Index> walk =
-        searches_.borrow()->dual_walk(partner, k, partner_index, slack * length_before,
+        searches_.borrow()->dual_walk(partner, k, families.partner_index, slack * length_before,
                                       patience_factor * expected_visits(loop, partner));
     if(walk.empty())
       return {};
     Crossing_loop found = pushed_left(mesh_, walk);
     Loop_tightening(execution_, mesh_).tighten(found);
     if(length(mesh_, found) >= gain_worth_having * length_before ||
-       !can_replace(found, k, loop, partner, index, partner_index))
+       !can_replace(found, k, families))
       return {};
     return found;
   }
 
-  static bool can_replace(const Crossing_loop& found,
-                          Index k,
-                          const Crossing_loop& loop,
-                          const Crossing_loop& partner,
-                          const Crossing_index& index,
-                          const Crossing_index& partner_index) {
+  static bool can_replace(const Crossing_loop& found, Index k, const Families& families) {
+    const auto& [loops, partners, index, partner_index] = families;
     // The factors are those for which the numbers with the pair itself agree.
-    const std::int64_t crossing = number(partner_index.intersections(loop), k);
+    const std::int64_t crossing = number(partner_index.intersections(loops[k]), k);
     const std::int64_t e = crossing * number(partner_index.intersections(found), k);
     const std::int64_t m = -crossing * number(index.intersections(found), k);
     if(std::abs(crossing) != 1 || std::abs(e) != 1)
       return false;
     for(const Crossing_index* i : {&index, &partner_index}) {
       Sparse_numbers difference = i->intersections(found);
-      subtract_multiple(difference, e, i->intersections(loop));
-      subtract_multiple(difference, m, i->intersections(partner));
+      subtract_multiple(difference, e, i->intersections(loops[k]));
+      subtract_multiple(difference, m, i->intersections(partners[k]));
       if(!difference.empty())
         return false;
     }
@@ -327,8 +319,6 @@ private:
   Workspace_pool<Bidirectional_dijkstra> searches_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_DUAL_LOOP_IMPROVEMENT_H

@@ -27,178 +27,138 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Takes out, from a loop without backtracks, turns around a vertex, which are no way at all. Every
+/// takes out, from a loop without backtracks, turns around a vertex, which are no way at all. Every
 /// path becomes shorter by that: after a turn it is on an edge where it was before, and nearer by
 /// the edge. The edges are those of a loop or of a strip. Linear.
-template <typename Edge> class Turn_removal
-{
-public:
-  Turn_removal(const Flat_mesh& mesh, std::vector<Edge>& edges)
-      : mesh_(mesh)
-      , edges_(edges)
-      , begins_(edges.size()) {}
-
-  void run() {
-    for(const Edge& edge : edges_) {
-      edges_[kept_] = edge;
-      note_begins();
-      drop_turn(edge.left, begins_[kept_].at_left);
-      drop_turn(edge.right, begins_[kept_].at_right);
-      ++kept_;
-    }
-    // All of it may be turns around one vertex.
-    const bool is_turn =
-        kept_ > 1 && (begins_[kept_ - 1].at_left == 0 || begins_[kept_ - 1].at_right == 0);
-    edges_.erase(edges_.begin() + (is_turn ? 0 : kept_), edges_.end());
-  }
-
-private:
-  // The first of the edges, one after the other, that end at a vertex.
-  struct Begins
+template <typename Edge> void remove_turns(const Flat_mesh& mesh, std::vector<Edge>& edges) {
+  struct Begins // the first of the edges, one after the other, that end at a vertex
   {
     std::size_t at_left, at_right;
   };
-
-  void note_begins() {
-    begins_[kept_] = {kept_, kept_};
-    if(kept_ > 0 && edges_[kept_].left == edges_[kept_ - 1].left)
-      begins_[kept_].at_left = begins_[kept_ - 1].at_left;
-    if(kept_ > 0 && edges_[kept_].right == edges_[kept_ - 1].right)
-      begins_[kept_].at_right = begins_[kept_ - 1].at_right;
-  }
-
+  std::vector<Begins> begins(edges.size());
+  std::size_t kept = 0; // edges
+  const auto note_begins = [&] {
+    begins[kept] = {kept, kept};
+    if(kept > 0 && edges[kept].left == edges[kept - 1].left)
+      begins[kept].at_left = begins[kept - 1].at_left;
+    if(kept > 0 && edges[kept].right == edges[kept - 1].right)
+      begins[kept].at_right = begins[kept - 1].at_right;
+  };
   // If the last edge is the first one at a vertex again, it takes its place.
-  void drop_turn(Index v, std::size_t first) {
-    if(kept_ - first < 3 || kept_ - first < mesh_.ring(v).size())
+  const auto drop_turn = [&](Index v, std::size_t first) {
+    if(kept - first < 3 || kept - first < mesh.ring(v).size())
       return;
-    edges_[first] = edges_[kept_];
-    kept_ = first;
+    edges[first] = edges[kept];
+    kept = first;
     note_begins();
+  };
+  for(const Edge& edge : edges) {
+    edges[kept] = edge;
+    note_begins();
+    drop_turn(edge.left, begins[kept].at_left);
+    drop_turn(edge.right, begins[kept].at_right);
+    ++kept;
   }
-
-  const Flat_mesh& mesh_;
-  std::vector<Edge>& edges_;
-  std::vector<Begins> begins_;
-  std::size_t kept_ = 0; // edges
-};
-
-template <typename Edge> void remove_turns(const Flat_mesh& mesh, std::vector<Edge>& edges) {
-  Turn_removal<Edge>(mesh, edges).run();
+  // All of it may be turns around one vertex.
+  const bool is_turn =
+      kept > 1 && (begins[kept - 1].at_left == 0 || begins[kept - 1].at_right == 0);
+  edges.erase(edges.begin() + (is_turn ? 0 : kept), edges.end());
 }
 
-/// Where loops cross caps they are led along the boundary, on one side of the hub or on the other.
-class Ways_around_caps
+/// Along vertices of the boundary, with the hub to the right or to the left.
+struct Way_around_cap
 {
-public:
-  explicit Ways_around_caps(const Flat_mesh& mesh)
-      : mesh_(mesh) {}
-
-  /// leads a loop without backtracks around each cap that it crosses the shorter way, so that it
-  /// enters none any more. A homotopy on the surface with its caps. Linear in the number of edges
-  /// that are crossed, before and after.
-  void lead(Crossing_loop& loop) const {
-    if(!begin_outside(loop))
-      return loop.clear();
-    Crossing_loop result;
-    for(std::size_t i = 0; i < loop.size(); ++i) {
-      std::size_t out = i + 1;
-      while(out < loop.size() && is_spoke(loop[out]))
-        ++out;
-      if(out == i + 1)
-        result.push_back(loop[i]);
-      else {
-        append_way(loop[i], {loop.begin() + i + 1, loop.begin() + out}, loop[out], result);
-        i = out;
-      }
-    }
-    loop = std::move(result);
-    remove_backtracks(loop);
-  }
-
-private:
-  static constexpr double never = (std::numeric_limits<double>::max)();
-
-  bool is_spoke(const Crossing& c) const { return mesh_.is_spoke(c.left, c.right); }
-
-  // Rotates the loop so that it is not in a cap, nor comes out of one, at its beginning. There is
-  // no such place if it runs around a hub.
-  bool begin_outside(Crossing_loop& loop) const {
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      if(!is_spoke(loop[i]) && !is_spoke(loop[i == 0 ? loop.size() - 1 : i - 1])) {
-        std::rotate(loop.begin(), loop.begin() + i, loop.end());
-        return true;
-      }
-    return false;
-  }
-
-  // Along vertices of the boundary, with the hub to the right or to the left.
-  struct Way
-  {
-    std::vector<Index> vertices;
-    double length = 0.;
-  };
-
-  // By one edge into a cap, across spokes, and by another edge out.
-  void append_way(const Crossing& in,
-                  const Crossing_loop& spokes,
-                  const Crossing& out,
-                  Crossing_loop& result) const {
-    if(is_backtrack(in, out)) // once around the hub is no way at all
-      return;
-    const bool is_hub_right = mesh_.is_hub(spokes.front().right);
-    const Index hub = is_hub_right ? spokes.front().right : spokes.front().left;
-    const auto way_on = [&](bool has_hub_right, double longest) {
-      return has_hub_right ? way(hub, in.left, out.left, true, longest)
-                           : way(hub, in.right, out.right, false, longest);
-    };
-    const Way own = way_on(is_hub_right, never), other = way_on(!is_hub_right, own.length);
-    const bool is_right = is_hub_right == (own.length <= other.length);
-    const Way& best = own.length <= other.length ? own : other;
-    append_beside(best.vertices, is_right ? in.right : in.left, is_right ? out.right : out.left,
-                  is_right, result);
-  }
-
-  // Unless it is longer; then some part of it.
-  Way way(Index hub, Index from, Index to, bool is_hub_right, double longest) const {
-    Way way = {{from}, 0.};
-    while(way.vertices.back() != to && way.length <= longest) {
-      const Index v = way.vertices.back();
-      const Ring ring = mesh_.ring(v);
-      way.vertices.push_back(is_hub_right ? ring.after(hub) : ring.before(hub));
-      way.length += mesh_.edge_length(v, way.vertices.back());
-    }
-    if(way.vertices.back() != to)
-      way.length = never;
-    return way;
-  }
-
-  // On the surface, with the way between the loop and the hub. It comes from one vertex of the
-  // boundary and goes on to another.
-  void append_beside(const std::vector<Index>& way,
-                     Index from,
-                     Index to,
-                     bool is_hub_right,
-                     Crossing_loop& result) const {
-    for(std::size_t i = 0; i < way.size(); ++i) {
-      const Index v = way[i], end = i + 1 == way.size() ? to : way[i + 1];
-      const Ring ring = mesh_.ring(v);
-      Index p = ring.position(i == 0 ? from : way[i - 1]);
-      const auto step = [&] { p = is_hub_right ? ring.previous(p) : ring.next(p); };
-      for(step(); ring[p] != end; step())
-        result.push_back(is_hub_right ? Crossing{ring[p], v, 1.} : Crossing{v, ring[p], 0.});
-    }
-  }
-
-  const Flat_mesh& mesh_;
+  std::vector<Index> vertices;
+  double length = 0.;
 };
 
+/// the way between two vertices of a boundary curve unless it is longer; then some part of it.
+inline Way_around_cap way_around_cap(
+    const Flat_mesh& mesh, Index hub, Index from, Index to, bool is_hub_right, double longest) {
+  Way_around_cap way = {{from}, 0.};
+  while(way.vertices.back() != to && way.length <= longest) {
+    const Index v = way.vertices.back();
+    const Ring ring = mesh.ring(v);
+    way.vertices.push_back(is_hub_right ? ring.after(hub) : ring.before(hub));
+    way.length += mesh.edge_length(v, way.vertices.back());
+  }
+  if(way.vertices.back() != to)
+    way.length = (std::numeric_limits<double>::max)();
+  return way;
+}
+
+/// appends a loop on the surface, with a way between it and the hub. It comes from one vertex of
+/// the boundary and goes on to another.
+inline void append_beside(const Flat_mesh& mesh,
+                          const std::vector<Index>& way,
+                          Index from,
+                          Index to,
+                          bool is_hub_right,
+                          Crossing_loop& result) {
+  for(std::size_t i = 0; i < way.size(); ++i) {
+    const Index v = way[i], end = i + 1 == way.size() ? to : way[i + 1];
+    const Ring ring = mesh.ring(v);
+    Index p = ring.position(i == 0 ? from : way[i - 1]);
+    const auto step = [&] { p = is_hub_right ? ring.previous(p) : ring.next(p); };
+    for(step(); ring[p] != end; step())
+      result.push_back(is_hub_right ? Crossing{ring[p], v, 1.} : Crossing{v, ring[p], 0.});
+  }
+}
+
+/// appends the shorter way around a cap, in the place of that by one edge into it, across spokes of
+/// which `spoke` is the first, and by another edge out.
+inline void append_way_around_cap(const Flat_mesh& mesh,
+                                  const Crossing& in,
+                                  const Crossing& spoke,
+                                  const Crossing& out,
+                                  Crossing_loop& result) {
+  if(is_backtrack(in, out)) // once around the hub is no way at all
+    return;
+  const bool is_hub_right = mesh.is_hub(spoke.right);
+  const Index hub = is_hub_right ? spoke.right : spoke.left;
+  const auto way_on = [&](bool has_hub_right, double longest) {
+    return has_hub_right ? way_around_cap(mesh, hub, in.left, out.left, true, longest)
+                         : way_around_cap(mesh, hub, in.right, out.right, false, longest);
+  };
+  const Way_around_cap own = way_on(is_hub_right, (std::numeric_limits<double>::max)()),
+                       other = way_on(!is_hub_right, own.length);
+  const bool is_right = is_hub_right == (own.length <= other.length);
+  append_beside(mesh, own.length <= other.length ? own.vertices : other.vertices,
+                is_right ? in.right : in.left, is_right ? out.right : out.left, is_right, result);
+}
+
+/// leads a loop without backtracks around each cap that it crosses the shorter way, on one side of
+/// the hub or on the other, so that it enters none any more. A homotopy on the surface with its
+/// caps. Linear in the number of edges that are crossed, before and after.
 inline void lead_around_caps(const Flat_mesh& mesh, Crossing_loop& loop) {
-  if(mesh.number_of_hubs > 0)
-    Ways_around_caps(mesh).lead(loop);
+  if(mesh.number_of_hubs == 0)
+    return;
+  const auto is_spoke = [&](const Crossing& c) { return mesh.is_spoke(c.left, c.right); };
+  // The loop begins where it is not in a cap, nor comes out of one. There is no such place if it
+  // runs around a hub.
+  const std::size_t n = loop.size();
+  std::size_t begin = 0;
+  while(begin < n && (is_spoke(loop[begin]) || is_spoke(loop[begin == 0 ? n - 1 : begin - 1])))
+    ++begin;
+  if(begin == n)
+    return loop.clear();
+  std::rotate(loop.begin(), loop.begin() + begin, loop.end());
+  Crossing_loop result;
+  for(std::size_t i = 0; i < n; ++i) {
+    std::size_t out = i + 1;
+    while(out < n && is_spoke(loop[out]))
+      ++out;
+    if(out == i + 1)
+      result.push_back(loop[i]);
+    else {
+      append_way_around_cap(mesh, loop[i], loop[i + 1], loop[out], result);
+      i = out;
+    }
+  }
+  loop = std::move(result);
+  remove_backtracks(loop);
 }
 
 /*!
@@ -253,7 +213,9 @@ public:
     remove_turns(mesh_, loop);
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
-    set_next(loop);
+    next_.clear();
+    for(const Crossing& c : loop)
+      next_.push_back({c.left, c.right, 0});
     // On the mesh, not in the plane: on slivers rounding can make the two differ.
     const auto keep_if_best = [&] {
       set_crossings(loop);
@@ -324,34 +286,34 @@ private:
     loop.clear();
     for(const Portal& portal : strip_)
       loop.push_back({portal.left, portal.right, ratio_at_start_});
-    const std::vector<Bend>& bends = funnel_.bends();
-    for(std::size_t b = 0; b + 1 < bends.size(); ++b)
-      for(std::size_t i = (std::max)(bends[b].portal, 1u);
-          i < (std::min)(bends[b + 1].portal + std::size_t(1), loop.size()); ++i)
-        loop[i].ratio = crossing_ratio(i, b);
-    // All the portals that end at a corner are passed exactly there.
-    for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
-      const Fan fan = fan_of(bends[b]);
-      for(std::size_t i = (std::max)(fan.first, std::size_t(1)); i <= fan.last; ++i)
-        loop[i].ratio = fan.at_left ? 0. : 1.;
-    }
+    for_each_ratio(1, loop.size(), [&](std::size_t i, double ratio) { loop[i].ratio = ratio; });
   }
 
   // What `set_crossings()` would say of one portal.
   double ratio_of(const Portal& portal) const {
     if(portal.place == 0 || portal.place >= Strip::new_at_left)
       return portal.place == 0 ? ratio_at_start_ : portal.place == Strip::new_at_left ? 0. : 1.;
-    const std::vector<Bend>& bends = funnel_.bends();
     double ratio = 0.;
+    for_each_ratio(portal.place, portal.place + std::size_t(1),
+                   [&](std::size_t, double r) { ratio = r; });
+    return ratio;
+  }
+
+  // Calls `f(i, ratio)` for the portals from `first` up to `end`, which is excluded; what it is
+  // told last of a portal holds.
+  template <typename Function>
+  void for_each_ratio(std::size_t first, std::size_t end, const Function& f) const {
+    const std::vector<Bend>& bends = funnel_.bends();
     for(std::size_t b = 0; b + 1 < bends.size(); ++b)
-      if(bends[b].portal <= portal.place && portal.place <= bends[b + 1].portal)
-        ratio = crossing_ratio(portal.place, b);
+      for(std::size_t i = (std::max)(std::size_t(bends[b].portal), first);
+          i < (std::min)(bends[b + 1].portal + std::size_t(1), end); ++i)
+        f(i, crossing_ratio(i, b));
+    // All the portals that end at a corner are passed exactly there.
     for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
       const Fan fan = fan_of(bends[b]);
-      if(fan.first <= portal.place && portal.place <= fan.last)
-        ratio = fan.at_left ? 0. : 1.;
+      for(std::size_t i = (std::max)(fan.first, first); i < (std::min)(fan.last + 1, end); ++i)
+        f(i, fan.at_left ? 0. : 1.);
     }
-    return ratio;
   }
 
   // Where the path goes through a vertex but for rounding, it goes through the vertex.
@@ -509,12 +471,6 @@ private:
     }
   }
 
-  void set_next(const Crossing_loop& loop) {
-    next_.clear();
-    for(const Crossing& c : loop)
-      next_.push_back({c.left, c.right, 0});
-  }
-
   Execution execution_;
   const Flat_mesh& mesh_;
   Strip strip_;
@@ -523,8 +479,6 @@ private:
   std::vector<Portal> next_;   // the strip of the next round
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_LOOP_TIGHTENING_H

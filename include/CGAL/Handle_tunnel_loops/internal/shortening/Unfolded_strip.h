@@ -24,9 +24,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 using Point_2 = std::array<double, 2>;
 
@@ -232,8 +230,6 @@ private:
   std::vector<Point_2> left_, right_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_UNFOLDED_STRIP_H

@@ -15,18 +15,345 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/Waist_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// The cut of least weight that separates two nodes of a graph, by the theorem of Ford and
+/// Fulkerson.
+class Minimum_cut
+{
+public:
+  static constexpr Index source = 0, sink = 1;
+
+  /// adds an edge, which a cut may pass either way. The weights of those between the same nodes add
+  /// up.
+  void add_edge(Index u, Index v, double weight) {
+    arcs_.push_back({u, v, weight});
+    arcs_.push_back({v, u, weight});
+  }
+
+  /// by node, whether it is on the side of the source. Of all cuts of least weight, the one nearest
+  /// to the source.
+  std::vector<char> source_side(Index number_of_nodes) {
+    sort_arcs();
+    find_reverses(number_of_nodes);
+    return tree_of_source(number_of_nodes);
+  }
+
+private:
+  using Graph = boost::compressed_sparse_row_graph<boost::directedS,
+                                                   boost::no_property,
+                                                   boost::no_property,
+                                                   boost::no_property,
+                                                   Index>;
+
+  struct Arc
+  {
+    Index from, to;
+    double weight;
+  };
+
+  void sort_arcs() {
+    std::stable_sort(arcs_.begin(), arcs_.end(), [](const Arc& a, const Arc& b) {
+      return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+    });
+    std::size_t kept = 0;
+    for(const Arc& arc : arcs_)
+      if(kept > 0 && arcs_[kept - 1].from == arc.from && arcs_[kept - 1].to == arc.to)
+        arcs_[kept - 1].weight += arc.weight;
+      else
+        arcs_[kept++] = arc;
+    arcs_.resize(kept);
+  }
+
+  // Arcs sorted by where they lead are, in this order, the reverses of those sorted by where they
+  // come from.
+  void find_reverses(Index number_of_nodes) {
+    std::vector<Index> place(number_of_nodes + 1, 0);
+    for(const Arc& arc : arcs_)
+      ++place[arc.to + 1];
+    for(std::size_t v = 1; v < place.size(); ++v)
+      place[v] += place[v - 1];
+    reverse_.resize(arcs_.size());
+    for(Index a = 0; a < arcs_.size(); ++a)
+      reverse_[place[arcs_[a].to]++] = a;
+  }
+
+  // What can be reached from the source when no more flow fits.
+  std::vector<char> tree_of_source(Index number_of_nodes) const {
+    std::vector<std::pair<Index, Index>> ends(arcs_.size());
+    std::vector<double> weight(arcs_.size()), residual(arcs_.size());
+    for(std::size_t a = 0; a < arcs_.size(); ++a) {
+      ends[a] = {arcs_[a].from, arcs_[a].to};
+      weight[a] = arcs_[a].weight;
+    }
+    Graph graph(boost::edges_are_sorted, ends.begin(), ends.end(), number_of_nodes);
+    const auto edge_index = get(boost::edge_index, graph);
+    const auto node_index = get(boost::vertex_index, graph);
+    using Edge = boost::graph_traits<Graph>::edge_descriptor;
+    const auto reverse = boost::make_function_property_map<Edge>(
+        [&](const Edge& e) { return Edge(target(e, graph), reverse_[get(edge_index, e)]); });
+    std::vector<Edge> previous(number_of_nodes);
+    std::vector<boost::default_color_type> color(number_of_nodes);
+    std::vector<Index> distance(number_of_nodes);
+    boost::boykov_kolmogorov_max_flow(
+        graph, boost::make_iterator_property_map(weight.begin(), edge_index),
+        boost::make_iterator_property_map(residual.begin(), edge_index), reverse,
+        boost::make_iterator_property_map(previous.begin(), node_index),
+        boost::make_iterator_property_map(color.begin(), node_index),
+        boost::make_iterator_property_map(distance.begin(), node_index), node_index, source, sink);
+    std::vector<char> is_in_tree(number_of_nodes);
+    for(Index v = 0; v < number_of_nodes; ++v)
+      is_in_tree[v] = color[v] == boost::black_color;
+    return is_in_tree;
+  }
+
+  std::vector<Arc> arcs_;
+  std::vector<Index> reverse_; // by arc
+};
+
+/*!
+The shortest loop that is homologous to a boundary curve, wherever on the surface it is.
+
+A chain of curves is homologous to a boundary curve if and only if it bounds a part of the surface
+together with it: a part that holds this curve, and no other one. So the shortest is a minimum cut
+between the curve and all others, of the graph of the vertices; an edge weighs as much as the way
+across it, from the middle of one face to that of the other. A cut may be of several loops, which
+are no loop together; then none is found.
+
+A loop that separates the curve from the nearest other one crosses the way between them, and if it
+is short all of it is near that way. What is farther away is cut nowhere.
+*/
+class Waist_search
+{
+public:
+  explicit Waist_search(const Flat_mesh& mesh)
+      : mesh_(mesh)
+      , hub_beside_(mesh.number_of_vertices(), no_index)
+      , paths_(mesh.number_of_vertices())
+      , node_(mesh.number_of_vertices(), no_index) {
+    for(Index hub = mesh.first_hub; hub < mesh.first_hub + mesh.number_of_hubs; ++hub)
+      for(Index v : mesh.ring(hub))
+        hub_beside_[v] = hub;
+  }
+
+  /// looks at loops that are not longer. The loop found enters no cap; it is empty if there is no
+  /// other boundary curve, or if the shortest are several loops. Mostly near linear in the size of
+  /// the mesh.
+  Crossing_loop operator()(Index hub, double longest) {
+    const std::vector<Index> way = way_to_another(hub);
+    if(way.empty())
+      return {};
+    find_region(way, longest);
+    if(!number_nodes(hub))
+      return {};
+    Minimum_cut cut;
+    for_each_edge_of_region([&](Index u, Index v) {
+      if(node_[u] != node_[v])
+        cut.add_edge(node_[u], node_[v], length_across(u, v));
+    });
+    is_beside_curve_ = cut.source_side(number_of_nodes_);
+    return loop_of_cut();
+  }
+
+private:
+  static constexpr double never = (std::numeric_limits<double>::max)();
+
+  struct Label
+  {
+    double distance = never;
+    Index previous = no_index; // on the way to the vertex
+  };
+
+  bool is_near(Index v) const { return paths_.is_reached(v); }
+
+  template <typename Function> void for_each_surface_edge(Index u, const Function& f) const {
+    for(const Index v : mesh_.ring(u))
+      if(!mesh_.is_hub(v))
+        f(v);
+  }
+
+  // Those that lead out of the region as well.
+  template <typename Function> void for_each_edge_of_region(const Function& f) const {
+    for(const Index u : region_)
+      for_each_surface_edge(u, [&](Index v) {
+        if(u < v || !is_near(v))
+          f(u, v);
+      });
+  }
+
+  // ---- distances along edges
+
+  // From some vertices up to a distance, or to the first vertex that is an end. Returns that, if
+  // there is one.
+  template <typename Vertices, typename Predicate>
+  Index grow(const Vertices& from, double radius, const Predicate& is_end) {
+    paths_.clear();
+    for(const Index v : from)
+      paths_.reach(v, {0.});
+    Index end = no_index;
+    paths_.grow([&](double) { return end == no_index; },
+                [&](Index v) {
+                  if(is_end(v))
+                    end = v;
+                  else
+                    relax_edges(v, radius);
+                });
+    return end;
+  }
+
+  void relax_edges(Index v, double radius) {
+    for_each_surface_edge(v, [&](Index u) {
+      const double sum = paths_[v].distance + mesh_.edge_length(v, u);
+      if(sum < paths_[u].distance && sum <= radius)
+        paths_.reach(u, {sum, v});
+    });
+  }
+
+  // From the curve around a hub to the nearest other one.
+  std::vector<Index> way_to_another(Index hub) {
+    const auto is_at_another = [&](Index v) {
+      return hub_beside_[v] != no_index && hub_beside_[v] != hub;
+    };
+    std::vector<Index> way;
+    for(Index v = grow(mesh_.ring(hub), never, is_at_another); v != no_index;
+        v = paths_[v].previous)
+      way.push_back(v);
+    return way;
+  }
+
+  void find_region(const std::vector<Index>& way, double longest) {
+    // One half, and what ways along edges are longer than straight ones.
+    constexpr double share_of_length = 0.6;
+    grow(way, share_of_length * longest, [](Index) { return false; });
+    region_ = paths_.reached();
+    std::sort(region_.begin(), region_.end()); // neighbours are near in memory
+  }
+
+  // ---- the graph that is cut
+
+  // The vertices of all boundary curves are two nodes, each other one of the region is a node, and
+  // so is each connected part of what is outside. Returns false if no loop in the region parts the
+  // curves.
+  bool number_nodes(Index hub) {
+    for(const Index v : numbered_)
+      node_[v] = no_index;
+    numbered_.clear();
+    number_of_nodes_ = 2;
+    for(const Index v : region_) {
+      const Index at_boundary = node_at_boundary(v, hub);
+      set_node(v, at_boundary == no_index ? number_of_nodes_++ : at_boundary);
+    }
+    const Ring curve = mesh_.ring(hub);
+    const bool is_curve_near =
+        std::all_of(curve.begin(), curve.end(), [this](Index v) { return is_near(v); });
+    bool are_parted = true;
+    for(const Index u : region_)
+      for_each_surface_edge(u, [&](Index v) {
+        if(node_[v] == no_index)
+          are_parted = number_part_outside(v, hub, is_curve_near) && are_parted;
+      });
+    return are_parted;
+  }
+
+  void set_node(Index v, Index node) {
+    node_[v] = node;
+    numbered_.push_back(v);
+  }
+
+  Index node_at_boundary(Index v, Index hub) const {
+    return hub_beside_[v] == no_index ? no_index
+           : hub_beside_[v] == hub    ? Minimum_cut::source
+                                      : Minimum_cut::sink;
+  }
+
+  // It is one with the boundary curves that it comes to, which must not be on both sides. Where
+  // only those on one side can be, it is looked at up to the first one.
+  bool number_part_outside(Index first, Index hub, bool is_curve_near) {
+    const std::size_t begin = numbered_.size();
+    const Index number = number_of_nodes_;
+    bool is_at[2] = {false, false};
+    set_node(first, number);
+    for(std::size_t i = begin; i < numbered_.size() && !(is_curve_near && is_at[Minimum_cut::sink]);
+        ++i)
+    {
+      const Index at_boundary = node_at_boundary(numbered_[i], hub);
+      if(at_boundary != no_index)
+        is_at[at_boundary] = true;
+      for_each_surface_edge(numbered_[i], [&](Index v) {
+        if(node_[v] == no_index)
+          set_node(v, number);
+        else if(!is_near(v) && node_[v] == Minimum_cut::sink) // looked at before
+          is_at[Minimum_cut::sink] = true;
+      });
+    }
+    const Index node = is_at[Minimum_cut::sink]     ? Minimum_cut::sink
+                       : is_at[Minimum_cut::source] ? Minimum_cut::source
+                                                    : number_of_nodes_++;
+    for(std::size_t i = begin; i < numbered_.size(); ++i)
+      node_[numbered_[i]] = node;
+    return !is_at[Minimum_cut::sink] || !is_at[Minimum_cut::source];
+  }
+
+  // From the middle of one face at an edge to that of the other: three times that.
+  double length_across(Index u, Index v) const {
+    const Ring ring = mesh_.ring(u);
+    const Index p = ring.position(v);
+    return norm(mesh_.points[ring[ring.next(p)]] - mesh_.points[ring[ring.previous(p)]]);
+  }
+
+  // ---- the loop
+
+  bool is_beside_curve(Index v) const { return is_beside_curve_[node_[v]] != 0; }
+
+  // Along the edges that are cut, with the curve to the right; empty if this misses any.
+  Crossing_loop loop_of_cut() const {
+    Crossing_loop loop;
+    std::size_t number = 0;
+    for_each_edge_of_region([&](Index u, Index v) {
+      if(is_beside_curve(u) != is_beside_curve(v) && ++number == 1)
+        loop.push_back(is_beside_curve(u) ? Crossing{v, u, 0.5} : Crossing{u, v, 0.5});
+    });
+    while(!loop.empty() && loop.size() <= number) {
+      const Crossing& c = loop.back();
+      const Index apex = apex_ahead(mesh_, c);
+      CGAL_assertion(!mesh_.is_hub(apex));
+      const Crossing next =
+          is_beside_curve(apex) ? Crossing{c.left, apex, 0.5} : Crossing{apex, c.right, 0.5};
+      if(next.left == loop.front().left && next.right == loop.front().right)
+        break;
+      loop.push_back(next);
+    }
+    return loop.size() == number ? loop : Crossing_loop();
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<Index> hub_beside_; // of vertices on boundary curves
+  Shortest_paths<Label> paths_;   // by vertex
+  std::vector<Index> region_;     // vertices that are reached
+  std::vector<Index> node_;       // by vertex
+  std::vector<Index> numbered_;   // vertices that have a node
+  Index number_of_nodes_ = 0;
+  std::vector<char> is_beside_curve_; // by node
+};
 
 /// the boundary curve around a hub, the surface to its left.
 inline Crossing_loop boundary_curve(const Flat_mesh& mesh, Index hub) {
@@ -111,8 +438,6 @@ inline std::vector<Crossing_loop> waists(Execution execution, const Flat_mesh& m
   return loops;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SHORTENING_WAISTS_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// An axis-parallel box of dimension d, its boundary included.
 template <std::size_t d> struct Box
@@ -106,8 +104,6 @@ private:
   std::vector<std::vector<Box>> levels_; // the boxes, their groups, the groups of these, ...
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_BOX_TREE_H

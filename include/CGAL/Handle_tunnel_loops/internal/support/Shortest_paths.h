@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The queue of Dijkstra's algorithm: numbered places, the nearest first, and of those that are
 /// equally near the first. It keeps its memory.
@@ -63,6 +61,7 @@ public:
   const Label& operator[](Index i) const { return labels_[i]; }
   Label& operator[](Index i) { return labels_[i]; }
   std::size_t size() const { return labels_.size(); }
+  void resize(std::size_t number_of_places) { labels_.resize(number_of_places); }
 
   bool is_reached(Index i) const { return labels_[i].distance != Label().distance; }
   const std::vector<Index>& reached() const { return reached_; }
@@ -97,8 +96,6 @@ private:
   Distance_queue<decltype(Label::distance)> queue_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_SHORTEST_PATHS_H

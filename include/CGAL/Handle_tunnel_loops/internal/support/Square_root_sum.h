@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the largest integer whose square is not larger than \p n: by Newton's method with as many digits
 /// as are right by then, so that the last of few divisions takes nearly all of the time.
@@ -183,8 +181,6 @@ private:
   std::vector<Term> terms_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_SQUARE_ROOT_SUM_H

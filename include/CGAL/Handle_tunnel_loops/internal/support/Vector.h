@@ -39,9 +39,7 @@
 #define CGAL_HTL_FLOAT_REGISTER "+m"
 #endif
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the same number, of which the compiler does not know where it is from. It costs nothing.
 template <typename Float> Float opaque(Float number) {
@@ -78,15 +76,11 @@ CGAL_HTL_HOST_DEVICE inline double rounded_length(double x, double y, double z) 
   return std::sqrt(rounded_product(x, x) + rounded_product(y, y) + rounded_product(z, z));
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #undef CGAL_HTL_FLOAT_REGISTER
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 using Vector = std::array<double, 3>;
 
@@ -109,8 +103,6 @@ inline Vector cross(const Vector& a, const Vector& b) {
 }
 inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_VECTOR_H

@@ -19,9 +19,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The coordinates of a vertex, rounded to doubles if they are none.
 template <typename VertexPointMap, typename Vertex>
@@ -46,9 +44,7 @@ inline bool are_collinear(const Vector& a, const Vector& b, const Vector& c) {
   return are_exactly_collinear(a, b, c);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>

@@ -15,16 +15,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE bool are_exactly_collinear(const Vector& a, const Vector& b, const Vector& c) {
   return is_zero(cross(exact(b) - exact(a), exact(c) - exact(a)));
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARE_COLLINEAR_IMPL_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The number of a vertex, a loop, a cell.
 using Index = std::uint32_t;
@@ -89,8 +87,6 @@ template <typename T> struct Uninitialized_allocator : std::allocator<T>
 /// first touch, for which the system has to find and clear the memory, is then theirs too.
 template <typename T> using Uninitialized_vector = std::vector<T, Uninitialized_allocator<T>>;
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARRAYS_H

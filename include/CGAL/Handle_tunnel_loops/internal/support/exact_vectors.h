@@ -19,9 +19,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Sums and products of doubles. Without common divisors to be looked for it is some times as fast
 /// as a rational number.
@@ -59,8 +57,6 @@ template <typename N> bool is_zero(const Vector_of_numbers<N>& a) {
   return sign_of(a[0]) == 0 && sign_of(a[1]) == 0 && sign_of(a[2]) == 0;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_EXACT_VECTORS_H

@@ -22,9 +22,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE std::size_t Execution::number_of_threads() const {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -43,8 +41,6 @@ CGAL_HTL_CORE void Execution::for_each_range(std::size_t number, const Range_fun
     f.call(f.function, i);
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_PARALLEL_IMPL_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// sorts the elements of a vector and leaves one of each, so that `is_in()` finds them.
 template <typename T> void make_set(std::vector<T>& all) {
@@ -158,8 +156,6 @@ private:
   std::unique_ptr<std::atomic<Index>[]> parent_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_SETS_H

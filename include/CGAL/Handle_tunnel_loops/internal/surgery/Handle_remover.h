@@ -37,13 +37,10 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Which handles are to be removed: those that fulfil all conditions, and of these, smallest first,
 /// as many as the target genus asks for. The size of a handle is the length of the loop that it
@@ -292,8 +289,6 @@ private:
   std::vector<std::pair<Index, std::size_t>> patches_; // ends of their faces, and numbers
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_HANDLE_REMOVER_H

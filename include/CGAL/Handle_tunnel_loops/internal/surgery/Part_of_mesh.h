@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 The faces near a closed walk as a mesh of their own: those at the walk, and two rings around these.
@@ -133,8 +131,6 @@ inline std::vector<Index> split_edges_beside(Surgery_mesh& mesh, const Closed_wa
   return parents;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_PART_OF_MESH_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Finds those of many things that are near those of others, by their boxes. Things that are near
 /// each other are kept in groups, each with one box: 12 bytes for each of them.
@@ -129,8 +127,6 @@ private:
   Box_tree<3> tree_{std::vector<Box<3>>()};
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_PLACED_BOXES_H

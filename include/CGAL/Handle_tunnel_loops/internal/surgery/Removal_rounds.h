@@ -21,9 +21,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
 /// none is open at the end. Loops that cross where another handle was removed are led around it, or
@@ -38,9 +36,7 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
 CGAL_HTL_CORE std::vector<Removal_task>
 remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds_impl.h>

@@ -32,14 +32,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Removes handles from a mesh: takes out a region and closes its holes by caps, which lowers the genus
@@ -369,8 +366,6 @@ remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wan
   return tasks;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_IMPL_H

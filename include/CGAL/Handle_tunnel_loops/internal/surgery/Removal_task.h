@@ -27,9 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A loop that a handle may be removed along.
 struct Loop_choice
@@ -129,8 +127,6 @@ inline std::size_t number_with(Removal_task::State state, const std::vector<Remo
       tasks.begin(), tasks.end(), [&](const Removal_task& task) { return task.state == state; }));
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_TASK_H

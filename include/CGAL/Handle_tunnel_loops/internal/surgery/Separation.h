@@ -19,8 +19,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -28,9 +26,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// What a closed surface is, by counting.
 struct Surface_count
@@ -228,8 +224,6 @@ inline std::vector<char> separating_strips(Execution execution,
   return separates;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SEPARATION_H

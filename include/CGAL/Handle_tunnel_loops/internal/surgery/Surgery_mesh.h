@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 A closed oriented triangle mesh whose patches can be exchanged for others. Halfedges 3f, 3f + 1 and
@@ -256,8 +254,6 @@ inline std::vector<Index> vertices_of(const Surgery_mesh& mesh, const std::vecto
   return vertices;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SURGERY_MESH_H

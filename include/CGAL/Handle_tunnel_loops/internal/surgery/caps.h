@@ -19,9 +19,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Among which triangulations of a hole the best one is looked for.
 enum class Cap_search {
@@ -37,9 +35,7 @@ enum class Cap_search {
 CGAL_HTL_CORE std::vector<Patch>
 caps_of(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search = Cap_search::ALL);
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps_impl.h>

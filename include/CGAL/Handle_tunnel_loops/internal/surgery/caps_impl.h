@@ -36,12 +36,9 @@
 #include <iterator>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// The points of a mesh, with predicates that are not exact: enough where any answer is a right
 /// one.
@@ -301,8 +298,6 @@ caps_of(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search) {
   return ways;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CAPS_IMPL_H

@@ -40,9 +40,7 @@ template <> struct graph_traits<CGAL::Handle_tunnel_loops::internal::Surgery_mes
 
 } // namespace boost
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /// A place on an edge: `source + ratio * (target - source)`.
 struct Place_on_edge
@@ -215,8 +213,6 @@ inline Closed_walk shortened(const Surgery_mesh& mesh, const Closed_walk& walk) 
   return shorter;
 }
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CLOSED_WALKS_H

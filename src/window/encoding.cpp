@@ -7,40 +7,36 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "encode_surface.h"
+#include "encoding.h"
 
-#include <vector>
+#include <zlib.h>
+
+#include <memory>
+#include <stdexcept>
 
 namespace htl_window {
 namespace {
 
-// The triangles around each vertex.
-class Stars
+// The triangles around each vertex: those of v are from begin[v] to begin[v + 1].
+struct Stars
 {
-public:
   explicit Stars(const Surface& surface)
-      : begin_(surface.points.size() + 1)
-      , triangles_(3 * surface.triangles.size()) {
+      : begin(surface.points.size() + 1)
+      , triangles(3 * surface.triangles.size()) {
     for(const Triangle& triangle : surface.triangles)
       for(const std::uint32_t v : triangle)
-        ++begin_[v];
+        ++begin[v];
     std::size_t sum = 0;
-    for(std::size_t& end : begin_)
+    for(std::size_t& end : begin)
       end = sum += end;
     // From the last on, so that each begins where it ends, and ends in order.
     for(std::size_t t = surface.triangles.size(); t-- > 0;)
       for(const std::uint32_t v : surface.triangles[t])
-        triangles_[--begin_[v]] = static_cast<std::uint32_t>(t);
+        triangles[--begin[v]] = static_cast<std::uint32_t>(t);
   }
 
-  template <typename Visit> void for_each(std::uint32_t v, Visit visit) const {
-    for(std::size_t i = begin_[v]; i < begin_[v + 1]; ++i)
-      visit(triangles_[i]);
-  }
-
-private:
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> triangles_;
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> triangles;
 };
 
 class Surface_encoder
@@ -81,13 +77,13 @@ private:
 
   void add_star(std::uint32_t number) {
     std::uint32_t count = 0;
-    stars_.for_each(met_[number], [&](std::uint32_t t) {
-      if(is_done_[t])
-        return;
-      is_done_[t] = true;
-      ++count;
-      add_triangle(t, number);
-    });
+    const std::uint32_t v = met_[number];
+    for(std::size_t i = stars_.begin[v]; i < stars_.begin[v + 1]; ++i)
+      if(const std::uint32_t t = stars_.triangles[i]; !is_done_[t]) {
+        is_done_[t] = true;
+        ++count;
+        add_triangle(t, number);
+      }
     counts_.add(count);
   }
 
@@ -124,6 +120,59 @@ private:
 };
 
 } // namespace
+
+std::string base64_of(std::string_view bytes) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  const auto byte = [bytes](std::size_t i) {
+    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : std::uint32_t(0);
+  };
+  char* out = text.data();
+  for(std::size_t i = 0; i < bytes.size(); i += 3, out += 4) {
+    const std::uint32_t triple = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    const std::size_t filled = (std::min)(bytes.size() - i, std::size_t(3)) + 1;
+    for(std::size_t k = 0; k < filled; ++k)
+      out[k] = digits[triple >> (18 - 6 * k) & 63u];
+  }
+  return text;
+}
+
+std::string deflated(std::string_view bytes) {
+  constexpr int raw_window_bits = -15, memory_level = 9;
+  z_stream stream{};
+  if(deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, raw_window_bits, memory_level,
+                  Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("zlib cannot be used");
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, deflateEnd);
+  std::string result;
+  constexpr std::size_t longest = (std::numeric_limits<uInt>::max)(), step = std::size_t(1) << 18;
+  do {
+    const std::string_view part = bytes.substr(0, longest);
+    bytes.remove_prefix(part.size());
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+    stream.avail_in = static_cast<uInt>(part.size());
+    do {
+      const std::size_t size = result.size();
+      result.resize(size + step);
+      stream.next_out = reinterpret_cast<Bytef*>(&result[size]);
+      stream.avail_out = step;
+      deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
+      result.resize(size + step - stream.avail_out);
+    } while(stream.avail_out == 0);
+  } while(!bytes.empty());
+  return result;
+}
+
+Packed packed(const std::vector<const Stream*>& streams) {
+  Packed result;
+  std::string bytes;
+  for(const Stream* stream : streams) {
+    bytes += stream->bytes();
+    result.lengths.push_back(stream->bytes().size());
+  }
+  result.text = base64_of(deflated(bytes));
+  return result;
+}
 
 Encoded_surface encode_surface(const Surface& surface, const Grid& grid) {
   return Surface_encoder(surface, grid).encode();

@@ -7,48 +7,52 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_TUBE_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_TUBE_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_CURVES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_CURVES_H
 
 #include "Field.h"
-#include "generators.h"
 
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace generators {
+namespace CGAL::Handle_tunnel_loops::generators {
 
 /// A closed curve, by arc length.
 class Curve_by_length
 {
 public:
   /// a curve as a function on [0, 2 pi].
-  explicit Curve_by_length(std::function<Vector(double)> curve);
+  explicit Curve_by_length(std::function<Vector(double)> curve)
+      : curve_(std::move(curve)) {
+    for(int i = 1; i <= samples; ++i)
+      length_[i] = length_[i - 1] + generators::length(sample(i) - sample(i - 1));
+  }
 
   double length() const { return length_.back(); }
-  Vector point(double s) const;
+
+  Vector point(double s) const {
+    const auto after = std::upper_bound(length_.begin() + 1, length_.end() - 1, s);
+    const auto i = static_cast<int>(after - length_.begin());
+    const double part = (s - length_[i - 1]) / (length_[i] - length_[i - 1]);
+    return sample(i - 1 + part);
+  }
 
 private:
   static constexpr int samples = 10000;
-  static double parameter(double i);
+
+  Vector sample(double i) const { return curve_(2. * CGAL_PI * i / samples); }
 
   std::function<Vector(double)> curve_;
   std::vector<double> length_ = std::vector<double>(samples + 1, 0.);
 };
-
-/// a round tube of about a number of faces around a closed curve. It does not cross itself if the
-/// curve keeps away from itself and the faces are enough to follow it.
-Soup closed_tube(const Curve_by_length& curve, double radius, std::size_t faces);
 
 /// Curves on a torus that go around it p times the long way and q times the short way, as functions
 /// on [0, 2 pi]. Those that are moved the short way by different angles are parallel.
@@ -101,19 +105,6 @@ private:
   double p_, q_;
 };
 
-/// The numbers of rings along a tube and of vertices around it.
-struct Grid_size
-{
-  std::size_t along, around;
-};
+} // namespace CGAL::Handle_tunnel_loops::generators
 
-/// the torus of a grid that is periodic both ways, its quadrangles cut in two. It is oriented by
-/// (along, around).
-Soup grid_surface(Grid_size size,
-                  const std::function<Vector(std::size_t along, std::size_t around)>& point);
-
-} // namespace generators
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
-
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_TUBE_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_CURVES_H

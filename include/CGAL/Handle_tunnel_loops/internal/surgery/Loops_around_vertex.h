@@ -7,11 +7,12 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_NEARBY_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_NEARBY_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_AROUND_VERTEX_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_AROUND_VERTEX_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -19,16 +20,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Handle_tunnel_loops {
-namespace internal {
+namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Finds short closed walks near a vertex that bound no disc there, in the ball of what is near the
@@ -44,7 +41,8 @@ class Loops_around_vertex
 {
 public:
   explicit Loops_around_vertex(const Surgery_mesh& mesh)
-      : mesh_(mesh) {}
+      : mesh_(mesh)
+      , reached_(mesh.vertex_bound()) {}
 
   /// those that come to no vertex twice, the shortest way to the vertex and back first. The ball
   /// has this radius, measured along edges, and no more than \p most_vertices.
@@ -73,27 +71,18 @@ private:
   using Closing_edge = std::pair<double, Index>; // the length of its walk to the root, a halfedge
 
   void find_ball(Index root, double radius, std::size_t most_vertices) {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const auto reach = [&](Index v, double d, Index h) {
-      if(!(d < reached_[v].distance))
-        return;
-      touched_.push_back(v);
-      reached_[v].distance = d;
-      reached_[v].halfedge = h;
-      queue.push({d, v});
-    };
-    reach(root, 0., no_index);
-    while(!queue.empty() && ball_.size() < most_vertices && queue.top().first <= radius) {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if(std::exchange(reached_[v].is_settled, true))
-        continue;
-      ball_.push_back(v);
-      mesh_.for_each_outgoing(v, [&, d = d, v = v](Index h) {
-        reach(mesh_.target(h), d + distance(mesh_, v, mesh_.target(h)), h);
-      });
-    }
+    reached_.reach(root, {0.});
+    reached_.grow([&](double d) { return d <= radius && ball_.size() < most_vertices; },
+                  [&](Index v) {
+                    reached_[v].is_settled = true;
+                    ball_.push_back(v);
+                    mesh_.for_each_outgoing(v, [&](Index h) {
+                      const Index u = mesh_.target(h);
+                      const double d = reached_[v].distance + distance(mesh_, v, u);
+                      if(d < reached_[u].distance)
+                        reached_.reach(u, {d, h});
+                    });
+                  });
   }
 
   bool is_in_ball(Index f) const {
@@ -197,26 +186,21 @@ private:
   }
 
   void clear() {
-    for(Index v : touched_)
-      reached_[v] = Reached();
+    reached_.clear();
     for(Index f : faces_)
       sides_[f] = Sides();
-    touched_.clear();
     ball_.clear();
     faces_.clear();
   }
 
   const Surgery_mesh& mesh_;
-  std::vector<Reached> reached_; // by vertex
-  std::vector<Sides> sides_;     // by face
+  Shortest_paths<Reached> reached_; // by vertex
+  std::vector<Sides> sides_;        // by face
   // Of the present ball.
-  std::vector<Index> touched_; // vertices that are reached, some of them more than once
-  std::vector<Index> ball_;    // those of them that are settled
+  std::vector<Index> ball_; // the vertices that are settled
   std::vector<Index> faces_;
 };
 
-} // namespace internal
-} // namespace Handle_tunnel_loops
-} // namespace CGAL
+} // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_NEARBY_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_LOOPS_AROUND_VERTEX_H

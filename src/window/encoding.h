@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef HTL_WINDOW_ENCODING_H
+#define HTL_WINDOW_ENCODING_H
+
+#include "window.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace htl_window {
+
+/// The box around all that is shown, in 65535 steps along each axis.
+class Grid
+{
+public:
+  using Place = std::array<std::int32_t, 3>;
+
+  explicit Grid(const Scene& scene) {
+    for(const Surface& surface : scene.surfaces)
+      add(surface.points);
+    for(const Line& line : scene.lines)
+      add(line.points);
+  }
+
+  Place place_of(const Point& p) const {
+    Place place{};
+    for(int i = 0; i < 3; ++i)
+      if(low_[i] < high_[i]) {
+        // Halves, as an extent may be larger than the largest number.
+        const double part = (p[i] / 2. - low_[i] / 2.) / (high_[i] / 2. - low_[i] / 2.);
+        place[i] = static_cast<std::int32_t>(part * 65535. + 0.5);
+      }
+    return place;
+  }
+
+  /// the extents, the largest of which is 1 unless all is one point.
+  Point size() const {
+    Point half{};
+    for(int i = 0; i < 3; ++i)
+      half[i] = low_[i] < high_[i] ? high_[i] / 2. - low_[i] / 2. : 0.;
+    const double largest = *std::max_element(half.begin(), half.end());
+    return largest > 0. ? Point{half[0] / largest, half[1] / largest, half[2] / largest} : half;
+  }
+
+private:
+  void add(const std::vector<Point>& points) {
+    for(const Point& p : points)
+      for(int i = 0; i < 3; ++i) {
+        low_[i] = (std::min)(low_[i], p[i]);
+        high_[i] = (std::max)(high_[i], p[i]);
+      }
+  }
+
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  Point low_ = {infinity, infinity, infinity}, high_ = {-infinity, -infinity, -infinity};
+};
+
+/// bytes as letters, digits, + and / (RFC 4648).
+std::string base64_of(std::string_view bytes);
+
+/// bytes as a stream of RFC 1951, which browsers read as "deflate-raw". Fast rather than small:
+/// what is coded here has been made of small numbers already, which are short words.
+std::string deflated(std::string_view bytes);
+
+/// Numbers one after the other: seven bits in each byte, the least first; the eighth says that more
+/// follow.
+class Stream
+{
+public:
+  void add(std::uint32_t value) {
+    for(; value > 127; value >>= 7)
+      bytes_ += static_cast<char>(value | 128);
+    bytes_ += static_cast<char>(value);
+  }
+
+  /// the sign becomes the last bit.
+  void add_signed(std::int32_t value) {
+    add(value < 0 ? ~(static_cast<std::uint32_t>(value) << 1)
+                  : static_cast<std::uint32_t>(value) << 1);
+  }
+
+  const std::string& bytes() const { return bytes_; }
+
+private:
+  std::string bytes_;
+};
+
+/// Places, each as its difference to one before, an axis in each stream.
+using Place_streams = std::array<Stream, 3>;
+
+inline void add_difference(Place_streams& streams, const Grid::Place& to, const Grid::Place& from) {
+  for(int i = 0; i < 3; ++i)
+    streams[i].add_signed(to[i] - from[i]);
+}
+
+/// Streams one after the other, deflated and in base 64, and how many bytes each has before that.
+struct Packed
+{
+  std::string text;
+  std::vector<std::size_t> lengths;
+};
+
+Packed packed(const std::vector<const Stream*>& streams);
+
+/*!
+A surface for a page. Vertices are numbered as they are met: the first is that of the first
+triangle; then, for each vertex in the order of the numbers, the triangles around it that were not
+there yet, and so the vertices that these name for the first time. If no vertex is left, the next
+is one of another piece. There are these streams:
+
+- for each vertex, how many triangles are new at it;
+- for each of these its second and third corner: 0 for a vertex that is new, else by how much its
+  number is less than that of the next new one;
+- three streams of places, each as the difference to the corner before;
+- if there are parts, for each triangle by how much its part differs from that of the one before.
+
+Numbers are small that way: a million triangles are about four million bytes. Vertices without
+triangles are left out.
+*/
+struct Encoded_surface
+{
+  std::size_t number_of_vertices;
+  Packed streams;
+};
+
+Encoded_surface encode_surface(const Surface& surface, const Grid& grid);
+
+} // namespace htl_window
+
+#endif // HTL_WINDOW_ENCODING_H
