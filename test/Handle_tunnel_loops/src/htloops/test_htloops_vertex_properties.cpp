@@ -115,6 +115,15 @@ TEST_F(Vertex_properties_test, ComeBackWhereThereIsRoom) {
   EXPECT_EQ(folder_.read("copy.off").substr(0, 5), "COFF\n");
 }
 
+// An integer with an exponent is none.
+TEST_F(Vertex_properties_test, LargeIntegersAreWrittenAsSuch) {
+  const Mesh mesh = read_mesh(folder_.write("mesh.off", off_file("OFF", "")));
+  const Values numbers = {99999., 100000., 1234567., -2000000000.};
+  write_mesh(folder_.path("numbered.ply"), mesh, {{"number", "int", numbers}});
+  EXPECT_EQ(read_vertex_properties(folder_.path("numbered.ply")).at(0).values, numbers);
+  EXPECT_EQ(folder_.read("numbered.ply").find("e+"), std::string::npos);
+}
+
 TEST_F(Vertex_properties_test, SpreadToFurtherVertices) {
   const Mesh mesh = read_mesh(folder_.write("mesh.off", off_file("OFF", "")));
   Vertex_properties properties = {{"red", "uchar", {1., 2.}}, {"value", "double", {1., 2.}}};
