@@ -126,6 +126,27 @@ TEST_F(Cuda_fallback, MemoryMayEndInAnyPass) {
   EXPECT_GT(number_of_fallbacks, 5u);
 }
 
+// The processor does not sweep anew what the device has swept.
+TEST_F(Cuda_fallback, KeepsTheTimesOfADeviceThatFailsLater) {
+  const Step_coefficients k = step_coefficients(Field_constants());
+  Fallback_backend backend(execution, flat, [this] {
+    return device::make_cuda_solver(flat, {1, nullptr, any_size});
+  });
+  unsigned calls = 0;
+  const auto count = [&](double) { return ++calls > 0; };
+  backend.initial_field(flat.seeds, k, count);
+  const std::vector<Time> times = backend.arrival_times();
+  machine.calls.restart({1, 1, cudaErrorLaunchFailure});
+  backend.times_from_vertices({1}, k, [](double) { return true; });
+  machine.calls.restart();
+  Statistics statistics;
+  backend.report(statistics);
+  ASSERT_EQ(statistics.backend, "cuda, then host");
+  calls = 0;
+  EXPECT_EQ(backend.arrival_times(), times);
+  EXPECT_EQ(calls, 0u) << "of a second sweep";
+}
+
 TEST_F(Cuda_fallback, StopsWhenItIsAskedToAfterAFailure) {
   const Mesh mesh = mesh_of(recipe);
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);

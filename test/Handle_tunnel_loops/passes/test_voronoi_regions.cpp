@@ -179,4 +179,14 @@ TEST(Bidirectional_front, GivesUpWhenItIsToldTo) {
   EXPECT_EQ(fronts.dual_walks(query, 0).walks, found.walks);
 }
 
+TEST(Host_backend, StopsWhenItIsToldTo) {
+  const Swept_surface s({"torus", {4000, 1, 0}});
+  Host_backend backend(execution, s.mesh);
+  const auto stop = [](double) { return false; };
+  EXPECT_THROW(backend.initial_field({0}, s.coefficients, stop), Interrupted_exception);
+  EXPECT_THROW(backend.times_from_vertices({0}, s.coefficients, stop), Interrupted_exception);
+  EXPECT_THROW(backend.dual_walks({s.loops, s.index, false, {0}}, s.coefficients, stop),
+               Interrupted_exception);
+}
+
 } // namespace test_voronoi_regions
