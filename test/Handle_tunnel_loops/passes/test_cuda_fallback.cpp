@@ -128,13 +128,15 @@ TEST_F(Cuda_fallback, MemoryMayEndInAnyPass) {
 
 // The processor does not sweep anew what the device has swept.
 TEST_F(Cuda_fallback, KeepsTheTimesOfADeviceThatFailsLater) {
+  const Flat_mesh mesh = flat_mesh_of(Recipe{"torus", {4000, 1, 0}});
   const Step_coefficients k = step_coefficients(Field_constants());
-  Fallback_backend backend(execution, flat, [this] {
-    return device::make_cuda_solver(flat, {1, nullptr, any_size});
+  Fallback_backend backend(execution, mesh, [&] {
+    return device::make_cuda_solver(mesh, {1, nullptr, any_size});
   });
   unsigned calls = 0;
   const auto count = [&](double) { return ++calls > 0; };
-  backend.initial_field(flat.seeds, k, count);
+  backend.initial_field(mesh.seeds, k, count);
+  ASSERT_GT(calls, 0u);
   const std::vector<Time> times = backend.arrival_times();
   machine.calls.restart({1, 1, cudaErrorLaunchFailure});
   backend.times_from_vertices({1}, k, [](double) { return true; });
@@ -142,6 +144,7 @@ TEST_F(Cuda_fallback, KeepsTheTimesOfADeviceThatFailsLater) {
   Statistics statistics;
   backend.report(statistics);
   ASSERT_EQ(statistics.backend, "cuda, then host");
+  EXPECT_GT(statistics.device_bytes, 0u);
   calls = 0;
   EXPECT_EQ(backend.arrival_times(), times);
   EXPECT_EQ(calls, 0u) << "of a second sweep";
