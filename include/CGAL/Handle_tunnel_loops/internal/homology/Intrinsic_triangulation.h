@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -92,7 +91,7 @@ public:
 
   /// the subdivision of the mesh, after all splits: points and rings.
   Flat_mesh subdivision() const {
-    CGAL_precondition_msg(halfedges_.front().length < 0., "before edges are flipped");
+    CGAL_precondition_msg(lengths_.empty(), "before edges are flipped");
     Flat_mesh mesh;
     mesh.first_hub = first_hub_;
     mesh.number_of_hubs = number_of_hubs_;
@@ -120,7 +119,7 @@ public:
   /// flips edges, after all splits.
   void make_delaunay() {
     for(Index h = 0; h < halfedges_.size(); ++h)
-      halfedges_[h].length = is_spoke(h) ? std::numeric_limits<double>::infinity() : distance(h);
+      lengths_.push_back(is_spoke(h) ? std::numeric_limits<double>::infinity() : distance(h));
     std::vector<Index> open;
     for(Index h = 0; h < halfedges_.size(); ++h)
       if(h < twin(h))
@@ -150,20 +149,23 @@ public:
   std::size_t number_of_halfedges() const { return halfedges_.size(); }
   Index source(Index h) const { return target(previous(h)); }
   Index target(Index h) const { return halfedges_[h].target; }
-  double length(Index h) const { return halfedges_[h].length; }
+  double length(Index h) const { return lengths_[h]; }
 
-  /// the vertices that follow the source on a walk on the subdivision, to the target.
-  std::vector<Index> walk(Index h) const {
-    return halfedges_[h].walk.value_or(std::vector<Index>(1, target(h)));
+  /// appends the vertices that follow the source on a walk on the subdivision, to the target.
+  void append_walk(Index h, std::vector<Index>& walk) const {
+    const Index number = halfedges_[h].walk;
+    if(number == no_index)
+      walk.push_back(target(h));
+    else
+      walk.insert(walk.end(), walks_[number].begin(), walks_[number].end());
   }
 
 private:
   struct Halfedge
   {
     Index target, twin;
-    bool is_on_edge;                             // of the mesh; before flips
-    double length = -1.;                         // once edges are flipped
-    std::optional<std::vector<Index>> walk = {}; // of the edges that flips have made
+    bool is_on_edge;       // of the mesh; before flips
+    Index walk = no_index; // its number, if a flip has made the edge
   };
 
   // Halfedges 3f, 3f + 1, 3f + 2 lead around face f.
@@ -292,17 +294,39 @@ private:
     const std::vector<Index> walk = joined(d, this->walk(twin(ad)), this->walk(twin(ca)));
     // The places of the other sides change; two of them may be one edge.
     const std::array<Index, 4> before = {ca, ad, db, bc}, after = {bc, ca, ad, db};
-    std::array<Halfedge, 4> sides;
+    std::array<std::pair<Halfedge, double>, 4> sides;
     for(std::size_t i = 0; i < sides.size(); ++i)
-      sides[i] = std::move(halfedges_[before[i]]);
+      sides[i] = {halfedges_[before[i]], length(before[i])};
     for(std::size_t i = 0; i < sides.size(); ++i) {
-      const auto place = std::find(before.begin(), before.end(), sides[i].twin);
-      const Index twin = place == before.end() ? sides[i].twin : after[place - before.begin()];
-      halfedges_[after[i]] = std::move(sides[i]);
-      join(after[i], twin);
+      auto& [side, length] = sides[i];
+      const auto place = std::find(before.begin(), before.end(), side.twin);
+      side.twin = place == before.end() ? side.twin : after[place - before.begin()];
+      set(after[i], side, length);
     }
-    halfedges_[h] = {c, g, false, across, walk};
-    halfedges_[g] = {d, h, false, across, reversed(walk, d)};
+    set(h, {c, g, false, stored(walk, halfedges_[h].walk)}, across);
+    set(g, {d, h, false, stored(reversed(walk, d), halfedges_[g].walk)}, across);
+  }
+
+  void set(Index h, const Halfedge& side, double length) {
+    halfedges_[h] = side;
+    join(h, side.twin);
+    lengths_[h] = length;
+  }
+
+  // The number of a walk, which takes the place of another one if there is that.
+  Index stored(std::vector<Index> walk, Index number) {
+    if(number == no_index) {
+      number = static_cast<Index>(walks_.size());
+      walks_.emplace_back();
+    }
+    walks_[number] = std::move(walk);
+    return number;
+  }
+
+  std::vector<Index> walk(Index h) const {
+    std::vector<Index> walk;
+    append_walk(h, walk);
+    return walk;
   }
 
   // The same vertices the other way, without the first.
@@ -337,6 +361,8 @@ private:
   std::vector<Place> places_;  // by vertex
   Index first_hub_, number_of_hubs_;
   std::vector<Halfedge> halfedges_;
+  std::vector<double> lengths_; // by halfedge, once edges are flipped
+  std::vector<std::vector<Index>> walks_;
   std::priority_queue<std::pair<double, Index>> queue_;
 };
 

@@ -26,6 +26,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <utility>
@@ -524,17 +525,23 @@ private:
   }
 
   void add_edges(const Intrinsic_triangulation& triangulation) {
-    std::vector<std::vector<Index>> halfedges(triangulation.number_of_vertices()); // by source
-    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-      halfedges[triangulation.source(h)].push_back(h);
-    for(const std::vector<Index>& of_vertex : halfedges) {
-      add_vertex();
-      for(const Index h : of_vertex) {
-        add_step(triangulation.target(h), static_cast<float>(triangulation.length(h)));
-        const std::vector<Index> walk = triangulation.walk(h);
-        walks_.insert(walks_.end(), walk.begin(), walk.end());
+    const Index n = static_cast<Index>(triangulation.number_of_halfedges());
+    std::vector<Index> end(triangulation.number_of_vertices() + 1, 0), by_source(n);
+    for(Index h = 0; h < n; ++h)
+      ++end[triangulation.source(h) + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    for(Index h = 0; h < n; ++h)
+      by_source[end[triangulation.source(h)]++] = h;
+    own_heads_.reserve(n);
+    lengths_.reserve(n);
+    walk_begin_.reserve(n + 1);
+    walks_.reserve(n);
+    for(std::size_t v = 0, i = 0; v + 1 < end.size(); ++v)
+      for(add_vertex(); i < end[v]; ++i) {
+        add_step(triangulation.target(by_source[i]),
+                 static_cast<float>(triangulation.length(by_source[i])));
+        triangulation.append_walk(by_source[i], walks_);
       }
-    }
   }
 
   void take_steps() {
