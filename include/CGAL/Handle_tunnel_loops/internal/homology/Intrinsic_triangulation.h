@@ -159,6 +159,11 @@ public:
     else
       walk.insert(walk.end(), walks_[number].begin(), walks_[number].end());
   }
+  std::vector<Index> walk(Index h) const {
+    std::vector<Index> walk;
+    append_walk(h, walk);
+    return walk;
+  }
 
 private:
   struct Halfedge
@@ -321,12 +326,6 @@ private:
     }
     walks_[number] = std::move(walk);
     return number;
-  }
-
-  std::vector<Index> walk(Index h) const {
-    std::vector<Index> walk;
-    append_walk(h, walk);
-    return walk;
   }
 
   // The same vertices the other way, without the first.
