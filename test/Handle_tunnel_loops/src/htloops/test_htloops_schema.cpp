@@ -25,10 +25,10 @@
 #include <utility>
 #include <vector>
 
+namespace test_htloops_schema {
+
 using namespace htloops;
 using nlohmann::json;
-
-namespace {
 
 class Schema
 {
@@ -91,8 +91,6 @@ Answer solved(const Mesh& mesh, Solve_options options = {}) {
     answer.boundaries = find_boundaries(mesh, true);
   return answer;
 }
-
-} // namespace
 
 TEST_F(Loops_schema, fits_what_is_written) {
   const Mesh closed = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
@@ -261,3 +259,5 @@ TEST(Mesh_line_schema, fits_what_is_written) {
   schema.expect_refuses(documents[2],
                         {[](json& d) { d.erase("error"); }, [](json& d) { d["error"] = ""; }});
 }
+
+} // namespace test_htloops_schema
