@@ -262,7 +262,7 @@ struct Naming
 
 /// certifies pairs of which the relations are known, and tells handles from tunnels: by their
 /// linking numbers, or by their growth along the normals where these do not tell (paper, 4.5), at
-/// the given offset if it is not 0. Begins two stages, and leaves the second to be ended.
+/// the given offset if it is not 0.
 template <typename Surface, typename Pair>
 Naming certify_and_name(Execution execution,
                         const Surface& surface,
@@ -279,24 +279,25 @@ Naming certify_and_name(Execution execution,
     if(are_closed)
       certification.check_basis(execution);
   });
-  progress.start(Stage::CLASSIFY);
-  if(are_closed) {
-    certification.relate(std::move(relations));
-    const Offset_classifier<typename Surface::Mesh, decltype(surface.point())> classifier(
-        surface.mesh(), surface.point(), offset);
-    for_each_index(
-        execution, pairs.size(),
-        [&](std::size_t k) {
-          int handle = certification.handle_of_pair(k);
-          if(handle == 0)
-            handle = certification.outward_of_pair(k) *
-                     classifier.compare_growth(pairs[k].handle(), pairs[k].tunnel());
-          naming.is_exchanged[k] = handle < 0;
-        },
-        1);
-    certification.exchange(naming.is_exchanged);
-  }
-  naming.certificate = certification.finish();
+  progress.run(Stage::CLASSIFY, [&] {
+    if(are_closed) {
+      certification.relate(std::move(relations));
+      const Offset_classifier<typename Surface::Mesh, decltype(surface.point())> classifier(
+          surface.mesh(), surface.point(), offset);
+      for_each_index(
+          execution, pairs.size(),
+          [&](std::size_t k) {
+            int handle = certification.handle_of_pair(k);
+            if(handle == 0)
+              handle = certification.outward_of_pair(k) *
+                       classifier.compare_growth(pairs[k].handle(), pairs[k].tunnel());
+            naming.is_exchanged[k] = handle < 0;
+          },
+          1);
+      certification.exchange(naming.is_exchanged);
+    }
+    naming.certificate = certification.finish();
+  });
   return naming;
 }
 

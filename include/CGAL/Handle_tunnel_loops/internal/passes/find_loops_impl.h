@@ -98,7 +98,6 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
   if(!certificate)
     throw Uncertified_loops_exception("the loops found fail their certificate: " +
                                       certificate.failure);
-  progress.end(Stage::CLASSIFY);
   return certificate;
 }
 

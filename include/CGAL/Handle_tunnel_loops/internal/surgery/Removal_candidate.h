@@ -176,12 +176,13 @@ private:
 
   using Normals = std::vector<Surgery_mesh::Kernel::Vector_3>;
 
-  // As long as the areas, of the faces just beyond the border.
+  // Twice as long as the areas, of the faces just beyond the border; some may have none.
   Normals normals_around(const Cut_region& region) const {
     Normals normals;
     for(Index h : region.border(0)) {
       const Surgery_mesh::Face& c = mesh_.corners(mesh_.face(mesh_.twin(h)));
-      normals.push_back(CGAL::normal(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2])));
+      const Surgery_mesh::Point& p = mesh_.point(c[0]);
+      normals.push_back(CGAL::cross_product(mesh_.point(c[1]) - p, mesh_.point(c[2]) - p));
     }
     return normals;
   }
