@@ -1,4 +1,5 @@
-# The target htl_build_options: flags for what this project itself compiles; never for its users.
+# The target htl_build_options: flags for what this project itself compiles; never for its users. And how long
+# a test may take with them.
 add_library(htl_build_options INTERFACE)
 
 if(MSVC)
@@ -16,7 +17,9 @@ if(HTL_BUILD_FUZZERS) # coverage, of everything that is linked
   target_compile_options(htl_build_options INTERFACE -fsanitize=fuzzer-no-link)
   target_link_options(htl_build_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+set(HTL_TEST_TIME_LIMIT 600) # seconds
 if(HTL_SANITIZE)
+  set(HTL_TEST_TIME_LIMIT 3600)
   target_compile_options(htl_build_options INTERFACE
     -fsanitize=${HTL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(htl_build_options INTERFACE -fsanitize=${HTL_SANITIZE})

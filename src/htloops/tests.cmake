@@ -5,7 +5,7 @@ foreach(script IN ITEMS end_to_end files_end_to_end remove_end_to_end
     COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
       "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/htloops_${script}"
       -P "${CMAKE_CURRENT_LIST_DIR}/${script}.cmake")
-  set_tests_properties(htloops_${script} PROPERTIES LABELS tool TIMEOUT 300)
+  set_tests_properties(htloops_${script} PROPERTIES LABELS tool TIMEOUT ${HTL_TEST_TIME_LIMIT})
 endforeach()
 
 # The meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one: an
@@ -16,7 +16,7 @@ function(_htl_add_corpus_test name part parts)
       "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/${name}" -DPART=${part} -DPARTS=${parts}
       -P "${CMAKE_CURRENT_LIST_DIR}/corpus.cmake")
   set_tests_properties(${name} PROPERTIES
-    LABELS "tool;corpus;${ARGN}" TIMEOUT 600 SKIP_REGULAR_EXPRESSION "SKIPPED")
+    LABELS "tool;corpus;${ARGN}" TIMEOUT ${HTL_TEST_TIME_LIMIT} SKIP_REGULAR_EXPRESSION "SKIPPED")
 endfunction()
 
 _htl_add_corpus_test(htloops_corpus 1 8)
