@@ -208,7 +208,9 @@ private:
     request.classes.do_shorten = options.do_tighten;
     request.seeds = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
-    request.put_swept_vertices = [this, &np](const auto& swept) { put_swept_vertices(swept, np); };
+    request.put_swept_vertices = [this, &np](const auto& swept) {
+      this->put_swept_vertices(swept, np);
+    };
     return request;
   }
 

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace htloops {
@@ -73,10 +74,15 @@ inline Face_cuts add_face_cuts(Mesh& mesh) {
   return mesh.add_property_map<Mesh::Edge_index, bool>("e:cuts_face", false).first;
 }
 
+// What CGAL 5 and CGAL 6 return for a map that may not be there.
+inline std::optional<Face_cuts> if_found(const std::pair<Face_cuts, bool>& map) {
+  return map.second ? std::optional<Face_cuts>(map.first) : std::nullopt;
+}
+inline std::optional<Face_cuts> if_found(const std::optional<Face_cuts>& map) { return map; }
+
 /// nothing for a mesh whose faces all were triangles.
 inline std::optional<Face_cuts> cuts_of_faces(const Mesh& mesh) {
-  const auto [cuts, has_any] = mesh.property_map<Mesh::Edge_index, bool>("e:cuts_face");
-  return has_any ? std::optional<Face_cuts>(cuts) : std::nullopt;
+  return if_found(mesh.property_map<Mesh::Edge_index, bool>("e:cuts_face"));
 }
 
 /// Red, green and blue.

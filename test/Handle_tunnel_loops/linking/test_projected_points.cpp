@@ -5,7 +5,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Linking_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 

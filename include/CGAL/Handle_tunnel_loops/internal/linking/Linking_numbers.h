@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sort.h>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+struct Matrix_entry
+{
+  Index row, column;
+  std::int64_t value;
+
+  bool is_beside(const Matrix_entry& e) const { return row == e.row && column == e.column; }
+  bool operator<(const Matrix_entry& e) const {
+    return row != e.row ? row < e.row : column < e.column;
+  }
+};
+
+/// An integer matrix: its entries by row and, within a row, by column; no zeros.
+using Sparse_matrix = std::vector<Matrix_entry>;
+
+/// sorts entries, adds up those at the same place, and leaves out zeros.
+inline void add_up(std::vector<Matrix_entry>& entries) {
+  std::sort(entries.begin(), entries.end());
+  std::size_t kept = 0;
+  for(std::size_t i = 0; i < entries.size();) {
+    Matrix_entry sum = entries[i];
+    for(++i; i < entries.size() && entries[i].is_beside(sum); ++i)
+      sum.value += entries[i].value;
+    if(sum.value != 0)
+      entries[kept++] = sum;
+  }
+  entries.resize(kept);
+}
+
+/// whether a matrix is its transpose with the other sign. Logarithmic time for each entry.
+inline bool is_antisymmetric(const Sparse_matrix& matrix) {
+  CGAL_precondition(std::is_sorted(matrix.begin(), matrix.end()));
+  return std::all_of(matrix.begin(), matrix.end(), [&](const Matrix_entry& e) {
+    const Matrix_entry transposed = {e.column, e.row, -e.value};
+    const auto it = std::lower_bound(matrix.begin(), matrix.end(), transposed);
+    return it != matrix.end() && it->is_beside(transposed) && it->value == transposed.value;
+  });
+}
+
+/// A line of a copy and an edge of a walk that meet although they should be apart; or, where the
+/// edge is one that the copy crosses, two faces that lie on each other.
+struct Contact
+{
+  static constexpr std::size_t no_corner = static_cast<std::size_t>(-1);
+  std::size_t corner, edge;
+
+  bool operator<(const Contact& c) const {
+    return edge != c.edge ? edge < c.edge : corner < c.corner;
+  }
+};
+
+/// What `Linking_numbers` finds.
+struct Linking
+{
+  /// how often loop i crosses loop j from right to left, less the other way.
+  Sparse_matrix intersections;
+
+  /// V, see `Linking_numbers`.
+  Sparse_matrix linking;
+
+  /// V less its transpose less the intersection matrix (with the sign of the side to which the
+  /// faces look). It is empty unless the surface touches itself, or crosses itself near loops; then
+  /// the numbers of these loops mean nothing.
+  Sparse_matrix defect;
+
+  /// where the surface touches itself. The numbers of the loops that pass there mean nothing.
+  std::vector<Contact> contacts;
+
+  /// whether there are so many contacts that the search for them was given up, as on a surface that
+  /// is a point. Then no number means anything.
+  bool has_too_many_contacts = false;
+};
+
+/// How the loops of a family lie with respect to each other and to the solid.
+struct Loop_relations
+{
+  /// how often loop i crosses loop j from right to left, less the other way.
+  Sparse_matrix intersections;
+
+  /// the linking number of loop i with loop j pushed out of the solid; empty unless `is_linked`.
+  Sparse_matrix linking;
+
+  /// in words, by loop, why its linking numbers mean nothing.
+  std::map<std::size_t, std::string> problems;
+
+  /// by loop, the component on which it lies.
+  std::vector<std::size_t> components;
+
+  /// by loop, 1 if the faces along it look out of the solid, -1 if they look into it, 0 if there is
+  /// none.
+  std::vector<int> outward;
+
+  bool is_linked = false;
+
+  /// by loop, whether it bounds on the inner or on the outer side of its component, the other
+  /// components taken away.
+  std::vector<char> bounds_alone(bool inside) const {
+    std::vector<char> bounds(components.size(), 1);
+    for(const Matrix_entry& e : linking)
+      if(components[e.row] == components[e.column])
+        bounds[inside ? e.row : e.column] = 0;
+    for(const auto& problem : problems)
+      bounds[problem.first] = 0;
+    return bounds;
+  }
+
+  /// changes the numbers of the loops: number i is what had number `before[i]`.
+  void renumber(const std::vector<Index>& before) {
+    std::vector<Index> now(before.size());
+    for(Index i = 0; i < before.size(); ++i)
+      now[before[i]] = i;
+    for(Sparse_matrix* matrix : {&intersections, &linking}) {
+      for(Matrix_entry& e : *matrix)
+        e = {now[e.row], now[e.column], e.value};
+      std::sort(matrix->begin(), matrix->end());
+    }
+    std::map<std::size_t, std::string> renumbered;
+    for(auto& problem : problems)
+      renumbered.emplace(now[problem.first], std::move(problem.second));
+    problems = std::move(renumbered);
+    const std::vector<std::size_t> components_before = components;
+    const std::vector<int> outward_before = outward;
+    for(std::size_t i = 0; i < before.size(); ++i) {
+      components[i] = components_before[before[i]];
+      outward[i] = outward_before[before[i]];
+    }
+  }
+};
+
+/// Integer multiples of numbered elements, one chain for each of a family of loops, kept by
+/// element.
+class Chains
+{
+public:
+  void add(Index element, Index loop, std::int64_t value) {
+    terms_.push_back({element, loop, value});
+  }
+
+  /// adds up what was added to one element for one loop. To be called once, after the last `add()`.
+  void finish(std::size_t number_of_elements) {
+    add_up(terms_);
+    begin_.assign(number_of_elements + 1, 0);
+    for(const Matrix_entry& term : terms_)
+      ++begin_[term.row + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  }
+
+  /// the terms of an element, in the order of the loops, which are their columns.
+  Span<const Matrix_entry> of(std::size_t element) const {
+    CGAL_precondition_msg(element + 1 < begin_.size(), "after `finish()`");
+    return {terms_.data() + begin_[element], begin_[element + 1] - begin_[element]};
+  }
+
+private:
+  Sparse_matrix terms_;
+  std::vector<std::size_t> begin_; // by element
+};
+
+/*!
+A family of loops on a surface, each as two homologous curves in general position to those of the
+others: a walk along the edges, and a copy beside it that runs from midpoint to midpoint of the
+edges, across the corners of the faces. A walk and a copy meet at midpoints only, where the copy
+crosses the walk.
+*/
+struct Surface_curves
+{
+  /// An edge of the walks, with the third vertices of the faces to its left and right.
+  struct Edge
+  {
+    Index source, target, left, right;
+  };
+
+  /// A line across a face, from the midpoint of the edge `apex` - `from` to that of `apex` - `to`,
+  /// along which the copy of a loop runs.
+  struct Corner
+  {
+    Index apex, from, to, loop;
+  };
+
+  std::vector<Vector> vertices;
+  std::vector<Index> originals; ///< by vertex, its index in the mesh
+  std::vector<Edge> edges;
+  std::vector<Corner> corners;
+  Chains walks;             ///< by edge: how often each loop's walk runs along it
+  Chains crossings;         ///< by edge: how often each loop's copy crosses it from right to left
+  std::vector<int> outward; ///< by loop: 1 if the faces beside it look out of the solid, or -1
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_H
