@@ -14,7 +14,9 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,10 +26,11 @@ namespace CGAL::Handle_tunnel_loops {
 /// \ingroup PkgHandleTunnelLoopsRef
 /// Which ways of removing a handle are allowed.
 enum class Removal_method {
-  CUT,     ///< cut along the handle loop, and both ends closed in the solid
-  FILL,    ///< cut along the tunnel loop, and its hole closed on both sides
-  CHEAPEST ///< whole if it is like a knob on the surface; or else along the shorter of the two, or
-           ///< along the other one if that cannot be
+  CUT,             ///< cut along the handle loop, and both ends closed in the solid
+  FILL,            ///< cut along the tunnel loop, and its hole closed on both sides
+  SMALLEST_CHANGE, ///< whole if it is like a knob on the surface; or else the one of the two that
+                   ///< changes the shape less, or the other one if that cannot be
+  CHEAPEST = SMALLEST_CHANGE ///< another name
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
@@ -36,7 +39,9 @@ enum class Removal_method {
 struct Removal_options
 {
   /// along which loops handles are removed.
-  Removal_method method = Removal_method::CHEAPEST;
+  Removal_method method = Removal_method::SMALLEST_CHANGE;
+  /// the same for single handles, by the positions of their pairs among all.
+  std::map<std::size_t, Removal_method> methods;
   /// the genus to be left, summed over the components; by default none.
   std::optional<std::size_t> target_genus;
   /// only handles of a smaller size are removed; by default there is no limit, or that of necks.
@@ -48,6 +53,8 @@ struct Removal_options
   /// the share of the area of its component that each piece has at least that comes off at a neck;
   /// from 0 to 0.5.
   double minimal_piece_share = 0.01;
+  /// whether handles are removed even where that is no repair: the manual names the limits.
+  bool force = false;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
@@ -59,8 +66,37 @@ enum class Removal_way {
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// A handle that was removed, or a neck. Of handles that were taken out together as a whole, area
-/// and volume are shared out equally.
+/// How the shape differs where a handle was removed. Volumes and lengths are in the unit of the
+/// coordinates.
+struct Shape_change
+{
+  double volume_removed = 0.; ///< of the solid taken away
+  double volume_added = 0.;   ///< of the solid put in
+  double cap_area = 0.;       ///< of what is new of the surface
+  double cap_ratio = 0.;    ///< the largest area of a cap over that of a circle as long as its rim
+  double displacement = 0.; ///< the largest distance of a point of a cap from the old surface
+  double burial = 0.;       ///< the largest distance of a point that was taken out from the new one
+  double sharpest_angle = 180.; ///< the smallest dihedral angle at an edge of a cap, in degrees:
+                                ///< 180 where it is flat
+  double box_growth = 0.; ///< how far a cap leaves the bounding box of the surface
+
+  /// takes another change into account: volumes and areas are added, of all else the worst counts.
+  Shape_change& operator+=(const Shape_change& other) {
+    volume_removed += other.volume_removed;
+    volume_added += other.volume_added;
+    cap_area += other.cap_area;
+    cap_ratio = (std::max)(cap_ratio, other.cap_ratio);
+    displacement = (std::max)(displacement, other.displacement);
+    burial = (std::max)(burial, other.burial);
+    sharpest_angle = (std::min)(sharpest_angle, other.sharpest_angle);
+    box_growth = (std::max)(box_growth, other.box_growth);
+    return *this;
+  }
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// A handle that was removed, or a neck. Of handles that were taken out together as a whole, areas
+/// and volumes are shared out equally.
 struct Removed_handle
 {
   std::size_t pair; ///< the position of its pair among all; of no meaning for a neck
@@ -69,6 +105,7 @@ struct Removed_handle
                  ///< around other handles since
   double area;   ///< of the caps that took the place of a strip along the loop
   double volume; ///< of the solid taken away; negative if solid was put in
+  Shape_change change = {}; ///< of the shape
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
@@ -90,6 +127,15 @@ struct Removal_report
   std::vector<Refused_handle> refused;
   std::vector<Removed_handle> removed_necks; ///< where a piece came off
   std::vector<Refused_handle> refused_necks;
+
+  /// of all that was removed.
+  Shape_change change() const {
+    Shape_change sum;
+    for(const std::vector<Removed_handle>* all : {&removed, &removed_necks})
+      for(const Removed_handle& handle : *all)
+        sum += handle.change;
+    return sum;
+  }
 };
 
 } // namespace CGAL::Handle_tunnel_loops
