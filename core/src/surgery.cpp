@@ -10,4 +10,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/find_necks_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/membranes_impl.h>

@@ -2,17 +2,21 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Bore_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Divided_strip.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -24,6 +28,7 @@ namespace test_surgery {
 
 namespace impl = CGAL::Handle_tunnel_loops::internal;
 using impl::Closed_walk;
+using impl::Curve_off_vertices;
 using impl::Cut_region;
 using impl::Index;
 using impl::no_index;
@@ -170,45 +175,77 @@ std::vector<Recipe> surfaces() {
           recipe("chain", 8000, 4)};
 }
 
-Closed_walk around_vertex(const Surgery_mesh& mesh, Index v) {
-  Closed_walk walk;
-  mesh.for_each_outgoing(v, [&](Index h) { walk.push_back(mesh.target(h)); });
-  return walk;
+// Through the middle of the edges there.
+Curve_off_vertices curve_around(const Surgery_mesh& mesh, Index v) {
+  std::vector<impl::Place_on_edge> places;
+  mesh.for_each_outgoing(v, [&](Index h) { places.push_back({v, mesh.target(h), 0.5}); });
+  const std::optional<Curve_off_vertices> curve = Curve_off_vertices::beside(mesh, places);
+  EXPECT_TRUE(curve);
+  return *curve;
 }
 
-// Those along some walks that share no vertex with one before.
-std::vector<Cut_region> disjoint_strips(const Surgery_mesh& mesh,
-                                        const std::vector<Closed_walk>& walks) {
-  std::vector<Cut_region> strips;
+Curve_off_vertices curve_beside(const Surgery_mesh& mesh, const Closed_walk& walk) {
+  std::optional<Curve_off_vertices> curve = Curve_off_vertices::beside(mesh, impl::places_of(walk));
+  EXPECT_TRUE(curve);
+  return *curve;
+}
+
+// Those beside some walks that share no vertex with one before.
+std::vector<Curve_off_vertices> disjoint_curves(const Surgery_mesh& mesh,
+                                                const std::vector<Closed_walk>& walks) {
+  std::vector<Curve_off_vertices> curves;
   std::vector<char> is_taken(mesh.vertex_bound(), 0);
   for(const Closed_walk& walk : walks) {
-    std::optional<Cut_region> strip = Cut_region::around(mesh, walk);
-    if(!strip || strip->number_of_borders() != 2)
-      continue;
-    const std::vector<Index> vertices = impl::vertices_of(mesh, strip->faces());
+    Curve_off_vertices curve = curve_beside(mesh, walk);
+    const std::vector<Index> vertices = impl::vertices_of(mesh, curve.faces());
     if(std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return is_taken[v]; }))
       continue;
     for(Index v : vertices)
       is_taken[v] = 1;
-    strips.push_back(std::move(*strip));
+    curves.push_back(std::move(curve));
   }
-  return strips;
+  return curves;
+}
+
+// The first ones, whether they cross anything or not.
+impl::Patch caps_of(const Surgery_mesh& mesh, const Cut_region& region) {
+  impl::Patch caps;
+  impl::for_each_cap(mesh, region, [&](const impl::Patch& patch) {
+    caps = patch;
+    return true;
+  });
+  EXPECT_FALSE(caps.faces.empty());
+  return caps;
+}
+impl::Patch membranes_of(const Surgery_mesh& mesh, const Curve_off_vertices& curve) {
+  impl::Patch caps;
+  impl::for_each_membrane(mesh, curve, impl::Divided_strip(mesh, curve),
+                          impl::Polygon_in_space::UPRIGHT, [&](const impl::Patch& patch) {
+                            caps = patch;
+                            return true;
+                          });
+  EXPECT_FALSE(caps.faces.empty());
+  return caps;
 }
 
 TEST(Surgery, TellsWhichWalksSeparate) {
   for(const Recipe& recipe : surfaces()) {
     const Surface_with_walks surface(recipe);
     impl::Separation separates;
-    for(const Closed_walk& walk : surface.walks)
-      EXPECT_FALSE(separates(surface.mesh, impl::sides_of(surface.mesh, walk)));
+    for(const Closed_walk& walk : surface.walks) {
+      EXPECT_FALSE(
+          separates(surface.mesh, impl::cut_along(surface.mesh, curve_beside(surface.mesh, walk))));
+      if(const auto strip = Cut_region::around(surface.mesh, walk))
+        EXPECT_FALSE(separates(surface.mesh, impl::cut_around(surface.mesh, *strip)));
+    }
     for(Index v = 0; v < surface.mesh.vertex_bound(); v += 97)
       EXPECT_TRUE(
-          separates(surface.mesh, impl::sides_of(surface.mesh, around_vertex(surface.mesh, v))));
+          separates(surface.mesh, impl::cut_along(surface.mesh, curve_around(surface.mesh, v))));
   }
 }
 
 // ... as they are found one after the other.
-TEST(Surgery, TellsWhichStripsSeparate) {
+TEST(Surgery, TellsWhichCutsSeparate) {
   for(const Recipe& recipe : surfaces()) {
     Surface_with_walks surface(recipe);
     Surgery_mesh& mesh = surface.mesh;
@@ -220,16 +257,16 @@ TEST(Surgery, TellsWhichStripsSeparate) {
         if(strip) // a walk beside the other one
           walks.push_back(strip->vertices_of(mesh, 0));
       }
-    const std::vector<Cut_region> strips = disjoint_strips(mesh, walks);
-    std::vector<const Cut_region*> all;
-    for(const Cut_region& strip : strips)
-      all.push_back(&strip);
-    const std::vector<char> separates = impl::separating_strips(impl::Execution(), mesh, all);
+    const std::vector<Curve_off_vertices> curves = disjoint_curves(mesh, walks);
+    std::vector<impl::Surface_cut> cuts;
+    for(const Curve_off_vertices& curve : curves)
+      cuts.push_back(impl::cut_along(mesh, curve));
+    const std::vector<char> separates = impl::separating_cuts(impl::Execution(), mesh, cuts);
     impl::Separation separation;
-    for(std::size_t i = 0; i < strips.size(); ++i) {
-      ASSERT_EQ(bool(separates[i]), separation(mesh, impl::sides_of(mesh, strips[i])));
+    for(std::size_t i = 0; i < curves.size(); ++i) {
+      ASSERT_EQ(bool(separates[i]), separation(mesh, impl::cut_along(mesh, curves[i])));
       if(!separates[i])
-        impl::put_in_place(mesh, strips[i].faces(), impl::caps_of(mesh, strips[i]).front());
+        impl::put_in_place(mesh, curves[i].faces(), membranes_of(mesh, curves[i]));
     }
     EXPECT_GT(std::count(separates.begin(), separates.end(), 0), 0);
     EXPECT_GT(std::count(separates.begin(), separates.end(), 1), 0);
@@ -255,11 +292,23 @@ TEST(Surgery, MakesTheSameCapsWhereverTheyAreInMemory) {
     for(const Closed_walk& walk : surface.walks) {
       const std::optional<Cut_region> strip = Cut_region::around(surface.mesh, walk);
       ASSERT_TRUE(strip);
-      const std::vector<impl::Patch> expected = impl::caps_of(surface.mesh, *strip);
-      ASSERT_FALSE(expected.empty());
+      const Curve_off_vertices curve = curve_beside(surface.mesh, walk);
+      const auto all_caps = [&] {
+        std::vector<impl::Patch> all;
+        const auto take = [&](const impl::Patch& patch) {
+          all.push_back(patch);
+          return false;
+        };
+        impl::for_each_cap(surface.mesh, *strip, take);
+        impl::for_each_membrane(surface.mesh, curve, impl::Divided_strip(surface.mesh, curve),
+                                impl::Polygon_in_space::UPRIGHT, take);
+        return all;
+      };
+      const std::vector<impl::Patch> expected = all_caps();
+      ASSERT_GE(expected.size(), 4u);
       for(unsigned seed = 0; seed < 8; ++seed) {
         const auto memory = scattered_memory(seed);
-        const std::vector<impl::Patch> caps = impl::caps_of(surface.mesh, *strip);
+        const std::vector<impl::Patch> caps = all_caps();
         ASSERT_EQ(caps.size(), expected.size());
         for(std::size_t i = 0; i < caps.size(); ++i) {
           EXPECT_EQ(caps[i].points, expected[i].points);
@@ -314,11 +363,16 @@ TEST(Surgery, LeadsWalksAroundHandlesThatAreGone) {
       const std::optional<Cut_region> strip = Cut_region::around(mesh, surface.walks[i]);
       if(!strip || strip->number_of_borders() != 2)
         continue;
-      const std::vector<impl::Patch> caps = impl::caps_of(mesh, *strip);
-      ASSERT_FALSE(caps.empty());
-      const Index first_face = impl::put_in_place(mesh, strip->faces(), caps.front());
+      // In turn, strips of faces and divided ones.
+      const bool is_divided = i % 4 == 0;
+      const Curve_off_vertices curve = curve_beside(mesh, surface.walks[i]);
+      const impl::Patch caps = is_divided ? membranes_of(mesh, curve) : caps_of(mesh, *strip);
+      const Index first_vertex = mesh.vertex_bound();
+      const Index first_face =
+          impl::put_in_place(mesh, is_divided ? curve.faces() : strip->faces(), caps) +
+          static_cast<Index>(caps.parents.size());
       ASSERT_EQ(impl::count_surface(impl::Execution(), mesh).genus, --genus);
-      const impl::Detour detour(mesh, first_face, surface.walks[i + 1]);
+      const impl::Detour detour(mesh, first_face, first_vertex, surface.walks[i + 1]);
       surface.walks.erase(surface.walks.begin() + i, surface.walks.begin() + i + 2);
       i -= 2; // those that came after it are there now
       const Classes_modulo_2 classes(mesh);
@@ -337,23 +391,71 @@ TEST(Surgery, LeadsWalksAroundHandlesThatAreGone) {
   }
 }
 
-TEST(Surgery, SubdividesAPartAsTheWhole) {
-  Surface_with_walks surface(recipe("gyroid", 3000, 4));
-  for(const Closed_walk& walk : surface.walks) {
-    impl::Part_of_mesh part(surface.mesh, walk);
-    for(std::size_t i = 0; i < walk.size(); ++i)
-      EXPECT_EQ(part.vertices[part.walk[i]], walk[i]);
-    for(Index f = 0; f < part.faces.size(); ++f)
-      for(std::size_t k = 0; k < 3; ++k)
-        EXPECT_EQ(part.vertices[part.mesh.corners(f)[k]], surface.mesh.corners(part.faces[f])[k]);
-    Surgery_mesh whole = surface.mesh;
-    EXPECT_EQ(impl::split_edges_beside(whole, walk).size(),
-              impl::split_edges_beside(part.mesh, part.walk).size());
-    const std::optional<Cut_region> strip = Cut_region::around(part.mesh, part.walk);
-    ASSERT_TRUE(strip);
-    EXPECT_EQ(strip->number_of_borders(), 2u);
-    EXPECT_EQ(strip->faces().size(), Cut_region::around(whole, walk)->faces().size());
+// The faces that are divided, and the two rims of the strip, which are closed curves on them.
+TEST(Surgery, DividesFacesAlongACurve) {
+  for(const Recipe& recipe : surfaces()) {
+    const Surface_with_walks surface(recipe);
+    const Surgery_mesh& mesh = surface.mesh;
+    for(const Closed_walk& walk : surface.walks) {
+      const Curve_off_vertices curve = curve_beside(mesh, walk);
+      const impl::Divided_strip strip(mesh, curve);
+      const impl::Patch& parts = strip.parts();
+      double area = 0., area_of_parts = 0.;
+      for(Index f : curve.faces())
+        area += impl::placed_triangle(mesh, f).area();
+      std::set<std::pair<Index, Index>> sides;
+      for(std::size_t i = 0; i < parts.faces.size(); ++i) {
+        EXPECT_FALSE(parts.placed(mesh, i).is_degenerate());
+        EXPECT_TRUE(impl::is_in(parts.parents[i], curve.faces()));
+        area_of_parts += parts.placed(mesh, i).area();
+        for(std::size_t k = 0; k < 3; ++k)
+          EXPECT_TRUE(sides.insert({parts.faces[i][k], parts.faces[i][(k + 1) % 3]}).second);
+      }
+      EXPECT_LT(area_of_parts, area);
+      EXPECT_GT(area_of_parts, 0.5 * area); // the strip is narrow
+      for(bool is_left : {true, false}) {
+        const std::vector<Index> rim = strip.rim(is_left);
+        EXPECT_EQ(rim.size(), curve.size());
+        for(std::size_t i = 0; i < rim.size(); ++i) {
+          EXPECT_TRUE(sides.count({rim[(i + 1) % rim.size()], rim[i]}) == 1);
+          EXPECT_TRUE(sides.count({rim[i], rim[(i + 1) % rim.size()]}) == 0);
+        }
+      }
+    }
   }
+}
+
+// Each diagonal is used twice, each side once; the triangles of a flat polygon have its area.
+TEST(Surgery, TriangulatesPolygons) {
+  generators::Random random(7);
+  for(std::size_t n : {3, 4, 9, 50, 150, 700})
+    for(double bump : {0., 0.3}) {
+      impl::Polygon_in_space polygon;
+      for(std::size_t i = 0; i < n; ++i) {
+        const double angle = 2. * CGAL_PI * double(i) / double(n),
+                     radius = 1. + bump * random.uniform(-0.5, 0.5),
+                     height = n > 3 ? bump * std::sin(3. * angle) : 0.;
+        polygon.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+      }
+      const impl::Triangulated_polygon filling(polygon);
+      ASSERT_TRUE(filling.is_good());
+      ASSERT_EQ(filling.triangles().size(), n - 2);
+      std::set<std::pair<std::size_t, std::size_t>> sides;
+      double area = 0.;
+      for(const auto& t : filling.triangles()) {
+        for(std::size_t k = 0; k < 3; ++k)
+          EXPECT_TRUE(sides.insert({t[k], t[(k + 1) % 3]}).second);
+        area += std::sqrt(
+            CGAL::squared_area(polygon.points[t[0]], polygon.points[t[1]], polygon.points[t[2]]));
+      }
+      for(std::size_t i = 0; i < n; ++i) {
+        EXPECT_EQ(sides.count({i, (i + 1) % n}), 1u);
+        EXPECT_EQ(sides.count({(i + 1) % n, i}), 0u);
+      }
+      if(bump == 0.) {
+        EXPECT_NEAR(area, 0.5 * double(n) * std::sin(2. * CGAL_PI / double(n)), 1e-9);
+      }
+    }
 }
 
 } // namespace test_surgery

@@ -30,9 +30,9 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
-Faces, of no cap, that are taken out to remove handles: a strip along a loop, which is an annulus
-and leaves two holes, so that the genus is one less once these are closed by discs, if the rest of
-the surface is in one piece; or a piece with one hole that holds whole handles. The holes are simple
+Faces, of no cap, that are taken out to remove handles: a wall, as that of a bore, which is a sphere
+with n > 1 holes, so that the genus is n - 1 less once these are closed by discs, if the rest of the
+surface is in one piece; or a piece with one hole that holds whole handles. The holes are simple
 closed curves of at least three edges, and they do not touch each other.
 */
 class Cut_region
@@ -76,6 +76,20 @@ public:
     return region;
   }
 
+  /// the given faces as a wall, with the discs that it leaves out and that have less faces.
+  static std::optional<Cut_region> wall(const Surgery_mesh& mesh, std::vector<Index> faces) {
+    Cut_region region;
+    region.faces_ = std::move(faces);
+    std::vector<Sourced_halfedge> border = region.border_halfedges(mesh);
+    if(!pinches(border).empty())
+      return std::nullopt;
+    region.add_discs(mesh, curves(mesh, border));
+    border = region.border_halfedges(mesh);
+    if(!region.is_of_handles(mesh, border) || region.borders_.size() < 2)
+      return std::nullopt;
+    return region;
+  }
+
   /// the region with one more ring of faces beyond one of its borders, if it is such a one still:
   /// if these faces are an annulus that touches the region there only.
   std::optional<Cut_region> wider(const Surgery_mesh& mesh, std::size_t border) const {
@@ -108,7 +122,6 @@ public:
   /// how many handles there will be less.
   std::size_t number_of_handles() const { return number_of_handles_; }
 
-  /// 2, or 1.
   std::size_t number_of_borders() const { return borders_.size(); }
 
   /// the halfedges of the region along one of its borders, in cyclic order.
@@ -142,11 +155,12 @@ private:
     if(std::any_of(borders_.begin(), borders_.end(), [](const auto& b) { return b.size() < 3; }))
       return false;
     // 2 - 2 g - b.
-    const std::ptrdiff_t chi = euler_characteristic(mesh);
-    const bool is_strip = borders_.size() == 2 && chi == 0;
-    const bool has_handles = borders_.size() == 1 && chi < 0;
-    number_of_handles_ = is_strip ? 1 : static_cast<std::size_t>((1 - chi) / 2);
-    return is_strip || has_handles;
+    const std::ptrdiff_t chi = euler_characteristic(mesh),
+                         number = static_cast<std::ptrdiff_t>(borders_.size());
+    const bool is_wall = number > 1 && chi == 2 - number;
+    const bool has_handles = number == 1 && chi < 0;
+    number_of_handles_ = is_wall ? borders_.size() - 1 : static_cast<std::size_t>((1 - chi) / 2);
+    return is_wall || has_handles;
   }
 
   // With their sources, by which they are sorted, the halfedges with no face of the region on their
@@ -193,6 +207,40 @@ private:
       }
     }
     return curves;
+  }
+
+  // What lies beyond one of some curves and comes to no other one. Each face is reached once.
+  void add_discs(const Surgery_mesh& mesh, const std::vector<std::vector<Index>>& curves) {
+    std::unordered_map<Index, std::size_t> reached; // by face, from which curve
+    std::vector<Index> discs;
+    for(std::size_t k = 0; k < curves.size(); ++k) {
+      std::vector<Index> disc;
+      bool is_alone = true;
+      const auto visit = [&](Index f) {
+        const auto [it, is_new] = reached.insert({f, k});
+        if(is_new)
+          disc.push_back(f);
+        is_alone = is_alone && it->second == k;
+      };
+      std::vector<Index> own;
+      for(Index h : curves[k]) {
+        own.push_back(mesh.twin(h));
+        visit(mesh.face(mesh.twin(h)));
+      }
+      make_set(own);
+      for(std::size_t i = 0; i < disc.size() && is_alone; ++i) {
+        is_alone = disc.size() < faces_.size();
+        for(Index h : {3 * disc[i], 3 * disc[i] + 1, 3 * disc[i] + 2})
+          if(const Index f = mesh.face(mesh.twin(h)); !contains(f))
+            visit(f);
+          else
+            is_alone = is_alone && is_in(h, own);
+      }
+      if(is_alone)
+        discs.insert(discs.end(), disc.begin(), disc.end());
+    }
+    faces_.insert(faces_.end(), discs.begin(), discs.end());
+    make_set(faces_);
   }
 
   // Adds what makes the border touch itself, and islands. Returns what the border is then.

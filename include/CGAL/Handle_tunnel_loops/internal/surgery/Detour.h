@@ -36,11 +36,13 @@ partners.
 class Detour
 {
 public:
-  /// \p first_face is the number of the first face of the discs, \p partner a closed walk that
-  /// crossed what was taken out, or an empty one.
-  Detour(const Surgery_mesh& mesh, Index first_face, const Closed_walk& partner)
+  /// \p first_face is the number of the first face of the discs, \p first_vertex that of the first
+  /// vertex that was put in, \p partner a closed walk that crossed what was taken out, or an empty
+  /// one.
+  Detour(const Surgery_mesh& mesh, Index first_face, Index first_vertex, const Closed_walk& partner)
       : mesh_(mesh)
-      , first_face_(first_face) {
+      , first_face_(first_face)
+      , first_vertex_(first_vertex) {
     std::vector<Closed_walk> parts = joined_parts(partner);
     if(parts.size() == 1)
       way_through_ = std::move(parts.front());
@@ -62,8 +64,16 @@ public:
   }
 
 private:
-  bool is_new(Index h) const {
+  bool is_of_disc(Index h) const {
     return mesh_.face(h) >= first_face_ || mesh_.face(mesh_.twin(h)) >= first_face_;
+  }
+
+  // Along an edge of a disc; or, at the ends of the way, over a part of a face beside it. A vertex
+  // that was there before may have such parts on both sides of the cut.
+  bool leads_on(Index h, Index end) const {
+    const bool begins_new = mesh_.source(h) >= first_vertex_,
+               ends_new = mesh_.target(h) >= first_vertex_;
+    return is_of_disc(h) || (begins_new != ends_new && (begins_new || mesh_.source(h) == end));
   }
 
   // With no gaps but those between different discs.
@@ -101,7 +111,7 @@ private:
     Closed_walk reached{to};
     for(std::size_t i = 0; i < reached.size() && next.count(from) == 0; ++i)
       mesh_.for_each_outgoing(reached[i], [&](Index h) {
-        if(is_new(h) && next.insert({mesh_.target(h), reached[i]}).second)
+        if(leads_on(h, to) && next.insert({mesh_.target(h), reached[i]}).second)
           reached.push_back(mesh_.target(h));
       });
     if(next.count(from) == 0)
@@ -130,7 +140,7 @@ private:
   }
 
   const Surgery_mesh& mesh_;
-  const Index first_face_;
+  const Index first_face_, first_vertex_;
   Closed_walk way_through_; // from one disc to the other, where the surface is as it was
 };
 

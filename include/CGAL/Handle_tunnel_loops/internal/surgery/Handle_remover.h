@@ -35,6 +35,8 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -59,14 +61,17 @@ template <typename Pair> struct Handle_selection : Removal_options
     if(target_genus && *target_genus > genus)
       throw std::invalid_argument("the target genus is " + std::to_string(*target_genus) +
                                   ", but the surface has genus " + std::to_string(genus));
+    if(!methods.empty() && methods.rbegin()->first >= pairs.size())
+      throw std::invalid_argument("there is no pair " + std::to_string(methods.rbegin()->first) +
+                                  " to be removed");
     std::vector<Removal_task> selected, kept;
     for(std::size_t i = 0; i < pairs.size(); ++i) {
-      const Loop& first = pairs[i].loop(first_type(pairs[i]));
+      const Loop& first = pairs[i].loop(first_type(i, pairs[i]));
       Removal_task task;
       task.pair = i;
       task.choices = {choice(first, tm, vertex_index),
                       choice(pairs[i].partner(first), tm, vertex_index)};
-      task.choices.back().is_allowed = method == Removal_method::CHEAPEST;
+      task.choices.back().is_allowed = method_of(i) == Removal_method::SMALLEST_CHANGE;
       (is_wanted(pairs[i], first) ? selected : kept).push_back(std::move(task));
     }
     if(box && selected.empty())
@@ -86,11 +91,16 @@ template <typename Pair> struct Handle_selection : Removal_options
 private:
   using Loop = typename Pair::Loop;
 
-  // The one that is tried first.
-  Loop_type first_type(const Pair& pair) const {
-    if(method == Removal_method::CUT)
+  Removal_method method_of(std::size_t i) const {
+    const auto own = methods.find(i);
+    return own == methods.end() ? method : own->second;
+  }
+
+  // The one whose length is the size of the handle.
+  Loop_type first_type(std::size_t i, const Pair& pair) const {
+    if(method_of(i) == Removal_method::CUT)
       return Loop_type::HANDLE;
-    if(method == Removal_method::FILL)
+    if(method_of(i) == Removal_method::FILL)
       return Loop_type::TUNNEL;
     return pair.tunnel().length() < pair.handle().length() ? Loop_type::TUNNEL : Loop_type::HANDLE;
   }
@@ -141,21 +151,29 @@ public:
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm_, np_);
     const auto face_index = CGAL::get_initialized_face_index_map(tm_, np_);
     find_pairs(vertex_index, face_index);
-    std::vector<Removal_task> tasks =
+    const std::vector<Removal_task> tasks =
         selection().tasks(tm_, vertex_index, pairs_, report_.genus_before);
-    Mesh_link<TriangleMesh, Vertex_point_map> link(
-        tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
-                                          get_property_map(vertex_point, tm_)));
-    Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
-    remove_handles(execution, mesh, tasks, [this](double done) { ask(0.7 + 0.2 * done); });
-    describe(tasks, report_.removed, report_.refused);
-    if(options_.maximal_neck_length > 0.)
-      describe(remove_necks(execution, mesh, options_), report_.removed_necks,
+    Attempt attempt = attempt_at(tasks, vertex_index, face_index);
+    if(const std::size_t left = number_left(attempt.tasks);
+       left > 0 && number_with(Removal_task::State::REMOVED, attempt.tasks) > 0)
+    {
+      // What stands in the way may be caps.
+      Attempt other = attempt_at(refused_first(tasks, attempt.tasks), vertex_index, face_index);
+      if(number_left(other.tasks) < left)
+        attempt = std::move(other);
+    }
+    const double unit = attempt.link->unit();
+    describe(std::move(attempt.tasks), unit, report_.removed, report_.refused);
+    if(options_.maximal_neck_length > 0.) {
+      Removal_options options = options_;
+      options.maximal_neck_length /= unit;
+      describe(remove_necks(execution, attempt.mesh, options), unit, report_.removed_necks,
                report_.refused_necks);
-    check(mesh);
+    }
+    check(attempt.mesh);
     ask(1.);
     if(!get(internal_np::dry_run, false)) {
-      write_back(mesh, link);
+      write_back(attempt.mesh, *attempt.link);
       find_remaining_pairs();
     }
     return std::move(report_);
@@ -170,9 +188,48 @@ private:
   template <typename Tag>
   static constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-  // Asks no more once it was told to stop.
+  using Link = Mesh_link<TriangleMesh, Vertex_point_map>;
+
+  // The mesh of the caller is as it was.
+  struct Attempt
+  {
+    std::unique_ptr<Link> link;
+    Surgery_mesh mesh;
+    std::vector<Removal_task> tasks;
+  };
+
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  Attempt attempt_at(std::vector<Removal_task> tasks,
+                     VertexIndexMap vertex_index,
+                     FaceIndexMap face_index) {
+    Attempt attempt;
+    attempt.link = std::make_unique<Link>(
+        tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
+                                          get_property_map(vertex_point, tm_)));
+    attempt.mesh = attempt.link->read(execution, vertex_index, face_index);
+    attempt.tasks = std::move(tasks);
+    for(Removal_task& task : attempt.tasks)
+      task.divide_lengths(attempt.link->unit());
+    remove_handles(execution, attempt.mesh, attempt.tasks, options_.force,
+                   [this](double done) { ask(0.7 + 0.2 * done); });
+    return attempt;
+  }
+
+  static std::vector<Removal_task> refused_first(std::vector<Removal_task> tasks,
+                                                 const std::vector<Removal_task>& done) {
+    std::set<std::size_t> refused;
+    for(const Removal_task& task : done)
+      if(task.state == Removal_task::State::REFUSED)
+        refused.insert(task.pair);
+    std::stable_partition(tasks.begin(), tasks.end(),
+                          [&](const Removal_task& task) { return refused.count(task.pair) != 0; });
+    return tasks;
+  }
+
+  // Asks no more once it was told to stop. What is done a second time is no progress.
   void ask(double done) {
-    if(ask_ && !ask_(done)) {
+    most_done_ = (std::max)(most_done_, done);
+    if(ask_ && !ask_(most_done_)) {
       ask_ = nullptr;
       throw Interrupted_exception();
     }
@@ -235,9 +292,12 @@ private:
   }
 
   // Patches are numbered as handles are described.
-  void describe(const std::vector<Removal_task>& tasks,
+  void describe(std::vector<Removal_task> tasks,
+                double unit,
                 std::vector<Removed_handle>& removed,
                 std::vector<Refused_handle>& refused) {
+    for(Removal_task& task : tasks)
+      task.divide_lengths(1. / unit);
     for(const Removal_task& task : tasks)
       if(task.state == Removal_task::State::REMOVED) {
         patches_.push_back({task.end_of_faces, patches_.size()});
@@ -284,6 +344,7 @@ private:
   const NamedParameters& np_;
   const Removal_options options_;
   Ask ask_;
+  double most_done_ = 0.;
   std::vector<Pair> pairs_;
   Removal_report report_;
   std::vector<std::pair<Index, std::size_t>> patches_; // ends of their faces, and numbers

@@ -13,54 +13,61 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Part_of_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Divided_strip.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// One way to remove a handle, prepared and checked: a region to be taken out of a mesh, or of what
-/// is near a loop, subdivided along it; and caps that take its place.
+/// Why a handle is not removed in some way: the later ones say more.
+struct Obstacle
+{
+  enum Kind { NO_LOOP, NO_REGION, NO_CAPS, CAPS_CROSS, SURFACE_IN_THE_WAY, SHAPE, TOPOLOGY };
+  Kind kind = NO_CAPS;
+  std::string why = "the holes cannot be triangulated";
+
+  /// keeps the one that says more.
+  void take(const Obstacle& other) {
+    if(other.kind > kind)
+      *this = other;
+  }
+};
+
+/// One way to remove a handle, prepared and checked: whole faces that are taken out, or a narrow
+/// strip along a curve, of faces divided along it; and caps that take their place.
 class Handle_surgery
 {
 public:
   Handle_surgery(const Surgery_mesh& mesh, Cut_region region)
       : region_(std::move(region))
-      , out_(region_.faces())
+      , out_(region_->faces())
       , vertices_(vertices_of(mesh, out_)) {
-    for(std::size_t i = 0; i < region_.number_of_borders(); ++i)
-      for(Index h : region_.border(i))
+    for(std::size_t i = 0; i < region_->number_of_borders(); ++i)
+      for(Index h : region_->border(i))
         around_.push_back(mesh.face(mesh.twin(h)));
   }
 
-  /// with the faces at a simple closed walk after a subdivision. None only if the walk goes around
-  /// a face, or along the boundary.
-  static std::optional<Handle_surgery> subdivided(const Surgery_mesh& mesh,
-                                                  const Closed_walk& walk) {
-    if(is_on_boundary(mesh, walk))
-      return std::nullopt;
-    auto part = std::make_unique<Part_of_mesh>(mesh, walk);
-    const std::vector<Index> parents = split_edges_beside(part->mesh, part->walk);
-    std::optional<Cut_region> region = Cut_region::around(part->mesh, part->walk);
-    if(!region)
-      return std::nullopt;
-    return Handle_surgery(mesh, std::move(part), std::move(*region), parents, walk);
-  }
+  Handle_surgery(const Surgery_mesh& mesh, Curve_off_vertices curve)
+      : curve_(std::move(curve))
+      , out_(curve_->faces())
+      , vertices_(vertices_of(mesh, out_)) {}
 
   /// the faces of the mesh that are to be replaced, in ascending order.
   const std::vector<Index>& out() const { return out_; }
@@ -68,125 +75,114 @@ public:
   /// of these faces, in ascending order.
   const std::vector<Index>& vertices() const { return vertices_; }
 
-  const Cut_region& region() const { return region_; }
+  std::size_t number_of_handles() const { return region_ ? region_->number_of_handles() : 1; }
 
-  bool is_strip() const { return region_.number_of_borders() == 2; }
-  bool is_subdivided() const { return part_ != nullptr; }
+  /// whether handles are taken out with their surroundings, and no surface is cut.
+  bool takes_all() const { return region_ && region_->number_of_borders() == 1; }
 
-  /// where the surface is cut if a strip is taken out.
-  Sides_of_cut sides(const Surgery_mesh& mesh) const {
-    CGAL_precondition(is_strip());
-    return is_subdivided() ? sides_of(mesh, walk_) : sides_of(mesh, region_);
+  /// where the surface is cut, if it is.
+  Surface_cut cut(const Surgery_mesh& mesh) const {
+    CGAL_precondition(!takes_all());
+    return region_ ? cut_around(mesh, *region_) : cut_along(mesh, *curve_);
   }
 
   /// whether the mesh is as it was here: all faces that are to be replaced, and those around them,
-  /// are there. Not known of a subdivision.
+  /// are there.
   bool is_up_to_date(const Surgery_mesh& mesh) const {
     const auto is_alive = [&](Index f) { return mesh.is_alive(f); };
-    return !is_subdivided() && std::all_of(out_.begin(), out_.end(), is_alive) &&
+    return std::all_of(out_.begin(), out_.end(), is_alive) &&
            std::all_of(around_.begin(), around_.end(), is_alive);
   }
 
   // ---- in a round
 
-  /// the best that can be said of any caps.
-  enum class Caps {
-    NOT_TRIANGULATED, ///< there are none
-    SELF_CROSSING,    ///< they meet themselves
-    IN_THE_WAY,       ///< they meet a face that stays
-    GOOD
-  };
-  Caps caps() const { return caps_; }
-
-  /// looks for caps that may take the place of the region, the best ones first.
-  void find_caps(const Surgery_mesh& mesh, const Mesh_contacts& contacts) {
+  /// looks for caps that may take the place of what is taken out, the best ones first. How far they
+  /// are from a wall that is closed flush at its mouths is no matter.
+  void find_caps(const Surgery_mesh& mesh,
+                 const Mesh_contacts& contacts,
+                 const Shape_judge& judge,
+                 Intended_change intended) {
+    if(are_mouths_flush(mesh))
+      intended.most_displacement = (std::numeric_limits<double>::infinity)();
     is_harmless = false;
-    caps_ = Caps::NOT_TRIANGULATED;
-    for(const Cap_search search : {Cap_search::ALL, Cap_search::DELAUNAY})
-      for(const Patch& caps : caps_of(is_subdivided() ? part_->mesh : mesh, region_, search)) {
-        patch_ = is_subdivided() ? with_parts(caps) : caps;
-        const Placed_patch placed(mesh, patch_);
-        if(!placed.is_embedded())
-          caps_ = (std::max)(caps_, Caps::SELF_CROSSING);
-        else if(contacts.meets(placed, out_))
-          caps_ = (std::max)(caps_, Caps::IN_THE_WAY);
-        else {
-          caps_ = Caps::GOOD;
-          return;
-        }
-      }
+    has_caps_ = false;
+    obstacle_ = Obstacle();
+    const auto is_wanted = [&](const Patch& patch) {
+      const std::optional<Obstacle> obstacle = obstacle_to(patch, mesh, contacts, judge, intended);
+      if(obstacle)
+        obstacle_.take(*obstacle);
+      else
+        patch_ = patch;
+      return has_caps_ = !obstacle;
+    };
+    if(region_)
+      for_each_cap(mesh, *region_, is_wanted);
+    else
+      for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_),
+                        side_of_membranes(intended, judge.outward()), is_wanted);
   }
 
-  /// with good caps.
+  bool has_caps() const { return has_caps_; }
+
+  /// to caps, if there are none.
+  const Obstacle& obstacle() const { return obstacle_; }
+
+  /// with the caps.
   const Patch& patch() const {
-    CGAL_precondition(caps_ == Caps::GOOD);
+    CGAL_precondition(has_caps_);
     return patch_;
   }
+
+  const Shape_change& change() const { return change_; }
 
   std::vector<Removal_task*> companions; ///< whose handles are in the region as well
   bool is_harmless = false; ///< to the pieces of the surface, with all others that are so
 
 private:
-  Handle_surgery(const Surgery_mesh& whole,
-                 std::unique_ptr<Part_of_mesh> part,
-                 Cut_region region,
-                 const std::vector<Index>& parents,
-                 const Closed_walk& walk)
-      : region_(std::move(region))
-      , part_(std::move(part))
-      , walk_(walk) {
-    const Surgery_mesh& mesh = part_->mesh;
-    const Index first_face = static_cast<Index>(part_->faces.size());
-    for(Index f = first_face; f < mesh.face_bound(); ++f) {
-      const Index parent = part_->faces[parents[f - first_face]];
-      out_.push_back(parent);
-      if(!mesh.is_alive(f) || region_.contains(f))
-        continue;
-      parts_.faces.push_back(mesh.corners(f));
-      for(Index& v : parts_.faces.back())
-        v = vertex_of_patch(v);
-      parts_.parents.push_back(parent);
-    }
-    for(Index f : region_.faces())
-      if(f < first_face)
-        out_.push_back(part_->faces[f]);
-    make_set(out_);
-    vertices_ = vertices_of(whole, out_);
-    for(Index v = number_of_vertices(); v < mesh.vertex_bound(); ++v)
-      parts_.points.push_back(mesh.point(v));
+  // Solid is taken away between membranes inside.
+  static Polygon_in_space::At_sides side_of_membranes(const Intended_change& intended,
+                                                      double outward) {
+    if(intended.may_add && intended.may_remove)
+      return Polygon_in_space::UPRIGHT;
+    return intended.may_add == (outward > 0.) ? Polygon_in_space::OUTSIDE
+                                              : Polygon_in_space::INSIDE;
   }
 
-  // The points of the subdivision come before those of the caps.
-  Patch with_parts(const Patch& caps) const {
-    const Index shift = static_cast<Index>(parts_.points.size());
-    Patch patch = parts_;
-    patch.points.insert(patch.points.end(), caps.points.begin(), caps.points.end());
-    for(Surgery_mesh::Face f : caps.faces) {
-      for(Index& v : f)
-        v = v >= Patch::first_own ? v + shift : vertex_of_patch(v);
-      patch.faces.push_back(f);
-    }
-    return patch;
+  bool are_mouths_flush(const Surgery_mesh& mesh) const {
+    if(!region_ || takes_all())
+      return false;
+    for(std::size_t i = 0; i < region_->number_of_borders(); ++i)
+      if(!is_flush(rim_of(mesh, *region_, i)))
+        return false;
+    return true;
   }
 
-  // Of the part, before it was subdivided.
-  Index number_of_vertices() const { return static_cast<Index>(part_->vertices.size()); }
-
-  Index vertex_of_patch(Index v) const {
-    return v < number_of_vertices() ? part_->vertices[v]
-                                    : v - number_of_vertices() + Patch::first_own;
+  std::optional<Obstacle> obstacle_to(const Patch& patch,
+                                      const Surgery_mesh& mesh,
+                                      const Mesh_contacts& contacts,
+                                      const Shape_judge& judge,
+                                      const Intended_change& intended) {
+    const Placed_patch placed(mesh, patch);
+    if(!placed.is_embedded())
+      return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
+    if(contacts.meets(placed, out_))
+      return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
+    const Judged_change change = judge.change(mesh, out_, patch);
+    change_ = change;
+    const std::string why = judge.objection(change, intended);
+    return why.empty() ? std::nullopt : std::optional<Obstacle>({Obstacle::SHAPE, why});
   }
 
-  Cut_region region_;
+  // One of them.
+  std::optional<Cut_region> region_;
+  std::optional<Curve_off_vertices> curve_;
   std::vector<Index> out_, vertices_;
-  std::vector<Index> around_; // faces beyond the borders
-  // If there is a subdivision.
-  std::unique_ptr<Part_of_mesh> part_; // which the region is one of
-  Closed_walk walk_;
-  Patch parts_; // of faces around the region
+  std::vector<Index> around_; // faces beyond the borders of a region
   // Of this round.
-  Caps caps_ = Caps::NOT_TRIANGULATED;
+  bool has_caps_ = false;
+  Obstacle obstacle_;
   Patch patch_;
+  Shape_change change_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
@@ -195,10 +196,15 @@ private:
     std::vector<Closed_walk> found;
     for(std::size_t i = 0; i < walks.size() && found.size() < enough; ++i)
       if(walks[i].size() >= 3 && is_simple(walks[i]) && is_new(walks[i]) &&
-         is_nearer_than_kept(walks[i], lost, tasks) &&
-         !search.separates(mesh_, sides_of(mesh_, walks[i])))
+         is_nearer_than_kept(walks[i], lost, tasks) && !separates(search, walks[i]))
         found.push_back(std::move(walks[i]));
     return found;
+  }
+
+  // Also if there is no curve beside it.
+  bool separates(Search& search, const Closed_walk& walk) const {
+    const auto curve = Curve_off_vertices::beside(mesh_, places_of(walk));
+    return !curve || search.separates(mesh_, cut_along(mesh_, *curve));
   }
 
   // Some vertices of the surface where a loop was.
@@ -243,13 +249,6 @@ private:
     return std::none_of(tasks.begin(), tasks.end(), [&](const Removal_task& other) {
       return other.state == Removal_task::State::KEPT && distance_from(other.choices) < distance;
     });
-  }
-
-  static std::vector<Place_on_edge> places_of(const Closed_walk& walk) {
-    std::vector<Place_on_edge> places;
-    for(std::size_t i = 0; i < walk.size(); ++i)
-      places.push_back({walk[i], after(walk, i), 0.});
-    return places;
   }
 
   const Surgery_mesh& mesh_;

@@ -23,6 +23,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -35,6 +36,9 @@ out is removed, what was put in is added, the rest is not touched. The vertices 
 mesh have the numbers that its index maps give them.
 
 Boundary curves get caps, which follow the vertices and faces of the mesh.
+
+What is very small or very large is read in another unit, a power of two, so that squares and
+products of its coordinates are numbers still. Vertices that stay are not touched by that.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, a triangle mesh
 */
@@ -50,6 +54,9 @@ public:
   Mesh_link(TriangleMesh& tm, VertexPointMap point)
       : tm_(tm)
       , point_(point) {}
+
+  /// of lengths in the copy; after it was read.
+  double unit() const { return std::ldexp(1., exponent_); }
 
   /// coordinates are taken as doubles.
   template <typename VertexIndexMap, typename FaceIndexMap>
@@ -68,6 +75,10 @@ public:
       if(vertices_[v] != Graph_traits::null_vertex())
         points[v] = as_double(get(point_, vertices_[v]));
     });
+    choose_unit(points);
+    if(exponent_ != 0)
+      for(Surgery_mesh::Point& p : points)
+        p = scaled(p, -exponent_);
     std::vector<Surgery_mesh::Face> corners;
     corners.reserve(with_room(faces_.size()));
     corners.resize(faces_.size());
@@ -145,6 +156,19 @@ private:
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
+  void choose_unit(const std::vector<Surgery_mesh::Point>& points) {
+    constexpr int most = 200; // 1e60, whose cube is a number
+    double size = 0.;
+    for(const Surgery_mesh::Point& p : points)
+      size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    const int exponent = size > 0. ? std::ilogb(size) : 0;
+    exponent_ = std::abs(exponent) > most ? exponent : 0;
+  }
+
+  static Surgery_mesh::Point scaled(const Surgery_mesh::Point& p, int exponent) {
+    return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
+  }
+
   template <typename FaceIndexMap>
   Index number(halfedge_descriptor h, FaceIndexMap face_index) const {
     const face_descriptor f = face(h, tm_);
@@ -175,7 +199,7 @@ private:
          !(is_read && mesh.is_hub(v)))
       {
         additions.vertices.push_back({v, vertices_[v] = add_vertex(tm_)});
-        const Surgery_mesh::Point& p = mesh.point(v);
+        const Surgery_mesh::Point p = scaled(mesh.point(v), exponent_);
         put(point_, vertices_[v], Point(p.x(), p.y(), p.z()));
       }
     for(Index f = begin; f < mesh.face_bound(); ++f)
@@ -249,6 +273,7 @@ private:
   std::vector<face_descriptor> faces_;       // by number, as they were read
   std::vector<halfedge_descriptor> borders_; // of the faces of caps, which follow
   Index number_of_faces_ = 0;                // with those
+  int exponent_ = 0;                         // of the unit
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -166,8 +166,14 @@ struct Patch
 
   std::vector<Surgery_mesh::Point> points;
   std::vector<Surgery_mesh::Face> faces;
-  /// the first faces may be parts of faces of the mesh, split at midpoints, and this says of which.
+  /// the first faces may be parts of faces of the mesh, and this says of which.
   std::vector<Index> parents = {};
+  /// after them come those of one cap after the other, and this says where each begins.
+  std::vector<std::size_t> caps = {};
+
+  std::size_t end_of_cap(std::size_t i) const {
+    return i + 1 < caps.size() ? caps[i + 1] : faces.size();
+  }
 
   const Surgery_mesh::Point& point(const Surgery_mesh& mesh, Index v) const {
     return v < first_own ? mesh.point(v) : points[v - first_own];

@@ -14,10 +14,13 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_surgery.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Region_choice.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Region_layout.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
@@ -26,231 +29,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// How a region is laid along the loops of a handle.
-struct Region_choice
-{
-  enum Style {
-    STRIP,            ///< the faces at a loop, and some rings more
-    BESIDE_LEFT,      ///< those at a loop some rings beside it
-    BESIDE_RIGHT,     ///< ... on its other side
-    SUBDIVIDED_STRIP, ///< the faces at a loop after a subdivision
-    WHOLE,            ///< the faces at both loops, and some rings more
-    KNOB              ///< the same, of a handle that sits on the surface like a knob on a lid
-  };
-  Style style;
-  std::size_t loop; ///< the number of its choice
-  int rings;
-
-  /// whether its caps lie at the loop.
-  bool is_at_loop() const { return style == STRIP || style == SUBDIVIDED_STRIP; }
-
-  bool takes_both_loops() const { return style == WHOLE || style == KNOB; }
-
-  /// whether it takes as many faces as there is room for.
-  bool fits_into_room() const { return !takes_both_loops() && style != SUBDIVIDED_STRIP; }
-};
-
-/// all regions along the loops that are allowed, the first one first. All that is along one of the
-/// two loops of a handle comes before what is along the other one; of other loops, the likely ones
-/// along each come first.
-inline std::vector<Region_choice> region_choices(const Removal_task& task) {
-  using Choice = Region_choice;
-  std::vector<std::size_t> allowed;
-  for(std::size_t i = 0; i < task.choices.size(); ++i)
-    if(task.choices[i].is_allowed)
-      allowed.push_back(i);
-  const bool are_both_allowed = task.has_both_loops() && allowed.size() == 2;
-  std::vector<Choice> all;
-  if(are_both_allowed)
-    all.push_back({Choice::KNOB, 0, 8});
-  for(std::size_t i : allowed)
-    all.insert(all.end(), {{Choice::STRIP, i, 3},
-                           {Choice::STRIP, i, 0},
-                           {Choice::BESIDE_LEFT, i, 4},
-                           {Choice::BESIDE_RIGHT, i, 4}});
-  if(!task.has_both_loops())
-    std::stable_partition(all.begin(), all.end(),
-                          [](const Choice& c) { return c.style == Choice::STRIP && c.rings > 0; });
-  if(are_both_allowed)
-    for(int rings : {0, 1, 2, 4, 8, 12})
-      all.push_back({Choice::WHOLE, 0, rings});
-  for(std::size_t i : allowed)
-    all.push_back({Choice::SUBDIVIDED_STRIP, i, 0});
-  return all;
-}
-
-/// Lays out the regions of a round so that no two of them share a vertex, and that none takes away
-/// more than it must of the loops of others. Regions are proposed by many threads at a time as long
-/// as none is claimed.
-class Region_layout
-{
-public:
-  explicit Region_layout(const Surgery_mesh& mesh)
-      : mesh_(mesh)
-      , is_claimed_(mesh.vertex_bound(), 0)
-      , number_of_walks_at_(mesh.vertex_bound(), 0) {}
-
-  /// has the wider regions of others stay clear of the vertices of a loop, each once.
-  void reserve(const std::vector<Index>& vertices) {
-    for(Index v : vertices)
-      ++number_of_walks_at_[v];
-  }
-
-  /// with the region that is chosen, if there is such a one. \p reserved are the vertices that are
-  /// reserved for this handle, in ascending order.
-  std::optional<Handle_surgery> surgery(const Region_choice& choice,
-                                        const std::vector<Closed_walk>& walks,
-                                        const std::vector<Index>& reserved) const {
-    if(choice.style == Region_choice::SUBDIVIDED_STRIP)
-      return Handle_surgery::subdivided(mesh_, walks[choice.loop]);
-    std::optional<Cut_region> region = choice.takes_both_loops()
-                                           ? whole(choice, walks)
-                                           : strip(choice, walks[choice.loop], reserved);
-    if(!region)
-      return std::nullopt;
-    return Handle_surgery(mesh_, std::move(*region));
-  }
-
-  /// whether no region of the round that is claimed shares one of these vertices.
-  bool is_free(const std::vector<Index>& vertices) const {
-    return std::none_of(vertices.begin(), vertices.end(),
-                        [this](Index v) { return is_claimed_[v]; });
-  }
-
-  /// makes one that has these vertices one of the round.
-  void claim(const std::vector<Index>& vertices) {
-    for(Index v : vertices)
-      is_claimed_[v] = 1;
-  }
-
-private:
-  std::optional<Cut_region> whole(const Region_choice& choice,
-                                  const std::vector<Closed_walk>& walks) const {
-    std::vector<Index> vertices;
-    for(const Closed_walk& walk : walks)
-      vertices.insert(vertices.end(), walk.begin(), walk.end());
-    std::vector<Index> faces = Cut_region::faces_at(mesh_, vertices);
-    if(choice.style == Region_choice::KNOB)
-      return is_compact(walks) ? knob(std::move(faces), choice.rings) : std::nullopt;
-    for(int ring = 0; ring < choice.rings; ++ring)
-      faces = Cut_region::with_ring(mesh_, faces);
-    return Cut_region::whole(mesh_, std::move(faces));
-  }
-
-  // Whether no loop is many times as long as another one, as between two shells.
-  static bool is_compact(const std::vector<Closed_walk>& walks) {
-    const auto is_shorter = [](const Closed_walk& a, const Closed_walk& b) {
-      return a.size() < b.size();
-    };
-    const auto [least, most] = std::minmax_element(walks.begin(), walks.end(), is_shorter);
-    return most->size() <= 8 * least->size();
-  }
-
-  // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
-  // handle if a disc takes the place of what is within.
-  std::optional<Cut_region> knob(std::vector<Index> faces, int most_rings) const {
-    int number_of_misses = 0;
-    for(int ring = 0; ring < most_rings && number_of_misses < 2; ++ring) {
-      faces = Cut_region::with_ring(mesh_, faces);
-      std::optional<Cut_region> region = Cut_region::whole(mesh_, faces);
-      if(!region) { // there is more than a handle
-        ++number_of_misses;
-        continue;
-      }
-      const Normals around = normals_around(*region);
-      if(are_alike(around))
-        return region;
-      if(do_cancel(around))
-        break; // and so they will for further rings
-    }
-    return std::nullopt;
-  }
-
-  using Normals = std::vector<Surgery_mesh::Kernel::Vector_3>;
-
-  // Twice as long as the areas, of the faces just beyond the border; some may have none.
-  Normals normals_around(const Cut_region& region) const {
-    Normals normals;
-    for(Index h : region.border(0)) {
-      const Surgery_mesh::Face& c = mesh_.corners(mesh_.face(mesh_.twin(h)));
-      const Surgery_mesh::Point& p = mesh_.point(c[0]);
-      normals.push_back(CGAL::cross_product(mesh_.point(c[1]) - p, mesh_.point(c[2]) - p));
-    }
-    return normals;
-  }
-
-  static Normals::value_type sum(const Normals& normals) {
-    return std::accumulate(normals.begin(), normals.end(), Normals::value_type(NULL_VECTOR));
-  }
-
-  // Whether each is within 60 degrees of their mean.
-  static bool are_alike(const Normals& normals) {
-    const auto mean = sum(normals);
-    return std::all_of(normals.begin(), normals.end(), [&](const auto& n) {
-      const double product = n * mean;
-      return product > 0. && 4. * product * product >= n.squared_length() * mean.squared_length();
-    });
-  }
-
-  // Whether they have all but no direction.
-  static bool do_cancel(const Normals& normals) {
-    double sum_of_areas = 0.;
-    for(const auto& n : normals)
-      sum_of_areas += std::sqrt(n.squared_length());
-    return !(2. * std::sqrt(sum(normals).squared_length()) >= sum_of_areas);
-  }
-
-  std::optional<Cut_region> strip(const Region_choice& choice,
-                                  const Closed_walk& walk,
-                                  const std::vector<Index>& reserved) const {
-    const std::optional<Cut_region> region = around(walk, choice.rings, reserved);
-    if(choice.style == Region_choice::STRIP || !region)
-      return region;
-    if(region->number_of_borders() == 1)
-      return std::nullopt;
-    const std::size_t border = choice.style == Region_choice::BESIDE_LEFT ? 0 : 1;
-    return Cut_region::around(mesh_, region->vertices_of(mesh_, border));
-  }
-
-  // As many rings as fit.
-  std::optional<Cut_region>
-  around(const Closed_walk& vertices, int rings, const std::vector<Index>& reserved) const {
-    std::optional<Cut_region> region = Cut_region::around(mesh_, vertices);
-    for(int ring = 0; region && ring < rings; ++ring)
-      for(std::size_t border = 0; border < region->number_of_borders(); ++border)
-        if(std::optional<Cut_region> wider = region->wider(mesh_, border))
-          if(is_fit(*wider, border, vertices.size(), reserved))
-            region = std::move(wider);
-    return region;
-  }
-
-  bool is_fit(const Cut_region& region,
-              std::size_t border,
-              std::size_t length_of_walk,
-              const std::vector<Index>& reserved) const {
-    const bool is_strip = region.number_of_borders() == 2;
-    if(is_strip && 4 * region.border(border).size() > 5 * length_of_walk + 8)
-      return false;
-    const Closed_walk ring = region.vertices_of(mesh_, border);
-    return std::none_of(ring.begin(), ring.end(), [&](Index v) {
-      return is_claimed_[v] || number_of_walks_at_[v] > 1 ||
-             (number_of_walks_at_[v] == 1 && !is_in(v, reserved));
-    });
-  }
-
-  const Surgery_mesh& mesh_;
-  // By vertex.
-  std::vector<char> is_claimed_;
-  std::vector<Index> number_of_walks_at_;
-};
 
 /// A handle that is to be removed, with the loops and regions that are left to be tried, one after
 /// the other.
@@ -259,19 +42,26 @@ class Removal_candidate
 public:
   explicit Removal_candidate(Removal_task& task)
       : task_(&task)
-      , choices_(region_choices(task))
       , is_damaged_(task.choices.size(), 0)
-      , separates_(task.choices.size(), 0) {
-    task.reasons.assign(task.choices.size(), std::string());
-  }
+      , separates_(task.choices.size(), 0)
+      , obstacles_(task.choices.size(), Obstacle{Obstacle::NO_LOOP, "there is no loop"}) {}
 
   /// to be called once, before all else.
-  void find_walks(const Surgery_mesh& mesh) {
+  void find_loops(const Surgery_mesh& mesh) {
     CGAL_precondition(walks_.empty());
-    for(const Loop_choice& loop : task_->choices) {
+    std::vector<std::pair<double, std::size_t>> allowed; // by the area of discs across the loops
+    for(std::size_t i = 0; i < task_->choices.size(); ++i) {
+      const Loop_choice& loop = task_->choices[i];
       walks_.push_back(simple_part(led_off_boundary(mesh, walk_beside(mesh, loop.places))));
       lengths_.push_back(length(mesh, walks_.back()));
+      if(loop.is_allowed)
+        allowed.push_back({task_->has_both_loops() ? area_of_fan(mesh, loop.places) : 0., i});
     }
+    std::sort(allowed.begin(), allowed.end());
+    std::vector<std::size_t> order;
+    for(const auto& loop : allowed)
+      order.push_back(loop.second);
+    choices_ = region_choices(*task_, order);
   }
 
   Removal_task& task() const { return *task_; }
@@ -286,13 +76,22 @@ public:
     return choices_[next_];
   }
 
-  /// of the loop of the present choice; empty if that has none.
+  /// the walk of the other loop, if there is one.
   Closed_walk partner() const {
     return task_->has_both_loops() ? walks_[1 - choice().loop] : Closed_walk();
   }
 
   /// of the present choice, if there is one.
   std::optional<Handle_surgery>& surgery() { return surgery_; }
+
+  /// what the present choice may do to the shape.
+  Intended_change intended_change() const {
+    constexpr double most_displacement = 0.5;
+    const Loop_choice& loop = task_->choices[choice().loop];
+    const bool is_either = choice().takes_both_loops() || !task_->are_types_known;
+    return {is_either || loop.type == Loop_type::HANDLE,
+            is_either || loop.type == Loop_type::TUNNEL, most_displacement * loop.length};
+  }
 
   /// the loop of the present choice wants to keep its place.
   void reserve(Region_layout& layout) {
@@ -309,50 +108,35 @@ public:
     is_narrow_ = false;
     surgery_.reset();
     while(!is_done()) {
-      if(const char* why = why_not_at_all())
-        fail(why);
-      else if((surgery_ = layout.surgery(choice(), walks_, reserved_)))
+      if(!is_out_of_question() && (surgery_ = find_surgery(mesh, layout)))
         return;
-      else
-        fail(is_on_boundary(mesh, walks_[choice().loop]) ? "the loop comes to the boundary"
-                                                         : "the mesh is too coarse along the loop",
-             false);
+      fail(why_no_surgery(mesh));
     }
   }
 
   /// the present choice once more, with room for the regions that are claimed by now.
-  void propose_again(const Region_layout& layout) {
+  void propose_again(const Surgery_mesh& mesh, const Region_layout& layout) {
     is_narrow_ = true;
-    surgery_ = layout.surgery(choice(), walks_, reserved_);
+    surgery_ = find_surgery(mesh, layout);
   }
 
   /// gives the present choice up, and the task if that is the last one.
-  void fail(const char* why, bool is_last_word = true) {
+  void fail(const Obstacle& obstacle) {
     CGAL_precondition(!is_done());
-    std::string& reason = task_->reasons[choice().loop];
-    if(is_last_word || reason.empty())
-      reason = why;
+    obstacles_[choice().loop].take(obstacle);
     surgery_.reset();
-    if(++next_ == choices_.size())
-      task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
-  }
-
-  /// gives the present choice up, and all others at its loop: caps that cross themselves do so
-  /// wherever they lie there.
-  void fail_at_loop() {
-    const Region_choice failed = choice();
-    const auto is_as_bad = [&](const Region_choice& other) {
-      return failed.is_at_loop() && other.is_at_loop() && other.loop == failed.loop;
-    };
-    const auto others = choices_.begin() + static_cast<std::ptrdiff_t>(next_) + 1;
-    choices_.erase(std::remove_if(others, choices_.end(), is_as_bad), choices_.end());
-    fail("the caps would meet each other");
+    if(++next_ < choices_.size())
+      return;
+    task_->reasons.clear();
+    for(const Obstacle& worst : obstacles_)
+      task_->reasons.push_back(worst.why);
+    task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
   }
 
   /// gives the loop of the present choice up: all strips along it separate the surface.
   void fail_along_loop() {
-    separates_[choice().loop] = 1;
-    fail(separates_the_surface);
+    separates_[choice().loop] = choice().style != Region_choice::BORE;
+    fail({Obstacle::TOPOLOGY, separates_the_surface});
   }
 
   /// leads a loop around what has taken the place of another handle. It is given up if it comes to
@@ -371,14 +155,59 @@ public:
   }
 
 private:
-  const char* why_not_at_all() const {
+  // Of triangles from the centre of a loop.
+  static double area_of_fan(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
+    using Shift = Surgery_mesh::Kernel::Vector_3;
+    std::vector<Surgery_mesh::Point> points;
+    Shift sum(NULL_VECTOR);
+    for(const Place_on_edge& place : places) {
+      points.push_back(point_at(mesh, place));
+      sum = sum + (points.back() - ORIGIN);
+    }
+    const Surgery_mesh::Point center = ORIGIN + sum / static_cast<double>(points.size());
+    double area = 0.;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      area += std::sqrt(CGAL::squared_area(center, points[i], points[(i + 1) % points.size()]));
+    return area;
+  }
+
+  // Where the loop of the present choice was found, if it is there still; or else beside its walk.
+  std::optional<Curve_off_vertices> curve(const Surgery_mesh& mesh) const {
+    const std::size_t loop = choice().loop;
+    std::optional<Curve_off_vertices> curve =
+        Curve_off_vertices::beside(mesh, task_->choices[loop].places);
+    return curve ? curve : Curve_off_vertices::beside(mesh, places_of(walks_[loop]));
+  }
+
+  std::optional<Handle_surgery> find_surgery(const Surgery_mesh& mesh,
+                                             const Region_layout& layout) const {
+    const bool needs_curve =
+        choice().style == Region_choice::STRIP || choice().style == Region_choice::BORE;
+    return layout.surgery(choice(), needs_curve ? curve(mesh) : std::nullopt, walks_, reserved_);
+  }
+
+  // Whether the choice is along loops that are lost, or known to separate the surface.
+  bool is_out_of_question() const {
     if(separates_[choice().loop] && !choice().takes_both_loops())
-      return separates_the_surface;
+      return true;
+    const bool needs_walk =
+        choice().style != Region_choice::STRIP && choice().style != Region_choice::BORE;
     for(std::size_t i = 0; i < walks_.size(); ++i)
-      if((i == choice().loop || choice().takes_both_loops()) && walks_[i].size() < 3)
-        return is_damaged_[i] ? "another handle was removed across the loop"
-                              : "the loop is not simple";
-    return nullptr;
+      if(needs_walk && (i == choice().loop || choice().takes_both_loops()) && walks_[i].size() < 3)
+        return true;
+    return false;
+  }
+
+  Obstacle why_no_surgery(const Surgery_mesh& mesh) const {
+    const std::size_t loop = choice().loop;
+    if(separates_[loop])
+      return {Obstacle::TOPOLOGY, separates_the_surface};
+    if(walks_[loop].size() < 3)
+      return {Obstacle::NO_REGION, is_damaged_[loop] ? "another handle was removed across the loop"
+                                                     : "the loop is not simple"};
+    if(is_on_boundary(mesh, walks_[loop]))
+      return {Obstacle::NO_REGION, "the loop comes to the boundary"};
+    return {Obstacle::NO_REGION, "the mesh is too coarse along the loop"};
   }
 
   bool is_any_damaged() const {
@@ -394,8 +223,9 @@ private:
   std::vector<Closed_walk> walks_;
   std::vector<double> lengths_; // of these at first
   std::vector<Region_choice> choices_;
-  std::vector<char> is_damaged_; // by choice, also if it could be led around
-  std::vector<char> separates_;  // by choice
+  std::vector<char> is_damaged_;    // by choice, also if it could be led around
+  std::vector<char> separates_;     // by choice
+  std::vector<Obstacle> obstacles_; // by choice, what says most
   std::size_t next_ = 0;
   std::vector<Index> reserved_; // in ascending order
   std::optional<Handle_surgery> surgery_;

@@ -25,11 +25,12 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
 /// none is open at the end. Loops that cross where another handle was removed are led around it, or
-/// found anew on the surface as it is by then. \p ask is told what part is done, and throws to
-/// stop.
+/// found anew on the surface as it is by then. With \p force, also where that is no repair. \p ask
+/// is told what part is done, and throws to stop.
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,
+                                  bool force,
                                   const std::function<void(double)>& ask);
 
 /// cuts a mesh apart at its necks, as far as that can be; what becomes of each is in its task.

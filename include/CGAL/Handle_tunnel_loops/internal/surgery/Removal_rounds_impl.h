@@ -52,12 +52,12 @@ removed.
 class Removal_rounds
 {
 public:
-  Removal_rounds(Execution execution, Surgery_mesh& mesh)
+  /// \p force removes handles even where that is no repair.
+  Removal_rounds(Execution execution, Surgery_mesh& mesh, bool force)
       : execution_(execution)
       , mesh_(mesh)
-      , meet_mesh_(mesh) {
-    look_which_side_is_out();
-  }
+      , meet_mesh_(mesh)
+      , judge_(mesh, force) {}
 
   /// \p ask is called again and again, and throws to stop.
   void operator()(std::vector<Removal_task>& tasks, const std::function<void()>& ask) {
@@ -67,9 +67,13 @@ public:
       meet_mesh_.update(execution_);
       for_each_index(
           execution_, chosen.size(),
-          [&](std::size_t i) { chosen[i]->surgery()->find_caps(mesh_, meet_mesh_); }, 1);
+          [&](std::size_t i) {
+            chosen[i]->surgery()->find_caps(mesh_, meet_mesh_, judge_,
+                                            chosen[i]->intended_change());
+          },
+          1);
       ask();
-      find_harmless_strips(chosen);
+      find_harmless_cuts(chosen);
       put_in_.clear();
       for(Removal_candidate* candidate : chosen)
         carry_out(*candidate);
@@ -78,7 +82,6 @@ public:
 
 private:
   using Candidates = std::vector<Removal_candidate*>;
-  using Caps = Handle_surgery::Caps;
 
   /// the number of a candidate, and which loop of it.
   using Loop = std::pair<std::size_t, std::size_t>;
@@ -89,7 +92,7 @@ private:
       if(!task.is_done())
         candidates_.emplace_back(task);
     for_each_index(
-        execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_walks(mesh_); },
+        execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_loops(mesh_); },
         16);
     loops_at_.clear();
     for(std::size_t i = 0; i < candidates_.size(); ++i)
@@ -109,7 +112,7 @@ private:
   // ---- what is tried in a round
 
   Candidates choose() {
-    Region_layout layout(mesh_);
+    Region_layout layout(mesh_, judge_.outward());
     for(Removal_candidate& candidate : candidates_)
       if(!candidate.is_done())
         candidate.reserve(layout);
@@ -132,13 +135,14 @@ private:
   // Not if there is nothing left to be tried, or if it has to wait for the next round.
   bool is_ready(Removal_candidate& candidate, const Region_layout& layout) {
     while(!candidate.is_done()) {
-      if(!layout.is_free(candidate.surgery()->vertices()) && candidate.choice().fits_into_room())
-        candidate.propose_again(layout);
+      if(!layout.is_free(candidate.surgery()->vertices()) &&
+         candidate.choice().style == Region_choice::RINGS)
+        candidate.propose_again(mesh_, layout);
       if(!candidate.surgery() || !layout.is_free(candidate.surgery()->vertices()))
         return false;
       if(find_companions(candidate))
         return true;
-      candidate.fail("there are other handles around");
+      candidate.fail({Obstacle::NO_REGION, "there are other handles around"});
       candidate.propose(mesh_, layout);
     }
     return false;
@@ -148,36 +152,46 @@ private:
   bool find_companions(Removal_candidate& candidate) {
     Handle_surgery& surgery = *candidate.surgery();
     surgery.companions.clear();
-    const std::size_t number = surgery.region().number_of_handles() - 1;
+    const std::size_t number = surgery.number_of_handles() - 1;
     if(number == 0)
       return true;
-    const auto is_inside = [&](const Closed_walk& walk) {
-      return walk.size() >= 3 && std::all_of(walk.begin(), walk.end(),
-                                             [&](Index v) { return is_in(v, surgery.vertices()); });
-    };
     for(Removal_candidate& other : candidates_)
-      if(&other != &candidate && !other.is_done() &&
-         std::all_of(other.walks().begin(), other.walks().end(), is_inside))
+      if(&other != &candidate && !other.is_done() && is_inside(other, surgery))
         surgery.companions.push_back(&other.task());
     return surgery.companions.size() == number;
   }
 
+  // With both loops; of a wall, it is that around the bore, which may be closed.
+  static bool is_inside(const Removal_candidate& other, const Handle_surgery& surgery) {
+    for(std::size_t i = 0; i < other.walks().size(); ++i) {
+      const Loop_choice& loop = other.task().choices[i];
+      if(!surgery.takes_all() && (loop.type != Loop_type::TUNNEL || !loop.is_allowed))
+        continue;
+      const Closed_walk& walk = other.walks()[i];
+      const bool is_inside =
+          walk.size() >= 3 && std::all_of(walk.begin(), walk.end(),
+                                          [&](Index v) { return is_in(v, surgery.vertices()); });
+      if(is_inside != surgery.takes_all())
+        return is_inside;
+    }
+    return surgery.takes_all();
+  }
+
   // Where they are few, each is looked at when its turn comes.
-  void find_harmless_strips(const Candidates& chosen) {
+  void find_harmless_cuts(const Candidates& chosen) {
     constexpr std::size_t few = 4;
     std::vector<Handle_surgery*> open;
-    std::vector<const Cut_region*> strips;
     for(Removal_candidate* candidate : chosen)
       if(Handle_surgery& surgery = *candidate->surgery();
-         surgery.caps() == Caps::GOOD && surgery.is_strip() && !candidate->task().is_of_neck() &&
-         !surgery.is_subdivided())
-      {
+         surgery.has_caps() && !surgery.takes_all() && surgery.number_of_handles() == 1 &&
+         !candidate->task().is_of_neck())
         open.push_back(&surgery);
-        strips.push_back(&surgery.region());
-      }
     if(open.size() < few)
       return;
-    const std::vector<char> separates = separating_strips(execution_, mesh_, strips);
+    std::vector<Surface_cut> cuts;
+    for(const Handle_surgery* surgery : open)
+      cuts.push_back(surgery->cut(mesh_));
+    const std::vector<char> separates = separating_cuts(execution_, mesh_, cuts);
     for(std::size_t i = 0; i < open.size(); ++i)
       open[i]->is_harmless = !separates[i];
     are_others_whole_ = true;
@@ -189,67 +203,60 @@ private:
     if(candidate.is_done())
       return; // with another one
     const Handle_surgery& surgery = *candidate.surgery();
-    if(surgery.caps() == Caps::NOT_TRIANGULATED)
-      return candidate.fail("the holes cannot be triangulated");
-    if(surgery.caps() == Caps::SELF_CROSSING)
-      return candidate.fail_at_loop();
-    if(surgery.caps() == Caps::IN_THE_WAY)
-      return candidate.fail("the caps would meet the surface");
+    if(!surgery.has_caps())
+      return candidate.fail(surgery.obstacle());
     Placed_patch placed(mesh_, surgery.patch(), mesh_.vertex_bound());
     // What was put in in this round is part of the mesh in the next one only.
     if(std::any_of(put_in_.begin(), put_in_.end(),
                    [&](const Placed_patch& other) { return placed.meets(other); }))
       return;
-    const bool separates = surgery.is_strip() && this->separates(surgery);
+    const bool separates = !surgery.takes_all() && this->separates(surgery);
     if(separates && !candidate.task().is_of_neck())
       return candidate.fail_along_loop();
     if(!separates && candidate.task().is_of_neck())
-      return candidate.fail("the loop does not separate the surface");
-    put_in(candidate, placed);
+      return candidate.fail({Obstacle::TOPOLOGY, "the loop does not separate the surface"});
+    put_in(candidate);
     put_in_.push_back(std::move(placed));
   }
 
   bool separates(const Handle_surgery& surgery) {
     if(surgery.is_harmless && are_others_whole_)
       return false;
-    const bool separates = separates_(mesh_, surgery.sides(mesh_));
+    const bool separates = separates_(mesh_, surgery.cut(mesh_));
     if(!separates)
       are_others_whole_ = false; // it is taken out too
     return separates;
   }
 
-  void put_in(Removal_candidate& candidate, const Placed_patch& placed) {
+  void put_in(Removal_candidate& candidate) {
     const Handle_surgery& surgery = *candidate.surgery();
-    CGAL_precondition(surgery.caps() == Caps::GOOD);
     Removal_task& task = candidate.task();
-    describe(candidate, placed);
+    describe(candidate);
+    const Index first_vertex = mesh_.vertex_bound();
     const Index first_face = put_in_place(mesh_, surgery.out(), surgery.patch());
     task.end_of_faces = mesh_.face_bound();
     for(Removal_task* companion : surgery.companions)
       companion->become_like(task);
     // The parts of faces around the discs come first.
-    const Index first_of_discs = first_face + static_cast<Index>(placed.number_of_parts());
-    lead_around(Detour(mesh_, first_of_discs, candidate.partner()), surgery.vertices());
+    const Index first_of_discs = first_face + static_cast<Index>(surgery.patch().parents.size());
+    lead_around(Detour(mesh_, first_of_discs, first_vertex, candidate.partner()),
+                surgery.vertices());
     candidate.surgery().reset();
   }
 
-  void describe(Removal_candidate& candidate, const Placed_patch& patch) const {
+  void describe(Removal_candidate& candidate) const {
     Removal_task& task = candidate.task();
     const Handle_surgery& surgery = *candidate.surgery();
-    double area = 0., volume = 0.;
-    for(std::size_t i = patch.number_of_parts(); i < patch.triangles().size(); ++i)
-      area += patch.triangles()[i].area();
-    for(Index f : surgery.out())
-      volume += volume_below(placed_triangle(mesh_, f));
-    for(const Placed_triangle& t : patch.triangles())
-      volume -= volume_below(t);
     const double number = static_cast<double>(1 + surgery.companions.size());
     task.choice = candidate.choice().loop;
-    task.is_whole = !surgery.is_strip();
-    task.area = area / number;
-    task.volume = volume / number;
+    task.is_whole = surgery.takes_all();
+    task.change = surgery.change();
+    task.change.volume_removed /= number;
+    task.change.volume_added /= number;
+    task.change.cap_area /= number;
     if(!task.are_types_known)
-      task.choices[task.choice].type = volume < 0. ? Loop_type::TUNNEL : Loop_type::HANDLE;
+      task.choices[task.choice].type =
+          task.change.volume_added > 0. ? Loop_type::TUNNEL : Loop_type::HANDLE;
     task.state = Removal_task::State::REMOVED;
   }
 
@@ -268,40 +275,16 @@ private:
     }
   }
 
-  // ---- the volume that the surface with its caps bounds
-
-  // Where there is a boundary, inside is behind the faces.
-  void look_which_side_is_out() {
-    Index first = 0;
-    while(first < mesh_.face_bound() && !mesh_.is_alive(first))
-      ++first;
-    if(first == mesh_.face_bound())
-      return;
-    origin_ = mesh_.point(mesh_.corners(first)[0]);
-    double sum = 0.;
-    for(Index f = first; f < mesh_.face_bound(); ++f)
-      if(mesh_.is_alive(f))
-        sum += volume_below(placed_triangle(mesh_, f));
-    outward_ = sum < 0. && mesh_.number_of_hubs() == 0 ? -1. : 1.;
-  }
-
-  // Of what lies between a face and the origin: positive if that is inside. It makes no difference
-  // whether the faces of the surface point outwards.
-  double volume_below(const Placed_triangle& t) const {
-    return outward_ * CGAL::volume(origin_, t.points[0], t.points[1], t.points[2]);
-  }
-
   const Execution execution_;
   Surgery_mesh& mesh_;
   Mesh_contacts meet_mesh_;
-  Surgery_mesh::Point origin_; // a vertex
-  double outward_ = 1.;
+  const Shape_judge judge_;
   Separation separates_;
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
   // In this round.
   std::vector<Placed_patch> put_in_;
-  bool are_others_whole_ = false; // no strip was taken out that is not one of the harmless ones
+  bool are_others_whole_ = false; // nothing was cut that is not one of the harmless ones
 };
 
 /// removes handles along other loops nearby, as long as there are any that were not tried.
@@ -332,17 +315,23 @@ inline void give_up(std::vector<Removal_task>& tasks) {
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,
+                                  bool force,
                                   const std::function<void(double)>& ask) {
   using State = Removal_task::State;
   const auto ask_now = [&] {
     ask(double(number_with(State::REMOVED, tasks)) / double(tasks.size()));
   };
-  Removal_rounds remove(execution, mesh);
-  for(std::size_t before = 0;; before = number_with(State::REMOVED, tasks)) {
+  Removal_rounds remove(execution, mesh, force);
+  for(;;) {
+    const std::size_t before = number_with(State::REMOVED, tasks);
     remove(tasks, ask_now);
     remove_along_loops_nearby(execution, remove, mesh, tasks, ask_now);
-    if(number_with(State::DAMAGED, tasks) == 0 || number_with(State::REMOVED, tasks) == before)
+    if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
       break;
+    // What was refused may be possible by now.
+    for(Removal_task& task : tasks)
+      if(task.state == State::REFUSED)
+        task.state = State::DAMAGED;
     Loops_anew(execution, mesh).give_to(tasks);
   }
   give_up(tasks);
@@ -361,7 +350,7 @@ remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wan
     tasks.back().are_types_known = false;
     tasks.back().choices.push_back({Loop_type::HANDLE, neck.length(), copy.places(neck)});
   }
-  Removal_rounds(execution, mesh)(tasks, [] {});
+  Removal_rounds(execution, mesh, wanted.force)(tasks, [] {});
   give_up(tasks);
   return tasks;
 }

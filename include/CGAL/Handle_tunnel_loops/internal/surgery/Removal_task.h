@@ -88,8 +88,7 @@ struct Removal_task
   // Of a handle that was removed.
   std::size_t choice = 0;
   bool is_whole = false;  ///< taken out with its surroundings
-  double area = 0.;       ///< of the caps
-  double volume = 0.;     ///< of what was taken away, or put in if negative
+  Shape_change change;    ///< its share, if others were removed with it
   Index end_of_faces = 0; ///< that were put in: none of a higher number is one of them
 
   /// was removed together with another one.
@@ -97,9 +96,24 @@ struct Removal_task
     CGAL_precondition(!is_done() && other.state == State::REMOVED);
     state = other.state;
     is_whole = other.is_whole;
-    area = other.area;
-    volume = other.volume;
+    for(std::size_t i = 0; i < choices.size(); ++i)
+      if(choices[i].type == other.choices[other.choice].type)
+        choice = i;
+    change = other.change;
     end_of_faces = other.end_of_faces;
+  }
+
+  /// lengths in another unit.
+  void divide_lengths(double unit) {
+    for(Loop_choice& loop : choices)
+      loop.length /= unit;
+    const double area = unit * unit, volume = area * unit;
+    change.volume_removed /= volume;
+    change.volume_added /= volume;
+    change.cap_area /= area;
+    change.displacement /= unit;
+    change.burial /= unit;
+    change.box_growth /= unit;
   }
 
   // ---- for the report
@@ -108,7 +122,12 @@ struct Removal_task
     CGAL_precondition(state == State::REMOVED);
     const Removal_way along_loop =
         choices[choice].type == Loop_type::HANDLE ? Removal_way::CUT : Removal_way::FILL;
-    return {pair, is_whole ? Removal_way::WHOLE : along_loop, choices[choice].length, area, volume};
+    return {pair,
+            is_whole ? Removal_way::WHOLE : along_loop,
+            choices[choice].length,
+            change.cap_area,
+            change.volume_removed - change.volume_added,
+            change};
   }
 
   Refused_handle refused() const {
@@ -121,6 +140,14 @@ struct Removal_task
     return {pair, choices.front().length, why};
   }
 };
+
+/// how many are not done, or could not be.
+inline std::size_t number_left(const std::vector<Removal_task>& tasks) {
+  using State = Removal_task::State;
+  return static_cast<std::size_t>(std::count_if(tasks.begin(), tasks.end(), [](const auto& task) {
+    return task.state != State::REMOVED && task.state != State::KEPT;
+  }));
+}
 
 inline std::size_t number_with(Removal_task::State state, const std::vector<Removal_task>& tasks) {
   return static_cast<std::size_t>(std::count_if(

@@ -15,15 +15,16 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -110,116 +111,171 @@ inline Surface_count count_surface(Execution execution, const Surgery_mesh& mesh
   return count;
 }
 
-/// Where a surface is cut: the halfedges on either side, whose faces stay and are not joined across
-/// them any more.
-using Sides_of_cut = std::array<std::vector<Index>, 2>;
+/// Where a surface is cut, or a region of it taken out.
+struct Surface_cut
+{
+  std::vector<Index> blocked; ///< halfedges that lead across, with their twins, in ascending order
+  /// for each bank, or border of the region, the vertices beside it.
+  std::vector<std::vector<Index>> banks;
+};
 
-/// the sides of a region with two borders.
-inline Sides_of_cut sides_of(const Surgery_mesh& mesh, const Cut_region& region) {
-  Sides_of_cut sides;
-  for(std::size_t side : {0, 1})
-    for(Index h : region.border(side))
-      sides[side].push_back(mesh.twin(h));
-  return sides;
+/// with a bank for each border.
+inline Surface_cut cut_around(const Surgery_mesh& mesh, const Cut_region& region) {
+  Surface_cut cut;
+  for(Index f : region.faces())
+    for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
+      if(region.contains(mesh.face(mesh.twin(h))))
+        cut.blocked.push_back(h);
+  for(std::size_t border = 0; border < region.number_of_borders(); ++border) {
+    cut.banks.push_back(region.vertices_of(mesh, border));
+    make_set(cut.banks.back());
+  }
+  return cut;
 }
 
-/// the sides of a simple closed walk.
-inline Sides_of_cut sides_of(const Surgery_mesh& mesh, const Closed_walk& walk) {
-  Sides_of_cut sides;
-  sides[0] = halfedges_of(mesh, walk);
-  for(Index h : sides[0])
-    sides[1].push_back(mesh.twin(h));
-  return sides;
+/// with two banks: left and right. An edge that is crossed an even number of times has both ends on
+/// the same side, if there are sides at all.
+inline Surface_cut cut_along(const Surgery_mesh& mesh, const Curve_off_vertices& curve) {
+  struct At_edge
+  {
+    Index edge;
+    double place;  ///< along the edge
+    bool is_along; ///< the left side is towards its target
+  };
+  std::vector<At_edge> crossings;
+  for(const Edge_crossing& c : curve.crossings()) {
+    const Index edge = (std::min)(c.halfedge, mesh.twin(c.halfedge));
+    const bool is_along = edge == c.halfedge;
+    crossings.push_back({edge, is_along ? c.ratio : 1. - c.ratio, is_along});
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const At_edge& a, const At_edge& b) {
+    return std::make_pair(a.edge, a.place) < std::make_pair(b.edge, b.place);
+  });
+  Surface_cut cut{{}, std::vector<std::vector<Index>>(2)};
+  for(auto begin = crossings.begin(); begin != crossings.end();) {
+    const Index edge = begin->edge;
+    const auto end =
+        std::find_if(begin, crossings.end(), [&](const At_edge& c) { return c.edge != edge; });
+    if((end - begin) % 2 == 1) {
+      cut.blocked.insert(cut.blocked.end(), {edge, mesh.twin(edge)});
+      cut.banks[(end - 1)->is_along ? 0 : 1].push_back(mesh.target(edge));
+      cut.banks[begin->is_along ? 1 : 0].push_back(mesh.source(edge));
+    }
+    begin = end;
+  }
+  make_set(cut.blocked);
+  for(std::vector<Index>& bank : cut.banks)
+    make_set(bank);
+  return cut;
 }
 
-/// Finds whether a surface falls apart along a cut: the faces on both sides are gone through in
-/// turn, until they meet or one side has no more. Takes no longer than the smaller piece or the way
-/// around.
+/*!
+Finds whether a surface falls apart along a cut: from both banks, the vertices that edges lead to
+are gone through in turn, until they meet or one side has no more. Takes no longer than the smaller
+piece or the way around.
+
+If vertices meet, the banks are joined. Where faces are very large, the way around may lead across
+edges that are crossed several times, between the crossings: then it is not found, and the surface
+is said to fall apart.
+*/
 class Separation
 {
 public:
-  bool operator()(const Surgery_mesh& mesh, const Sides_of_cut& cut) {
-    walls_ = cut[0];
-    walls_.insert(walls_.end(), cut[1].begin(), cut[1].end());
-    make_set(walls_);
-    side_of_.resize(mesh.face_bound(), 0);
-    sides_ = {};
-    const bool separates = !do_sides_meet(mesh, cut);
-    for(const Side& side : sides_)
-      for(Index f : side.reached)
-        side_of_[f] = 0;
-    return separates;
+  bool operator()(const Surgery_mesh& mesh, const Surface_cut& cut) {
+    side_of_.resize(mesh.vertex_bound(), 0);
+    for(std::size_t bank = 1; bank < cut.banks.size(); ++bank) {
+      sides_ = {};
+      const bool separates = !do_meet(mesh, cut, bank);
+      for(const Side& side : sides_)
+        for(Index v : side.reached)
+          side_of_[v] = 0;
+      if(separates)
+        return true;
+    }
+    return false;
   }
 
 private:
   struct Side
   {
     std::vector<Index> reached;
-    std::size_t number_at_walls = 0; // which are reached first
+    std::size_t number_at_cut = 0; // which are reached first
     std::size_t done = 0;
 
     bool is_complete() const { return done == reached.size(); }
   };
 
-  bool do_sides_meet(const Surgery_mesh& mesh, const Sides_of_cut& cut) {
-    for(std::size_t side : {0, 1})
-      for(Index h : cut[side])
-        if(visit(mesh.face(h), side))
+  // Whether the first bank is joined to another one.
+  bool do_meet(const Surgery_mesh& mesh, const Surface_cut& cut, std::size_t bank) {
+    for(std::size_t side : {0, 1}) {
+      for(Index v : cut.banks[side == 0 ? 0 : bank])
+        if(visit(v, side))
           return true;
-    for(Side& side : sides_)
-      side.number_at_walls = side.reached.size();
+      sides_[side].number_at_cut = sides_[side].reached.size();
+    }
     for(std::size_t side = 0; !sides_[side].is_complete(); side = 1 - side)
-      if(meets_other(mesh, side))
+      if(meets_other(mesh, cut, side))
         return true;
     return false;
   }
 
-  // Goes from the next face of a side to its neighbours.
-  bool meets_other(const Surgery_mesh& mesh, std::size_t side) {
-    const bool is_at_wall = sides_[side].done < sides_[side].number_at_walls;
-    const Index f = sides_[side].reached[sides_[side].done++];
+  // Goes from the next vertex of a side to its neighbours. Other banks are open: from there on,
+  // edges may be blocked wherever they are.
+  bool meets_other(const Surgery_mesh& mesh, const Surface_cut& cut, std::size_t side) {
+    const bool is_at_cut = cut.banks.size() > 2 || sides_[side].done < sides_[side].number_at_cut;
+    const Index v = sides_[side].reached[sides_[side].done++];
     bool meets = false;
-    for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
-      if(!is_at_wall || !is_in(h, walls_))
-        meets = visit(mesh.face(mesh.twin(h)), side) || meets;
+    mesh.for_each_outgoing(v, [&](Index h) {
+      if(!is_at_cut || !is_in(h, cut.blocked))
+        meets = visit(mesh.target(h), side) || meets;
+    });
     return meets;
   }
 
   // Whether the other side was here.
-  bool visit(Index f, std::size_t side) {
+  bool visit(Index v, std::size_t side) {
     const char mark = static_cast<char>(side + 1);
-    if(side_of_[f] == 0) {
-      side_of_[f] = mark;
-      sides_[side].reached.push_back(f);
+    if(side_of_[v] == 0) {
+      side_of_[v] = mark;
+      sides_[side].reached.push_back(v);
     }
-    return side_of_[f] != mark;
+    return side_of_[v] != mark;
   }
 
-  std::vector<char> side_of_; // by face
-  std::vector<Index> walls_;  // in ascending order
+  std::vector<char> side_of_; // by vertex
   std::array<Side, 2> sides_;
 };
 
-/// Which of some strips, that share no vertices, would separate the surface if they were taken out
-/// and closed in this order, but for those that would. Near linear in the size of the mesh, however
-/// many strips there are.
-inline std::vector<char> separating_strips(Execution execution,
-                                           const Surgery_mesh& mesh,
-                                           const std::vector<const Cut_region*>& strips) {
-  std::vector<char> is_taken_out(mesh.face_bound(), 0);
-  for(const Cut_region* strip : strips)
-    for(Index f : strip->faces())
-      is_taken_out[f] = 1;
-  Concurrent_disjoint_sets left =
-      pieces(execution, mesh, [&](Index f) { return mesh.is_alive(f) && !is_taken_out[f]; });
+/// Which of some cuts with two banks, that share no vertices, would separate the surface if it was
+/// cut and closed there in this order, but for those that would. Near linear in the size of the
+/// mesh, however many cuts there are.
+inline std::vector<char> separating_cuts(Execution execution,
+                                         const Surgery_mesh& mesh,
+                                         const std::vector<Surface_cut>& cuts) {
+  std::vector<char> is_blocked(3 * std::size_t(mesh.face_bound()), 0);
+  for(const Surface_cut& cut : cuts)
+    for(Index h : cut.blocked)
+      is_blocked[h] = 1;
+  Concurrent_disjoint_sets joined(execution, mesh.vertex_bound());
+  for_each_index(execution, mesh.vertex_bound(),
+                 [&](std::size_t v) { joined.insert(static_cast<Index>(v)); });
+  for_each_index(execution, is_blocked.size(), [&](std::size_t i) {
+    const Index h = static_cast<Index>(i);
+    if(!is_blocked[i] && mesh.is_alive(mesh.face(h)) && h < mesh.twin(h))
+      joined.unite(mesh.source(h), mesh.target(h));
+  });
+  for(const Surface_cut& cut : cuts)
+    for(const std::vector<Index>& bank : cut.banks)
+      for(Index v : bank)
+        joined.unite(bank.front(), v);
   // The last ones that are needed to join what is left stay.
-  std::vector<char> separates(strips.size(), 0);
-  for(std::size_t i = strips.size(); i-- > 0;) {
-    const auto beyond = [&](std::size_t border) {
-      return mesh.face(mesh.twin(strips[i]->border(border).front()));
-    };
-    separates[i] = left.root(beyond(0)) != left.root(beyond(1));
-    left.unite(beyond(0), beyond(1));
+  std::vector<char> separates(cuts.size(), 1);
+  for(std::size_t i = cuts.size(); i-- > 0;) {
+    const auto& banks = cuts[i].banks;
+    if(banks[0].empty() || banks[1].empty())
+      continue;
+    separates[i] = joined.root(banks[0].front()) != joined.root(banks[1].front());
+    joined.unite(banks[0].front(), banks[1].front());
   }
   return separates;
 }

@@ -13,32 +13,42 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Divided_strip.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Polygon_in_space.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
-#include <vector>
+#include <functional>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Among which triangulations of a hole the best one is looked for.
-enum class Cap_search {
-  ALL,     ///< takes the cube of the number of sides: for holes of few hundred
-  DELAUNAY ///< those of faces of Delaunay tetrahedra. Of equally good ones it is not determined
-           ///< which is found: it depends on where these are in memory
-};
+/// Looks at a patch, and says whether it is the one that is wanted.
+using Patch_visitor = std::function<bool(const Patch&)>;
 
-/// What may take the place of a region: a cap on each of its holes, in several ways, the one that
-/// fits best first. Caps are refined to the density of the mesh around them and made smooth
-/// with it (where Eigen is there); or refined only; or without vertices of their own. None where
-/// the holes cannot be triangulated. Whether the caps meet anything has still to be seen.
-CGAL_HTL_CORE std::vector<Patch>
-caps_of(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search = Cap_search::ALL);
+/// Calls a function with what may take the place of a region, a cap on each of its holes, in
+/// several ways, the one that fits best first, until that returns true. A hole in a plane is closed
+/// in that plane. Other caps are refined to the density of the mesh around them and made smooth
+/// with it (where Eigen is there); or refined only; or without vertices of their own. There are
+/// none where the holes cannot be triangulated. Whether the caps meet anything has still to be
+/// seen.
+CGAL_HTL_CORE void
+for_each_cap(const Surgery_mesh& mesh, const Cut_region& region, const Patch_visitor& is_wanted);
+
+/// The same for a strip: two membranes with the same triangles, one on either side of the curve,
+/// which stand on the faces there.
+CGAL_HTL_CORE void for_each_membrane(const Surgery_mesh& mesh,
+                                     const Curve_off_vertices& curve,
+                                     const Divided_strip& strip,
+                                     Polygon_in_space::At_sides side,
+                                     const Patch_visitor& is_wanted);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/membranes_impl.h>
 #endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CAPS_H

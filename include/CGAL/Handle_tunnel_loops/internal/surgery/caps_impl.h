@@ -13,120 +13,41 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/insert_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/make_smooth.h>
 
-#include <CGAL/Polygon_mesh_processing/refine.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/iterator.h>
-#include <CGAL/version.h>
-
-#include <boost/property_map/property_map.hpp>
-
-#ifdef CGAL_EIGEN3_ENABLED
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-#endif
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
+#include <deque>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// The points of a mesh, with predicates that are not exact: enough where any answer is a right
-/// one.
-template <typename SurfaceMesh> class Approximate_points
+/// A hole of a region, and the triangles that fill it.
+struct Filled_rim
 {
-  using Original = typename SurfaceMesh::Point;
+  explicit Filled_rim(Polygon_in_space polygon)
+      : rim(std::move(polygon))
+      , filling(rim)
+      , is_flush(internal::is_flush(rim)) {}
+  Filled_rim(const Filled_rim&) = delete;
+  Filled_rim& operator=(const Filled_rim&) = delete;
 
-public:
-  using key_type = typename SurfaceMesh::Vertex_index;
-  using value_type = Simple_cartesian<double>::Point_3;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  explicit Approximate_points(SurfaceMesh& mesh)
-      : points_(mesh.points()) {}
-
-  friend value_type get(const Approximate_points& map, key_type v) {
-    const Original& p = map.points_[v];
-    return {p.x(), p.y(), p.z()};
-  }
-  friend void put(const Approximate_points& map, key_type v, const value_type& p) {
-    put(map.points_, v, Original(p.x(), p.y(), p.z()));
-  }
-
-private:
-  typename SurfaceMesh::template Property_map<key_type, Original> points_;
+  Polygon_in_space rim;
+  Triangulated_polygon filling;
+  bool is_flush;
 };
-
-/*!
-Moves some vertices of a `Surface_mesh` so that the surface there is as little curved as it can be
-between the others: the sum of the squared Laplacians is least. Those of the others count, so that
-the surface continues their directions, but not where it has a crease, at `is_crease(vertex)`, and
-so none that could be continued. Edges have equal weights, which suit an even density.
-
-\returns whether that was done: there is a solution, and Eigen to find it
-*/
-template <typename SurfaceMesh, typename IsCrease>
-bool make_smooth(SurfaceMesh& mesh,
-                 const std::vector<typename SurfaceMesh::Vertex_index>& free,
-                 const IsCrease& is_crease) {
-#ifdef CGAL_EIGEN3_ENABLED
-  using Vertex = typename SurfaceMesh::Vertex_index;
-  std::vector<int> row(mesh.number_of_vertices(), -1);
-  for(std::size_t i = 0; i < free.size(); ++i)
-    row[free[i]] = static_cast<int>(i);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(60 * free.size());
-  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(free.size(), 3);
-  const auto add = [&](int i, Vertex v, double weight) {
-    if(row[v] >= 0)
-      entries.emplace_back(i, row[v], weight);
-    else
-      right.row(i) -=
-          weight * Eigen::RowVector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-  };
-  const auto add_laplacian = [&](int i, Vertex v, double weight) {
-    for(Vertex w : vertices_around_target(mesh.halfedge(v), mesh))
-      add(i, w, weight);
-    add(i, v, -weight * mesh.degree(v));
-  };
-  std::vector<signed char> crease(mesh.number_of_vertices(), -1); // -1: not asked yet
-  const auto counts = [&](Vertex v) {
-    if(row[v] < 0 && crease[v] < 0)
-      crease[v] = is_crease(v) ? 1 : 0;
-    return row[v] >= 0 || crease[v] == 0;
-  };
-  for(Vertex v : free) {
-    for(Vertex w : vertices_around_target(mesh.halfedge(v), mesh))
-      if(counts(w))
-        add_laplacian(row[v], w, 1.);
-    add_laplacian(row[v], v, -1. * mesh.degree(v));
-  }
-  Eigen::SparseMatrix<double> matrix(free.size(), free.size());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-  if(solver.info() != Eigen::Success)
-    return false;
-  const Eigen::MatrixX3d places = solver.solve(right);
-  for(Vertex v : free)
-    mesh.point(v) = {places(row[v], 0), places(row[v], 1), places(row[v], 2)};
-  return true;
-#else
-  (void)mesh;
-  (void)free;
-  (void)is_crease;
-  return false;
-#endif
-}
 
 /// A copy of what is around a region, in which its holes are filled.
 class Holes_of_region
@@ -136,31 +57,28 @@ class Holes_of_region
   using Halfedge = Mesh::Halfedge_index;
 
 public:
-  Holes_of_region(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search)
-      : mesh_(mesh)
-      , search_(search) {
+  /// with vertices in the caps, as dense as those around, if so wanted; not in those that are
+  /// flush.
+  Holes_of_region(const Surgery_mesh& mesh,
+                  const Cut_region& region,
+                  const std::deque<Filled_rim>& rims,
+                  bool is_refined)
+      : mesh_(mesh) {
     is_good_ = copy_surroundings(region);
     number_around_ = static_cast<Index>(copy_.number_of_vertices());
     first_cap_face_ = static_cast<Index>(copy_.number_of_faces());
-    for(std::size_t i = 0; i < region.number_of_borders(); ++i)
-      is_good_ = is_good_ && triangulate(region.border(i));
+    for(std::size_t i = 0; i < rims.size(); ++i) {
+      const std::size_t begin = copy_.number_of_faces();
+      caps_.push_back(begin - first_cap_face_);
+      is_good_ = is_good_ && fill(region.vertices_of(mesh, i), rims[i].filling);
+      if(is_good_ && is_refined && !rims[i].is_flush)
+        refine(begin);
+    }
   }
 
-  bool are_triangulated() const { return is_good_; }
+  bool are_filled() const { return is_good_; }
 
-  /// inserts vertices, as dense as those around. The edges that it flips for that have points on a
-  /// plane and a circle as a rule, for which exact predicates would take a third of its time.
-  void refine() {
-    std::vector<Mesh::Face_index> caps;
-    for(Index f = first_cap_face_; f < copy_.number_of_faces(); ++f)
-      caps.push_back(Mesh::Face_index(f));
-    std::vector<Mesh::Face_index> new_faces;
-    Polygon_mesh_processing::refine(copy_, caps, std::back_inserter(new_faces),
-                                    std::back_inserter(own_),
-                                    parameters::vertex_point_map(Approximate_points<Mesh>(copy_)));
-  }
-
-  /// makes them smooth, if there are any.
+  /// makes the caps smooth, if they have vertices.
   bool fair() {
     return !own_.empty() && make_smooth(copy_, own_, [this](Vertex v) { return is_crease(v); });
   }
@@ -177,6 +95,7 @@ public:
             v < Vertex(number_around_) ? originals_[v] : Patch::first_own + v - number_around_;
       patch.faces.push_back(face);
     }
+    patch.caps = caps_;
     return patch;
   }
 
@@ -253,49 +172,54 @@ private:
     return is_complete;
   }
 
-  bool triangulate(const std::vector<Index>& border) {
-    const Index h = border.front();
-    const Halfedge side = copy_.halfedge(copies_.at(mesh_.source(h)), copies_.at(mesh_.target(h)));
-    const std::size_t before = copy_.number_of_faces();
-    if(side == Mesh::null_halfedge() || !copy_.is_border(side))
-      return false;
-    constexpr std::size_t cubic_is_too_slow = 200;
-    if(search_ == Cap_search::ALL && border.size() > cubic_is_too_slow)
-      return false;
-    const auto how = parameters::use_delaunay_triangulation(search_ == Cap_search::DELAUNAY)
-                         .do_not_use_cubic_algorithm(search_ == Cap_search::DELAUNAY);
-#if CGAL_VERSION_NR < 1050600000
-    Polygon_mesh_processing::triangulate_hole(copy_, side, Emptyset_iterator(), how);
-#else
-    Polygon_mesh_processing::triangulate_hole(copy_, side, how);
-#endif
-    return copy_.number_of_faces() == before + border.size() - 2;
+  // Each triangle has two sides that are there already, as those between its corners come first.
+  bool fill(const Closed_walk& rim, const Triangulated_polygon& filling) {
+    for(const Triangulated_polygon::Triangle& t : filling.triangles())
+      if(copy_.add_face(copies_.at(rim[t[0]]), copies_.at(rim[t[1]]), copies_.at(rim[t[2]])) ==
+         Mesh::null_face())
+        return false;
+    return filling.is_good();
+  }
+
+  void refine(std::size_t first_face) {
+    std::vector<Mesh::Face_index> cap;
+    for(std::size_t f = first_face; f < copy_.number_of_faces(); ++f)
+      cap.push_back(Mesh::Face_index(static_cast<Index>(f)));
+    insert_vertices(copy_, cap, own_);
   }
 
   const Surgery_mesh& mesh_;
-  const Cap_search search_;
   Mesh copy_;
   std::unordered_map<Index, Vertex> copies_;
   std::unordered_set<Index> copied_faces_;
   std::vector<Index> originals_; // by vertex of the copy
   std::vector<Vertex> own_;      // put in by `refine()`
   Index number_around_ = 0, first_cap_face_ = 0;
+  std::vector<std::size_t> caps_; // where each begins, counted from the first face of all
   bool is_good_ = false;
 };
 
-CGAL_HTL_CORE std::vector<Patch>
-caps_of(const Surgery_mesh& mesh, const Cut_region& region, Cap_search search) {
-  std::vector<Patch> ways;
-  Holes_of_region holes(mesh, region, search);
-  if(!holes.are_triangulated())
-    return ways;
-  ways.push_back(holes.caps());
-  holes.refine();
-  ways.push_back(holes.caps());
-  if(holes.fair())
-    ways.push_back(holes.caps());
-  std::reverse(ways.begin(), ways.end());
-  return ways;
+CGAL_HTL_CORE void
+for_each_cap(const Surgery_mesh& mesh, const Cut_region& region, const Patch_visitor& is_wanted) {
+  std::deque<Filled_rim> rims;
+  for(std::size_t i = 0; i < region.number_of_borders(); ++i) {
+    rims.emplace_back(rim_of(mesh, region, i));
+    if(!rims.back().filling.is_good())
+      return;
+  }
+  const bool are_flush =
+      std::all_of(rims.begin(), rims.end(), [](const Filled_rim& rim) { return rim.is_flush; });
+  if(!are_flush) {
+    Holes_of_region holes(mesh, region, rims, true);
+    if(!holes.are_filled())
+      return;
+    const Patch refined = holes.caps();
+    if((holes.fair() && is_wanted(holes.caps())) || is_wanted(refined))
+      return;
+  }
+  const Holes_of_region holes(mesh, region, rims, false);
+  if(holes.are_filled())
+    is_wanted(holes.caps());
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -105,6 +105,14 @@ inline Surgery_mesh::Point point_at(const Surgery_mesh& mesh, const Place_on_edg
                           place.ratio);
 }
 
+/// the vertices of a walk.
+inline std::vector<Place_on_edge> places_of(const Closed_walk& walk) {
+  std::vector<Place_on_edge> places;
+  for(std::size_t i = 0; i < walk.size(); ++i)
+    places.push_back({walk[i], after(walk, i), 0.});
+  return places;
+}
+
 /// the shortest closed walk on the edges beside a loop, homotopic to it.
 inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
   std::vector<Edge_ends> ends;

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_POLYGON_IN_SPACE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_POLYGON_IN_SPACE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// A closed polygon in space that is to be filled by triangles.
+struct Polygon_in_space
+{
+  std::vector<Surgery_mesh::Point> points;
+  /// outer normals of the faces beyond the sides, from each point to the next one, which the
+  /// triangles should continue; those without a length do not count. Or none at all.
+  std::vector<Simple_cartesian<double>::Vector_3> normals_beyond = {};
+  /// whether the triangles should continue these faces; or stand on them at right angles, outside
+  /// of them, or inside, or on either side.
+  enum At_sides { CONTINUED, OUTSIDE, INSIDE, UPRIGHT };
+  At_sides at_sides = CONTINUED;
+  /// whether two points are joined by an edge elsewhere already.
+  std::function<bool(std::size_t, std::size_t)> are_joined = {};
+
+  std::size_t size() const { return points.size(); }
+};
+
+/// The points of a polygon, to size 1, so that nothing is too small or too large; and how they lie.
+/// All this is rounded.
+struct Scaled_polygon
+{
+  using Point = Simple_cartesian<double>::Point_3;
+  using Vector = Simple_cartesian<double>::Vector_3;
+
+  explicit Scaled_polygon(const Polygon_in_space& polygon) {
+    const auto from_first = [&](const Surgery_mesh::Point& p, int axis) {
+      return p[axis] / 2. - polygon.points.front()[axis] / 2.;
+    };
+    double size = 0.;
+    for(const Surgery_mesh::Point& p : polygon.points)
+      for(int axis = 0; axis < 3; ++axis)
+        size = (std::max)(size, std::abs(from_first(p, axis)));
+    if(polygon.size() < 3 || !(size > 0.) || !std::isfinite(size))
+      return;
+    Vector sum(NULL_VECTOR);
+    for(const Surgery_mesh::Point& p : polygon.points) {
+      points.emplace_back(from_first(p, 0) / size, from_first(p, 1) / size,
+                          from_first(p, 2) / size);
+      sum = sum + (points.back() - ORIGIN);
+    }
+    center = ORIGIN + sum / static_cast<double>(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i)
+      normal = normal +
+               CGAL::cross_product(points[i] - center, points[(i + 1) % points.size()] - center);
+  }
+
+  /// whether there are at least three points, not all the same.
+  bool is_good() const { return !points.empty(); }
+
+  /// whether all points lie on a plane.
+  bool is_flat() const {
+    constexpr double tolerance = 1e-6; // of the size: coordinates may have been floats
+    const double length = std::sqrt(normal.squared_length());
+    return length > 0. && std::all_of(points.begin(), points.end(), [&](const Point& p) {
+             return std::abs(normal * (p - center)) <= tolerance * length;
+           });
+  }
+
+  std::vector<Point> points;
+  Point center = Point(ORIGIN);
+  Vector normal = Vector(NULL_VECTOR); ///< as long as twice the area
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_POLYGON_IN_SPACE_H
