@@ -9,5 +9,6 @@ set(HTLOOPS_COMMANDS_SOURCES
   commands/options.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  commands/repair_command.cpp
   commands/tool.cpp
   terminal/terminal.cpp)

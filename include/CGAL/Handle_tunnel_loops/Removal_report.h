@@ -78,7 +78,7 @@ struct Shape_change
   double burial = 0.;       ///< the largest distance of a point that was taken out from the new one
   double sharpest_angle = 180.; ///< the smallest dihedral angle at an edge of a cap, in degrees:
                                 ///< 180 where it is flat
-  double box_growth = 0.; ///< how far a cap leaves the bounding box of the surface
+  double box_growth = 0.;       ///< how far a cap leaves the bounding box of the surface
 
   /// takes another change into account: volumes and areas are added, of all else the worst counts.
   Shape_change& operator+=(const Shape_change& other) {
