@@ -815,7 +815,8 @@ TEST(Repair, undoes_random_damage) {
 
 TEST(Remedy, is_the_one_that_helps) {
   const auto words_on = [](const Soup& soup, const Remedies& given = {}) {
-    return words_on_remedy(soup, diagnose(mend(soup, given).soup).defects, given);
+    const std::vector<Defect> defects = diagnose(mend(soup, given).soup).defects;
+    return defects.empty() ? "nothing is wrong" : words_on_remedy(soup, defects, given);
   };
   EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate makes them triangles");
   EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair), "--triangulate makes them triangles");
@@ -838,7 +839,7 @@ TEST(Remedy, is_the_one_that_helps) {
   const std::vector<Point> ring = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
                                    {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_EQ(
-      words_on(soup_of(ring, {{0, 2, 1}, {0, 1, 3}, {4, 5, 3}, {5, 0, 3}})),
+      words_on(soup_of(ring, {{0, 2, 1}, {0, 1, 3}, {4, 5, 3}, {2, 0, 3}})),
       "--repair mends this:\n"
       "  2 vertices welded with others at the same place, the first is vertex 4 with vertex 1\n"
       "  6 boundary edges fewer: of 6, now 0");
