@@ -1,5 +1,6 @@
 set(HTLOOPS_COMMANDS_SOURCES
   commands/check_command.cpp
+  commands/claims.cpp
   commands/cut_command.cpp
   commands/generate_command.cpp
   commands/help.cpp
