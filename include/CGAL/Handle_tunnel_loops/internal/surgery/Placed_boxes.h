@@ -57,6 +57,21 @@ public:
         [&](std::size_t other) { meet_group(others, other, box, other_box, f); }, grain);
   }
 
+  /// about how many of these boxes meet one of them, on average: counted for some of them, and no
+  /// further than to \p bound, beyond which the answer is no exact one. The same each time.
+  template <typename Box_of> double crowding(const Box_of& box, double bound) const {
+    constexpr std::size_t number_of_samples = 512;
+    const std::size_t step = tree_.size() / number_of_samples + 1;
+    std::size_t number_of_boxes = 0, number_of_meetings = 0;
+    for(std::size_t group = 0; group < tree_.size(); group += step)
+      number_of_boxes += (std::min)(group_size, order_.size() - group * group_size);
+    for(std::size_t group = 0;
+        group < tree_.size() && double(number_of_meetings) <= bound * double(number_of_boxes);
+        group += step)
+      meet_group(*this, group, box, box, [&](Index, Index) { ++number_of_meetings; });
+    return number_of_boxes == 0 ? 0. : double(number_of_meetings) / double(number_of_boxes);
+  }
+
 private:
   static constexpr std::size_t group_size = 8;
 
