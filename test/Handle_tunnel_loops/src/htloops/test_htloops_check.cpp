@@ -185,6 +185,30 @@ TEST(Contact_search, sees_folds_at_hubs) {
   }
 }
 
+TEST(Placed_boxes, ends_soon_after_what_is_looked_for) {
+  constexpr std::size_t n = 4000;
+  const auto box = [](std::size_t i) {
+    return internal::Box<3>{{double(i), 0., 0.}, {double(i) + 1., 1., 1.}}; // in a row
+  };
+  const internal::Placed_boxes row({}, n, box);
+  std::size_t number_asked = 0;
+  const auto count = [&](std::size_t wanted) {
+    number_asked = 0;
+    return row.any_meeting(row, box, box, [&](internal::Index i, internal::Index j) {
+      ++number_asked;
+      return i + 1 == j && (wanted == n || i == wanted);
+    });
+  };
+  EXPECT_TRUE(count(n));
+  EXPECT_LT(number_asked, 100u);
+  EXPECT_TRUE(count(n / 2));
+  EXPECT_FALSE(count(n + 1));
+  EXPECT_EQ(number_asked, 3 * n - 2);
+  EXPECT_NEAR(row.crowding(box, 10.), 3., 0.1);
+  const auto everywhere = [](std::size_t) { return internal::Box<3>{{0., 0., 0.}, {1., 1., 1.}}; };
+  EXPECT_GT(internal::Placed_boxes({}, n, everywhere).crowding(everywhere, 10.), 10.);
+}
+
 // By the number of boxes that are compared, not by a clock.
 TEST(Contact_search, takes_near_linear_time) {
   const auto hubs = [](std::uint32_t n) { return sphere_with_hubs(n, 2); };

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -51,10 +52,30 @@ public:
                         const Box_of_other& other_box,
                         const Function& f,
                         Execution execution = Execution()) const {
-    constexpr std::size_t grain = 32;
     for_each_index(
         execution, others.tree_.size(),
         [&](std::size_t other) { meet_group(others, other, box, other_box, f); }, grain);
+  }
+
+  /// whether `f(i, j)` holds for any of those whose boxes meet; ends soon after the first.
+  template <typename Box_of, typename Box_of_other, typename Predicate>
+  bool any_meeting(const Placed_boxes& others,
+                   const Box_of& box,
+                   const Box_of_other& other_box,
+                   const Predicate& f,
+                   Execution execution = Execution()) const {
+    std::atomic<bool> is_found(false);
+    for_each_index(
+        execution, others.tree_.size(),
+        [&](std::size_t other) {
+          if(!is_found)
+            meet_group(others, other, box, other_box, [&](Index i, Index j) {
+              if(!is_found && f(i, j))
+                is_found = true;
+            });
+        },
+        grain);
+    return is_found;
   }
 
   /// about how many of these boxes meet one of them, on average: counted for some of them, and no
@@ -74,6 +95,7 @@ public:
 
 private:
   static constexpr std::size_t group_size = 8;
+  static constexpr std::size_t grain = 32; // groups that a thread takes at once
 
   template <typename Box_of, typename Box_of_other, typename Function>
   void meet_group(const Placed_boxes& others,
@@ -82,14 +104,18 @@ private:
                   const Box_of_other& other_box,
                   const Function& f) const {
     const Box<3>& around = others.tree_.box(other);
+    const std::size_t begin = other * group_size;
+    const std::size_t number = (std::min)(group_size, others.order_.size() - begin);
+    std::array<Box<3>, group_size> other_boxes;
+    for(std::size_t k = 0; k < number; ++k)
+      other_boxes[k] = other_box(others.order_[begin + k]);
     tree_.for_each_meeting(around, [&](Index group, const Box<3>&) {
       for_each_of(group, [&](Index i) {
         const Box<3> b = box(i);
         if(b.meets(around))
-          others.for_each_of(other, [&](Index j) {
-            if(b.meets(other_box(j)))
-              f(i, j);
-          });
+          for(std::size_t k = 0; k < number; ++k)
+            if(b.meets(other_boxes[k]))
+              f(i, others.order_[begin + k]);
       });
     });
   }

@@ -75,23 +75,20 @@ bool touches_itself(Execution execution,
   });
   if(is_found)
     return true;
-  const auto look_at = [&](Index i, Index j) {
-    if(!is_found && are_in_contact(triangle(i), triangle(j)))
-      is_found = true;
+  const auto are_touching = [&](Index i, Index j) {
+    return are_in_contact(triangle(i), triangle(j));
   };
   const auto box = [&](std::size_t i) { return boxes[i]; };
   const Placed_boxes near(execution, all.size(), box);
   constexpr double largest_crowding = 64.; // a dozen is usual
-  if(near.crowding(box, largest_crowding) > largest_crowding)
-    contact_search(execution, all.size(), triangle).for_each_candidate(execution, look_at);
-  else
-    near.for_each_meeting(
-        near, box, box,
-        [&](Index i, Index j) {
-          if(i < j)
-            look_at(i, j);
-        },
-        execution);
+  if(near.crowding(box, largest_crowding) <= largest_crowding)
+    return near.any_meeting(
+        near, box, box, [&](Index i, Index j) { return i < j && are_touching(i, j); }, execution);
+  contact_search(execution, all.size(), triangle)
+      .for_each_candidate(execution, [&](Index i, Index j) {
+        if(!is_found && are_touching(i, j))
+          is_found = true;
+      });
   return is_found;
 }
 
