@@ -16,6 +16,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,11 +35,24 @@ py::tuple read(const std::string& name,
   }));
 }
 
-py::tuple repair(const py::array& points, const std::vector<py::array>& faces, const Watch& watch) {
+// Nothing: all of them.
+htloops::Remedies remedies_of(const std::optional<std::vector<std::string>>& steps) {
+  htloops::Remedies remedies = {true, true};
+  for(std::size_t i = 0; steps && i < htloops::number_of_repair_steps; ++i)
+    remedies.steps[i] = std::count(steps->begin(), steps->end(),
+                                   htloops::name_of(static_cast<htloops::Repair_step>(i))) != 0;
+  return remedies;
+}
+
+py::tuple repair(const py::array& points,
+                 const std::vector<py::array>& faces,
+                 const Watch& watch,
+                 const std::optional<std::vector<std::string>>& steps) {
+  const htloops::Remedies remedies = remedies_of(steps);
   htloops::Soup soup = soup_of(points, faces);
   htloops::Mended_soup mended;
   compute(0, watch, [&] {
-    mended = htloops::mend(std::move(soup), {true, true});
+    mended = htloops::mend(std::move(soup), remedies);
     throw_if_no_surface(htloops::diagnose(mended.soup));
   });
   std::vector<std::int64_t> vertex_origin;
@@ -56,7 +71,8 @@ py::tuple repair(const py::array& points, const std::vector<py::array>& faces, c
 
 void add_files(py::module_& module) {
   module.def("read", &read);
-  module.def("repair", &repair);
+  module.def("repair", &repair, py::arg("points"), py::arg("faces"), py::arg("watch"),
+             py::arg("steps") = py::none());
 }
 
 } // namespace htl_python

@@ -21,7 +21,10 @@ class Watch:
 
 def read(name: str, content: bytes, triangulate: bool, repair: bool, watch: Watch) -> _Mesh: ...
 def repair(
-    points: np.ndarray, faces: Sequence[np.ndarray], watch: Watch
+    points: np.ndarray,
+    faces: Sequence[np.ndarray],
+    watch: Watch,
+    steps: Optional[List[str]] = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]: ...
 def loops(
     points: np.ndarray,

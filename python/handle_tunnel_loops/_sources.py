@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Tuple, Union
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -18,6 +18,8 @@ _options = {
     "--repair": "repair=True",
     " (--format says which one it is whatever its name)": "",
 }
+
+_repair_steps = ["degenerate", "weld", "duplicates", "one-sided", "pillows", "orient", "split"]
 
 
 def generate(kind: str, **options: int) -> Tuple[np.ndarray, np.ndarray]:
@@ -74,17 +76,27 @@ def _in_words_of_python(message: str, name: str) -> str:
 
 
 def repair(
-    V: Any, F: Any = None
+    V: Any, F: Any = None, *, steps: Optional[Iterable[str]] = None
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]:
     """A surface from arrays that are none: faces of any size, corners that share no vertex, and so on.
 
-    V, F : arrays of shape (n, 3) and (m, k), k from 3 on, or one mesh object
+    V, F  : arrays of shape (n, 3) and (m, k), k from 3 on, or one mesh object
+    steps : some of "degenerate", "weld", "duplicates", "one-sided", "pillows", "orient" and "split", which are
+            those of ``htloops repair``; default: all
 
     Cuts faces into triangles, welds points in the same place, drops faces that are double or without
-    area, splits edges and vertices that are no manifold, and orients faces alike. Returns V and F, in which
+    area, components that are not orientable and such of two faces, splits edges and vertices that are no
+    manifold, and orients faces alike. Returns V and F, in which
     the given vertices keep their numbers and copies come after them; for each face and for each vertex the
     given one that it is, or is a part or a copy of; and what was done, as pairs of a number and words. Of
     an object with cells, the triangles count before the quads.
     Raises MeshError if no surface can be made of it.
     """
-    return computed("repair", None, _core.repair, *soup(V, F))
+    names = None if steps is None else [word("steps", step, _repair_steps) for step in steps]
+    return computed("repair", None, _repair, *soup(V, F), names)
+
+
+def _repair(
+    points: np.ndarray, faces: Sequence[np.ndarray], steps: Optional[List[str]], watch: _core.Watch
+) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]:
+    return _core.repair(points, faces, watch, steps)

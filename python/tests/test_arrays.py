@@ -233,7 +233,7 @@ def test_messages_are_in_words_of_python(torus, tmp_path):
     (tmp_path / "mesh.txt").write_text("")
     for name, words in [
         ("--repair.off", r"--repair.off: .*; triangulate=True makes it triangles$"),
-        ("turned.off", r"; repair=True mends this$"),
+        ("turned.off", r"; repair=True mends this:\n  1 face turned over: face 0$"),
         ("mesh.txt", r"\.off \.obj \.ply \.stl$"),
     ]:
         with pytest.raises((ValueError, OSError), match=words):
@@ -276,6 +276,16 @@ def test_repair(torus):
     assert np.array_equal(new_V, soup[vertex_origin])
     assert any("weld" in words or "same place" in words for _, words in changes), changes
     assert htl.repair(V, F)[4] == []
+    turned = np.vstack([F[:1, ::-1], F[1:]])
+    assert [count for count, _ in htl.repair(V, turned, steps=["orient"])[4]] == [1]
+    with pytest.raises(htl.MeshError):
+        htl.repair(V, turned, steps=["weld", "split"])
+    with pytest.raises(ValueError, match="steps is 'degenerate' or"):
+        htl.repair(V, F, steps=["all"])
+    pillow = len(V) + np.array([[0, 1, 2], [0, 2, 1]])
+    with_pillow = np.vstack([V, V[:3] + 99]), np.vstack([F, pillow])
+    assert np.array_equal(htl.repair(*with_pillow)[1], F)
+    assert len(htl.repair(*with_pillow, steps=["weld"])[1]) == len(F) + 2
     # A cube of quads.
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
     quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]

@@ -25,6 +25,8 @@ list(APPEND HTLOOPS_APP_SOURCES
   draw/pictures.cpp
   draw/surfaces.cpp
   draw/view.cpp
+  mend/Change_log.cpp
+  mend/comparison.cpp
   mend/face_dropping.cpp
   mend/face_gluing.cpp
   mend/mending.cpp

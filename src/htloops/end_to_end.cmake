@@ -207,6 +207,35 @@ run(1 check mesh.off wrong.json)
 expect_match("${errors}" "pair 1: the loops cross 0 times")
 run(1 check torus.off loops.json)
 expect_match("${errors}" "it is about a mesh of")
+# Just beside the end of an edge, with all digits.
+string(JSON wrong SET "${loops}" pairs 1 tunnel locations 0 2 1.0000000000000002)
+file(WRITE "${FOLDER}/wrong.json" "${wrong}")
+run(1 check mesh.off wrong.json)
+expect_match("${errors}" "the ratio 1.0000000000000002 is not between 0 and 1")
+# A wrong length does not hide that loops are none of a basis, which comes first.
+string(JSON wrong SET "${loops}" pairs 0 tunnel "${handle}")
+string(JSON wrong SET "${wrong}" pairs 0 handle length 7)
+file(WRITE "${FOLDER}/wrong.json" "${wrong}")
+run(1 check mesh.off wrong.json)
+expect_match("${errors}" "homologous.*pair 0, handle: the length is given as 7 and is [1-9]")
+# All that is said besides is checked, too.
+string(JSON wrong SET "${loops}" mesh genus 77)
+string(JSON wrong SET "${wrong}" mesh boundaries 1)
+string(JSON wrong SET "${wrong}" mesh components 2)
+string(JSON wrong SET "${wrong}" pairs 1 size 0.5)
+string(JSON wrong SET "${wrong}" pairs 0 handle bounds "\"outside\"")
+string(JSON wrong SET "${wrong}" pairs 0 tunnel bounds_alone "\"neither\"")
+string(JSON wrong SET "${wrong}" linking "[[0, 1, 5], [900, 1, 1]]")
+file(WRITE "${FOLDER}/wrong.json" "${wrong}")
+run(1 check mesh.off wrong.json)
+foreach(words IN ITEMS "the number of components is given as 2 and is 1"
+    "the number of boundary curves is given as 1 and is 0" "the genus is given as 77 and is [0-9]+"
+    "pair 0, handle: bounds is given as outside and is inside"
+    "pair 0, tunnel: bounds_alone is given as neither and is outside"
+    "linking .0, 1. is given as 5 and is [-0-9]+; [0-9]+ linking numbers are wrong"
+    "pair 1: the size is given as 0.5 and is 0[.]")
+  expect_match("${errors}" "${words}")
+endforeach()
 file(WRITE "${FOLDER}/wrong.json" "{ \"format\": \"htloops/1\" ")
 run(3 check mesh.off wrong.json)
 

@@ -1,5 +1,6 @@
 set(HTLOOPS_COMMANDS_SOURCES
   commands/check_command.cpp
+  commands/claims.cpp
   commands/cut_command.cpp
   commands/generate_command.cpp
   commands/help.cpp
@@ -9,5 +10,6 @@ set(HTLOOPS_COMMANDS_SOURCES
   commands/options.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  commands/repair_command.cpp
   commands/tool.cpp
   terminal/terminal.cpp)

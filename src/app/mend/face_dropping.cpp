@@ -150,40 +150,32 @@ std::vector<Fate> fates_of_faces(const Soup& soup) {
 void drop_degenerate_faces(Mended_soup& mended) {
   if(!has_degenerate_faces(mended.soup))
     return;
-  Finding dropped, shortened;
   replace_faces(mended, [&](std::size_t f, const Corners& corners, Soup& kept) {
     const Corners rest = without_repetitions(corners);
     if(rest.size() < 3 || rest.size() < corners.size())
-      (rest.size() < 3 ? dropped : shortened).add([&] {
-        return name_of_face(mended.face_in_file[f]);
-      });
+      mended.log.add_face(rest.size() < 3 ? Change_kind::DEGENERATE_FACES_DROPPED
+                                          : Change_kind::CORNERS_DROPPED,
+                          mended.face_in_file[f]);
     if(rest.size() >= 3)
       add_face(kept, rest);
   });
-  report(mended, dropped, "degenerate face dropped", "degenerate faces dropped");
-  report(mended, shortened, "face relieved of corners that repeat a vertex",
-         "faces relieved of corners that repeat a vertex");
 }
 
 void drop_duplicate_faces(Mended_soup& mended) {
   const std::vector<Fate> fates = fates_of_faces(mended.soup);
   if(fates.empty())
     return;
-  Finding duplicates, flaps;
   std::size_t kept = 0;
   for(std::uint32_t f = 0; f < mended.soup.faces.size(); ++f)
     if(fates[f] == Fate::STAYS) {
       mended.soup.faces[kept] = mended.soup.faces[f];
       mended.face_in_file[kept++] = mended.face_in_file[f];
     } else
-      (fates[f] == Fate::IS_DUPLICATE ? duplicates : flaps).add([&] {
-        return name_of_face(mended.face_in_file[f]);
-      });
+      mended.log.add_face(fates[f] == Fate::IS_DUPLICATE ? Change_kind::DUPLICATE_FACES_DROPPED
+                                                         : Change_kind::FLAPS_DROPPED,
+                          mended.face_in_file[f]);
   mended.soup.faces.resize(kept);
   mended.face_in_file.resize(kept);
-  report(mended, duplicates, "duplicate face dropped", "duplicate faces dropped");
-  report(mended, flaps, "face of a flap without thickness dropped",
-         "faces of flaps without thickness dropped");
 }
 
 } // namespace htloops

@@ -9,8 +9,14 @@
 
 #include "mend/steps.h"
 
+#include "words.h"
+
+#include <CGAL/Bbox_3.h>
+
 #include <map>
 #include <numeric>
+#include <sstream>
+#include <unordered_map>
 #include <utility>
 
 namespace htloops {
@@ -24,24 +30,29 @@ public:
   explicit Face_pieces(std::size_t number_of_faces)
       : parents_(number_of_faces)
       , sizes_(number_of_faces, 1)
-      , is_turned_(number_of_faces, false) {
+      , is_turned_(number_of_faces, false)
+      , is_one_sided_(number_of_faces, false) {
     std::iota(parents_.begin(), parents_.end(), 0u);
   }
 
-  // puts two faces into one piece, which agree as they are or if one of them is turned. False if
-  // they are of one piece already and it says otherwise; then nothing is changed.
-  bool join(std::uint32_t f, std::uint32_t g, bool must_turn) {
+  // puts two faces into one piece, which agree as they are or if one of them is turned. If they are
+  // of one piece already and it says otherwise, that is not orientable.
+  void join(std::uint32_t f, std::uint32_t g, bool must_turn) {
     Position a = find(f), b = find(g);
     const bool is_turned = (a.is_turned != b.is_turned) != must_turn;
-    if(a.root == b.root)
-      return !is_turned;
+    if(a.root == b.root) {
+      is_one_sided_[a.root] = is_one_sided_[a.root] || is_turned;
+      return;
+    }
     if(sizes_[a.root] < sizes_[b.root])
       std::swap(a, b);
     parents_[b.root] = a.root;
     is_turned_[b.root] = is_turned;
     sizes_[a.root] += sizes_[b.root];
-    return true;
+    is_one_sided_[a.root] = is_one_sided_[a.root] || is_one_sided_[b.root];
   }
+
+  bool is_one_sided(std::uint32_t f) { return is_one_sided_[find(f).root]; }
 
   // a face that stands for the piece, always the same until the next call of `join()`.
   std::uint32_t piece(std::uint32_t f) { return find(f).root; }
@@ -96,6 +107,7 @@ private:
   std::vector<std::uint32_t> parents_;
   std::vector<std::uint32_t> sizes_; // of roots
   std::vector<bool> is_turned_;      // against the parent
+  std::vector<bool> is_one_sided_;   // of roots: whether the piece is not orientable
 };
 
 constexpr std::uint32_t no_partner = static_cast<std::uint32_t>(-1);
@@ -114,6 +126,8 @@ struct Wing
 // Which faces at an edge with more than two are neighbors: pairs of halfedges, as they are in the
 // soup. The rest stays without neighbor.
 //
+// Faces of pieces that are not orientable are left out.
+//
 // Going around the edge, one that runs downwards and one that runs upwards after it are a pair,
 // between which there is solid: solids that meet at the edge come apart. Faces of one piece are
 // paired first, the largest piece before the others, so that a surface goes on where a fin stands
@@ -129,6 +143,8 @@ public:
       , top_(exact_point(soup.points[edge.vertices[1]])) {
     for(std::size_t i = 0; i < edge.size(); ++i) {
       const std::uint32_t h = edge.halfedge(i), f = h / 3;
+      if(pieces.is_one_sided(f))
+        continue;
       const bool runs_up = (soup.source(h) == edge.vertices[0]) != is_turned[f];
       const std::uint32_t tip = soup.source(next_in_triangle(next_in_triangle(h)));
       wings_.push_back(
@@ -136,6 +152,8 @@ public:
     }
     sort_around_edge();
   }
+
+  std::size_t size() const { return wings_.size(); }
 
   std::vector<std::array<std::uint32_t, 2>> pairs() {
     partner_.assign(wings_.size(), no_partner);
@@ -231,91 +249,212 @@ private:
   std::vector<std::uint32_t> partner_;
 };
 
+// The pieces that are not orientable, numbered among all pieces by their smallest vertices.
+class One_sided_pieces
+{
+public:
+  One_sided_pieces(const Mended_soup& mended, Face_pieces& pieces)
+      : mended_(mended) {
+    std::unordered_map<std::uint32_t, std::uint32_t> smallest_vertex;
+    for(std::uint32_t f = 0; f < mended.soup.faces.size(); ++f) {
+      const auto& face = mended.soup.faces[f];
+      const std::uint32_t smallest = *std::min_element(face.begin(), face.end());
+      const auto [known, is_new] = smallest_vertex.try_emplace(pieces.piece(f), smallest);
+      known->second = (std::min)(known->second, smallest);
+      if(pieces.is_one_sided(f))
+        faces_[pieces.piece(f)].push_back(f);
+    }
+    for(const auto& [piece, smallest] : smallest_vertex)
+      order_.push_back({smallest, piece});
+    std::sort(order_.begin(), order_.end());
+  }
+
+  bool are_none() const { return faces_.empty(); }
+  bool are_all() const { return faces_.size() == order_.size(); }
+
+  // Names the first of them; there can be as many as faces.
+  void report(Change_log& log) const {
+    std::size_t number_told = 0, number_of_further_faces = 0;
+    for(std::size_t i = 0; i < order_.size(); ++i) {
+      const auto piece = faces_.find(order_[i].second);
+      if(piece == faces_.end())
+        continue;
+      if(number_told++ < largest_number_told)
+        log.add(Change_kind::ONE_SIDED_COMPONENT_DROPPED, piece->second.size(),
+                words(i, piece->second));
+      else
+        number_of_further_faces += piece->second.size();
+    }
+    if(number_of_further_faces != 0)
+      log.add(Change_kind::ONE_SIDED_COMPONENT_DROPPED, number_of_further_faces,
+              "faces dropped of " +
+                  counted(number_told - largest_number_told, "further component that is",
+                          "further components that are") +
+                  " not orientable");
+  }
+
+private:
+  using Faces = std::vector<std::uint32_t>;
+
+  static constexpr std::size_t largest_number_told = 8;
+
+  std::string words(std::size_t number, const Faces& faces) const {
+    return std::string(faces.size() == 1 ? "face" : "faces") + " dropped, component " +
+           std::to_string(number) + " of " + std::to_string(order_.size()) +
+           ", as it is not orientable; the first is " +
+           name_of_face(mended_.face_in_file[faces.front()]) + ", the box is " + box_of(faces);
+  }
+
+  std::string box_of(const Faces& faces) const {
+    CGAL::Bbox_3 box;
+    for(const std::uint32_t f : faces)
+      for(const std::uint32_t v : mended_.soup.faces[f])
+        box += mended_.soup.points[v].bbox();
+    std::ostringstream text;
+    text << box.xmin() << ',' << box.ymin() << ',' << box.zmin() << ',' << box.xmax() << ','
+         << box.ymax() << ',' << box.zmax();
+    return text.str();
+  }
+
+  const Mended_soup& mended_;
+  std::unordered_map<std::uint32_t, Faces> faces_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> order_; // smallest vertices and pieces
+};
+
+// A turned face has its halfedges in the opposite order.
+std::uint32_t turned(std::uint32_t h) { return h - h % 3 + (2 - h % 3); }
+
 class Gluer
 {
 public:
   explicit Gluer(Mended_soup& mended)
       : mended_(mended) {}
 
-  std::optional<Neighbors> run() {
-    if(!glue_at_sound_edges() || !glue_at_crowded_edges())
+  std::optional<Gluing> run(bool do_drop_one_sided) {
+    glue_at_sound_edges();
+    const One_sided_pieces one_sided(mended_, pieces_);
+    if(!one_sided.are_none() && (!do_drop_one_sided || one_sided.are_all()))
       return std::nullopt;
+    glue_at_crowded_edges();
     turn_faces();
-    return std::move(neighbors_);
+    if(!one_sided.are_none()) {
+      one_sided.report(mended_.log);
+      drop_one_sided_pieces();
+    }
+    return std::move(gluing_);
   }
 
 private:
-  // False where a face and its neighbor are of one piece and can never agree.
-  bool glue(std::uint32_t h, std::uint32_t g) {
-    if(!pieces_.join(h / 3, g / 3, soup_.source(h) == soup_.source(g)))
-      return false;
-    neighbors_[h] = g;
-    neighbors_[g] = h;
-    return true;
+  void glue(std::uint32_t h, std::uint32_t g) {
+    pieces_.join(h / 3, g / 3, soup_.source(h) == soup_.source(g));
+    gluing_.neighbors[h] = g;
+    gluing_.neighbors[g] = h;
   }
 
-  bool glue_at_sound_edges() {
-    bool is_orientable = true;
+  void glue_at_sound_edges() {
     edges_.for_each_edge([&](const Edge_table::Edge& edge) {
       if(edge.size() == 2)
-        is_orientable = glue(edge.halfedge(0), edge.halfedge(1)) && is_orientable;
+        glue(edge.halfedge(0), edge.halfedge(1));
     });
-    return is_orientable;
   }
 
-  // By the pieces that there are without these edges, and their sides.
-  bool glue_at_crowded_edges() {
+  // By the pieces that there are without these edges, and their sides. What is glued agrees, seen
+  // turned: so no piece becomes one that is not orientable.
+  void glue_at_crowded_edges() {
     std::vector<std::array<std::uint32_t, 2>> pairs;
     std::vector<bool> is_turned; // found out if it is needed
-    Finding counter;
     edges_.for_each_edge([&](const Edge_table::Edge& edge) {
       if(edge.size() <= 2)
         return;
       if(is_turned.empty())
         is_turned = pieces_.turned_faces();
-      const auto found = Edge_star(soup_, edge, pieces_, is_turned).pairs();
+      Edge_star star(soup_, edge, pieces_, is_turned);
+      const auto found = star.pairs();
       pairs.insert(pairs.end(), found.begin(), found.end());
-      counter.add([&] { return edge.name_with_faces(); });
+      if(star.size() > 2)
+        gluing_.crowded_edges.push_back(
+            {{edge.vertices[0], edge.vertices[1]}, static_cast<std::uint32_t>(star.size())});
     });
-    bool is_orientable = true;
     for(const auto& [h, g] : pairs)
-      is_orientable = glue(h, g) && is_orientable;
-    if(!is_orientable)
-      return false;
-    report(mended_, counter, "edge with more than two faces split",
-           "edges with more than two faces split");
-    return true;
+      glue(h, g);
   }
 
-  // A turned face has its halfedges in the opposite order.
-  static std::uint32_t turned(std::uint32_t h) { return h - h % 3 + (2 - h % 3); }
-
   void turn_faces() {
-    const std::vector<bool> is_turned = pieces_.turned_faces();
-    Finding counter;
-    const auto place = [&](std::uint32_t h) { return is_turned[h / 3] ? turned(h) : h; };
-    Neighbors neighbors(neighbors_.size(), no_halfedge);
-    for(std::uint32_t h = 0; h < neighbors_.size(); ++h)
-      if(neighbors_[h] != no_halfedge)
-        neighbors[place(h)] = place(neighbors_[h]);
-    neighbors_ = std::move(neighbors);
+    gluing_.is_turned = pieces_.turned_faces();
+    const auto place = [&](std::uint32_t h) { return gluing_.is_turned[h / 3] ? turned(h) : h; };
+    Neighbors neighbors(gluing_.neighbors.size(), no_halfedge);
+    for(std::uint32_t h = 0; h < neighbors.size(); ++h)
+      if(gluing_.neighbors[h] != no_halfedge)
+        neighbors[place(h)] = place(gluing_.neighbors[h]);
+    gluing_.neighbors = std::move(neighbors);
+    turn(mended_.soup, gluing_.is_turned);
+  }
+
+  void drop_one_sided_pieces() {
+    std::vector<bool> is_dropped(soup_.faces.size());
     for(std::uint32_t f = 0; f < soup_.faces.size(); ++f)
-      if(is_turned[f]) {
-        std::swap(soup_.faces[f][1], soup_.faces[f][2]);
-        counter.add([&] { return name_of_face(mended_.face_in_file[f]); });
-      }
-    report(mended_, counter, "face turned over", "faces turned over");
+      is_dropped[f] = pieces_.is_one_sided(f);
+    drop_faces(mended_, gluing_, is_dropped);
   }
 
   Mended_soup& mended_;
   Soup& soup_ = mended_.soup;
   const Edge_table edges_{soup_};
   Face_pieces pieces_{soup_.faces.size()};
-  Neighbors neighbors_ = Neighbors(3 * soup_.faces.size(), no_halfedge);
+  Gluing gluing_{Neighbors(3 * soup_.faces.size(), no_halfedge), {}, {}};
 };
 
 } // namespace
 
-std::optional<Neighbors> glue_faces(Mended_soup& mended) { return Gluer(mended).run(); }
+std::optional<Gluing> glue_faces(Mended_soup& mended, bool do_drop_one_sided) {
+  return Gluer(mended).run(do_drop_one_sided);
+}
+
+void turn(Soup& soup, const std::vector<bool>& is_turned) {
+  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+    if(is_turned[f])
+      std::swap(soup.faces[f][1], soup.faces[f][2]);
+}
+
+void drop_faces(Mended_soup& mended, Gluing& gluing, const std::vector<bool>& is_dropped) {
+  const std::size_t number_before = mended.soup.faces.size();
+  std::vector<std::uint32_t> number(number_before);
+  std::uint32_t kept = 0;
+  for(std::size_t f = 0; f < number_before; ++f)
+    if(!is_dropped[f]) {
+      mended.soup.faces[kept] = mended.soup.faces[f];
+      mended.face_in_file[kept] = mended.face_in_file[f];
+      gluing.is_turned[kept] = gluing.is_turned[f];
+      number[f] = kept++;
+    }
+  for(std::size_t h = 0; h < 3 * number_before; ++h)
+    if(!is_dropped[h / 3]) {
+      const std::uint32_t g = gluing.neighbors[h];
+      gluing.neighbors[3 * number[h / 3] + h % 3] =
+          g == no_halfedge ? no_halfedge : 3 * number[g / 3] + g % 3;
+    }
+  mended.soup.faces.resize(kept);
+  mended.face_in_file.resize(kept);
+  gluing.is_turned.resize(kept);
+  gluing.neighbors.resize(3 * std::size_t(kept));
+}
+
+void drop_pillows(Mended_soup& mended, Gluing& gluing) {
+  const Neighbors& neighbors = gluing.neighbors;
+  std::vector<bool> is_dropped(mended.soup.faces.size(), false);
+  bool has_any = false;
+  for(std::uint32_t h = 0; h < neighbors.size(); h += 3) {
+    const auto face_beyond = [&](std::uint32_t halfedge) {
+      return neighbors[halfedge] == no_halfedge ? h / 3 : neighbors[halfedge] / 3;
+    };
+    const std::uint32_t g = face_beyond(h);
+    is_dropped[h / 3] = g != h / 3 && face_beyond(h + 1) == g && face_beyond(h + 2) == g;
+    if(is_dropped[h / 3])
+      mended.log.add_face(Change_kind::PILLOW_FACES_DROPPED, mended.face_in_file[h / 3]);
+    has_any = has_any || is_dropped[h / 3];
+  }
+  if(has_any)
+    drop_faces(mended, gluing, is_dropped);
+}
 
 } // namespace htloops

@@ -27,12 +27,16 @@ std::string message(const std::string& file, const std::vector<Defect>& defects)
   return text + "\n";
 }
 
-// What has been done already, as numbers are those of afterwards.
-std::string words_on_changes(const std::vector<Change>& changes) {
-  std::string text = changes.empty() ? "" : "\nthat is after it was mended:";
+std::string lines_of(const std::vector<Change>& changes) {
+  std::string text;
   for(const Change& change : changes)
     text += "\n  " + std::to_string(change.count) + " " + change.words;
   return text;
+}
+
+// What has been done already, as numbers are those of afterwards.
+std::string words_on_changes(const std::vector<Change>& changes) {
+  return changes.empty() ? "" : "\nthat is after it was mended:" + lines_of(changes);
 }
 
 // The file is read once more, as mending has used up what there was.
@@ -55,29 +59,34 @@ void mark_cuts(Mesh& mesh, const Mended_soup& mended) {
   }
 }
 
-bool has_only(const std::vector<Defect>& defects, Mesh_defect kind) {
-  return std::all_of(defects.begin(), defects.end(),
-                     [kind](const Defect& defect) { return defect.kind == kind; });
+// Whether all that would be done is of a kind, and to as many elements as were found.
+bool is_only(const std::vector<Change>& changes, Change_kind kind, const Defect& defect) {
+  return std::all_of(changes.begin(), changes.end(), [&](const Change& change) {
+    return change.kind == kind && change.count == defect.count;
+  });
 }
 
-bool would_help(const Soup& soup, const Remedies& remedies) {
-  return diagnose(mend(soup, remedies).soup).defects.empty();
+std::string promise_of(const Remedies& remedies) {
+  return remedies.do_triangulate && remedies.do_repair ? "--triangulate and --repair together mend"
+         : remedies.do_triangulate                     ? "--triangulate mends"
+                                                       : "--repair mends";
 }
 
-// What it would do, where that can be said in a word.
-std::string words_for(const Remedies& remedies, const std::vector<Defect>& defects) {
-  if(remedies.do_triangulate && remedies.do_repair)
-    return "--triangulate and --repair together mend this";
-  const bool is_one = defects.front().count == 1;
-  if(remedies.do_triangulate)
-    return std::string("--triangulate makes ") + (is_one ? "it triangles" : "them triangles");
-  if(has_only(defects, Mesh_defect::BOUNDARY_EDGE))
-    return "--repair welds them";
-  if(has_only(defects, Mesh_defect::DEGENERATE_FACE))
-    return std::string("--repair drops ") + (is_one ? "it" : "them");
-  if(has_only(defects, Mesh_defect::NON_MANIFOLD_VERTEX))
-    return std::string("--repair splits ") + (is_one ? "it" : "them");
-  return "--repair mends this";
+// In a word where that says it all, else in full what it would do.
+std::string words_for(const Remedies& remedies,
+                      const std::vector<Defect>& defects,
+                      const std::vector<Change>& changes) {
+  const Defect& first = defects.front();
+  const bool is_one = first.count == 1;
+  if(defects.size() == 1) {
+    if(is_only(changes, Change_kind::FACES_TRIANGULATED, first))
+      return std::string("--triangulate makes ") + (is_one ? "it triangles" : "them triangles");
+    if(is_only(changes, Change_kind::DEGENERATE_FACES_DROPPED, first))
+      return std::string("--repair drops ") + (is_one ? "it" : "them");
+    if(is_only(changes, Change_kind::VERTICES_SPLIT, first))
+      return std::string("--repair splits ") + (is_one ? "it" : "them");
+  }
+  return promise_of(remedies) + " this:" + lines_of(changes);
 }
 
 } // namespace
@@ -104,15 +113,17 @@ Mesh read_mesh(const Input_file& file) { return read_mesh(file, Remedies()).mesh
 // What helps alone is said even where the other one was given: it was of no use.
 std::string
 words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Remedies& given) {
-  constexpr Remedies both = {true, true}, candidates[] = {{true, false}, {false, true}, both};
-  const bool are_all_given = given.do_triangulate && given.do_repair;
-  for(const Remedies& remedies : candidates) {
-    const bool is_given =
-        remedies.do_triangulate == given.do_triangulate && remedies.do_repair == given.do_repair;
-    if(!are_all_given && !is_given && would_help(soup, remedies))
-      return words_for(remedies, defects);
+  constexpr bool candidates[][2] = {{true, false}, {false, true}, {true, true}};
+  const bool are_all_given = given.do_triangulate && given.do_repair && given.steps.all();
+  bool is_one_sided = false;
+  for(const auto& [do_triangulate, do_repair] : candidates) {
+    const Remedies remedies = {do_triangulate, do_repair};
+    const Mended_soup mended = mend(soup, remedies);
+    is_one_sided = mended.is_one_sided;
+    if(!are_all_given && diagnose(mended.soup).defects.empty())
+      return words_for(remedies, defects, mended.changes);
   }
-  if(mend(soup, both).is_one_sided)
+  if(is_one_sided)
     return "no option mends this, as the surface is not orientable";
   return given.any() ? "no other option mends this" : "no option mends this";
 }

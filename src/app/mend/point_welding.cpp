@@ -145,19 +145,19 @@ std::vector<Counted_edge> edges_of(const Soup& soup) {
 class Welder
 {
 public:
-  explicit Welder(Mended_soup& mended)
-      : mended_(mended) {}
+  explicit Welder(Soup& soup)
+      : soup_(soup) {}
 
-  void run() {
+  bool run() {
     const std::vector<Counted_edge> edges = edges_of(soup_);
     if(std::none_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.is_open(); }))
-      return;
+      return false;
     Point_merger merger;
     for(const Point& point : soup_.points)
       places_.push_back(merger.number(point));
     number_of_places_ = merger.take_points().size();
     choose_vertices(edges);
-    weld();
+    return weld();
   }
 
 private:
@@ -188,10 +188,10 @@ private:
     }
   }
 
-  void weld() {
+  bool weld() {
     std::vector<std::uint32_t> first_at(number_of_places_, no_point);
     std::vector<std::uint32_t> welded(soup_.points.size());
-    Finding counter;
+    bool is_any_welded = false;
     for(std::uint32_t v = 0; v < soup_.points.size(); ++v) {
       welded[v] = v;
       if(!is_welded_[v])
@@ -200,7 +200,7 @@ private:
       if(first == no_point)
         first = v;
       else
-        counter.add([&] { return name_of_vertex(v) + " with " + name_of_vertex(first); });
+        is_any_welded = true;
       welded[v] = first;
     }
     for(Soup_face& face : soup_.faces)
@@ -208,12 +208,10 @@ private:
         v = welded[v];
     for(std::uint32_t& v : soup_.further_corners)
       v = welded[v];
-    report(mended_, counter, "vertex welded with another at the same place",
-           "vertices welded with others at the same place");
+    return is_any_welded;
   }
 
-  Mended_soup& mended_;
-  Soup& soup_ = mended_.soup;
+  Soup& soup_;
   std::vector<std::uint32_t> places_; // of points: equal ones have the same number
   std::size_t number_of_places_ = 0;
   std::vector<bool> is_welded_;
@@ -221,6 +219,6 @@ private:
 
 } // namespace
 
-void weld_points(Mended_soup& mended) { Welder(mended).run(); }
+bool weld_points(Mended_soup& mended) { return Welder(mended.soup).run(); }
 
 } // namespace htloops

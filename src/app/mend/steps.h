@@ -30,15 +30,6 @@
 
 namespace htloops {
 
-/// `one` and `many` are what happened to one element or to several.
-inline void report(Mended_soup& mended,
-                   const Finding& finding,
-                   const std::string& one,
-                   const std::string& many) {
-  if(finding.count() != 0)
-    mended.changes.push_back({finding.count(), finding.words(one, many)});
-}
-
 /// The vertices of a face of any size, in their order.
 using Corners = std::vector<std::uint32_t>;
 
@@ -105,8 +96,8 @@ inline Exact_point exact_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 /// makes one vertex of those at the same place, exactly, where an edge without a second face lies
 /// on another edge. Faces with the same sides count as one. What touches in points stays apart, and
-/// a mesh without such edges as it is.
-void weld_points(Mended_soup& mended);
+/// a mesh without such edges as it is. True if anything was welded; see `report_vertices()`.
+bool weld_points(Mended_soup& mended);
 
 /// takes out corners that name the vertex before them again, and faces of which no three are left.
 void drop_degenerate_faces(Mended_soup& mended);
@@ -134,17 +125,50 @@ using Neighbors = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t no_halfedge = static_cast<std::uint32_t>(-1);
 
+/// An edge that has more than two faces.
+struct Crowded_edge
+{
+  std::array<std::uint32_t, 2> vertices;
+  std::uint32_t number_of_faces;
+};
+
+/// Which faces are neighbors, once those are turned over that have to be for neighbors to agree.
+struct Gluing
+{
+  Neighbors neighbors;
+  std::vector<bool> is_turned; ///< of each face
+  std::vector<Crowded_edge> crowded_edges;
+};
+
 /// decides which faces are neighbors, and turns faces so that neighbors agree: as few as possible
-/// of each piece. Nothing, and no face is turned, if a piece is not orientable.
-std::optional<Neighbors> glue_faces(Mended_soup& mended);
+/// of each piece. Pieces, of faces that are connected over edges of two, which are not orientable
+/// are dropped if `do_drop_one_sided` and there are others. Nothing, and no face is turned, if one
+/// stays.
+std::optional<Gluing> glue_faces(Mended_soup& mended, bool do_drop_one_sided);
+
+/// turns faces over.
+void turn(Soup& soup, const std::vector<bool>& is_turned);
+
+/// takes faces out; those that were their neighbors have none there.
+void drop_faces(Mended_soup& mended, Gluing& gluing, const std::vector<bool>& is_dropped);
+
+/// takes out pairs of faces that are neighbors along all their edges.
+void drop_pillows(Mended_soup& mended, Gluing& gluing);
 
 /// gives each fan of faces, from neighbor to neighbor, a vertex of its own: the first keeps the one
-/// that there is. Neighbors must agree.
-void split_vertices(Mended_soup& mended, const Neighbors& neighbors);
+/// that there is. Neighbors must agree. True if there are vertices more; see `report_vertices()`.
+bool split_vertices(Mended_soup& mended, const Neighbors& neighbors);
 
 /// divides edges in the middle that join the same two vertices as another one: of those the first
 /// stays. Fans must have vertices of their own.
-void divide_parallel_edges(Mended_soup& mended, Neighbors& neighbors);
+void divide_parallel_edges(Mended_soup& mended, Gluing& gluing);
+
+/// reports which vertices of `before` have become one, and which several, by comparing the corners
+/// of the faces that are left: what was welded and then split again as it was is neither.
+void report_vertices(const Soup& before, Mended_soup& mended);
+
+/// reports by how much there are fewer, or more, edges with a face on one side only.
+void report_boundary(const Soup& before, Mended_soup& mended);
 
 } // namespace htloops
 

@@ -216,19 +216,16 @@ public:
       : mended_(mended) {}
 
   void run() {
-    Finding counter;
     replace_faces(mended_, [&](std::size_t f, const Corners& corners, Soup& soup) {
       if(corners.size() <= 3) {
         add_face(soup, corners);
       } else {
-        counter.add([&] { return name_of_face(mended_.face_in_file[f]); });
+        mended_.log.add_face(Change_kind::FACES_TRIANGULATED, mended_.face_in_file[f]);
         for(const auto& [u, v, w] : triangles_of(corners))
           add_face(soup, {u, v, w});
       }
     });
     keep_diagonals();
-    report(mended_, counter, "face of more than three vertices made triangles",
-           "faces of more than three vertices made triangles");
   }
 
 private:

@@ -26,17 +26,12 @@ public:
       : mended_(mended)
       , neighbors_(neighbors) {}
 
-  void run() {
-    const auto number_of_vertices = static_cast<std::uint32_t>(number_of_fans_.size());
+  bool run() {
+    const std::size_t number_before = mended_.soup.points.size();
     for(std::uint32_t corner = 0; corner < neighbors_.size(); ++corner)
       if(!is_seen_[corner])
         take_fan(corner);
-    Finding counter;
-    for(std::uint32_t v = 0; v < number_of_vertices; ++v)
-      if(number_of_fans_[v] > 1)
-        counter.add(
-            [&] { return name_of_vertex(v) + " into " + std::to_string(number_of_fans_[v]); });
-    report(mended_, counter, "vertex split", "vertices split");
+    return mended_.soup.points.size() != number_before;
   }
 
 private:
@@ -84,24 +79,21 @@ Point middle_of(const Point& p, const Point& q) {
 class Divider
 {
 public:
-  Divider(Mended_soup& mended, Neighbors& neighbors)
+  Divider(Mended_soup& mended, Gluing& gluing)
       : mended_(mended)
-      , neighbors_(neighbors) {}
+      , gluing_(gluing) {}
 
   void run() {
-    Finding counter;
     for(std::uint32_t h : surplus_edges()) {
       // Where it is by now.
       for(auto moved = moved_.find(h); moved != moved_.end(); moved = moved_.find(h))
         h = moved->second;
-      counter.add([&] {
+      mended_.log.add(Change_kind::EDGES_DIVIDED, [&] {
         return name_of_edge(mended_.in_file(soup_.source(h)),
                             mended_.in_file(soup_.source(next_in_triangle(h))));
       });
       divide(h);
     }
-    report(mended_, counter, "edge beside another one divided in the middle",
-           "edges beside others divided in the middle");
   }
 
 private:
@@ -148,6 +140,7 @@ private:
     soup_.faces.push_back(face);
     mended_.face_in_file.push_back(std::uint32_t(mended_.face_in_file[h / 3]));
     soup_.faces[next / 3][next % 3] = middle;
+    gluing_.is_turned.push_back(bool(gluing_.is_turned[h / 3]));
     neighbors_.resize(neighbors_.size() + 3, no_halfedge);
     glue(first + 1, neighbors_[next]);
     moved_[next] = first + 1;
@@ -157,18 +150,17 @@ private:
 
   Mended_soup& mended_;
   Soup& soup_ = mended_.soup;
-  Neighbors& neighbors_;
+  Gluing& gluing_;
+  Neighbors& neighbors_ = gluing_.neighbors;
   std::unordered_map<std::uint32_t, std::uint32_t> moved_;
 };
 
 } // namespace
 
-void split_vertices(Mended_soup& mended, const Neighbors& neighbors) {
-  Splitter(mended, neighbors).run();
+bool split_vertices(Mended_soup& mended, const Neighbors& neighbors) {
+  return Splitter(mended, neighbors).run();
 }
 
-void divide_parallel_edges(Mended_soup& mended, Neighbors& neighbors) {
-  Divider(mended, neighbors).run();
-}
+void divide_parallel_edges(Mended_soup& mended, Gluing& gluing) { Divider(mended, gluing).run(); }
 
 } // namespace htloops

@@ -76,6 +76,20 @@ struct Node
 
   double number() const { return number(value); }
 
+  std::string text() const {
+    if(!value.is_string())
+      fail("is not a text");
+    return value.get<std::string>();
+  }
+
+  std::array<long long, 3> integers() const {
+    check_is_triple();
+    for(const Json& x : value)
+      if(!x.is_number_integer())
+        fail("has something that is not an integer");
+    return {value[0].get<long long>(), value[1].get<long long>(), value[2].get<long long>()};
+  }
+
   bool is(const char* text) const { return value.is_string() && value == text; }
 
   std::size_t size() const { return value.size(); }
@@ -117,9 +131,18 @@ private:
   }
 };
 
+// What older files do not say.
+template <typename Value, typename Read>
+void read_if_said(const Node& node, const char* key, std::optional<Value>& value, Read read) {
+  if(node.has(key))
+    value = (node.member(key).*read)();
+}
+
 Loop_record read_loop(const Node& node) {
   Loop_record loop;
   loop.length = node.member("length").number();
+  read_if_said(node, "bounds", loop.bounds, &Node::text);
+  read_if_said(node, "bounds_alone", loop.bounds_alone, &Node::text);
   const Node locations = node.member("locations"), points = node.member("points");
   loop.locations.reserve(locations.size());
   locations.for_each("position",
@@ -147,12 +170,23 @@ Loops_record read_document(const Node& document) {
   const Node mesh = document.member("mesh");
   record.number_of_vertices = mesh.member("vertices").count();
   record.number_of_faces = mesh.member("faces").count();
+  read_if_said(mesh, "components", record.number_of_components, &Node::count);
+  read_if_said(mesh, "boundaries", record.number_of_boundaries, &Node::count);
+  read_if_said(mesh, "genus", record.genus, &Node::count);
   record.basis_kind = basis_kind(document);
   const Node pairs = document.member("pairs");
   record.pairs.reserve(pairs.size());
   pairs.for_each("pair", [&](const Node& pair) {
-    record.pairs.push_back({read_loop(pair.member("handle")), read_loop(pair.member("tunnel"))});
+    record.pairs.push_back(
+        {read_loop(pair.member("handle")), read_loop(pair.member("tunnel")), {}});
+    read_if_said(pair, "size", record.pairs.back().size,
+                 static_cast<double (Node::*)() const>(&Node::number));
   });
+  if(document.has("linking")) {
+    record.linking.emplace();
+    document.member("linking").for_each(
+        "entry", [&](const Node& entry) { record.linking->push_back(entry.integers()); });
+  }
   record.has_boundaries = document.has("boundaries");
   if(record.has_boundaries)
     document.member("boundaries").for_each("boundary", [&](const Node& curve) {
@@ -176,9 +210,21 @@ public:
   Bound_loops bind() {
     result_.basis_kind = record_.basis_kind;
     result_.has_boundaries = record_.has_boundaries;
-    if(!is_same_mesh())
-      return std::move(result_);
-    measure_mesh();
+    if(is_same_mesh()) {
+      measure_mesh();
+      bind_all();
+    }
+    result_.are_placed = problems_[MISPLACED].empty();
+    for(const std::vector<std::string>& problems : problems_)
+      result_.problems.insert(result_.problems.end(), problems.begin(), problems.end());
+    return std::move(result_);
+  }
+
+private:
+  // The worst first.
+  enum Severity { MISPLACED, WRONG_POINT, WRONG_LENGTH };
+
+  void bind_all() {
     for(std::size_t i = 0; i < record_.pairs.size(); ++i) {
       const auto bind_one_of_pair = [&](Loop_type type) {
         place_ = "pair " + std::to_string(i) + ", " + name_of(type);
@@ -196,20 +242,20 @@ public:
       if(boundary.waist)
         result_.waists.push_back(bind_loop(*boundary.waist, Loop_type::BOUNDARY, i));
     }
-    return std::move(result_);
   }
 
-private:
-  void add_problem(const std::string& problem) { result_.problems.push_back(problem); }
+  void add_problem(Severity severity, const std::string& problem) {
+    problems_[severity].push_back(problem);
+  }
 
   bool is_same_mesh() {
     const std::size_t vertices = mesh_.number_of_vertices(), faces = mesh_.number_of_faces();
     if(record_.number_of_vertices == vertices && record_.number_of_faces == faces)
       return true;
-    add_problem("it is about a mesh of " + std::to_string(record_.number_of_vertices) +
-                " vertices and " + std::to_string(record_.number_of_faces) +
-                " faces; this one has " + std::to_string(vertices) + " and " +
-                std::to_string(faces));
+    add_problem(MISPLACED, "it is about a mesh of " + std::to_string(record_.number_of_vertices) +
+                               " vertices and " + std::to_string(record_.number_of_faces) +
+                               " faces; this one has " + std::to_string(vertices) + " and " +
+                               std::to_string(faces));
     return false;
   }
 
@@ -223,8 +269,9 @@ private:
 
   Loop bind_loop(const Loop_record& record, Loop_type type, std::size_t number) {
     if(record.locations.size() != record.points.size())
-      add_problem(place_ + ": " + std::to_string(record.locations.size()) + " locations, but " +
-                  std::to_string(record.points.size()) + " points");
+      add_problem(WRONG_POINT, place_ + ": " + std::to_string(record.locations.size()) +
+                                   " locations, but " + std::to_string(record.points.size()) +
+                                   " points");
     std::vector<Loop::Step> steps;
     std::vector<Point> points;
     for(std::size_t i = 0; i < record.locations.size(); ++i) {
@@ -238,12 +285,12 @@ private:
       if(i < record.points.size())
         check_point(points.back(), record.points[i]);
     }
-    check_length(record, points);
-    return Loop(std::move(steps), std::move(points), record.length, type, number);
+    const double length = checked_length(record, points);
+    return Loop(std::move(steps), std::move(points), length, type, number);
   }
 
-  void add_problem_here(const std::string& problem) {
-    add_problem(place_ + ", position " + std::to_string(position_) + ": " + problem);
+  void add_problem_here(const std::string& problem, Severity severity = MISPLACED) {
+    add_problem(severity, place_ + ", position " + std::to_string(position_) + ": " + problem);
   }
 
   // the null halfedge if there is no such place.
@@ -256,7 +303,7 @@ private:
         is_sound = false;
       }
     if(!(location.ratio >= 0. && location.ratio <= 1.)) {
-      add_problem_here("the ratio " + std::to_string(location.ratio) + " is not between 0 and 1");
+      add_problem_here("the ratio " + in_words(location.ratio) + " is not between 0 and 1");
       is_sound = false;
     }
     if(!is_sound)
@@ -281,12 +328,13 @@ private:
   void check_point(const Point& expected, const std::array<double, 3>& found) {
     for(int i = 0; i < 3; ++i)
       if(!(std::abs(expected[i] - found[i]) <= tolerance_)) {
-        add_problem_here("the point is not where the location is");
+        add_problem_here("the point is not where the location is", WRONG_POINT);
         return;
       }
   }
 
-  void check_length(const Loop_record& record, const std::vector<Point>& points) {
+  // That of the file, unless it is wrong.
+  double checked_length(const Loop_record& record, const std::vector<Point>& points) {
     double length = 0.;
     for(std::size_t i = 0; i < points.size(); ++i) {
       const Point& p = points[i];
@@ -294,18 +342,21 @@ private:
       length += std::hypot(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
     }
     if(points.size() != record.locations.size() || length == record.length)
-      return;
+      return record.length;
     const double tolerance =
         relative_tolerance * length + tolerance_ +
         8. * static_cast<double>(points.size()) * std::numeric_limits<double>::denorm_min();
-    if(!(std::abs(length - record.length) <= tolerance))
-      add_problem(place_ + ": the length is given as " + in_words(record.length) + " and is " +
-                  in_words(length));
+    if(std::abs(length - record.length) <= tolerance)
+      return record.length;
+    add_problem(WRONG_LENGTH, place_ + ": the length is given as " + in_words(record.length) +
+                                  " and is " + in_words(length));
+    return length;
   }
 
   const Loops_record& record_;
   const Mesh& mesh_;
   Bound_loops result_;
+  std::array<std::vector<std::string>, 3> problems_; // by severity
   double tolerance_ = 0.;
   // Where the binder is, for messages.
   std::string place_;

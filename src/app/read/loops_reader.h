@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Location_record
 struct Loop_record
 {
   double length = 0.;
+  std::optional<std::string> bounds, bounds_alone;
   std::vector<Location_record> locations;
   std::vector<std::array<double, 3>> points;
 };
@@ -37,11 +39,15 @@ struct Loop_record
 struct Pair_record
 {
   Loop_record handle, tunnel;
+  std::optional<double> size; ///< as all that older files do not say
 
   const Loop_record& loop(Loop_type type) const {
     return type == Loop_type::HANDLE ? handle : tunnel;
   }
 };
+
+/// Row, column and value of a linking number.
+using Linking_record = std::array<long long, 3>;
 
 /// A boundary curve, and what was found to go around the same.
 struct Boundary_record
@@ -55,8 +61,10 @@ struct Loops_record
 {
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
+  std::optional<std::size_t> number_of_components, number_of_boundaries, genus;
   Basis_kind basis_kind = Basis_kind::PURE;
   std::vector<Pair_record> pairs;
+  std::optional<std::vector<Linking_record>> linking;
   bool has_boundaries = false; ///< older files do not say
   std::vector<Boundary_record> boundaries;
 };
@@ -72,11 +80,13 @@ struct Bound_loops
   Pairs pairs;                       ///< complete only if there is no problem
   bool has_boundaries = false;       ///< whether the file tells of them
   std::vector<Loop> curves, waists;  ///< of the boundary
-  std::vector<std::string> problems; ///< in words, naming pair, kind and position
+  bool are_placed = true;            ///< whether all that is named is on the mesh
+  std::vector<std::string> problems; ///< in words, naming pair, kind and position; worst first
 };
 
-/// finds the places that a file names on the mesh. A problem is an index or a ratio out of range,
-/// two vertices without an edge, a point that is not where its location is, a wrong length.
+/// finds the places that a file names on the mesh. A problem is another mesh, an index or a ratio
+/// out of range, two vertices without an edge, a point that is not where its location is, a wrong
+/// length. Where that is all, loops are complete, with the lengths that they have.
 Bound_loops bind_loops(const Loops_record& record, const Mesh& mesh);
 
 } // namespace htloops

@@ -190,10 +190,11 @@ std::string list_of_ways(const std::vector<Removed_handle>& handles) {
 
 } // namespace
 
-std::string table_of_changes(const std::string& file, const std::vector<Change>& changes) {
+std::string
+table_of_changes(const std::string& file, const std::vector<Change>& changes, bool is_dry_run) {
   if(changes.empty())
-    return "htloops: " + file + " needed no mending\n";
-  std::string table = "htloops: " + file + " was mended:\n";
+    return "htloops: " + file + (is_dry_run ? " needs" : " needed") + " no mending\n";
+  std::string table = "htloops: " + file + (is_dry_run ? " would be" : " was") + " mended:\n";
   for(const Change& change : changes)
     table += formatted("%9zu  ", change.count) + change.words + "\n";
   return table;

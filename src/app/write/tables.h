@@ -43,7 +43,9 @@ struct Table_column
 };
 
 /// what was done to the mesh of a file before anything was computed: a line for each kind.
-std::string table_of_changes(const std::string& file, const std::vector<Change>& changes);
+std::string table_of_changes(const std::string& file,
+                             const std::vector<Change>& changes,
+                             bool is_dry_run = false);
 
 /// the word for the side on which a loop bounds: inside, outside, neither or undecided.
 const char* word_for_side(const Loop_linking& linking);

@@ -12,6 +12,7 @@
 #include "app/words.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
+#include "commands/claims.h"
 #include "commands/command.h"
 #include "commands/options.h"
 
@@ -50,19 +51,44 @@ std::string praise(const Certificate& certificate, bool has_boundary, bool is_bo
          summary_of_sides(certificate) + indented(remarks);
 }
 
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+  lines.insert(lines.end(), more.begin(), more.end());
+}
+
+// The worst first: loops that are no basis, then what the file says that is not so.
+std::vector<std::string> findings(const Loops_record& record,
+                                  const Mesh& mesh,
+                                  const Bound_loops& loops,
+                                  const Certificate& certificate,
+                                  bool is_boundary_of_solid) {
+  std::vector<std::string> all;
+  // Names mean nothing where there is no inside.
+  if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
+    append(all, lines_of(certificate.failure));
+  if(loops.has_boundaries)
+    append(all, problems_of_boundaries(mesh, loops.curves, loops.waists));
+  append(all, loops.problems);
+  append(all, false_claims_on_surface(record, mesh));
+  append(all, false_claims_on_loops(record, mesh, loops.pairs, certificate));
+  return all;
+}
+
 void run(const Check_options& options) {
   check_mesh_format(options.written_mesh_file);
   const Mesh mesh = read_mesh(options);
   write_read_mesh(options, mesh);
-  const Bound_loops loops = read_loops_on(mesh, options.loops_file);
-  if(loops.has_boundaries)
-    require_none(options.loops_file, problems_of_boundaries(mesh, loops.curves, loops.waists));
+  const Loops_record record = read_loops_json(options.loops_file);
+  const Bound_loops loops = bind_loops(record, mesh);
+  if(!loops.are_placed) { // so nothing can be said of them
+    std::vector<std::string> all = loops.problems;
+    append(all, false_claims_on_surface(record, mesh));
+    require_none(options.loops_file, all);
+  }
   const Certificate certificate = certify(mesh, loops.pairs, loops.basis_kind, true);
   const bool is_boundary_of_solid =
       loops.pairs.empty() || !touches_itself(mesh, throw_if_interrupted);
-  // Names mean nothing where there is no inside.
-  if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
-    require_none(options.loops_file, lines_of(certificate.failure));
+  require_none(options.loops_file,
+               findings(record, mesh, loops, certificate, is_boundary_of_solid));
   if(!options.is_quiet)
     show_text(options.loops_file + ": " +
                   praise(certificate, !CGAL::is_closed(mesh), is_boundary_of_solid) + "\n",
@@ -73,9 +99,9 @@ constexpr char check_description[] =
     R"(Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop
 crosses its handle loop once, and which of them bound inside and outside the surface.
 
-The certificate is computed from the two files alone; what the JSON says of itself is ignored,
-but for the kind of basis: of the shortest one it is not asked that pairs cross once.
-A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel
+The certificate is computed from the two files alone. What the JSON says besides has to agree
+with it: points, lengths, sizes, sides, linking numbers, the genus. All that is wrong is said,
+the worst first. Of the shortest basis it is not asked that pairs cross once. A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel
 loop that have each other's names are one.
 )";
 

@@ -190,17 +190,28 @@ void check_loops_options(const Loops_options& options) {
     refuse_files_of_one_mesh(options);
 }
 
+Json names_of(const Repair_steps& steps) {
+  Json names = Json::array();
+  for(std::size_t i = 0; i < number_of_repair_steps; ++i)
+    if(steps.test(i))
+      names.push_back(name_of(static_cast<Repair_step>(i)));
+  return names;
+}
+
 Json json_of(const Loops_options& options) {
-  return {{"basis", options.basis},
-          {"classify", options.is_literal ? "offset" : options.classifier},
-          {"backend", options.backend},
-          {"literal", options.is_literal},
-          {"seed", options.seed ? Json(*options.seed) : Json()},
-          {"refine", !options.do_not_refine},
-          {"tighten", !options.do_not_tighten && !options.is_literal},
-          {"waists", options.do_find_waists},
-          {"triangulate", options.remedies.do_triangulate},
-          {"repair", options.remedies.do_repair}};
+  Json json = {{"basis", options.basis},
+               {"classify", options.is_literal ? "offset" : options.classifier},
+               {"backend", options.backend},
+               {"literal", options.is_literal},
+               {"seed", options.seed ? Json(*options.seed) : Json()},
+               {"refine", !options.do_not_refine},
+               {"tighten", !options.do_not_tighten && !options.is_literal},
+               {"waists", options.do_find_waists},
+               {"triangulate", options.remedies.do_triangulate},
+               {"repair", options.remedies.do_repair}};
+  if(options.remedies.do_repair && !options.remedies.steps.all())
+    json["repair_steps"] = names_of(options.remedies.steps);
+  return json;
 }
 
 std::pair<Mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress) {

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -131,6 +132,25 @@ void add_format_option(CLI::App& command, Mesh_options& options) {
       ->group("What to read");
 }
 
+void add_repair_steps(CLI::App& command, const char* name, Remedies& remedies) {
+  std::map<std::string, Repair_step> steps;
+  for(std::size_t i = 0; i < number_of_repair_steps; ++i)
+    steps[name_of(static_cast<Repair_step>(i))] = static_cast<Repair_step>(i);
+  const auto take = [&remedies, steps](const std::vector<std::string>& names) {
+    remedies.do_repair = true;
+    remedies.steps.reset();
+    for(const std::string& step : names)
+      remedies.steps.set(static_cast<std::size_t>(steps.at(step)));
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          name, take, "some steps of the repair instead of all, with commas between them")
+      ->option_text("STEP,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(steps));
+}
+
 void add_remedy_options(CLI::App& command, Mesh_options& options) {
   command.option_defaults()->group("If the mesh is not fit as it is");
   command.add_flag("--triangulate", options.remedies.do_triangulate,
@@ -138,6 +158,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
   command.add_flag("--repair", options.remedies.do_repair,
                    "weld points, drop degenerate and duplicate faces, split edges and\n"
                    "vertices with too many faces, turn faces over; says what it did");
+  add_repair_steps(command, "--repair-steps", options.remedies);
   add_output(command, "--write-mesh", "FILE", options.written_mesh_file,
              "the mesh as it is then, which the answer is about: .off .obj .ply .stl");
 }

@@ -58,6 +58,9 @@ void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::stri
 /// declares how its format is told if its name does not.
 void add_format_option(CLI::App& command, Mesh_options& options);
 
+/// declares which steps of the repair are to be done; asking for some asks for the repair.
+void add_repair_steps(CLI::App& command, const char* name, Remedies& remedies);
+
 /// declares what may be done to it.
 void add_remedy_options(CLI::App& command, Mesh_options& options);
 

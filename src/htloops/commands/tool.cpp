@@ -118,6 +118,7 @@ Examples:
   htloops reeb torus.off --picture reeb.png       draws its Reeb graph
   htloops cut torus.off -o open.obj               cuts it open to a disk
   htloops remove torus.off -o ball.off            removes its handle
+  htloops repair soup.stl -o sound.off            makes a manifold of a mesh that is none
   htloops loops --help                            says more of a command
 )";
 
@@ -181,6 +182,7 @@ int run_tool(int argc, char** argv) {
   add_reeb_command(app, command);
   add_cut_command(app, command);
   add_remove_command(app, command);
+  add_repair_command(app, command);
   add_check_command(app, command);
   add_generate_command(app, command);
   add_help_commands(app, command);

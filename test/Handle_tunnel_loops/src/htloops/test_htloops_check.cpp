@@ -18,12 +18,15 @@
 #include "generators/generators.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/self_contact.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <utility>
 
 namespace test_htloops_check {
@@ -70,6 +73,154 @@ TEST(Self_contact, is_what_cgal_says) {
   }
   EXPECT_GT(number_that_touch, number / 10);
   EXPECT_LT(number_that_touch, number * 9 / 10 + 1);
+}
+
+namespace internal = CGAL::Handle_tunnel_loops::internal;
+
+internal::Contact_search contact_search(const Soup& soup) {
+  std::vector<internal::Contact_search::Triangle> triangles;
+  for(const auto& t : soup.triangles)
+    triangles.push_back({t, {soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]}});
+  return internal::Contact_search(std::move(triangles));
+}
+
+struct Search_result
+{
+  bool has_contact = false;
+  std::size_t candidates = 0, work = 0;
+};
+
+Search_result search(const Soup& soup) {
+  const auto placed = [&](internal::Index i) {
+    internal::Placed_triangle t;
+    t.vertices = soup.triangles[i];
+    for(std::size_t k = 0; k < 3; ++k) {
+      const auto& p = soup.points[t.vertices[k]];
+      t.points[k] = {p[0], p[1], p[2]};
+    }
+    return t;
+  };
+  const internal::Contact_search contacts = contact_search(soup);
+  Search_result result;
+  contacts.for_each_candidate({}, [&](internal::Index i, internal::Index j) {
+    EXPECT_NE(i, j);
+    ++result.candidates;
+    result.has_contact = result.has_contact || internal::are_in_contact(placed(i), placed(j));
+  });
+  result.work = contacts.work();
+  return result;
+}
+
+// Poles of so many faces, and rings of long ones between them.
+Soup sphere_with_hubs(std::uint32_t valence, std::uint32_t rings) {
+  Soup soup;
+  soup.points = {{0., 0., 1.}, {0., 0., -1.}};
+  const double pi = 3.14159265358979;
+  for(std::uint32_t r = 0; r < rings; ++r)
+    for(std::uint32_t i = 0; i < valence; ++i) {
+      const double b = pi * (r + 1) / (rings + 1), a = 2. * pi * i / valence + 0.1;
+      soup.points.push_back({std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)});
+    }
+  for(std::uint32_t i = 0; i < valence; ++i) {
+    const std::uint32_t j = (i + 1) % valence, last = 2 + (rings - 1) * valence;
+    soup.triangles.push_back({0, 2 + i, 2 + j});
+    soup.triangles.push_back({1, last + j, last + i});
+    for(std::uint32_t v = 2; v < last; v += valence) {
+      soup.triangles.push_back({v + i, v + valence + i, v + valence + j});
+      soup.triangles.push_back({v + i, v + valence + j, v + j});
+    }
+  }
+  return soup;
+}
+
+// Coarse tori, one around the other.
+Soup layers(std::uint32_t number) {
+  Soup soup;
+  constexpr std::uint32_t n = 6, m = 4;
+  for(std::uint32_t s = 0; s < number; ++s) {
+    const double radius = 0.4 + 0.5 * s / number;
+    for(std::uint32_t i = 0; i < n; ++i)
+      for(std::uint32_t j = 0; j < m; ++j) {
+        const double a = 6.28318530717958 * i / n + 0.05, b = 6.28318530717958 * j / m + 0.3;
+        const double x = 3. + radius * std::cos(b);
+        soup.points.push_back({x * std::cos(a), x * std::sin(a), radius * std::sin(b)});
+        const auto at = [&](std::uint32_t k, std::uint32_t l) {
+          return n * m * s + k % n * m + l % m;
+        };
+        soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+  }
+  return soup;
+}
+
+TEST(Contact_search, is_what_cgal_says) {
+  std::size_t number_that_touch = 0;
+  const std::size_t number = number_of_cases(150);
+  for(unsigned seed = 0; seed < number; ++seed) {
+    generators::Random random(seed);
+    Soup soup = seed % 3 == 0   ? sphere_with_hubs(70 + seed, 1 + seed % 4)
+                : seed % 3 == 1 ? layers(5 + seed % 7)
+                                : soup_of(Recipe{"multi-torus", {900, 1 + seed % 3, seed}});
+    const std::size_t number_moved = seed % 4; // some of the points, by a little
+    for(std::size_t k = 0; k < number_moved; ++k)
+      for(double& x : soup.points[random.below(soup.points.size())])
+        x += random.uniform(-0.05, 0.05);
+    const bool touches = touches_itself_by_cgal(soup);
+    EXPECT_EQ(search(soup).has_contact, touches) << "seed " << seed;
+    EXPECT_EQ(touches_itself(::mesh_of(soup)), touches) << "seed " << seed;
+    number_that_touch += touches ? 1 : 0;
+  }
+  EXPECT_GT(number_that_touch, number / 10);
+  EXPECT_LT(number_that_touch, number * 9 / 10 + 1);
+}
+
+// At a hub, faces are compared by directions alone.
+TEST(Contact_search, sees_folds_at_hubs) {
+  for(const std::uint32_t i : {5u, 700u, 1999u}) {
+    Soup soup = sphere_with_hubs(2000, 2);
+    EXPECT_FALSE(search(soup).has_contact);
+    std::swap(soup.points[2 + i], soup.points[2 + (i + 1000) % 2000]);
+    EXPECT_TRUE(search(soup).has_contact) << i;
+  }
+}
+
+TEST(Placed_boxes, ends_soon_after_what_is_looked_for) {
+  constexpr std::size_t n = 4000;
+  const auto box = [](std::size_t i) {
+    return internal::Box<3>{{double(i), 0., 0.}, {double(i) + 1., 1., 1.}}; // in a row
+  };
+  const internal::Placed_boxes row({}, n, box);
+  std::size_t number_asked = 0;
+  const auto count = [&](std::size_t wanted) {
+    number_asked = 0;
+    return row.any_meeting(row, box, box, [&](internal::Index i, internal::Index j) {
+      ++number_asked;
+      return i + 1 == j && (wanted == n || i == wanted);
+    });
+  };
+  EXPECT_TRUE(count(n));
+  EXPECT_LT(number_asked, 100u);
+  EXPECT_TRUE(count(n / 2));
+  EXPECT_FALSE(count(n + 1));
+  EXPECT_EQ(number_asked, 3 * n - 2);
+  EXPECT_NEAR(row.crowding(box, 10.), 3., 0.1);
+  const auto everywhere = [](std::size_t) { return internal::Box<3>{{0., 0., 0.}, {1., 1., 1.}}; };
+  EXPECT_GT(internal::Placed_boxes({}, n, everywhere).crowding(everywhere, 10.), 10.);
+}
+
+// By the number of boxes that are compared, not by a clock.
+TEST(Contact_search, takes_near_linear_time) {
+  const auto hubs = [](std::uint32_t n) { return sphere_with_hubs(n, 2); };
+  const std::function<Soup(std::uint32_t)> families[] = {hubs, layers};
+  const std::uint32_t sizes[] = {1000, 100};
+  for(std::size_t k = 0; k < 2; ++k) {
+    const Search_result few = search(families[k](sizes[k])),
+                        many = search(families[k](8 * sizes[k]));
+    EXPECT_FALSE(few.has_contact || many.has_contact);
+    EXPECT_LT(many.work, 12 * few.work) << k;
+    EXPECT_LT(many.candidates, 12 * few.candidates) << k;
+  }
 }
 
 // All faces are in one place of a grid over the whole.

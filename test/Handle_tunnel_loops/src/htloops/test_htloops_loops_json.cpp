@@ -217,4 +217,27 @@ TEST_F(Loops_json, says_which_place_is_not_on_the_mesh) {
                  [](json& d) { d["pairs"][1]["tunnel"]["length"] = 7; });
 }
 
+TEST_F(Loops_json, says_the_worst_first_and_all_of_it) {
+  const auto problems = problems_after([](json& d) {
+    d["pairs"][0]["handle"]["length"] = 7;
+    d["pairs"][0]["handle"]["points"][0][0] = 7;
+    d["pairs"][1]["tunnel"]["locations"][1][2] = 1.0000000000000002;
+  });
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_EQ(problems[0],
+            "pair 1, tunnel, position 1: the ratio 1.0000000000000002 is not between 0 and 1");
+  EXPECT_NE(problems[1].find("the point is not"), std::string::npos);
+  EXPECT_NE(problems[2].find("the length is given as 7"), std::string::npos);
+}
+
+TEST_F(Loops_json, loops_are_complete_where_only_what_is_said_of_them_is_wrong) {
+  document_["pairs"][0]["handle"]["length"] = 7;
+  const Bound_loops wrong = bind_loops(read_again(), mesh_);
+  EXPECT_TRUE(wrong.are_placed);
+  EXPECT_EQ(wrong.problems.size(), 1u);
+  EXPECT_DOUBLE_EQ(wrong.pairs[0].handle().length(), answer_.pairs[0].handle().length());
+  document_["pairs"][0]["handle"]["locations"][0][0] = 18;
+  EXPECT_FALSE(bind_loops(read_again(), mesh_).are_placed);
+}
+
 } // namespace test_htloops_loops_json

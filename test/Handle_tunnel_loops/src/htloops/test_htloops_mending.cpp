@@ -256,7 +256,8 @@ TEST(Repair, welds_faces_that_share_no_vertex) {
   soup.points[0] = Point(-0., 0., 0.); // equal, if not the same bits
   const Mended_soup mended = mend(soup, repair);
   EXPECT_EQ(words(mended), "8 vertices welded with others at the same place, the first is vertex 3 "
-                           "with vertex 0\n");
+                           "with vertex 0\n"
+                           "12 boundary edges fewer: of 12, now 0\n");
   expect_sound(mended.soup);
   EXPECT_EQ(mended.soup.points.size(), 12u); // numbers stay
   EXPECT_EQ(euler_characteristic(mended.soup), 2);
@@ -337,8 +338,7 @@ TEST(Repair, drops_duplicates_of_polygons) {
     Faces faces = cube;
     faces.push_back(duplicate);
     const Mended_soup mended = mend(soup_of(corners_of_cube, faces), both);
-    EXPECT_NE(words(mended).find("2 duplicate faces dropped, the first is face 6"),
-              std::string::npos);
+    EXPECT_NE(words(mended).find("1 duplicate face dropped: face 6"), std::string::npos);
     expect_sound(mended.soup);
     EXPECT_EQ(euler_characteristic(mended.soup), 2);
   }
@@ -423,6 +423,180 @@ TEST(Repair, splits_a_vertex_of_two_surfaces) {
   EXPECT_EQ(mended.soup.points[7], mended.soup.points[0]);
 }
 
+// What was welded and has come apart again is no change.
+TEST(Repair, tells_what_is_different_in_the_end) {
+  // Two tetrahedra that are not welded and touch along an edge: four faces there for a while.
+  Soup soup = unwelded(corners_of_tetrahedron, tetrahedron);
+  const std::vector<Point> others = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  const Soup second = unwelded(others, tetrahedron);
+  for(const Corners& face : faces_of(second))
+    add_face(soup, {face[0] + 12, face[1] + 12, face[2] + 12});
+  soup.points.insert(soup.points.end(), second.points.begin(), second.points.end());
+  const Mended_soup mended = mend(soup, repair);
+  expect_sound(mended.soup);
+  EXPECT_EQ(euler_characteristic(mended.soup), 4);
+  // Twelve corners of each are four vertices in the end; of neither is one split.
+  EXPECT_EQ(
+      words(mended),
+      "16 vertices welded with others at the same place, the first is vertex 3 with vertex 0\n"
+      "1 edge with more than two faces split: edge 0-2 with 4 faces\n"
+      "24 boundary edges fewer: of 24, now 0\n");
+}
+
+TEST(Repair, counts_vertices_that_were_shared_already_once) {
+  Soup soup = unwelded(corners_of_tetrahedron, tetrahedron);
+  soup.faces[1][0] = soup.faces[0][0]; // both at the origin
+  const Mended_soup mended = mend(soup, repair);
+  expect_sound(mended.soup);
+  EXPECT_EQ(words(mended),
+            "7 vertices welded with others at the same place, the first is vertex 4 with vertex 2\n"
+            "12 boundary edges fewer: of 12, now 0\n");
+}
+
+TEST(Repair, drops_pillows) {
+  Soup soup = generated("torus", 500, 1);
+  const Faces sound = faces_of(soup);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for(const double x : {5., 6., 7.})
+    soup.points.emplace_back(x, x * x, 0.);
+  add_face(soup, {first, first + 1, first + 2});
+  add_face(soup, {first, first + 2, first + 1});
+  expect_sound(soup);
+  const Mended_soup mended = mend(soup, repair);
+  EXPECT_EQ(faces_of(mended.soup), sound);
+  EXPECT_EQ(mended.face_in_file.size(), sound.size());
+  EXPECT_EQ(words(mended), "2 faces of pillows dropped, two that are neighbors all around, the "
+                           "first is face " +
+                               std::to_string(sound.size()) + "\n");
+}
+
+// A pillow that comes of an edge with four faces: one tent on each side of it.
+TEST(Repair, drops_pillows_that_hang_on_a_surface) {
+  Soup soup = generated("torus", 500, 1);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.emplace_back(5., 5., 5.);
+  soup.points.emplace_back(6., 5., 5.);
+  const Faces sound = faces_of(soup);
+  const std::uint32_t v = soup.faces[17][0];
+  add_face(soup, {v, first, first + 1});
+  add_face(soup, {v, first + 1, first});
+  const Mended_soup mended = mend(soup, repair);
+  EXPECT_EQ(faces_of(mended.soup), sound);
+  EXPECT_NE(words(mended).find("2 faces of pillows"), std::string::npos) << words(mended);
+}
+
+Faces moebius_strip(std::vector<Point>& points, std::uint32_t first) {
+  Faces faces;
+  for(std::uint32_t i = 0; i < 9; ++i) {
+    points.emplace_back(20. + std::cos(0.7 * i), std::sin(0.7 * i), -0.25);
+    points.emplace_back(20. + std::cos(0.7 * i), std::sin(0.7 * i), 0.25);
+    const std::uint32_t a = first + 2 * i, b = a + 1, c = i == 8 ? first + 1 : a + 2,
+                        d = i == 8 ? first : a + 3;
+    faces.push_back({a, c, b});
+    faces.push_back({b, c, d});
+  }
+  return faces;
+}
+
+TEST(Repair, drops_a_component_that_is_not_orientable) {
+  Soup soup = generated("torus", 500, 1);
+  const Faces sound = faces_of(soup);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for(const Corners& face : moebius_strip(soup.points, first))
+    add_face(soup, face);
+  const Mended_soup mended = mend(soup, repair);
+  EXPECT_EQ(faces_of(mended.soup), sound);
+  expect_sound(mended.soup);
+  ASSERT_EQ(mended.changes.size(), 2u) << words(mended); // and the boundary that it had
+  EXPECT_EQ(mended.changes[0].count, 18u);
+  EXPECT_EQ(
+      mended.changes[0].words.find("faces dropped, component 1 of 2, as it is not orientable; "
+                                   "the first is face " +
+                                   std::to_string(sound.size()) + ", the box is 19."),
+      0u)
+      << words(mended);
+  const auto defects = diagnose(soup).defects;
+  EXPECT_EQ(words_on_remedy(soup, defects, {}).find("--repair mends this:\n  18 faces dropped"),
+            0u);
+}
+
+// The strip is fixed to the torus along an edge, which then has three faces.
+TEST(Repair, drops_a_piece_that_is_not_orientable_from_an_edge) {
+  Soup soup = generated("torus", 500, 1);
+  const Faces sound = faces_of(soup);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  const std::uint32_t u = soup.faces[17][0], v = soup.faces[17][1];
+  for(Corners face : moebius_strip(soup.points, first)) {
+    for(std::uint32_t& w : face)
+      w = w == first ? u : w == first + 2 ? v : w; // an edge of its boundary
+    add_face(soup, face);
+  }
+  const Mended_soup mended = mend(soup, repair);
+  expect_sound(mended.soup);
+  EXPECT_EQ(faces_of(mended.soup), sound) << words(mended);
+}
+
+TEST(Repair, names_a_few_of_many_components_that_are_not_orientable) {
+  Soup soup = soup_of(corners_of_tetrahedron, tetrahedron);
+  for(int i = 0; i < 11; ++i) {
+    std::vector<Point> points;
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for(const Corners& face : moebius_strip(points, first))
+      add_face(soup, face);
+    for(const Point& p : points)
+      soup.points.emplace_back(p.x() + 5. * i, p.y(), p.z());
+  }
+  const Mended_soup mended = mend(soup, repair);
+  ASSERT_EQ(mended.changes.size(), 10u) << words(mended);
+  EXPECT_EQ(mended.changes[7].words.find("faces dropped, component 8 of 12"), 0u);
+  EXPECT_EQ(mended.changes[8].count, 54u);
+  EXPECT_EQ(mended.changes[8].words,
+            "faces dropped of 3 further components that are not orientable");
+}
+
+Remedies steps(std::initializer_list<Repair_step> steps) {
+  Remedies remedies = {false, true, {}};
+  for(const Repair_step step : steps)
+    remedies.steps.set(static_cast<std::size_t>(step));
+  return remedies;
+}
+
+TEST(Repair, does_the_steps_that_are_asked_for) {
+  Soup soup = generated("torus", 500, 1);
+  const Soup torus = soup;
+  std::swap(soup.faces[7][1], soup.faces[7][2]);
+  const Faces turned = faces_of(soup);
+  soup.points.push_back(Point(soup.points[soup.faces[100][0]]));
+  soup.faces[100][0] = static_cast<std::uint32_t>(soup.points.size() - 1);
+  const Mended_soup welded = mend(soup, steps({Repair_step::WELD}));
+  EXPECT_EQ(faces_of(welded.soup), turned);
+  ASSERT_EQ(welded.changes.size(), 2u) << words(welded);
+  EXPECT_EQ(welded.changes[0].kind, Change_kind::VERTICES_WELDED);
+  const Mended_soup oriented = mend(soup, steps({Repair_step::ORIENT}));
+  EXPECT_EQ(words(oriented), "1 face turned over: face 7\n");
+  EXPECT_EQ(oriented.soup.faces[100][0], soup.faces[100][0]);
+  // Without the step that turns them, faces are as they were, and what is split is so all the same.
+  for(const Repair_step step : {Repair_step::SPLIT, Repair_step::PILLOWS, Repair_step::DUPLICATES,
+                                Repair_step::ONE_SIDED, Repair_step::DEGENERATE})
+  {
+    const Mended_soup same = mend(soup, steps({step}));
+    EXPECT_EQ(faces_of(same.soup), faces_of(soup));
+    EXPECT_TRUE(same.changes.empty()) << words(same);
+  }
+  EXPECT_EQ(faces_of(mend(soup, steps({Repair_step::WELD, Repair_step::ORIENT})).soup),
+            faces_of(torus));
+}
+
+TEST(Repair, splits_without_turning) {
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0},  {1, 1, 0},
+                                     {2, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  const Faces faces = {{0, 1, 2}, {1, 2, 3}, {0, 4, 5}};
+  const Mended_soup mended = mend(soup_of(points, faces), steps({Repair_step::SPLIT}));
+  EXPECT_EQ(words(mended), "1 vertex split: vertex 0 into 2\n");
+  EXPECT_EQ(faces_of(mended.soup), (Faces{{0, 1, 2}, {1, 2, 3}, {6, 4, 5}}));
+  EXPECT_EQ(mend(soup_of(points, faces), steps({Repair_step::ORIENT})).origins.size(), 0u);
+}
+
 // Two boxes that have an edge in common come apart, whether they are told by pieces or, joined
 // elsewhere, by what is solid.
 TEST(Repair, takes_solids_apart_at_an_edge) {
@@ -482,7 +656,10 @@ TEST(Repair, makes_manifolds_of_random_triangles) {
     if(mended.is_one_sided || mended.soup.faces.empty())
       continue;
     expect_manifold(mended.soup);
-    expect_manifold(mend(mended.soup, repair).soup);
+    // What came apart at an edge may be welded there now, and be a pillow.
+    const Mended_soup again = mend(mended.soup, repair);
+    if(!again.soup.faces.empty())
+      expect_manifold(again.soup);
     number_with_divisions += words(mended).find("divided in the middle") != std::string::npos;
   }
   EXPECT_GT(number_with_divisions, 10);
@@ -638,22 +815,34 @@ TEST(Repair, undoes_random_damage) {
 
 TEST(Remedy, is_the_one_that_helps) {
   const auto words_on = [](const Soup& soup, const Remedies& given = {}) {
-    return words_on_remedy(soup, diagnose(mend(soup, given).soup).defects, given);
+    const std::vector<Defect> defects = diagnose(mend(soup, given).soup).defects;
+    return defects.empty() ? "nothing is wrong" : words_on_remedy(soup, defects, given);
   };
   EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate makes them triangles");
   EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair), "--triangulate makes them triangles");
   Faces faces = cube;
   faces.push_back({0, 0, 1});
-  EXPECT_EQ(words_on(soup_of(corners_of_cube, faces)),
-            "--triangulate and --repair together mend this");
-  EXPECT_EQ(words_on(soup_of(corners_of_cube, faces), repair),
-            "--triangulate and --repair together mend this");
+  const char for_both[] =
+      "--triangulate and --repair together mend this:\n"
+      "  1 degenerate face dropped: face 6\n"
+      "  6 faces of more than three vertices made triangles, the first is face 0";
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, faces)), for_both);
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, faces), repair), for_both);
   faces = tetrahedron;
   faces.push_back({0, 0, 1});
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair drops it");
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces), triangulation), "--repair drops it");
   faces.back() = {0, 1, 2};
-  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)), "--repair mends this");
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)),
+            "--repair mends this:\n  1 duplicate face dropped: face 4");
+  // Not what was found, if something else is done about it: here a vertex with two fans.
+  const std::vector<Point> ring = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                   {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(
+      words_on(soup_of(ring, {{0, 2, 1}, {0, 1, 3}, {4, 5, 3}, {2, 0, 3}})),
+      "--repair mends this:\n"
+      "  2 vertices welded with others at the same place, the first is vertex 4 with vertex 1\n"
+      "  6 boundary edges fewer: of 6, now 0");
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {})), "no option mends this");
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {}), both), "no other option mends this");
 }

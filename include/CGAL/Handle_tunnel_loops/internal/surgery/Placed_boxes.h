@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -51,14 +52,50 @@ public:
                         const Box_of_other& other_box,
                         const Function& f,
                         Execution execution = Execution()) const {
-    constexpr std::size_t grain = 32;
     for_each_index(
         execution, others.tree_.size(),
         [&](std::size_t other) { meet_group(others, other, box, other_box, f); }, grain);
   }
 
+  /// whether `f(i, j)` holds for any of those whose boxes meet; ends soon after the first.
+  template <typename Box_of, typename Box_of_other, typename Predicate>
+  bool any_meeting(const Placed_boxes& others,
+                   const Box_of& box,
+                   const Box_of_other& other_box,
+                   const Predicate& f,
+                   Execution execution = Execution()) const {
+    std::atomic<bool> is_found(false);
+    for_each_index(
+        execution, others.tree_.size(),
+        [&](std::size_t other) {
+          if(!is_found)
+            meet_group(others, other, box, other_box, [&](Index i, Index j) {
+              if(!is_found && f(i, j))
+                is_found = true;
+            });
+        },
+        grain);
+    return is_found;
+  }
+
+  /// about how many of these boxes meet one of them, on average: counted for some of them, and no
+  /// further than to \p bound, beyond which the answer is no exact one. The same each time.
+  template <typename Box_of> double crowding(const Box_of& box, double bound) const {
+    constexpr std::size_t number_of_samples = 512;
+    const std::size_t step = tree_.size() / number_of_samples + 1;
+    std::size_t number_of_boxes = 0, number_of_meetings = 0;
+    for(std::size_t group = 0; group < tree_.size(); group += step)
+      number_of_boxes += (std::min)(group_size, order_.size() - group * group_size);
+    for(std::size_t group = 0;
+        group < tree_.size() && double(number_of_meetings) <= bound * double(number_of_boxes);
+        group += step)
+      meet_group(*this, group, box, box, [&](Index, Index) { ++number_of_meetings; });
+    return number_of_boxes == 0 ? 0. : double(number_of_meetings) / double(number_of_boxes);
+  }
+
 private:
   static constexpr std::size_t group_size = 8;
+  static constexpr std::size_t grain = 32; // groups that a thread takes at once
 
   template <typename Box_of, typename Box_of_other, typename Function>
   void meet_group(const Placed_boxes& others,
@@ -67,14 +104,18 @@ private:
                   const Box_of_other& other_box,
                   const Function& f) const {
     const Box<3>& around = others.tree_.box(other);
+    const std::size_t begin = other * group_size;
+    const std::size_t number = (std::min)(group_size, others.order_.size() - begin);
+    std::array<Box<3>, group_size> other_boxes;
+    for(std::size_t k = 0; k < number; ++k)
+      other_boxes[k] = other_box(others.order_[begin + k]);
     tree_.for_each_meeting(around, [&](Index group, const Box<3>&) {
       for_each_of(group, [&](Index i) {
         const Box<3> b = box(i);
         if(b.meets(around))
-          others.for_each_of(other, [&](Index j) {
-            if(b.meets(other_box(j)))
-              f(i, j);
-          });
+          for(std::size_t k = 0; k < number; ++k)
+            if(b.meets(other_boxes[k]))
+              f(i, others.order_[begin + k]);
       });
     });
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Contact_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
 
@@ -24,15 +25,29 @@
 
 #include <atomic>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// `triangle(i)` is the i-th of n.
+template <typename Triangle_of>
+Contact_search contact_search(Execution execution, std::size_t n, const Triangle_of& triangle) {
+  std::vector<Contact_search::Triangle> triangles(n);
+  for_each_index(execution, n, [&](std::size_t i) {
+    const Placed_triangle t = triangle(i);
+    triangles[i].vertices = t.vertices;
+    for(std::size_t k = 0; k < 3; ++k)
+      triangles[i].points[k] = {t.points[k].x(), t.points[k].y(), t.points[k].z()};
+  });
+  return Contact_search(std::move(triangles));
+}
+
 /// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
 /// the surface is not the boundary of a solid. Decided exactly, of faces whose boxes meet. Takes
-/// about as long as reading the mesh, unless faces are so long and thin that the boxes of most of
-/// them meet. (`Polygon_mesh_processing::does_self_intersect()` says the same, but does not let
-/// itself be interrupted, and copies the mesh.)
+/// about as long as reading the mesh, and ten times as long where the boxes of most of them meet,
+/// as they are long, or large and in many layers. (`Polygon_mesh_processing::does_self_intersect()`
+/// says the same, but does not let itself be interrupted, and copies the mesh.)
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
 bool touches_itself(Execution execution,
                     const TriangleMesh& tm,
@@ -58,15 +73,22 @@ bool touches_itself(Execution execution,
     if(t.is_degenerate())
       is_found = true;
   });
+  if(is_found)
+    return true;
+  const auto are_touching = [&](Index i, Index j) {
+    return are_in_contact(triangle(i), triangle(j));
+  };
   const auto box = [&](std::size_t i) { return boxes[i]; };
   const Placed_boxes near(execution, all.size(), box);
-  near.for_each_meeting(
-      near, box, box,
-      [&](Index i, Index j) {
-        if(i < j && !is_found && are_in_contact(triangle(i), triangle(j)))
+  constexpr double largest_crowding = 64.; // a dozen is usual
+  if(near.crowding(box, largest_crowding) <= largest_crowding)
+    return near.any_meeting(
+        near, box, box, [&](Index i, Index j) { return i < j && are_touching(i, j); }, execution);
+  contact_search(execution, all.size(), triangle)
+      .for_each_candidate(execution, [&](Index i, Index j) {
+        if(!is_found && are_touching(i, j))
           is_found = true;
-      },
-      execution);
+      });
   return is_found;
 }
 

@@ -1,0 +1,393 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CONTACT_SEARCH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CONTACT_SEARCH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Oriented_box.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// Finds pairs of triangles that may meet elsewhere than in a vertex or an edge that they share,
+/// where boxes along the axes of the coordinates are of little use: of long triangles, which share
+/// a vertex with thousands of others, and of large ones in many layers.
+///
+/// Triangles are in a tree of oriented boxes, those of a hub, which is a vertex of many, in a part
+/// of their own. Two parts of the same hub are not compared: two triangles at a vertex meet
+/// elsewhere just if they do as seen from it, so at a hub directions are compared. Near linear,
+/// but for sorting, in the number of triangles and of pairs that are found.
+class Contact_search
+{
+public:
+  using Point = std::array<double, 3>;
+
+  struct Triangle
+  {
+    std::array<Index, 3> vertices;
+    std::array<Point, 3> points;
+  };
+
+  /// all triangles have an area.
+  explicit Contact_search(std::vector<Triangle> triangles)
+      : triangles_(std::move(triangles)) {
+    scale_points();
+    find_hubs();
+    build();
+  }
+
+  /// calls `f(i, j)` for pairs of triangles that may meet, some of them several times.
+  template <typename Function>
+  void for_each_candidate(Execution execution, const Function& f) const {
+    if(!nodes_.empty())
+      compare_parts(execution, f);
+    for(std::size_t hub = 0; hub < hubs_.size(); ++hub)
+      compare_directions(execution, hub, f);
+  }
+
+  /// how many pairs of boxes were compared.
+  std::size_t work() const { return work_; }
+
+private:
+  static constexpr std::size_t hub_size = 64;
+  static constexpr std::size_t leaf_size = 4;
+  static constexpr Index no_hub = static_cast<Index>(-1);
+
+  using Iterator = std::vector<Index>::iterator;
+
+  struct Node
+  {
+    Oriented_box box;
+    std::size_t begin, end;     // in the order
+    Index hub;                  // that all have in common
+    Index children[2] = {0, 0}; // none, if these are 0
+
+    std::size_t size() const { return end - begin; }
+    bool is_leaf() const { return children[0] == 0; }
+  };
+
+  using Node_pair = std::pair<Index, Index>;
+
+  // By a power of two, to be between -1 and 1.
+  void scale_points() {
+    double largest = 0.;
+    for(const Triangle& t : triangles_)
+      for(const Point& p : t.points)
+        for(const double x : p)
+          largest = (std::max)(largest, std::abs(x));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    for(Triangle& t : triangles_)
+      for(Point& p : t.points)
+        for(double& x : p)
+          x = std::ldexp(x, -exponent);
+  }
+
+  void find_hubs() {
+    std::size_t number_of_vertices = 0;
+    for(const Triangle& t : triangles_)
+      for(const Index v : t.vertices)
+        number_of_vertices = (std::max)(number_of_vertices, v + std::size_t(1));
+    std::vector<Index> count(number_of_vertices, 0), number(number_of_vertices, no_hub);
+    for(const Triangle& t : triangles_)
+      for(const Index v : t.vertices)
+        ++count[v];
+    for(std::size_t v = 0; v < number_of_vertices; ++v)
+      if(count[v] > hub_size) {
+        number[v] = static_cast<Index>(hubs_.size());
+        hubs_.emplace_back();
+        vertices_of_hubs_.push_back(static_cast<Index>(v));
+      }
+    hub_of_.assign(triangles_.size(), no_hub);
+    for(std::size_t i = 0; i < triangles_.size(); ++i)
+      for(const Index v : triangles_[i].vertices)
+        if(number[v] != no_hub) {
+          hubs_[number[v]].push_back(static_cast<Index>(i));
+          hub_of_[i] = number[v]; // any of them, as it is compared at each
+        }
+  }
+
+  void build() {
+    const std::size_t n = triangles_.size();
+    for(std::size_t i = 0; i < n; ++i)
+      order_.push_back(static_cast<Index>(i));
+    std::stable_sort(order_.begin(), order_.end(),
+                     [this](Index a, Index b) { return hub_of_[a] < hub_of_[b]; });
+    if(n > 0)
+      add_node(0, n);
+  }
+
+  Index add_node(std::size_t begin, std::size_t end) {
+    const Index node = static_cast<Index>(nodes_.size());
+    const bool is_of_one_hub = hub_of_[order_[begin]] == hub_of_[order_[end - 1]];
+    nodes_.push_back(
+        {box_of(begin, end), begin, end, is_of_one_hub ? hub_of_[order_[begin]] : no_hub});
+    if(end - begin <= leaf_size && is_of_one_hub)
+      return node;
+    const std::size_t middle = is_of_one_hub ? halve(begin, end) : split_hubs(begin, end);
+    const Index first = add_node(begin, middle), second = add_node(middle, end);
+    nodes_[node].children[0] = first;
+    nodes_[node].children[1] = second;
+    return node;
+  }
+
+  Oriented_box box_of(std::size_t begin, std::size_t end) const {
+    return Oriented_box([&](const auto& f) {
+      for(std::size_t i = begin; i < end; ++i)
+        for(const Point& p : triangles_[order_[i]].points)
+          f(p);
+    });
+  }
+
+  Point center(Index triangle) const {
+    const auto& [p, q, r] = triangles_[triangle].points;
+    return {(p[0] + q[0] + r[0]) / 3., (p[1] + q[1] + r[1]) / 3., (p[2] + q[2] + r[2]) / 3.};
+  }
+
+  // Along the axis on which their centers spread: of a stack, across the triangles, not along.
+  std::size_t halve(std::size_t begin, std::size_t end) {
+    const Point axis = Oriented_box([&](const auto& f) {
+                         for(std::size_t i = begin; i < end; ++i)
+                           f(center(order_[i]));
+                       }).longest_axis();
+    const auto position = [&](Index i) {
+      return std::make_pair(Oriented_box::dot(center(i), axis), i);
+    };
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [this](std::size_t i) {
+      return order_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::nth_element(at(begin), at(middle), at(end),
+                     [&](Index a, Index b) { return position(a) < position(b); });
+    return middle;
+  }
+
+  // Where the hub begins, or ends, that has the one in the middle.
+  std::size_t split_hubs(std::size_t begin, std::size_t end) const {
+    const Index hub = hub_of_[order_[begin + (end - begin) / 2]];
+    const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = order_.begin() + static_cast<std::ptrdiff_t>(end);
+    auto border = std::partition_point(first, last, [&](Index i) { return hub_of_[i] < hub; });
+    if(border == first)
+      border = std::partition_point(first, last, [&](Index i) { return hub_of_[i] <= hub; });
+    return static_cast<std::size_t>(border - order_.begin());
+  }
+
+  bool have_hub_in_common(const Node& a, const Node& b) const {
+    return a.hub != no_hub && a.hub == b.hub;
+  }
+
+  // What remains to be compared of two parts, which may be one and the same.
+  template <typename Add> void split(const Node_pair& pair, const Add& add) const {
+    const auto [a, b] = pair;
+    const Node &node_a = nodes_[a], &node_b = nodes_[b];
+    if(a == b) {
+      add(Node_pair(node_a.children[0], node_a.children[0]));
+      add(Node_pair(node_a.children[0], node_a.children[1]));
+      add(Node_pair(node_a.children[1], node_a.children[1]));
+    } else {
+      // Pairs are of parts of about the same size.
+      const bool is_first =
+          !node_a.is_leaf() && (node_b.is_leaf() || node_a.size() >= node_b.size());
+      for(const Index child : (is_first ? node_a : node_b).children)
+        add(is_first ? Node_pair(child, b) : Node_pair(a, child));
+    }
+  }
+
+  bool may_meet(const Node_pair& pair) const {
+    const Node &a = nodes_[pair.first], &b = nodes_[pair.second];
+    return !have_hub_in_common(a, b) &&
+           (pair.first == pair.second || (a.box.meets(b.box) && !is_beside(b, a.box) &&
+                                          !is_beside(a, b.box) && !are_separated(a, b)));
+  }
+
+  // Whether all points are on the same side of the slab that a box is where it is thinnest. A box
+  // around a triangle is twice as large as that, so this tells layers apart where they bend. Ends
+  // with the first point that is not there; as there are the fewer pairs the larger parts are, it
+  // takes about as long for parts of any size.
+  bool is_beside(const Node& node, const Oriented_box& box) const {
+    const int side = box.side_of_slab(triangles_[order_[node.begin]].points[0]);
+    for(std::size_t i = node.begin; side != 0 && i < node.end; ++i)
+      for(const Point& p : triangles_[order_[i]].points)
+        if(box.side_of_slab(p) != side)
+          return false;
+    return side != 0;
+  }
+
+  // The point of a part that is farthest in a direction.
+  Point farthest(const Node& node, const Point& direction) const {
+    Point best{};
+    double most = -std::numeric_limits<double>::infinity();
+    for(std::size_t i = node.begin; i < node.end; ++i)
+      for(const Point& p : triangles_[order_[i]].points) {
+        const double height = Oriented_box::dot(p, direction);
+        if(height > most) {
+          most = height;
+          best = p;
+        }
+      }
+    return best;
+  }
+
+  // Looks for a direction in which one part ends before the other begins: where two points stand
+  // against one, that is reflected in the direction from one to the other (Chung and Wang 1996).
+  // There may be one even if none is found: only a few are tried, and none for large parts.
+  bool are_separated(const Node& a, const Node& b) const {
+    constexpr std::size_t largest_size = 64;
+    if((std::max)(a.size(), b.size()) > largest_size)
+      return false;
+    constexpr int number_of_trials = 8;
+    constexpr double margin = 1e-12;
+    const auto &p = a.box.center(), &q = b.box.center();
+    Point direction = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    for(int i = 0; i < number_of_trials && normalize(direction); ++i) {
+      const Point end = farthest(a, direction);
+      const Point begin = farthest(b, {-direction[0], -direction[1], -direction[2]});
+      Point gap = {begin[0] - end[0], begin[1] - end[1], begin[2] - end[2]};
+      if(Oriented_box::dot(direction, gap) > margin)
+        return true;
+      if(!normalize(gap))
+        return false;
+      const double twice = 2. * Oriented_box::dot(direction, gap);
+      for(std::size_t k = 0; k < 3; ++k)
+        direction[k] -= twice * gap[k];
+    }
+    return false;
+  }
+
+  static bool normalize(Point& vector) {
+    const double length = std::sqrt(Oriented_box::dot(vector, vector));
+    for(double& x : vector)
+      x /= length;
+    return length > 0.;
+  }
+
+  bool are_leaves(const Node_pair& pair) const {
+    return nodes_[pair.first].is_leaf() && nodes_[pair.second].is_leaf();
+  }
+
+  // So many pairs that all threads have something to do, then each of them to its end.
+  template <typename Function> void compare_parts(Execution execution, const Function& f) const {
+    constexpr std::size_t enough = 4096;
+    std::vector<Node_pair> pairs = {{0, 0}};
+    for(bool is_changed = true; is_changed && pairs.size() < enough;) {
+      is_changed = false;
+      std::vector<Node_pair> next;
+      for(const Node_pair& pair : pairs)
+        if(are_leaves(pair)) {
+          next.push_back(pair);
+        } else if(may_meet(pair)) {
+          is_changed = true;
+          split(pair, [&next](const Node_pair& p) { next.push_back(p); });
+        }
+      work_ += pairs.size();
+      pairs = std::move(next);
+    }
+    for_each_index(
+        execution, pairs.size(), [&](std::size_t i) { compare_to_the_end(pairs[i], f); }, 16);
+  }
+
+  template <typename Function>
+  void compare_to_the_end(const Node_pair& pair, const Function& f) const {
+    std::vector<Node_pair> open = {pair};
+    std::size_t number = 0;
+    for(; !open.empty(); ++number) {
+      const Node_pair next = open.back();
+      open.pop_back();
+      if(!may_meet(next))
+        continue;
+      if(are_leaves(next))
+        compare_leaves(nodes_[next.first], nodes_[next.second], f);
+      else
+        split(next, [&open](const Node_pair& p) { open.push_back(p); });
+    }
+    work_ += number;
+  }
+
+  template <typename Function>
+  void compare_leaves(const Node& a, const Node& b, const Function& f) const {
+    for(std::size_t i = a.begin; i < a.end; ++i)
+      for(std::size_t j = &a == &b ? i + 1 : b.begin; j < b.end; ++j)
+        f(order_[i], order_[j]);
+  }
+
+  // Those that are seen from their hub near each other.
+  template <typename Function>
+  void compare_directions(Execution execution, std::size_t hub, const Function& f) const {
+    const std::vector<Index>& triangles = hubs_[hub];
+    std::vector<Box<3>> boxes;
+    boxes.reserve(triangles.size());
+    for(const Index i : triangles)
+      boxes.push_back(box_of_directions(triangles_[i], vertices_of_hubs_[hub]));
+    const auto box = [&boxes](std::size_t i) -> const Box<3>& { return boxes[i]; };
+    const Placed_boxes near(execution, boxes.size(), box);
+    near.for_each_meeting(
+        near, box, box,
+        [&](Index i, Index j) {
+          if(i < j)
+            f(triangles[i], triangles[j]);
+        },
+        execution);
+  }
+
+  // Of all unit vectors from a corner to where the triangle is. An arc of the unit circle is no
+  // farther from its chord than a quarter of the square of that.
+  static Box<3> box_of_directions(const Triangle& t, Index corner) {
+    const auto k = static_cast<std::size_t>(
+        std::find(t.vertices.begin(), t.vertices.end(), corner) - t.vertices.begin());
+    const Point a = direction(t.points[k], t.points[(k + 1) % 3]);
+    const Point b = direction(t.points[k], t.points[(k + 2) % 3]);
+    Box<3> box{a, a};
+    box.extend({b, b});
+    const Point chord = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const double rim = 0.25 * Oriented_box::dot(chord, chord) + 1e-12;
+    for(std::size_t i = 0; i < 3; ++i) {
+      box.low[i] -= rim;
+      box.high[i] += rim;
+    }
+    return box;
+  }
+
+  // Differences are right to the last digits, and so is this, unless points are denormally close.
+  static Point direction(const Point& from, const Point& to) {
+    Point d = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+    const double largest = (std::max)({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+    for(double& x : d)
+      x /= largest;
+    const double length = std::sqrt(Oriented_box::dot(d, d));
+    for(double& x : d)
+      x /= length;
+    return d;
+  }
+
+  std::vector<Triangle> triangles_;      // scaled
+  std::vector<std::vector<Index>> hubs_; // their triangles
+  std::vector<Index> vertices_of_hubs_;
+  std::vector<Index> hub_of_, order_;
+  std::vector<Node> nodes_;
+  mutable std::atomic<std::size_t> work_{0};
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CONTACT_SEARCH_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "app/failure.h"
+#include "app/interrupt.h"
+#include "app/read/soup_diagnosis.h"
+#include "app/write/mesh_writer.h"
+#include "app/write/tables.h"
+#include "commands/command.h"
+#include "commands/options.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace htloops {
+namespace {
+
+struct Repair_options : Mesh_options // the mesh that is written is the result
+{
+  bool is_dry_run = false;
+};
+
+CGAL::Handle_tunnel_loops::generators::Soup triangles_of(const Soup& soup) {
+  CGAL::Handle_tunnel_loops::generators::Soup triangles;
+  for(const Point& p : soup.points)
+    triangles.points.push_back({p.x(), p.y(), p.z()});
+  for(const Soup_face& face : soup.faces)
+    triangles.triangles.push_back({face[0], face[1], face[2]});
+  return triangles;
+}
+
+bool are_triangles(const Soup& soup) {
+  return std::all_of(soup.faces.begin(), soup.faces.end(),
+                     [](const Soup_face& face) { return face.is_triangle(); });
+}
+
+// What is wrong in the end is said after what was done.
+void require_fit(const std::string& file, const std::vector<Defect>& defects) {
+  if(defects.empty())
+    return;
+  std::string text = file + " is no oriented manifold of triangles after that:";
+  for(const Defect& defect : defects)
+    text += "\n  " + defect.message;
+  throw Failure(Exit_code::UNACCEPTABLE_MESH, text);
+}
+
+void run(const Repair_options& options) {
+  if(options.written_mesh_file.empty() && !options.is_dry_run)
+    throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
+  check_mesh_format(options.written_mesh_file);
+  const Input_file file = input_of(options);
+  const Mended_soup mended = mend(read_soup(file), options.remedies);
+  const std::vector<Defect> defects = diagnose(mended.soup).defects;
+  throw_if_interrupted();
+  if(!options.is_quiet && !(mended.changes.empty() && !defects.empty()))
+    std::fputs(table_of_changes(file.name(), mended.changes, options.is_dry_run).c_str(), stderr);
+  if(!options.is_dry_run && are_triangles(mended.soup) && !mended.soup.faces.empty())
+    write_mesh(options.written_mesh_file, triangles_of(mended.soup));
+  require_fit(file.name(), defects);
+}
+
+constexpr char repair_description[] =
+    R"(Makes an oriented manifold of a mesh that is none: says what it did, and writes the mesh.
+
+The steps, in their order; --steps takes some of them:
+  degenerate  drop faces that name a vertex twice (the steps after 'weld' do that, too)
+  weld        make one vertex of those at exactly the same place, along open edges
+  duplicates  drop faces that are there several times, and flaps without thickness
+  one-sided   drop components that are not orientable, if there are others
+  pillows     drop components of two faces
+  orient      turn faces over until neighbors agree
+  split       split edges with more than two faces, vertices with more than one fan
+              of them, and edges beside others
+
+Vertices keep their numbers, new ones come after them, and those that no face uses any
+more stay. What is said is the difference between the two meshes: vertices that are
+welded and then split again as they were are not counted.
+)";
+
+constexpr char repair_examples[] =
+    R"(Exit codes: 0 the result is fit for all commands; 4 it is still unfit: it is written all
+the same, if it has triangles only.
+
+Examples:
+  htloops repair soup.stl -o sound.off            all steps
+  htloops repair soup.obj --triangulate --dry-run what would be done
+  htloops repair soup.off --steps weld,orient -o welded.off
+)";
+
+} // namespace
+
+void add_repair_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Repair_options>();
+  options->remedies.do_repair = true;
+  CLI::App* repair = app.add_subcommand("repair", repair_description)->group("Commands");
+  add_mesh_argument(*repair, *options, "a mesh, fit or not: .off .obj .ply .stl");
+  repair->option_defaults()->group("What to do");
+  add_output(*repair, "-o,--output", "OUT", options->written_mesh_file,
+             "the mesh that it becomes: .off .obj .ply .stl");
+  repair->add_flag("--dry-run", options->is_dry_run, "say what would be done, write nothing");
+  repair->add_flag("--triangulate", options->remedies.do_triangulate,
+                   "make triangles of faces with more corners, too");
+  add_repair_steps(*repair, "--steps", options->remedies);
+  repair->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  complete_help(*repair, repair_examples);
+  repair->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops
