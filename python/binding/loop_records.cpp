@@ -16,6 +16,7 @@
 
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <stdexcept>
 
 namespace htl_python {
@@ -183,7 +184,7 @@ htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {
   try {
     std::vector<htloops::Loop_record> loops = loop_records(record);
     for(std::size_t i = 0; i < loops.size(); i += 2)
-      all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1])});
+      all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1]), std::nullopt});
   } catch(const py::index_error&) {
     throw std::invalid_argument("the arrays of the loops do not fit together");
   }

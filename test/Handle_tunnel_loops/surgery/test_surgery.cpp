@@ -235,8 +235,9 @@ TEST(Surgery, TellsWhichWalksSeparate) {
     for(const Closed_walk& walk : surface.walks) {
       EXPECT_FALSE(
           separates(surface.mesh, impl::cut_along(surface.mesh, curve_beside(surface.mesh, walk))));
-      if(const auto strip = Cut_region::around(surface.mesh, walk))
+      if(const auto strip = Cut_region::around(surface.mesh, walk)) {
         EXPECT_FALSE(separates(surface.mesh, impl::cut_around(surface.mesh, *strip)));
+      }
     }
     for(Index v = 0; v < surface.mesh.vertex_bound(); v += 97)
       EXPECT_TRUE(

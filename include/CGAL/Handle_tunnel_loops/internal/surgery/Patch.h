@@ -233,15 +233,12 @@ public:
   bool meets(const Placed_patch& other) const {
     if(!box_.meets(other.box_))
       return false;
-    bool meets = false;
-    placed_boxes().for_each_meeting(
+    return placed_boxes().any_meeting(
         other.placed_boxes(), [this](Index i) { return boxes_[i]; },
         [&](Index j) { return other.boxes_[j]; },
         [&](Index i, Index j) {
-          meets =
-              meets || (this->meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j)));
+          return meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j));
         });
-    return meets;
   }
 
   /// whether all triangles have an area, and none meets another one, but for parts of faces.
@@ -251,13 +248,10 @@ public:
         return false;
     const Placed_boxes near = placed_boxes();
     const auto box = [this](Index i) { return boxes_[i]; };
-    bool is_embedded = true;
     // Parts come first, and do not meet each other.
-    near.for_each_meeting(near, box, box, [&](Index i, Index j) {
-      is_embedded =
-          is_embedded && (i <= j || is_part(i) || !are_in_contact(triangles_[i], triangles_[j]));
+    return !near.any_meeting(near, box, box, [this](Index i, Index j) {
+      return i > j && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]);
     });
-    return is_embedded;
   }
 
   Placed_boxes placed_boxes() const {
@@ -299,16 +293,15 @@ public:
   bool meets(const Placed_patch& patch, const std::vector<Index>& out) const {
     CGAL_precondition(!layers_.empty() && layers_.back().end == mesh_.face_bound());
     const Placed_boxes boxes_of_patch = patch.placed_boxes();
-    bool meets = false;
-    for(const Layer& layer : layers_)
-      layer.boxes.for_each_meeting(
+    return std::any_of(layers_.begin(), layers_.end(), [&](const Layer& layer) {
+      return layer.boxes.any_meeting(
           boxes_of_patch, [&](Index i) { return box(layer.begin + i); },
           [&](Index t) { return patch.box(t); },
           [&](Index i, Index t) {
             const Index f = layer.begin + i;
-            meets = meets || (!is_in(f, out) && patch.meets(t, placed_triangle(mesh_, f)));
+            return !is_in(f, out) && patch.meets(t, placed_triangle(mesh_, f));
           });
-    return meets;
+    });
   }
 
 private:
