@@ -26,6 +26,7 @@ using CGAL::Handle_tunnel_loops::Removal_method;
 using CGAL::Handle_tunnel_loops::Removal_report;
 using CGAL::Handle_tunnel_loops::Removal_way;
 using CGAL::Handle_tunnel_loops::Removed_handle;
+using CGAL::Handle_tunnel_loops::Shape_change;
 
 /// Which handles are to be removed, and how. What is not given selects all handles.
 struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options

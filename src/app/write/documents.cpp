@@ -202,12 +202,20 @@ Json json_of_arc_of_vertex(std::size_t arc) {
   return arc == Reeb_answer::no_arc ? Json() : Json(arc);
 }
 
+Json json_of(const Shape_change& change) {
+  return {{"volume_removed", change.volume_removed},
+          {"volume_added", change.volume_added},
+          {"cap_area", change.cap_area},
+          {"cap_ratio", change.cap_ratio},
+          {"displacement", change.displacement},
+          {"burial", change.burial},
+          {"sharpest_angle", change.sharpest_angle},
+          {"box_growth", change.box_growth}};
+}
+
 Json json_of(const Removed_handle& handle) {
-  return {{"pair", handle.pair},
-          {"by", name_of(handle.by)},
-          {"length", handle.length},
-          {"area", handle.area},
-          {"volume", handle.volume}};
+  return {{"pair", handle.pair}, {"by", name_of(handle.by)}, {"length", handle.length},
+          {"area", handle.area}, {"volume", handle.volume},  {"change", json_of(handle.change)}};
 }
 
 Json json_of(const Refused_handle& handle) {
@@ -340,11 +348,30 @@ void write_removal_json(const std::string& file, const Removal_report& report) {
   document.member("genus_after", report.genus_after);
   document.member("components_before", report.components_before);
   document.member("components_after", report.components_after);
+  document.member("change", json_of(report.change()));
   document.array("removed", report.removed, json);
   document.array("refused", report.refused, json);
   document.member("necks", {{"removed", json_of_necks(report.removed_necks)},
                             {"refused", json_of_necks(report.refused_necks)}});
   document.finish();
+}
+
+void write_map_json(const std::string& target,
+                    const Mesh& mesh,
+                    std::size_t vertices_before,
+                    std::size_t faces_before) {
+  const auto origin_below = [](std::size_t number_before) {
+    return [number_before](auto element) {
+      return element.idx() < number_before ? Json(std::size_t(element.idx())) : Json();
+    };
+  };
+  Json_writer out(target);
+  out.member("format", "htloops-map/1");
+  out.member("vertices_before", vertices_before);
+  out.member("faces_before", faces_before);
+  out.array("vertices", mesh.vertices(), origin_below(vertices_before));
+  out.array("faces", mesh.faces(), origin_below(faces_before));
+  out.finish();
 }
 
 void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dual_cuts& cuts) {

@@ -149,11 +149,9 @@ std::string name_of_node(const Reeb_answer& answer, std::size_t node) {
 
 constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
 
-constexpr Table_column removal_columns[] = {{"pair", 5, true},
-                                            {"by", 5, false},
-                                            {"length", 12, true},
-                                            {"area", 12, true},
-                                            {"volume", 12, true}};
+constexpr Table_column removal_columns[] = {
+    {"pair", 5, true},    {"by", 5, false}, {"length", 12, true}, {"area", 12, true},
+    {"volume", 12, true}, {"cap", 6, true}, {"moved", 7, true},   {"angle", 5, true}};
 
 std::string row(const Removed_handle& handle, const std::string& name) {
   return row(removal_columns, cells_of(handle, name));
@@ -365,8 +363,14 @@ const char* name_of(Removal_way way) {
 }
 
 std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name) {
-  return {name, name_of(handle.by), formatted("%.6g", handle.length),
-          formatted("%.6g", handle.area), formatted("%.6g", handle.volume)};
+  return {name,
+          name_of(handle.by),
+          formatted("%.6g", handle.length),
+          formatted("%.6g", handle.area),
+          formatted("%.6g", handle.volume),
+          formatted("%.2f", handle.change.cap_ratio),
+          formatted("%.2f", handle.length > 0. ? handle.change.displacement / handle.length : 0.),
+          formatted("%.0f", handle.change.sharpest_angle)};
 }
 
 std::string table_of_removals(const Removal_report& report, bool show_all) {
@@ -374,7 +378,8 @@ std::string table_of_removals(const Removal_report& report, bool show_all) {
   const std::string refused = rows(report.refused, report.refused_necks, show_all);
   std::string table;
   if(!removed.empty())
-    table += " pair  by           length          area        volume\n" + removed;
+    table += " pair  by           length          area        volume     cap    moved  angle\n" +
+             removed;
   if(!refused.empty())
     table += " pair  refused      length  why\n" + refused;
   return table;

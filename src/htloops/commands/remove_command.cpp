@@ -23,6 +23,7 @@
 
 #include <boost/algorithm/string/join.hpp>
 
+#include <charconv>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -38,17 +39,38 @@ struct Remove_options : Common_options // the JSON is the report
   std::string loops_file;
   std::optional<std::size_t> genus;
   std::string shorter_than;
-  std::vector<std::size_t> pairs;
+  std::vector<std::string> pairs; // numbers, some with a way: "5", "1:fill"
   std::vector<double> box;
   std::string necks;
-  std::string method = "cheapest";
+  std::string method = "smallest-change";
+  std::string map_file;
+  bool is_forced = false;
   bool is_dry_run = false;
   bool show_all = false;
 };
 
-const std::map<std::string, Removal_method> methods = {{"cut", Removal_method::CUT},
-                                                       {"fill", Removal_method::FILL},
-                                                       {"cheapest", Removal_method::CHEAPEST}};
+const std::map<std::string, Removal_method> methods = {
+    {"cut", Removal_method::CUT},
+    {"fill", Removal_method::FILL},
+    {"smallest-change", Removal_method::SMALLEST_CHANGE},
+    {"cheapest", Removal_method::SMALLEST_CHANGE}};
+
+// "1:fill" to a number, and a way if there is one.
+std::pair<std::size_t, std::optional<Removal_method>> parse_pair(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string digits = text.substr(0, colon);
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const auto way =
+      colon == std::string::npos ? methods.end() : methods.find(text.substr(colon + 1));
+  if(error != std::errc() || end != digits.data() + digits.size() ||
+     (colon != std::string::npos && way == methods.end()))
+    throw wrong_usage("--pairs: '" + text +
+                      "' is neither the number of a pair nor one with a way, as 1:fill or 2:cut");
+  if(way == methods.end())
+    return {number, std::nullopt};
+  return {number, way->second};
+}
 
 void check_options(const Remove_options& options) {
   if(options.result_file.empty() && !options.is_dry_run)
@@ -57,6 +79,11 @@ void check_options(const Remove_options& options) {
   parse_length("--shorter-than", options.shorter_than);
   parse_length("--necks", options.necks);
   box_of(options.box);
+  for(const std::string& pair : options.pairs)
+    parse_pair(pair);
+  if(!options.map_file.empty() && options.is_dry_run)
+    throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
+                      "--dry-run");
   check_common_options(options);
 }
 
@@ -110,11 +137,18 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   const double whole = diagonal_of(mesh);
   removal.maximal_length = parse_length("--shorter-than", options.shorter_than, whole);
   if(!options.pairs.empty())
-    removal.pairs = options.pairs;
+    removal.pairs.emplace();
+  for(const std::string& text : options.pairs) {
+    const auto [number, method] = parse_pair(text);
+    removal.pairs->push_back(number);
+    if(method)
+      removal.methods[number] = *method;
+  }
   removal.box = box_of(options.box);
   if(const auto length = parse_length("--necks", options.necks, whole))
     removal.maximal_length = removal.maximal_neck_length = *length;
   removal.method = methods.at(options.method);
+  removal.force = options.is_forced;
   removal.number_of_threads = options.number_of_threads;
   return removal;
 }
@@ -169,10 +203,14 @@ void run(const Remove_options& options) {
   const bool is_drawn = !options.picture.file.empty() || !options.page_file.empty();
   const Mesh before = is_drawn ? mesh : Mesh();
   Progress_bar bar(show_progress);
+  const std::size_t vertices_before = mesh.number_of_vertices(),
+                    faces_before = mesh.number_of_faces();
   const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, options), bar);
   if(!options.is_dry_run) {
     spread_properties(mesh, properties);
     write_mesh(options.result_file, mesh, properties);
+    if(!options.map_file.empty())
+      write_map_json(options.map_file, mesh, vertices_before, faces_before);
   }
   write_files(options, {options.mesh_file, before, pairs, answer.report, mesh});
   show(options, answer, loops_seconds, read_seconds);
@@ -186,8 +224,10 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
       add_length(command, "--shorter-than", options.shorter_than,
                  "handles with a loop that is shorter; %: of the diagonal of the box"),
       command
-          .add_option("--pairs", options.pairs, "those of some pairs, as 'htloops loops' counts")
-          ->option_text("I,J,...")
+          .add_option("--pairs", options.pairs,
+                      "those of some pairs, as 'htloops loops' counts;\n"
+                      "each may have a way of its own: 1:fill,2:cut,5")
+          ->option_text("I[:WAY],...")
           ->delimiter(',')
           ->allow_extra_args(false),
       add_box_option(command, options.box, "handles"),
@@ -205,7 +245,12 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
 void add_computation_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("How to remove");
   add_choice(command, "--by", "WAY", options.method,
-             "cut, fill or cheapest; default: cheapest, or as it can be done", methods);
+             "cut, fill, or smallest-change, the default: what\n"
+             "changes the shape less, or as it can be done",
+             methods);
+  command.add_flag("--force", options.is_forced,
+                   "also where that is no repair: where the bounding box\n"
+                   "would grow, a cap be far larger than its hole, ...");
   command
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
@@ -220,6 +265,8 @@ void add_output_options(CLI::App& command, Remove_options& options) {
              "the mesh: .off .obj .ply .stl; - is standard output, OFF");
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
   add_output(command, "--report", "FILE.json", options.json_file, "what was done, as JSON");
+  add_output(command, "--map", "FILE.json", options.map_file,
+             "what each vertex and face was before, as JSON");
   add_picture_options(command, options, "the loops of what is removed");
   add_page_option(command, options, "the mesh before and after");
   add_view_options(command, options);
@@ -230,13 +277,16 @@ constexpr char remove_description[] = R"(Removes handles of a triangle mesh.
 A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the ends
 are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,
 numbers and colours of its vertices, too, where the file that is written has room for them.
-A handle that neither can be done to is refused, by name; that is no failure.
+A handle that neither can be done to, or where that would be no repair, is refused, by name and
+with the number that says so; that is no failure.
 )";
 
 constexpr char remove_examples[] = R"(Examples:
   htloops remove scan.ply -o clean.ply            all handles
   htloops remove scan.ply -o clean.ply --shorter-than 3%
                                                   the small ones
+  htloops remove part.stl -o part.off --pairs 0:fill,3:fill
+                                                  two bores
   htloops remove scan.ply --genus 2 --dry-run --html look.html
                                                   what would go, if two are to stay
 )";

@@ -180,9 +180,37 @@ TEST(Removal_schema, fits_what_is_written) {
   schema.expect_fits(document);
   schema.expect_refuses(document, {[](json& d) { d["removed"][0].erase("pair"); },
                                    [](json& d) { d["removed"][0]["by"] = "magic"; },
+                                   [](json& d) { d["removed"][0]["change"].erase("cap_ratio"); },
+                                   [](json& d) { d["change"]["sharpest_angle"] = 181; },
                                    [](json& d) { d["refused"][0]["reason"] = ""; },
                                    [](json& d) { d["necks"].erase("refused"); },
                                    [](json& d) { d["genus_after"] = 0.5; }});
+}
+
+TEST(Map_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("map");
+  Progress told;
+  const Mesh before = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
+  Mesh mesh = before;
+  remove_handles(mesh, find_loops(mesh), {}, told);
+  write_map_json(folder.path("a.json"), mesh, before.number_of_vertices(),
+                 before.number_of_faces());
+  const json document = json::parse(folder.read("a.json"));
+  schema.expect_fits(document);
+  schema.expect_refuses(document, {[](json& d) { d["vertices"][0] = -1; },
+                                   [](json& d) { d["faces"][0] = "new"; },
+                                   [](json& d) { d.erase("faces_before"); }});
+  ASSERT_EQ(document["vertices"].size(), mesh.number_of_vertices());
+  ASSERT_EQ(document["faces"].size(), mesh.number_of_faces());
+  std::size_t i = 0, number_kept = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(const json& origin = document["vertices"][i++]; !origin.is_null()) {
+      EXPECT_EQ(before.point(Mesh::Vertex_index(origin.get<Mesh::size_type>())), mesh.point(v));
+      ++number_kept;
+    }
+  EXPECT_GT(2 * number_kept, before.number_of_vertices());
+  EXPECT_LT(number_kept, mesh.number_of_vertices());
 }
 
 TEST(Dual_cuts_schema, fits_what_is_written) {
