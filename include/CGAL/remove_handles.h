@@ -28,13 +28,28 @@ namespace CGAL {
 removes handles from a surface, and leaves the rest of it as it is: the topological noise of
 scans and segmentations, say.
 
-Each handle is removed along one loop of its pair. Cut along its handle loop, it becomes two ends
-that are closed in the solid; along its tunnel loop, its hole is filled. A strip of faces along the
-loop is taken out, and its two holes are closed by caps that are refined to the density of the mesh
-around them and made smooth with it. A handle that sits on the surface like a knob on a lid, with
-faces around it that all look the same way, is *taken out whole*: one disc takes the place of its
-surroundings, and no stumps are left (only if the method is `CHEAPEST`). The same is done where the
-loops are so short against the faces that there is no strip, or where no caps fit.
+Each handle is removed in the way that changes the shape least, of those that the method allows:
+
+- A handle that sits on the surface like a knob on a lid, with faces around it that all look the
+same way, is *taken out whole*: one disc takes the place of its surroundings, and no stumps are
+left.
+- A *bore* is closed at its mouths. Where a mouth lies in a plane, its cap does so exactly; so does
+  that of a counterbore. Bores that meet are closed together.
+- Along its handle loop a handle is *cut* into two ends that are closed in the solid, along its
+tunnel loop its hole is *filled*: faces are divided beside the loop, which leaves the shape as it
+is, a narrow strip is taken out, and a membrane put in on either side. The loop across which the
+disc is small and round comes first.
+- If no membranes fit, rings of faces around a loop are taken out, or around both loops; their caps
+are refined to the density of the mesh around them and made smooth with it.
+
+What is no repair is not done, whether the topology is right or not: the report says how the shape
+has changed where each handle was, see `Shape_change`. A way is left for another one if the bounding
+box would grow; if a fill would take solid away, or a cut add some, of more than 1e-9 of the volume;
+if a cap would have more than 3 times the area of a circle as long as its rim; if new faces would be
+folded by more than 120 degrees where there was no such fold, or a membrane meet the surface at less
+than 30; if a cap would be further from the old surface than half the length of the loop (but for
+bores whose mouths are closed flush). If there is no other way, the handle is refused, with the
+number in the reason; `Removal_options::force` allows all this.
 
 It is a theorem that the genus is one less for each handle that is removed, and that no piece comes
 off: strips are annuli along loops that do not separate the surface, both found by counting. The
@@ -42,11 +57,10 @@ result is counted once more before it is written. It is oriented and manifold, w
 that it had, and it has
 *no intersection that was not there before*: caps are checked by exact predicates against the whole
 surface and each other (coordinates are taken as doubles for that; those of an exact kernel are
-rounded). Where caps would meet something, narrower strips are tried, loops beside, the other loop
-of the pair, the whole handle, and strips after a subdivision along the loop. If nothing fits, the
-handle is *refused*: the report says why, and it stays as it was. No larger handle takes its place.
-Vertices and faces outside of what is replaced are not touched: they are the same descriptors, with
-all that property maps say of them.
+rounded). If nothing fits, the handle is *refused*: the report says why, and it stays as it was.
+What was refused is tried again after others were removed, and before them. No larger handle takes
+its place. Vertices and faces outside of what is replaced are not touched: they are the same
+descriptors, with all that property maps say of them.
 
 Handles are removed in order of their sizes: the size of a handle is the length of the loop that is
 tried first. Which ones is said by the parameters; those that fulfil all conditions are removed, all

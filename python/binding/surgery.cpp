@@ -33,7 +33,8 @@ namespace htl = CGAL::Handle_tunnel_loops;
 const std::map<std::string, htl::Removal_method> methods = {
     {"cut", htl::Removal_method::CUT},
     {"fill", htl::Removal_method::FILL},
-    {"cheapest", htl::Removal_method::CHEAPEST}};
+    {"smallest-change", htl::Removal_method::SMALLEST_CHANGE},
+    {"cheapest", htl::Removal_method::SMALLEST_CHANGE}};
 
 template <typename Value> std::optional<Value> chosen(const py::dict& options, const char* name) {
   return py::cast<std::optional<Value>>(options[name]);
@@ -50,7 +51,18 @@ htloops::Removal_options options_of(const py::dict& options) {
   if(const auto box = chosen<std::array<double, 6>>(options, "box"))
     result.box = CGAL::Bbox_3((*box)[0], (*box)[1], (*box)[2], (*box)[3], (*box)[4], (*box)[5]);
   result.method = methods.at(py::cast<std::string>(options["by"]));
+  for(const auto& [pair, by] : py::cast<std::map<std::size_t, std::string>>(options["methods"]))
+    result.methods[pair] = methods.at(by);
+  result.force = py::cast<bool>(options["force"]);
   return result;
+}
+
+py::dict words_of(const htl::Shape_change& change) {
+  return py::dict("volume_removed"_a = change.volume_removed,
+                  "volume_added"_a = change.volume_added, "cap_area"_a = change.cap_area,
+                  "cap_ratio"_a = change.cap_ratio, "displacement"_a = change.displacement,
+                  "burial"_a = change.burial, "sharpest_angle"_a = change.sharpest_angle,
+                  "box_growth"_a = change.box_growth);
 }
 
 py::list records_of(const std::vector<htl::Removed_handle>& removed) {
@@ -59,7 +71,7 @@ py::list records_of(const std::vector<htl::Removed_handle>& removed) {
   for(const htl::Removed_handle& handle : removed)
     list.append(py::dict("pair"_a = handle.pair, "by"_a = ways[static_cast<int>(handle.by)],
                          "length"_a = handle.length, "area"_a = handle.area,
-                         "volume"_a = handle.volume));
+                         "volume"_a = handle.volume, "change"_a = words_of(handle.change)));
   return list;
 }
 
@@ -75,7 +87,7 @@ py::dict words_of(const htl::Removal_report& report) {
   return py::dict("genus_before"_a = report.genus_before, "genus_after"_a = report.genus_after,
                   "components_before"_a = report.components_before,
                   "components_after"_a = report.components_after,
-                  "removed"_a = records_of(report.removed),
+                  "change"_a = words_of(report.change()), "removed"_a = records_of(report.removed),
                   "refused"_a = records_of(report.refused),
                   "removed_necks"_a = records_of(report.removed_necks),
                   "refused_necks"_a = records_of(report.refused_necks));

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -16,16 +16,20 @@ from ._progress import part, told
 from ._waiting import computed
 
 
+_ways = ("cut", "fill", "smallest-change", "cheapest")
+
+
 def remove_handles(
     V: Any,
     F: Any = None,
     *,
     genus: Optional[int] = None,
     shorter_than: Optional[float] = None,
-    pairs: Union[None, int, Sequence[int]] = None,
+    pairs: Union[None, int, Sequence[int], Mapping[int, Optional[str]]] = None,
     box: Any = None,
     necks: Optional[float] = None,
-    by: str = "cheapest",
+    by: str = "smallest-change",
+    force: bool = False,
     loops: Optional[Loops] = None,
     threads: Optional[int] = 0,
     progress: Any = None,
@@ -37,10 +41,13 @@ def remove_handles(
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
     genus : the smallest handles go until so many are left
     shorter_than : handles with a loop that is shorter, in the unit of the coordinates
-    pairs : those of the pairs of these numbers, as in the table of ``loops``, which has to be given
+    pairs : those of the pairs of these numbers, as in the table of ``loops``, which has to be given; as a
+        mapping, each with a way of its own, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): those of which a loop lies in this box
     necks : as shorter_than; shorter loops at which shells come apart go, too
-    by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "cheapest"
+    by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "smallest-change", what
+        changes the shape less
+    force : also where that is no repair: where the bounding box would grow, say
     loops : of this mesh, if they are known; computed if not
     threads, progress : as for `loops`
 
@@ -49,8 +56,16 @@ def remove_handles(
     V, F : the new mesh; what stays keeps its order
     face_origin : (m',): for each face the face of the given mesh that it is, or -1 if it is new
     report : genus_before, genus_after, components_before and _after, and lists of dictionaries: removed
-        (pair, by, length, area, volume), refused (pair, length, reason), removed_necks, refused_necks
+        (pair, by, length, area, volume, change), refused (pair, length, reason), removed_necks,
+        refused_necks. Each change, and that of all, says how the shape differs: volume_removed,
+        volume_added, cap_area; cap_ratio, the largest area of a cap over that of a circle as long as its rim;
+        displacement, the largest distance of a cap from the old surface; burial, that of what was taken
+        out from the new one; sharpest_angle, at an edge of a cap, in degrees; box_growth
     """
+    methods = {}
+    if isinstance(pairs, Mapping):
+        methods = {n: word("pairs", way, _ways) for n, way in pairs.items() if way is not None}
+        pairs = list(pairs)
     chosen = dict(
         genus=None if genus is None else whole("genus", genus),
         shorter_than=real_or_none("shorter_than", shorter_than),
@@ -63,7 +78,7 @@ def remove_handles(
         raise ValueError(f"{' and '.join(given)} cannot be given together")
     if pairs is not None and loops is None:
         raise ValueError("pairs are numbers of loops: give these, too")
-    chosen["by"] = word("by", by, ("cut", "fill", "cheapest"))
+    chosen.update(by=word("by", by, _ways), methods=methods, force=bool(force))
     mesh, number = arrays(V, F), threads_of(threads)
     with told(progress, "remove") as callback:
         begin = 0.0

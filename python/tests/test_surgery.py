@@ -37,6 +37,12 @@ def test_some_handles(genus_3):
     check_origin(V, F, new_V, new_F, face_origin)
     _, _, _, report = htl.remove_handles(V, F, pairs=[1], loops=L, by="fill")
     assert [(handle["pair"], handle["by"]) for handle in report["removed"]] == [(1, "fill")]
+    _, _, _, report = htl.remove_handles(V, F, pairs={0: "cut", 2: None}, loops=L, by="fill", force=True)
+    ways = {handle["pair"]: handle for handle in report["removed"]}
+    assert ways[0]["by"] == "cut" and ways[2]["by"] == "fill"
+    assert ways[0]["change"]["volume_removed"] > 0 and ways[2]["change"]["volume_added"] > 0
+    assert report["change"]["cap_area"] == pytest.approx(sum(handle["area"] for handle in ways.values()))
+    assert 0 < report["change"]["cap_ratio"] < 3 and report["change"]["sharpest_angle"] > 30
     _, _, _, report = htl.remove_handles(V, F, shorter_than=1e-9)
     assert report["genus_after"] == 3 and report["removed"] == []
     loop = min((L.handles[2], L.tunnels[2]), key=lambda loop: loop.length)
@@ -50,6 +56,8 @@ def test_what_cannot_be_asked(genus_3):
         htl.remove_handles(*genus_3, genus=1, pairs=[0], loops=htl.loops(*genus_3))
     with pytest.raises(ValueError, match="by is"):
         htl.remove_handles(*genus_3, by="magic")
+    with pytest.raises(ValueError, match="pairs is"):
+        htl.remove_handles(*genus_3, pairs={0: "saw"}, loops=htl.loops(*genus_3))
     with pytest.raises(ValueError, match="7"):
         htl.remove_handles(*genus_3, pairs=[7], loops=htl.loops(*genus_3))
     with pytest.raises(ValueError, match="pairs are numbers of loops"):

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Polygon_in_space.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
@@ -42,9 +43,10 @@ public:
       : mesh_(mesh)
       , outward_(outward) {}
 
-  /// \p faces are those that the loop passes through. Gives up where the wall is many times as
+  /// of a bore that a loop goes around. Gives up where the wall is many times as
   /// large, or has many mouths. Near linear in its size.
-  std::optional<Cut_region> wall_at(const std::vector<Index>& faces) const {
+  std::optional<Cut_region> wall_at(const Curve_off_vertices& loop) const {
+    const std::vector<Index> faces = loop.faces();
     const std::size_t most = 4000 + 64 * faces.size();
     std::optional<std::vector<Index>> reached = flood(faces, most);
     if(!reached)
@@ -59,6 +61,11 @@ public:
         border = 0;
       } else
         ++border;
+    constexpr double most_growth = 1.5;
+    for(std::size_t border = 0; border < wall->number_of_borders(); ++border)
+      if(!(length(*wall, border) <= most_growth * loop.length()) &&
+         !is_flush(rim_of(mesh_, *wall, border)))
+        return std::nullopt;
     return wall;
   }
 

@@ -49,13 +49,13 @@ public:
   /// to be called once, before all else.
   void find_loops(const Surgery_mesh& mesh) {
     CGAL_precondition(walks_.empty());
-    std::vector<std::pair<double, std::size_t>> allowed; // by the area of discs across the loops
+    std::vector<std::pair<double, std::size_t>> allowed; // by the discs across the loops
     for(std::size_t i = 0; i < task_->choices.size(); ++i) {
       const Loop_choice& loop = task_->choices[i];
       walks_.push_back(simple_part(led_off_boundary(mesh, walk_beside(mesh, loop.places))));
       lengths_.push_back(length(mesh, walks_.back()));
       if(loop.is_allowed)
-        allowed.push_back({task_->has_both_loops() ? area_of_fan(mesh, loop.places) : 0., i});
+        allowed.push_back({task_->has_both_loops() ? cost_of_disc(mesh, loop.places) : 0., i});
     }
     std::sort(allowed.begin(), allowed.end());
     std::vector<std::size_t> order;
@@ -155,8 +155,9 @@ public:
   }
 
 private:
-  // Of triangles from the centre of a loop.
-  static double area_of_fan(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
+  // The area of triangles from the centre of a loop, over the square of how round they are: rather
+  // than being slit from a hole to the rim, a flange is filled.
+  static double cost_of_disc(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
     using Shift = Surgery_mesh::Kernel::Vector_3;
     std::vector<Surgery_mesh::Point> points;
     Shift sum(NULL_VECTOR);
@@ -165,10 +166,14 @@ private:
       sum = sum + (points.back() - ORIGIN);
     }
     const Surgery_mesh::Point center = ORIGIN + sum / static_cast<double>(points.size());
-    double area = 0.;
-    for(std::size_t i = 0; i < points.size(); ++i)
-      area += std::sqrt(CGAL::squared_area(center, points[i], points[(i + 1) % points.size()]));
-    return area;
+    double area = 0., length = 0.;
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const Surgery_mesh::Point& next = points[(i + 1) % points.size()];
+      area += std::sqrt(CGAL::squared_area(center, points[i], next));
+      length += std::sqrt(CGAL::squared_distance(points[i], next));
+    }
+    const double area_of_circle = length * length / (4. * CGAL_PI);
+    return area > 0. ? area_of_circle * (area_of_circle / area) : 0.;
   }
 
   // Where the loop of the present choice was found, if it is there still; or else beside its walk.
