@@ -1,6 +1,8 @@
 // Removes handles, and measures that as a multiple of the time that CGAL::IO::read_polygon_mesh
 // takes for the same mesh as an OFF file, in one run, beyond finding the loops; and the memory that
-// it takes beyond the mesh. With --check, what comes out is put through programs of others.
+// it takes beyond the mesh. With --check, what comes out is put through programs of others. What
+// becomes of the shape is summed up at the end: volumes and boxes are those of the meshes, the rest
+// is what reports say.
 //
 //   benchmark_removal [-n RUNS] [--genus G | --half | --necks LENGTH] [--check]
 //                     [KIND:FACES:GENUS | FILE]...
@@ -11,6 +13,8 @@
 #include "Counting_allocation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -18,6 +22,7 @@
 #include <CGAL/remove_handles.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -48,7 +53,31 @@ struct Sum
 {
   std::size_t removed = 0, refused = 0;
   std::map<std::string, std::size_t> reasons;
+  // Of the shapes.
+  std::size_t wrong_signs = 0, large_caps = 0;                // handles
+  std::size_t sharp = 0, larger_boxes = 0, other_volumes = 0; // meshes
+  std::vector<double> displacements; // in lengths of the loop, the largest of each mesh
+  std::vector<double> times;         // over those for the loops
 };
+
+void add_shape(const Mesh& before, const Mesh& after, const HTL::Removal_report& report, Sum& sum) {
+  const double volume = std::abs(PMP::volume(before));
+  double displacement = 0., taken = 0.;
+  for(const HTL::Removed_handle& handle : report.removed) {
+    const HTL::Shape_change& change = handle.change;
+    sum.wrong_signs +=
+        (handle.by == HTL::Removal_way::CUT && change.volume_added > 1e-9 * volume) ||
+        (handle.by == HTL::Removal_way::FILL && change.volume_removed > 1e-9 * volume);
+    sum.large_caps += change.cap_ratio > 3.;
+    displacement = (std::max)(displacement, change.displacement / handle.length);
+    taken += handle.volume;
+  }
+  sum.sharp += report.change().sharpest_angle < 30.;
+  sum.displacements.push_back(displacement);
+  sum.other_volumes += std::abs(volume - std::abs(PMP::volume(after)) - taken) > 1e-6 * volume;
+  const CGAL::Bbox_3 box = PMP::bbox(before);
+  sum.larger_boxes += (box + PMP::bbox(after)) != box;
+}
 
 HTL::Removal_report remove(Mesh& mesh, const Pairs& pairs, const Wish& wish) {
   const std::size_t genus = wish.half ? pairs.size() / 2 : (std::min)(wish.genus, pairs.size());
@@ -114,7 +143,10 @@ void measure(const std::string& input, const Wish& wish, Sum& sum) {
               double(faces);
     }
   }
-  const std::string state = wish.check ? check(read(off.name()), mesh) : "";
+  const Mesh before = read(off.name());
+  add_shape(before, mesh, report, sum);
+  sum.times.push_back(median(removing) / median(finding));
+  const std::string state = wish.check ? check(before, mesh) : "";
   if(state != "crossed itself before") {
     sum.removed += report.removed.size();
     sum.refused += report.refused.size();
@@ -165,4 +197,16 @@ int main(int argc, char* argv[]) {
   std::printf("\n%zu removed, %zu refused\n", sum.removed, sum.refused);
   for(const auto& [reason, number] : sum.reasons)
     std::printf("%zu %s\n", number, reason.c_str());
+  if(sum.times.empty())
+    return 0;
+  std::printf(
+      "\nfills that take solid away, cuts that add some: %zu\ncaps of over 3 circles: %zu\n"
+      "meshes with an angle below 30 degrees at a cap: %zu, with a larger box: %zu, with another "
+      "change of volume than the report says: %zu\n",
+      sum.wrong_signs, sum.large_caps, sum.sharp, sum.larger_boxes, sum.other_volumes);
+  std::printf("largest displacement, in lengths of the loop: median %.3f, most %.3f\n",
+              median(sum.displacements),
+              *std::max_element(sum.displacements.begin(), sum.displacements.end()));
+  std::printf("removing / finding the loops: median %.2f, most %.2f\n", median(sum.times),
+              *std::max_element(sum.times.begin(), sum.times.end()));
 }
