@@ -47,6 +47,24 @@ public:
   /// large, or has many mouths. Near linear in its size.
   std::optional<Cut_region> wall_at(const Curve_off_vertices& loop) const {
     const std::vector<Index> faces = loop.faces();
+    std::optional<Cut_region> wall = wall_from(faces, loop);
+    // At a mouth, some of the faces are beyond it.
+    std::vector<Index> tried;
+    for(std::size_t i = 0; i < faces.size() && !wall && tried.size() < 4000; ++i) {
+      const std::optional<std::vector<Index>> reached =
+          is_in(faces[i], tried) ? std::nullopt : flood({faces[i]}, 4000);
+      if(!reached)
+        continue;
+      tried.insert(tried.end(), reached->begin(), reached->end());
+      make_set(tried);
+      wall = wall_from({faces[i]}, loop);
+    }
+    return wall;
+  }
+
+private:
+  std::optional<Cut_region> wall_from(const std::vector<Index>& faces,
+                                      const Curve_off_vertices& loop) const {
     const std::size_t most = 4000 + 64 * faces.size();
     std::optional<std::vector<Index>> reached = flood(faces, most);
     if(!reached)
@@ -69,7 +87,6 @@ public:
     return wall;
   }
 
-private:
   std::optional<std::vector<Index>> flood(const std::vector<Index>& begin, std::size_t most) const {
     std::vector<Index> reached = begin;
     std::unordered_set<Index> is_reached(begin.begin(), begin.end());
