@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_ARC_EXCHANGE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_ARC_EXCHANGE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Chord_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Disk_boundary.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// Edges that may take the place of an arc.
+struct Arc_proposal
+{
+  std::size_t arc;
+  double gain;
+  std::vector<Index> path;
+};
+
+/*!
+Finds, for each arc of a cut of one component, the shortest path that may take its place.
+
+Without the arc the disk is an annulus, and any path in it from one side of its boundary to the
+other opens it to a disk again. The nearest places of the boundary are found once for all vertices;
+for an arc they are found anew only where the nearest place is on the arc. The shortest path then
+passes an edge between vertices of which one is nearer to one side, and one to the other.
+*/
+class Arc_exchange
+{
+  struct Label
+  {
+    double distance = never;
+    Index place = no_index;    // of the boundary, the nearest one
+    Index previous = no_index; // the halfedge that leads to the vertex
+  };
+  // The shortest way between two arcs, or corners at nodes.
+  struct Chord_of_groups : Chord
+  {
+    Index from_group, to_group;
+  };
+
+public:
+  explicit Arc_exchange(const Cut_problem& problem, const Cut_graph& cut)
+      : problem_(problem)
+      , halfedges_(problem.halfedges)
+      , cut_(cut)
+      , labels_(problem.mesh.number_of_vertices())
+      , cell_labels_(problem.mesh.number_of_vertices())
+      , cell_of_(problem.mesh.number_of_vertices(), no_index)
+      , places_(problem.halfedges.size()) {}
+
+  /// the paths that are shorter than their arcs, the greatest gains first.
+  std::vector<Arc_proposal> find(const Disk_boundary& boundary) {
+    boundary_ = &boundary;
+    for(Index k = 0; k < boundary.size(); ++k)
+      boundary.for_each_in_corner(k, [&](Index h) { places_[h] = k; });
+    arcs_ = boundary.arcs([&](Index h) { return places_[h]; });
+    number_groups();
+    label_vertices();
+    collect_cells();
+    collect_chords();
+    std::vector<Arc_proposal> proposals;
+    for(std::size_t a = 0; a < arcs_.size(); ++a)
+      if(!arcs_[a].is_kept)
+        propose(a, proposals);
+    labels_.clear();
+    for(const std::vector<Index>& cell : cells_)
+      for(const Index v : cell)
+        cell_of_[v] = no_index;
+    std::stable_sort(proposals.begin(), proposals.end(),
+                     [](const Arc_proposal& a, const Arc_proposal& b) { return a.gain > b.gain; });
+    return proposals;
+  }
+
+  const std::vector<Cut_arc>& arcs() const { return arcs_; }
+
+private:
+  static constexpr double never = (std::numeric_limits<double>::max)();
+
+  // ---- the boundary
+
+  // Corners at nodes are groups of their own; other places belong to the group of their arc's side.
+  void number_groups() {
+    const Index n = boundary_->size();
+    group_.assign(n, no_index);
+    arc_of_place_.assign(n, no_index);
+    most_ = 0.;
+    for(std::size_t a = 0; a < arcs_.size(); ++a) {
+      const Cut_arc& arc = arcs_[a];
+      most_ = (std::max)(most_, arc.is_kept ? 0. : arc.length);
+      for(const auto& [first, last] :
+          {std::make_pair(arc.first, arc.last), std::make_pair(arc.twin_first, arc.twin_last)})
+      {
+        group_[first] = first;
+        for(Index k = next_place(first); k != last; k = next_place(k)) {
+          group_[k] = n + first;
+          arc_of_place_[k] = static_cast<Index>(a);
+        }
+      }
+    }
+  }
+
+  Index next_place(Index k) const { return boundary_->next(k); }
+
+  // ---- the nearest places
+
+  bool is_on_cut(Index v) const { return cut_.degree(v) != 0; }
+
+  void label_vertices() {
+    for(Index k = 0; k < boundary_->size(); ++k)
+      boundary_->for_each_in_corner(k, [&](Index h) {
+        if(!cut_.contains(h) && !is_on_cut(halfedges_.target(h)))
+          relax(labels_, h, {0., k}, most_);
+      });
+    labels_.grow([&](Index v) {
+      for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
+        if(!is_on_cut(halfedges_.target(h)))
+          relax(labels_, h, labels_[v], most_);
+    });
+  }
+
+  // Passes on the nearest place along a halfedge.
+  void relax(Shortest_paths<Label>& labels, Index h, const Label& from, double most) {
+    const Index v = halfedges_.target(h);
+    const double d = from.distance + problem_.weight[h];
+    if(!problem_.is_avoided(h) && 2. * d < most && d < labels[v].distance)
+      labels.reach(v, {d, from.place, h});
+  }
+
+  // By arc, the vertices that are nearest to it, and those on it.
+  void collect_cells() {
+    cells_.assign(arcs_.size(), {});
+    for(const Index v : labels_.reached())
+      if(arc_of_place_[labels_[v].place] != no_index)
+        cells_[arc_of_place_[labels_[v].place]].push_back(v);
+    for(std::size_t a = 0; a < arcs_.size(); ++a) {
+      for(Index k = next_place(arcs_[a].first); k != arcs_[a].last; k = next_place(k))
+        cells_[a].push_back(boundary_->vertex(k));
+      for(const Index v : cells_[a])
+        cell_of_[v] = static_cast<Index>(a);
+    }
+  }
+
+  // The nearest place to the vertex to which a halfedge leads, as seen from there.
+  Label label_at_end(Index h) const {
+    const Index v = halfedges_.target(h);
+    return is_on_cut(v) ? Label{0., places_[halfedges_.twin(h)], no_index} : labels_[v];
+  }
+
+  void collect_chords() {
+    std::vector<Chord_of_groups> chords;
+    for(const Index v : labels_.reached())
+      for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
+        if(is_on_cut(halfedges_.target(h)) || v < halfedges_.target(h))
+          add_chord(h, chords);
+    for(Index k = 0; k < boundary_->size(); ++k)
+      boundary_->for_each_in_corner(k, [&](Index h) {
+        if(!cut_.contains(h) && is_on_cut(halfedges_.target(h)) && h < halfedges_.twin(h))
+          add_chord(h, chords);
+      });
+    const auto key = [](const Chord_of_groups& c) {
+      return std::tie(c.from_group, c.to_group, c.length, c.halfedge);
+    };
+    std::sort(chords.begin(), chords.end(),
+              [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    const auto end = std::unique(chords.begin(), chords.end(), [](const auto& a, const auto& b) {
+      return a.from_group == b.from_group && a.to_group == b.to_group;
+    });
+    chords_ = Chord_tree(std::vector<Chord>(chords.begin(), end));
+  }
+
+  void add_chord(Index h, std::vector<Chord_of_groups>& chords) const {
+    const Label a = label_at_end(halfedges_.twin(h)), b = label_at_end(h);
+    if(b.place == no_index || problem_.is_avoided(h))
+      return;
+    const double length = a.distance + problem_.weight[h] + b.distance;
+    Index from = a.place, to = b.place;
+    if(group_[from] == group_[to] || length >= most_)
+      return;
+    if(group_[from] > group_[to])
+      std::swap(from, to);
+    chords.push_back({{length, h, from, to}, group_[from], group_[to]});
+  }
+
+  // ---- one arc
+
+  void propose(std::size_t a, std::vector<Arc_proposal>& proposals) {
+    const Cut_arc& arc = arcs_[a];
+    double best = (1. - 1e-9) * arc.length;
+    Index way = no_index;
+    if(const Chord* chord = chords_.shortest(best, Sides_of_arc{*boundary_, arc})) {
+      best = chord->length;
+      way = chord->halfedge;
+    }
+    label_cell(a, best);
+    for(const Index v : cells_[a])
+      for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
+        find_way(a, h, best, way);
+    if(way != no_index) {
+      proposals.push_back({a, arc.length - best, {way}});
+      trace(a, halfedges_.source(way), proposals.back().path);
+      trace(a, halfedges_.target(way), proposals.back().path);
+    }
+    cell_labels_.clear();
+  }
+
+  bool is_in_cell(std::size_t a, Index v) const { return cell_of_[v] == a; }
+
+  // The nearest place that there is without the arc.
+  Label label_without(std::size_t a, Index h) const {
+    const Index v = halfedges_.target(h);
+    return is_in_cell(a, v) ? cell_labels_[v] : label_at_end(h);
+  }
+
+  void label_cell(std::size_t a, double most) {
+    for(const Index v : cells_[a])
+      for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
+        if(!is_in_cell(a, halfedges_.target(h))) {
+          const Label label = label_at_end(h);
+          if(label.place != no_index)
+            relax(cell_labels_, halfedges_.twin(h), label, most);
+        }
+    cell_labels_.grow([&](Index v) {
+      for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
+        if(is_in_cell(a, halfedges_.target(h)))
+          relax(cell_labels_, h, cell_labels_[v], most);
+    });
+  }
+
+  void find_way(std::size_t a, Index h, double& best, Index& way) const {
+    const Label from = label_without(a, halfedges_.twin(h)), to = label_without(a, h);
+    if(from.place == no_index || to.place == no_index || problem_.is_avoided(h))
+      return;
+    const double length = from.distance + problem_.weight[h] + to.distance;
+    const Sides_of_arc sides{*boundary_, arcs_[a]};
+    if(length < best && sides.of(from.place) != sides.of(to.place)) {
+      best = length;
+      way = h;
+    }
+  }
+
+  void trace(std::size_t a, Index v, std::vector<Index>& path) const {
+    while(is_in_cell(a, v) || !is_on_cut(v)) {
+      const Index h = is_in_cell(a, v) ? cell_labels_[v].previous : labels_[v].previous;
+      path.push_back(h);
+      v = halfedges_.source(h);
+    }
+  }
+
+  const Cut_problem& problem_;
+  const Flat_halfedges& halfedges_;
+  const Cut_graph& cut_;
+  const Disk_boundary* boundary_ = nullptr;
+  std::vector<Cut_arc> arcs_;
+  std::vector<Index> group_, arc_of_place_;    // by place
+  double most_ = 0.;                           // no way is longer
+  Shortest_paths<Label> labels_, cell_labels_; // by vertex
+  std::vector<std::vector<Index>> cells_;      // by arc
+  std::vector<Index> cell_of_;                 // by vertex
+  std::vector<Index> places_;                  // by halfedge that leaves a vertex of the cut
+  Chord_tree chords_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CUTTING_ARC_EXCHANGE_H
