@@ -36,7 +36,8 @@ namespace CGAL {
 \ingroup PkgHandleTunnelLoopsRef
 
 writes the boundary curves of a surface as loops, the surface to their left; or, if
-`basis_kind` says so, for each its waist: a short loop that is homologous to it.
+`basis_kind` says so, for each its waist: a short loop that is homologous to it. The only curve of a
+component bounds all of it, and so has none.
 
 All but one of the curves of each component, whichever that is, are a basis of its first homology
 group together with the loops of `handle_tunnel_loops()`. A waist may take the place of its curve.
@@ -45,9 +46,8 @@ It crosses no boundary, but may run along it.
 A chain is homologous to a boundary curve if it separates that from all others. So the shortest is a
 minimum cut, wherever on the surface it lies: of a graph on the mesh, which makes its length a few
 percent too large. Then it is tightened to a closed geodesic. Where the shortest chain is several
-loops (the two legs of trousers may be narrower than the waist), or the curve is the only one of its
-component and separates nothing, the curve itself is tightened, which does not change its homotopy
-class; and where it bounds a disk it would shrink to a point, and is written as it is.
+loops (the two legs of trousers may be narrower than the waist), the curve itself is tightened,
+which does not change its homotopy class.
 
 Linear in the size of the mesh; short loops take mostly near linear time for each curve.
 
@@ -60,7 +60,7 @@ Linear in the size of the mesh; short loops take mostly near linear time for eac
 
 \param tm the mesh
 \param out the iterator that the loops are written to: of type `Loop_type::BOUNDARY`, and
-  numbered by `pair_index()`
+  numbered by `pair_index()`, a waist as its curve
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -127,7 +127,8 @@ OutputIterator boundary_loops(const TriangleMesh& tm,
   impl::for_each_index(
       execution, loops.size(),
       [&](std::size_t i) { loops[i] = convert(flat_loops[i], Loop_type::BOUNDARY, i); }, 1);
-  return std::copy(loops.begin(), loops.end(), out);
+  return std::copy_if(loops.begin(), loops.end(), out,
+                      [](const auto& loop) { return loop.size() != 0; });
 }
 
 } // namespace CGAL

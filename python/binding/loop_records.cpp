@@ -149,6 +149,13 @@ py::dict certificate_of(const Certificate& certificate) {
       "failure"_a = certificate.failure);
 }
 
+std::vector<std::size_t> numbers_of(const std::vector<Loop>& loops) {
+  std::vector<std::size_t> numbers;
+  for(const Loop& loop : loops)
+    numbers.push_back(loop.pair_index());
+  return numbers;
+}
+
 py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
   std::vector<const Loop*> loops;
   htloops::for_each_loop(answer.pairs, [&](const Loop& loop, CGAL::Loop_type, std::size_t) {
@@ -163,18 +170,19 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
   const auto curves = pointers_to(answer.boundaries.curves);
   py::dict boundaries = record_of(mesh, curves);
   boundaries["components"] = components_of(mesh, curves, components);
+  py::dict waists = record_of(mesh, pointers_to(answer.boundaries.waists));
+  waists["numbers"] = numbers_of(answer.boundaries.waists);
   py::dict record = record_of(mesh, loops);
   add_layers(record, answer.vertex_layers);
-  return py::dict("components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
-                  "bounds_alone"_a = sides_alone,
-                  "linking"_a = matrix_of(answer.certificate.linking),
-                  "certificate"_a = certificate_of(answer.certificate),
-                  "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
-                  "number_of_vertices"_a = answer.statistics.number_of_vertices,
-                  "number_of_faces"_a = answer.statistics.number_of_faces,
-                  "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),
-                  "seconds"_a = seconds_of(answer), "boundaries"_a = boundaries,
-                  "waists"_a = record_of(mesh, pointers_to(answer.boundaries.waists)), **record);
+  return py::dict(
+      "components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
+      "bounds_alone"_a = sides_alone, "linking"_a = matrix_of(answer.certificate.linking),
+      "certificate"_a = certificate_of(answer.certificate),
+      "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
+      "number_of_vertices"_a = answer.statistics.number_of_vertices,
+      "number_of_faces"_a = answer.statistics.number_of_faces,
+      "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),
+      "seconds"_a = seconds_of(answer), "boundaries"_a = boundaries, "waists"_a = waists, **record);
 }
 
 htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {

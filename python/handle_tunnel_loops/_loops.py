@@ -100,11 +100,11 @@ class Loops:
         number = len(curves["lengths"])
         #: the boundary curves of the surface
         self.boundaries: List[Loop] = _loops_of(curves, ["boundary"] * number, list(range(number)))
-        waists = dict(record["waists"], components=curves["components"])
-        #: for each boundary curve the shortest loop that goes around the same, if asked for
-        self.waists: List[Loop] = _loops_of(
-            waists, ["boundary"] * len(waists["lengths"]), list(range(len(waists["lengths"])))
-        )
+        numbers = record["waists"]["numbers"]
+        waists = dict(record["waists"], components=[curves["components"][i] for i in numbers])
+        #: for each boundary curve the shortest loop that goes around the same, if asked for; it has
+        #: the number of its curve, and the only curve of a component has none
+        self.waists: List[Loop] = _loops_of(waists, ["boundary"] * len(numbers), numbers)
         #: (n,): the layer of the front that came to each vertex in the first pass, from 1; 0 where there is
         #: no face. None unless asked for, like the next.
         self.layers: Optional[np.ndarray] = record.get("layers")

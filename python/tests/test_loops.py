@@ -121,6 +121,12 @@ def test_boundary(plate):
     assert htl.loops(V, F).waists == []
 
 
+def test_the_only_boundary_curve_has_no_waist():
+    V = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    L = htl.loops(V, np.array([[0, 1, 2]]), waists=True)
+    assert len(L.boundaries) == 1 and L.waists == []
+
+
 def test_layers(genus_3):
     V, F = genus_3
     plain, L = htl.loops(V, F), htl.loops(V, F, layers=True)

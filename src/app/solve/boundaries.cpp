@@ -12,9 +12,17 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/boundary_loops.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace htloops {
+
+const Loop* Boundaries::waist(std::size_t curve) const {
+  const auto found =
+      std::lower_bound(waists.begin(), waists.end(), curve,
+                       [](const Loop& waist, std::size_t i) { return waist.pair_index() < i; });
+  return found != waists.end() && found->pair_index() == curve ? &*found : nullptr;
+}
 
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists) {
   using Tag = CGAL::Parallel_if_available_tag;

@@ -19,10 +19,14 @@
 
 namespace htloops {
 
-/// The boundary curves, and for each a locally shortest loop of its class, if that is wanted.
+/// The boundary curves, and for each that is not the only one of its component a short loop of its
+/// class, if that is wanted.
 struct Boundaries
 {
   std::vector<Loop> curves, waists;
+
+  /// of the curve of a number; null if there is none.
+  const Loop* waist(std::size_t curve) const;
 };
 
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists);

@@ -148,12 +148,12 @@ Json json_of(const Loop_linking& linking) {
   return json;
 }
 
-// Of a boundary curve, if that was looked for.
+// Of a boundary curve, if it has one, and that was looked for.
 Json json_of_waist(const Loop& curve, const Boundaries& boundaries, const Mesh& mesh) {
-  if(boundaries.waists.empty())
+  const Loop* waist = boundaries.waist(curve.pair_index());
+  if(!waist)
     return Json::object();
-  const Loop& waist = boundaries.waists[curve.pair_index()];
-  return {{"waist", json_of_line(waist, mesh, {{"length", waist.length()}})}};
+  return {{"waist", json_of_line(*waist, mesh, {{"length", waist->length()}})}};
 }
 
 // How small a pair is, and where its shorter loop lies.

@@ -313,8 +313,9 @@ std::string table_of_boundaries(const Boundaries& boundaries, bool show_all) {
   return table(columns, curves.size(), {show_all}, [&](std::size_t row) {
     const std::size_t i = order[row];
     std::vector<std::string> cells = {std::to_string(i), formatted("%.6g", curves[i].length())};
+    const Loop* waist = boundaries.waist(i);
     if(has_waists)
-      cells.push_back(formatted("%.6g", boundaries.waists[i].length()));
+      cells.push_back(waist ? formatted("%.6g", waist->length()) : "none");
     cells.insert(cells.end(), {std::to_string(curves[i].size()), centre_of(curves[i])});
     return cells;
   });

@@ -71,7 +71,8 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
              "shortest (whatever side they bound on: for cutting and parametrization)",
              {"pure", "shortest"});
   command.add_flag("--waists", options.do_find_waists,
-                   "for each boundary curve its waist, too: a short loop of its class");
+                   "for each boundary curve its waist, too: a short loop of its class; the only\n"
+                   "curve of a component has none");
   command.add_flag("--no-refine", options.do_not_refine,
                    "keep the handles of the first pass: faster");
   command.add_flag("--no-tighten", options.do_not_tighten,

@@ -302,4 +302,20 @@ TEST(Boundary_loops, ShrinkInTheirClass) {
     }
 }
 
+// It bounds the component; those of another one have waists, and these the numbers of their curves.
+TEST(Boundary_loops, HaveNoWaistWhereThereIsOne) {
+  Random random(12);
+  for(const std::size_t genus : {0, 1, 2}) {
+    const Recipe recipe{"multi-torus", {3000, genus, 0}};
+    Mesh mesh = mesh_with_holes(recipe, 1, 40, random);
+    EXPECT_TRUE(waists_of(mesh).empty());
+    mesh += mesh_with_holes(recipe, 3, 40, random);
+    mesh.collect_garbage();
+    const auto waists = waists_of(mesh);
+    ASSERT_EQ(waists.size(), 3u);
+    for(std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(waists[i].pair_index(), i + 1);
+  }
+}
+
 } // namespace test_boundaries

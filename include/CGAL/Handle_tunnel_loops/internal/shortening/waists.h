@@ -408,12 +408,19 @@ inline Crossing_loop reversed(const Crossing_loop& loop) {
   return result;
 }
 
-/// where a component has two boundary curves, these are homologous but for the sense: of both
-/// waists the shorter one serves.
-inline void share_waists(const Flat_mesh& mesh, std::vector<Crossing_loop>& waists) {
+/// by component, which of the boundary curves are its own.
+inline std::vector<std::vector<Index>> curves_of_components(const Flat_mesh& mesh) {
   std::vector<std::vector<Index>> curves(mesh.seeds.size());
   for(Index i = 0; i < mesh.number_of_hubs; ++i)
     curves[mesh.component[mesh.first_hub + i]].push_back(i);
+  return curves;
+}
+
+/// where a component has two boundary curves, these are homologous but for the sense: of both
+/// waists the shorter one serves.
+inline void share_waists(const std::vector<std::vector<Index>>& curves,
+                         const Flat_mesh& mesh,
+                         std::vector<Crossing_loop>& waists) {
   for(const std::vector<Index>& both : curves)
     if(both.size() == 2) {
       Crossing_loop &a = waists[both[0]], &b = waists[both[1]];
@@ -424,17 +431,21 @@ inline void share_waists(const Flat_mesh& mesh, std::vector<Crossing_loop>& wais
     }
 }
 
-/// the waists of all boundary curves.
+/// the waists of all boundary curves; empty where the curve is the only one of its component, as a
+/// point is homologous to it.
 inline std::vector<Crossing_loop> waists(Execution execution, const Flat_mesh& mesh) {
   Workspace_pool<Waist_search> searches([&mesh] { return std::make_unique<Waist_search>(mesh); });
   std::vector<Crossing_loop> loops(mesh.number_of_hubs);
+  const std::vector<std::vector<Index>> curves = curves_of_components(mesh);
   for_each_index(
       execution, loops.size(),
       [&](std::size_t i) {
-        loops[i] = waist(mesh, mesh.first_hub + static_cast<Index>(i), *searches.borrow());
+        const Index hub = mesh.first_hub + static_cast<Index>(i);
+        if(curves[mesh.component[hub]].size() > 1)
+          loops[i] = waist(mesh, hub, *searches.borrow());
       },
       1);
-  share_waists(mesh, loops);
+  share_waists(curves, mesh, loops);
   return loops;
 }
 
