@@ -50,26 +50,38 @@ public:
     std::optional<Cut_region> wall = wall_from(faces, loop);
     // At a mouth, some of the faces are beyond it.
     std::vector<Index> tried;
-    for(std::size_t i = 0; i < faces.size() && !wall && tried.size() < 4000; ++i) {
-      const std::optional<std::vector<Index>> reached =
-          is_in(faces[i], tried) ? std::nullopt : flood({faces[i]}, 4000);
-      if(!reached)
+    std::size_t number = 0; // of faces reached in vain, but for those from where there is no end
+    for(std::size_t i = 0; i < faces.size() && !wall && number < most_tried; ++i) {
+      if(is_in(faces[i], tried))
         continue;
-      tried.insert(tried.end(), reached->begin(), reached->end());
+      const Flood reached = flood({faces[i]}, most_tried);
+      tried.insert(tried.end(), reached.faces.begin(), reached.faces.end());
       make_set(tried);
-      wall = wall_from({faces[i]}, loop);
+      if(reached.is_bounded) {
+        number += reached.faces.size();
+        wall = wall_from({faces[i]}, loop);
+      }
     }
     return wall;
   }
 
 private:
+  static constexpr std::size_t most_tried = 4000;
+
+  // What is reached without passing a convex edge.
+  struct Flood
+  {
+    std::vector<Index> faces; // in ascending order
+    bool is_bounded;          // these are all, and none of them is in a cap
+  };
+
   std::optional<Cut_region> wall_from(const std::vector<Index>& faces,
                                       const Curve_off_vertices& loop) const {
     const std::size_t most = 4000 + 64 * faces.size();
-    std::optional<std::vector<Index>> reached = flood(faces, most);
-    if(!reached)
+    Flood reached = flood(faces, most);
+    if(!reached.is_bounded)
       return std::nullopt;
-    std::optional<Cut_region> wall = Cut_region::wall(mesh_, std::move(*reached));
+    std::optional<Cut_region> wall = Cut_region::wall(mesh_, std::move(reached.faces));
     constexpr std::size_t most_mouths = 16;
     if(!wall || wall->number_of_borders() > most_mouths)
       return std::nullopt;
@@ -87,18 +99,18 @@ private:
     return wall;
   }
 
-  std::optional<std::vector<Index>> flood(const std::vector<Index>& begin, std::size_t most) const {
-    std::vector<Index> reached = begin;
+  Flood flood(const std::vector<Index>& begin, std::size_t most) const {
+    Flood flood{begin, true};
+    std::vector<Index>& reached = flood.faces;
     std::unordered_set<Index> is_reached(begin.begin(), begin.end());
-    for(std::size_t i = 0; i < reached.size(); ++i) {
-      if(reached.size() > most || mesh_.is_in_cap(reached[i]))
-        return std::nullopt;
+    for(std::size_t i = 0; i < reached.size() && flood.is_bounded; ++i) {
+      flood.is_bounded = reached.size() <= most && !mesh_.is_in_cap(reached[i]);
       for(Index h : {3 * reached[i], 3 * reached[i] + 1, 3 * reached[i] + 2})
         if(!is_convex(h) && is_reached.insert(mesh_.face(mesh_.twin(h))).second)
           reached.push_back(mesh_.face(mesh_.twin(h)));
     }
     make_set(reached);
-    return reached;
+    return flood;
   }
 
   // By more than five degrees.
@@ -127,15 +139,15 @@ private:
     for(Index h : wall.border(border))
       beyond.push_back(mesh_.face(mesh_.twin(h)));
     make_set(beyond);
-    std::optional<std::vector<Index>> ring = flood(beyond, most);
-    if(!ring)
+    auto [ring, is_bounded] = flood(beyond, most);
+    if(!is_bounded)
       return std::nullopt;
-    const std::size_t number = wall.faces().size() + ring->size();
-    ring->insert(ring->end(), wall.faces().begin(), wall.faces().end());
-    make_set(*ring);
-    if(ring->size() != number)
+    const std::size_t number = wall.faces().size() + ring.size();
+    ring.insert(ring.end(), wall.faces().begin(), wall.faces().end());
+    make_set(ring);
+    if(ring.size() != number)
       return std::nullopt; // it leads back to the wall
-    std::optional<Cut_region> wider = Cut_region::wall(mesh_, std::move(*ring));
+    std::optional<Cut_region> wider = Cut_region::wall(mesh_, std::move(ring));
     if(!wider || wider->number_of_borders() != wall.number_of_borders())
       return std::nullopt;
     const std::size_t outer = new_border(*wider, wall);

@@ -167,7 +167,7 @@ private:
       return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
     if(contacts.meets(placed, out_))
       return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
-    const Judged_change change = judge.change(mesh, out_, patch);
+    const Judged_change change = judge.change(mesh, out_, patch, intended);
     change_ = change;
     const std::string why = judge.objection(change, intended);
     return why.empty() ? std::nullopt : std::optional<Obstacle>({Obstacle::SHAPE, why});

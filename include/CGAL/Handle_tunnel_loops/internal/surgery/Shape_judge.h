@@ -52,9 +52,12 @@ public:
   /// inside is behind the faces.
   double outward() const { return outward_; }
 
-  /// what happens if a patch takes the place of some faces. Near linear in their number.
-  Judged_change
-  change(const Surgery_mesh& mesh, const std::vector<Index>& out, const Patch& patch) const;
+  /// what happens if a patch takes the place of some faces. Distances take most of the time, and
+  /// are measured where nothing else speaks against the change. Near linear in the number of faces.
+  Judged_change change(const Surgery_mesh& mesh,
+                       const std::vector<Index>& out,
+                       const Patch& patch,
+                       const Intended_change& intended) const;
 
   /// why a change is no repair, with the number that tells; empty if it is one.
   std::string objection(const Judged_change& change, const Intended_change& intended) const;

@@ -137,8 +137,12 @@ private:
     AABB_tree<AABB_traits<Kernel, Primitive>> tree(triangles.begin(), triangles.end());
     tree.build();
     double most = 0.;
+    Point nearby = triangles.front()[0]; // on the triangles
     for(const Point& p : points)
-      most = (std::max)(most, tree.squared_distance(p, triangles.front()[0]));
+      if(CGAL::squared_distance(p, nearby) > most) {
+        nearby = tree.closest_point(p, nearby);
+        most = (std::max)(most, CGAL::squared_distance(p, nearby));
+      }
     return std::sqrt(most);
   }
 
@@ -244,18 +248,21 @@ CGAL_HTL_CORE Shape_judge::Shape_judge(const Surgery_mesh& mesh, bool force)
 
 CGAL_HTL_CORE Judged_change Shape_judge::change(const Surgery_mesh& mesh,
                                                 const std::vector<Index>& out,
-                                                const Patch& patch) const {
+                                                const Patch& patch,
+                                                const Intended_change& intended) const {
   const Shape_measure measure(mesh, out, patch);
   Judged_change change;
   const double taken = outward_ * measure.volume_taken();
   (taken > 0. ? change.volume_removed : change.volume_added) = std::abs(taken);
   measure.measure_caps(change);
-  change.displacement = measure.displacement();
-  change.burial = measure.burial();
   const Box<3> caps = measure.box_of_caps();
   for(std::size_t i = 0; i < 3; ++i)
     change.box_growth =
         (std::max)({change.box_growth, box_.low[i] - caps.low[i], caps.high[i] - box_.high[i]});
+  if(objection(change, intended).empty())
+    change.displacement = measure.displacement();
+  if(objection(change, intended).empty())
+    change.burial = measure.burial();
   return change;
 }
 
