@@ -271,6 +271,7 @@ TEST(Handle_removal, ChangesNoMoreThanARepair) {
         const htl::Shape_change& change = handle.change;
         if(handle.by == htl::Removal_way::CUT) {
           EXPECT_LE(change.volume_added, 1e-9 * volume);
+          EXPECT_LE(change.burial, (0.5 + 1e-9) * handle.length);
         }
         if(handle.by == htl::Removal_way::FILL) {
           EXPECT_LE(change.volume_removed, 1e-9 * volume);

@@ -291,6 +291,8 @@ CGAL_HTL_CORE std::string Shape_judge::objection(const Judged_change& change,
         << " degrees";
   else if(change.displacement > intended.most_displacement)
     why << "a cap would be " << change.displacement << " away from the surface";
+  else if(change.volume_removed > change.volume_added && change.burial > intended.most_displacement)
+    why << "surface would be taken away that is " << change.burial << " away from the caps";
   return why.str();
 }
 
