@@ -49,8 +49,8 @@ if a cap would have more than 3 times the area of a circle as long as its rim; i
 folded by more than 120 degrees where there was no such fold, or a membrane meet the surface at less
 than 30; if a cap would be further from the old surface than half the length of the loop (but for
 bores whose mouths are closed flush), or surface be taken away with solid that is as far from the
-caps. If there is no other way, the handle is refused, with the
-number in the reason; `Removal_options::force` allows all this.
+caps. If there is no other way, the handle is refused, with the number in the reason;
+`Removal_options::force` allows all this.
 
 It is a theorem that the genus is one less for each handle that is removed, and that no piece comes
 off: strips are annuli along loops that do not separate the surface, both found by counting. The

@@ -34,16 +34,6 @@ Cut_problem random_problem(Random& random, const Flat_mesh& mesh) {
   return problem;
 }
 
-std::vector<Index> boundary_from(const Cut_graph& cut, Index h) {
-  std::vector<Index> boundary;
-  Index k = h;
-  do {
-    boundary.push_back(k);
-    k = cut.following(k);
-  } while(k != h);
-  return boundary;
-}
-
 std::vector<Index> halfedges_of(const Cut_problem& problem, const Cut_graph& cut) {
   std::vector<Index> all;
   for(Index h = 0; h < problem.halfedges.size(); ++h)
@@ -71,7 +61,7 @@ TEST(Boundary_tour, CountsWhatAWalkCounts) {
     if(in_cut.empty() || mesh.seeds.size() > 1)
       continue;
     Boundary_tour tour(problem, cut);
-    tour.set(boundary_from(cut, in_cut.front()));
+    tour.set(cut.boundary_from(in_cut.front()));
     for(int step = 0; step < 300 && !in_cut.empty(); ++step) {
       // Edges at the cut leave one cycle more often than others.
       const Index at = in_cut[random_index(random, in_cut.size())];
@@ -83,7 +73,7 @@ TEST(Boundary_tour, CountsWhatAWalkCounts) {
       if(in_cut.empty())
         break;
       const Index begin = in_cut[random_index(random, in_cut.size())];
-      const bool is_cycle = boundary_from(cut, begin).size() == in_cut.size();
+      const bool is_cycle = cut.boundary_from(begin).size() == in_cut.size();
       ASSERT_EQ(tour.is_cycle(begin, in_cut.size()), is_cycle) << seed << ", step " << step;
       ++(is_cycle ? cycles : others);
       if(!is_cycle && random.below(8) != 0) {

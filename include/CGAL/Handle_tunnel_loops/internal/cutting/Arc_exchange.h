@@ -110,15 +110,13 @@ private:
           {std::make_pair(arc.first, arc.last), std::make_pair(arc.twin_first, arc.twin_last)})
       {
         group_[first] = first;
-        for(Index k = next_place(first); k != last; k = next_place(k)) {
+        for(Index k = boundary_->next(first); k != last; k = boundary_->next(k)) {
           group_[k] = n + first;
           arc_of_place_[k] = static_cast<Index>(a);
         }
       }
     }
   }
-
-  Index next_place(Index k) const { return boundary_->next(k); }
 
   // ---- the nearest places
 
@@ -152,7 +150,7 @@ private:
       if(arc_of_place_[labels_[v].place] != no_index)
         cells_[arc_of_place_[labels_[v].place]].push_back(v);
     for(std::size_t a = 0; a < arcs_.size(); ++a) {
-      for(Index k = next_place(arcs_[a].first); k != arcs_[a].last; k = next_place(k))
+      for(Index k = boundary_->next(arcs_[a].first); k != arcs_[a].last; k = boundary_->next(k))
         cells_[a].push_back(boundary_->vertex(k));
       for(const Index v : cells_[a])
         cell_of_[v] = static_cast<Index>(a);

@@ -67,7 +67,7 @@ public:
       k = cut_.following(last);
     } while(k != begin && count <= number);
     if(count == number && is_outdated())
-      write_down(begin);
+      set(cut_.boundary_from(begin));
     return count == number;
   }
 
@@ -75,16 +75,6 @@ private:
   // About where a count takes as long as writing the boundary down, shared by the counts up to
   // then.
   bool is_outdated() const { return number_changed_ * number_changed_ > 32 * boundary_.size(); }
-
-  void write_down(Index begin) {
-    std::vector<Index> boundary;
-    Index h = begin;
-    do {
-      boundary.push_back(h);
-      h = cut_.following(h);
-    } while(h != begin);
-    set(boundary);
-  }
 
   void mark(Index h) {
     const Index k = place_[h];

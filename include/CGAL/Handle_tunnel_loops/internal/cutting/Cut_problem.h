@@ -178,6 +178,17 @@ public:
     return k;
   }
 
+  /// the cycle of the boundary that a halfedge of the cut is on, from there.
+  std::vector<Index> boundary_from(Index begin) const {
+    std::vector<Index> boundary;
+    Index h = begin;
+    do {
+      boundary.push_back(h);
+      h = following(h);
+    } while(h != begin);
+    return boundary;
+  }
+
 private:
   void change(Index h, char value) {
     const Index twin = problem_.halfedges.twin(h);

@@ -43,12 +43,8 @@ public:
   /// of the component of a halfedge of the cut; begins at a node.
   Disk_boundary(const Cut_problem& problem, const Cut_graph& cut, Index some_halfedge)
       : problem_(problem)
-      , cut_(cut) {
-    Index h = some_halfedge;
-    do {
-      halfedges_.push_back(h);
-      h = cut.following(h);
-    } while(h != some_halfedge);
+      , cut_(cut)
+      , halfedges_(cut.boundary_from(some_halfedge)) {
     Index node = 0;
     while(node < size() && !is_node(node))
       ++node;

@@ -47,19 +47,20 @@ public:
   /// large, or has many mouths. Near linear in its size.
   std::optional<Cut_region> wall_at(const Curve_off_vertices& loop) const {
     const std::vector<Index> faces = loop.faces();
-    std::optional<Cut_region> wall = wall_from(faces, loop);
+    const std::size_t most = most_tried + 64 * faces.size();
+    std::optional<Cut_region> wall = wall_of(flood(faces, most), loop, most);
     // At a mouth, some of the faces are beyond it.
     std::vector<Index> tried;
     std::size_t number = 0; // of faces reached in vain, but for those from where there is no end
     for(std::size_t i = 0; i < faces.size() && !wall && number < most_tried; ++i) {
       if(is_in(faces[i], tried))
         continue;
-      const Flood reached = flood({faces[i]}, most_tried);
+      Flood reached = flood({faces[i]}, most_tried);
       tried.insert(tried.end(), reached.faces.begin(), reached.faces.end());
       make_set(tried);
       if(reached.is_bounded) {
         number += reached.faces.size();
-        wall = wall_from({faces[i]}, loop);
+        wall = wall_of(std::move(reached), loop, most_tried + 64);
       }
     }
     return wall;
@@ -75,10 +76,9 @@ private:
     bool is_bounded;          // these are all, and none of them is in a cap
   };
 
-  std::optional<Cut_region> wall_from(const std::vector<Index>& faces,
-                                      const Curve_off_vertices& loop) const {
-    const std::size_t most = 4000 + 64 * faces.size();
-    Flood reached = flood(faces, most);
+  // A counterbore may have so many faces.
+  std::optional<Cut_region>
+  wall_of(Flood reached, const Curve_off_vertices& loop, std::size_t most) const {
     if(!reached.is_bounded)
       return std::nullopt;
     std::optional<Cut_region> wall = Cut_region::wall(mesh_, std::move(reached.faces));
