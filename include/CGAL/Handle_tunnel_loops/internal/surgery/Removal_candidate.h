@@ -84,13 +84,22 @@ public:
   /// of the present choice, if there is one.
   std::optional<Handle_surgery>& surgery() { return surgery_; }
 
+  /// the loop that the present choice is measured by: the longest one of what is taken out.
+  std::size_t measure() const {
+    return choice().takes_both_loops() ? task_->longest_choice() : choice().loop;
+  }
+
   /// what the present choice may do to the shape.
   Intended_change intended_change() const {
     constexpr double most_displacement = 0.5;
     const Loop_choice& loop = task_->choices[choice().loop];
     const bool is_either = choice().takes_both_loops() || !task_->are_types_known;
+    double length = task_->choices[measure()].length;
+    if(choice().takes_both_loops())
+      for(const Removal_task* companion : surgery_->companions)
+        length = (std::max)(length, companion->choices[companion->longest_choice()].length);
     return {is_either || loop.type == Loop_type::HANDLE,
-            is_either || loop.type == Loop_type::TUNNEL, most_displacement * loop.length};
+            is_either || loop.type == Loop_type::TUNNEL, most_displacement * length};
   }
 
   /// the loop of the present choice wants to keep its place.

@@ -248,7 +248,7 @@ private:
     Removal_task& task = candidate.task();
     const Handle_surgery& surgery = *candidate.surgery();
     const double number = static_cast<double>(1 + surgery.companions.size());
-    task.choice = candidate.choice().loop;
+    task.choice = candidate.measure();
     task.is_whole = surgery.takes_all();
     task.change = surgery.change();
     task.change.volume_removed /= number;

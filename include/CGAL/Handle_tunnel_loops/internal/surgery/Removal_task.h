@@ -81,6 +81,14 @@ struct Removal_task
   /// whether the choices are the two loops of a handle, which cross once; or they are any loops.
   bool has_both_loops() const { return are_types_known && choices.size() == 2; }
 
+  std::size_t longest_choice() const {
+    return std::max_element(choices.begin(), choices.end(),
+                            [](const Loop_choice& a, const Loop_choice& b) {
+                              return a.length < b.length;
+                            }) -
+           choices.begin();
+  }
+
   State state = State::OPEN;
   bool is_done() const { return state != State::OPEN; }
   std::vector<std::string> reasons; ///< by choice, why not along this one
