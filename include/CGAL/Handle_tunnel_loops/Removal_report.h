@@ -102,7 +102,7 @@ struct Removed_handle
   std::size_t pair; ///< the position of its pair among all; of no meaning for a neck
   Removal_way by;   ///< how it was removed
   double length; ///< of the loop that it was removed along, as that was found: it may have been led
-                 ///< around other handles since
+                 ///< around other handles since; of the longest one of what was taken out whole
   double area;   ///< of the caps that took the place of a strip along the loop
   double volume; ///< of the solid taken away; negative if solid was put in
   Shape_change change = {}; ///< of the shape

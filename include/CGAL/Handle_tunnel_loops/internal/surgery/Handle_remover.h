@@ -154,12 +154,9 @@ public:
     const std::vector<Removal_task> tasks =
         selection().tasks(tm_, vertex_index, pairs_, report_.genus_before);
     Attempt attempt = attempt_at(tasks, vertex_index, face_index);
-    if(const std::size_t left = number_left(attempt.tasks);
-       left > 0 && number_with(Removal_task::State::REMOVED, attempt.tasks) > 0)
-    {
-      // What stands in the way may be caps.
-      Attempt other = attempt_at(refused_first(tasks, attempt.tasks), vertex_index, face_index);
-      if(number_left(other.tasks) < left)
+    if(may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
+      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), vertex_index, face_index);
+      if(number_left(other.tasks) < number_left(attempt.tasks))
         attempt = std::move(other);
     }
     const double unit = attempt.link->unit();
@@ -215,14 +212,52 @@ private:
     return attempt;
   }
 
-  static std::vector<Removal_task> refused_first(std::vector<Removal_task> tasks,
-                                                 const std::vector<Removal_task>& done) {
-    std::set<std::size_t> refused;
-    for(const Removal_task& task : done)
-      if(task.state == Removal_task::State::REFUSED)
-        refused.insert(task.pair);
-    std::stable_partition(tasks.begin(), tasks.end(),
-                          [&](const Removal_task& task) { return refused.count(task.pair) != 0; });
+  // Whether any handle that could not be removed, where other handles were, can be if it comes
+  // first: with those around it, which are tried alone unless they are many.
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  bool may_do_better(std::vector<Removal_task> tasks,
+                     const std::vector<Removal_task>& done,
+                     VertexIndexMap vertex_index,
+                     FaceIndexMap face_index) {
+    const std::set<std::size_t> hindered = pairs_of(done, is_hindered);
+    if(hindered.empty())
+      return false;
+    const std::set<std::size_t> around = pairs_of(done, [&](const Removal_task& task) {
+      return std::any_of(done.begin(), done.end(), [&](const Removal_task& other) {
+        return is_hindered(other) && other.reach.meets(task.reach);
+      });
+    });
+    if(2 * around.size() > number_with(Removal_task::State::REMOVED, done))
+      return true;
+    for(Removal_task& task : tasks)
+      if(around.count(task.pair) == 0)
+        task.state = Removal_task::State::KEPT;
+    tasks = attempt_at(hindered_first(std::move(tasks), done), vertex_index, face_index).tasks;
+    return std::any_of(tasks.begin(), tasks.end(), [&](const Removal_task& task) {
+      return task.state == Removal_task::State::REMOVED && hindered.count(task.pair) != 0;
+    });
+  }
+
+  static bool is_hindered(const Removal_task& task) {
+    return task.has_failed() && task.is_hindered;
+  }
+
+  template <typename Predicate>
+  static std::set<std::size_t> pairs_of(const std::vector<Removal_task>& tasks,
+                                        const Predicate& is_one) {
+    std::set<std::size_t> pairs;
+    for(const Removal_task& task : tasks)
+      if(is_one(task))
+        pairs.insert(task.pair);
+    return pairs;
+  }
+
+  static std::vector<Removal_task> hindered_first(std::vector<Removal_task> tasks,
+                                                  const std::vector<Removal_task>& done) {
+    const std::set<std::size_t> hindered = pairs_of(done, is_hindered);
+    std::stable_partition(tasks.begin(), tasks.end(), [&](const Removal_task& task) {
+      return hindered.count(task.pair) != 0;
+    });
     return tasks;
   }
 

@@ -58,7 +58,8 @@ public:
   Handle_surgery(const Surgery_mesh& mesh, Cut_region region)
       : region_(std::move(region))
       , out_(region_->faces())
-      , vertices_(vertices_of(mesh, out_)) {
+      , vertices_(vertices_of(mesh, out_))
+      , reach_(box_of(mesh, out_)) {
     for(std::size_t i = 0; i < region_->number_of_borders(); ++i)
       for(Index h : region_->border(i))
         around_.push_back(mesh.face(mesh.twin(h)));
@@ -67,7 +68,8 @@ public:
   Handle_surgery(const Surgery_mesh& mesh, Curve_off_vertices curve)
       : curve_(std::move(curve))
       , out_(curve_->faces())
-      , vertices_(vertices_of(mesh, out_)) {}
+      , vertices_(vertices_of(mesh, out_))
+      , reach_(box_of(mesh, out_)) {}
 
   /// the faces of the mesh that are to be replaced, in ascending order.
   const std::vector<Index>& out() const { return out_; }
@@ -124,6 +126,9 @@ public:
 
   bool has_caps() const { return has_caps_; }
 
+  /// what holds the faces that are to be replaced, and all caps that were looked at.
+  const Box<3>& reach() const { return reach_; }
+
   /// to caps, if there are none.
   const Obstacle& obstacle() const { return obstacle_; }
 
@@ -139,6 +144,13 @@ public:
   bool is_harmless = false; ///< to the pieces of the surface, with all others that are so
 
 private:
+  static Box<3> box_of(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
+    Box<3> box = Box<3>::empty();
+    for(Index f : faces)
+      box.extend(placed_triangle(mesh, f).box());
+    return box;
+  }
+
   // Solid is taken away between membranes inside.
   static Polygon_in_space::At_sides side_of_membranes(const Intended_change& intended,
                                                       double outward) {
@@ -163,6 +175,7 @@ private:
                                       const Shape_judge& judge,
                                       const Intended_change& intended) {
     const Placed_patch placed(mesh, patch);
+    reach_.extend(placed.box());
     if(!placed.is_embedded())
       return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
     if(contacts.meets(placed, out_))
@@ -177,6 +190,7 @@ private:
   std::optional<Cut_region> region_;
   std::optional<Curve_off_vertices> curve_;
   std::vector<Index> out_, vertices_;
+  Box<3> reach_;
   std::vector<Index> around_; // faces beyond the borders of a region
   // Of this round.
   bool has_caps_ = false;

@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -97,8 +98,7 @@ private:
 
   // If it may be cut or filled, whatever its new loop is.
   static bool is_lost(const Removal_task& task) {
-    return (task.state == Removal_task::State::DAMAGED ||
-            task.state == Removal_task::State::REFUSED) &&
+    return task.has_failed() && !task.is_settled &&
            std::all_of(task.choices.begin(), task.choices.end(),
                        [](const Loop_choice& choice) { return choice.is_allowed; });
   }
@@ -300,7 +300,8 @@ public:
     find(execution);
   }
 
-  /// gives new loops to those that are damaged. Those that are not found stay as they are.
+  /// gives new loops to those that could not be removed, unless these are the old ones and nothing
+  /// has changed there. Those that are not found stay as they are.
   void give_to(std::vector<Removal_task>& tasks) const {
     std::vector<std::size_t> old;
     for(std::size_t i = 0; i < tasks.size(); ++i)
@@ -320,7 +321,7 @@ public:
     for(const auto& [d, i, k] : distances)
       if(!is_named[i] && !is_taken[k]) {
         is_named[i] = is_taken[k] = 1;
-        if(tasks[i].state == Removal_task::State::DAMAGED)
+        if(tasks[i].has_failed() && !(tasks[i].is_settled && are_of(tasks[i], pairs_[k])))
           give(pairs_[k], tasks[i]);
       }
   }
@@ -344,6 +345,15 @@ private:
     return least;
   }
 
+  // Whether the loops that a task has are, by their lengths, those of a pair.
+  static bool are_of(const Removal_task& task, const Pair& pair) {
+    constexpr double rounding = 1e-9;
+    return std::all_of(task.choices.begin(), task.choices.end(), [&](const Loop_choice& choice) {
+      const double length = pair.loop(choice.type).length();
+      return std::abs(choice.length - length) <= rounding * length;
+    });
+  }
+
   void give(const Pair& pair, Removal_task& task) const {
     for(Loop_choice& choice : task.choices) {
       const Pair::Loop& loop = pair.loop(choice.type);
@@ -355,6 +365,7 @@ private:
           return std::make_pair(!a.is_allowed, a.length) < std::make_pair(!b.is_allowed, b.length);
         });
     task.state = Removal_task::State::OPEN;
+    task.is_settled = false;
   }
 
   const Surgery_mesh& mesh_;

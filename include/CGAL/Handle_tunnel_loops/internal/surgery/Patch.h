@@ -31,6 +31,10 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+inline Box<3> box_at(const Surgery_mesh::Point& p) {
+  return {{p.x(), p.y(), p.z()}, {p.x(), p.y(), p.z()}};
+}
+
 /// A triangle by its corners: the numbers tell which corners two triangles share.
 struct Placed_triangle
 {
@@ -43,12 +47,9 @@ struct Placed_triangle
   Kernel::Triangle_3 triangle() const { return {points[0], points[1], points[2]}; }
   double area() const { return std::sqrt(triangle().squared_area()); }
   Box<3> box() const {
-    Box<3> box{{points[0].x(), points[0].y(), points[0].z()},
-               {points[0].x(), points[0].y(), points[0].z()}};
-    for(std::size_t i : {1, 2}) {
-      const std::array<double, 3> p{points[i].x(), points[i].y(), points[i].z()};
-      box.extend({p, p});
-    }
+    Box<3> box = box_at(points[0]);
+    box.extend(box_at(points[1]));
+    box.extend(box_at(points[2]));
     return box;
   }
 };
@@ -220,6 +221,9 @@ public:
   const std::vector<Placed_triangle>& triangles() const { return triangles_; }
 
   const Box<3>& box(std::size_t i) const { return boxes_[i]; }
+
+  /// of all.
+  const Box<3>& box() const { return box_; }
 
   /// those that are parts of faces of the mesh come first.
   std::size_t number_of_parts() const { return parents_.size(); }

@@ -35,6 +35,7 @@ struct Region_choice
   int rings;
 
   bool takes_both_loops() const { return style == WHOLE || style == KNOB; }
+  bool is_along_curve() const { return style == STRIP || style == BORE; }
 };
 
 /// all regions along the loops that are allowed, the first one first, given the order of these.
@@ -52,7 +53,7 @@ inline std::vector<Region_choice> region_choices(const Removal_task& task,
   for(std::size_t i : allowed)
     all.push_back({Choice::STRIP, i, 0});
   for(std::size_t i : allowed)
-    for(int rings : {3, 0, 6})
+    for(int rings : {3, 0})
       all.push_back({Choice::RINGS, i, rings});
   if(are_both_allowed)
     for(int rings : {0, 1, 2, 3, 4, 5, 6, 8, 10, 12})

@@ -53,7 +53,9 @@ public:
     for(std::size_t i = 0; i < task_->choices.size(); ++i) {
       const Loop_choice& loop = task_->choices[i];
       walks_.push_back(simple_part(led_off_boundary(mesh, walk_beside(mesh, loop.places))));
-      lengths_.push_back(length(mesh, walks_.back()));
+      lengths_.push_back(internal::length(mesh, walks_.back()));
+      for(Index v : walks_.back())
+        task_->reach.extend(box_at(mesh.point(v)));
       if(loop.is_allowed)
         allowed.push_back({task_->has_both_loops() ? cost_of_disc(mesh, loop.places) : 0., i});
     }
@@ -84,22 +86,46 @@ public:
   /// of the present choice, if there is one.
   std::optional<Handle_surgery>& surgery() { return surgery_; }
 
-  /// the loop that the present choice is measured by: the longest one of what is taken out.
-  std::size_t measure() const {
+  /// the vertices of the faces that are to be replaced, along either loop if both are to be
+  /// compared.
+  bool is_free(const Region_layout& layout) const {
+    return layout.is_free(surgery_->vertices()) &&
+           (!rival_ || layout.is_free(rival_->vertices()));
+  }
+  void claim(Region_layout& layout) const {
+    layout.claim(surgery_->vertices());
+    if(rival_)
+      layout.claim(rival_->vertices());
+  }
+
+  /// that of the two that says what the present choice is: of what is taken out whole, the longer
+  /// one.
+  std::size_t loop() const {
     return choice().takes_both_loops() ? task_->longest_choice() : choice().loop;
   }
 
-  /// what the present choice may do to the shape.
-  Intended_change intended_change() const {
-    constexpr double most_displacement = 0.5;
-    const Loop_choice& loop = task_->choices[choice().loop];
-    const bool is_either = choice().takes_both_loops() || !task_->are_types_known;
-    double length = task_->choices[measure()].length;
-    if(choice().takes_both_loops())
-      for(const Removal_task* companion : surgery_->companions)
-        length = (std::max)(length, companion->choices[companion->longest_choice()].length);
-    return {is_either || loop.type == Loop_type::HANDLE,
-            is_either || loop.type == Loop_type::TUNNEL, most_displacement * length};
+  /// the length that the present choice is measured by: of the longest loop of what is taken out.
+  double length() const { return length(choice(), *surgery_); }
+
+  /// looks for caps; of strips along both loops for those that change the volume less.
+  void find_caps(const Surgery_mesh& mesh, const Mesh_contacts& contacts, const Shape_judge& judge) {
+    surgery_->find_caps(mesh, contacts, judge, intended_change(choice(), *surgery_));
+    if(!rival_)
+      return;
+    rival_->find_caps(mesh, contacts, judge, intended_change(choices_[next_ + 1], *rival_));
+    // As the first loop has the rounder disc, it needs no more than be about as good.
+    constexpr double about = 1.1;
+    if(!rival_->has_caps()) {
+      obstacles_[choices_[next_ + 1].loop].take(rival_->obstacle());
+      note_reach();
+      choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(next_) + 1);
+    } else if(!surgery_->has_caps() ||
+              about * volume(*rival_) < volume(*surgery_))
+    {
+      std::swap(choices_[next_], choices_[next_ + 1]);
+      std::swap(surgery_, rival_);
+    }
+    rival_.reset();
   }
 
   /// the loop of the present choice wants to keep its place.
@@ -112,34 +138,41 @@ public:
 
   /// goes on to the first choice, from the present one on, of which there is a region.
   void propose(const Surgery_mesh& mesh, const Region_layout& layout) {
-    if(surgery_ && !is_narrow_ && surgery_->is_up_to_date(mesh))
+    if(surgery_ && !is_narrow_ && surgery_->is_up_to_date(mesh) &&
+       (!rival_ || rival_->is_up_to_date(mesh)))
       return;
     is_narrow_ = false;
-    surgery_.reset();
+    drop_surgery();
     while(!is_done()) {
-      if(!is_out_of_question() && (surgery_ = find_surgery(mesh, layout)))
-        return;
+      if(!is_out_of_question(choice()) && (surgery_ = find_surgery(choice(), mesh, layout)))
+        break;
       fail(why_no_surgery(mesh));
     }
+    if(!is_done() && is_strip_along_either_loop())
+      rival_ = find_surgery(choices_[next_ + 1], mesh, layout);
   }
 
   /// the present choice once more, with room for the regions that are claimed by now.
   void propose_again(const Surgery_mesh& mesh, const Region_layout& layout) {
     is_narrow_ = true;
-    surgery_ = find_surgery(mesh, layout);
+    surgery_ = find_surgery(choice(), mesh, layout);
   }
 
   /// gives the present choice up, and the task if that is the last one.
   void fail(const Obstacle& obstacle) {
     CGAL_precondition(!is_done());
     obstacles_[choice().loop].take(obstacle);
-    surgery_.reset();
+    note_reach();
+    // Whether a loop separates the surface is decided anywhere.
+    task_->is_far_reaching |= obstacle.kind == Obstacle::TOPOLOGY;
+    drop_surgery();
     if(++next_ < choices_.size())
       return;
     task_->reasons.clear();
     for(const Obstacle& worst : obstacles_)
       task_->reasons.push_back(worst.why);
     task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
+    task_->is_far_reaching |= is_any_damaged();
   }
 
   /// gives the loop of the present choice up: all strips along it separate the surface.
@@ -157,13 +190,53 @@ public:
     if(walk.size() < 3 || is_intact(mesh, walk))
       return false;
     walk = led_off_boundary(mesh, shortened(mesh, detour.around(walk)));
-    if(!is_simple(walk) || length(mesh, walk) > most_growth * lengths_[loop])
+    if(!is_simple(walk) || internal::length(mesh, walk) > most_growth * lengths_[loop])
       walk.clear();
     is_damaged_[loop] = true;
     return !walk.empty();
   }
 
 private:
+  void drop_surgery() {
+    surgery_.reset();
+    rival_.reset();
+  }
+
+  void note_reach() {
+    for(const auto* tried : {&surgery_, &rival_})
+      if(*tried)
+        task_->reach.extend((*tried)->reach());
+  }
+
+  static double volume(const Handle_surgery& surgery) {
+    return surgery.change().volume_removed + surgery.change().volume_added;
+  }
+
+  // What a choice may do to the shape.
+  Intended_change intended_change(const Region_choice& choice, const Handle_surgery& surgery) const {
+    constexpr double most_displacement = 0.5;
+    const bool is_either = choice.takes_both_loops() || !task_->are_types_known;
+    const Loop_type type = task_->choices[choice.loop].type;
+    return {is_either || type == Loop_type::HANDLE, is_either || type == Loop_type::TUNNEL,
+            most_displacement * length(choice, surgery)};
+  }
+
+  double length(const Region_choice& choice, const Handle_surgery& surgery) const {
+    if(!choice.takes_both_loops())
+      return task_->choices[choice.loop].length;
+    double length = task_->choices[task_->longest_choice()].length;
+    for(const Removal_task* companion : surgery.companions)
+      length = (std::max)(length, companion->choices[companion->longest_choice()].length);
+    return length;
+  }
+
+  // Whether the next choice is one along the other loop, so that they are compared.
+  bool is_strip_along_either_loop() const {
+    return task_->has_both_loops() && choice().style == Region_choice::STRIP &&
+           next_ + 1 < choices_.size() && choices_[next_ + 1].style == Region_choice::STRIP &&
+           !is_out_of_question(choices_[next_ + 1]);
+  }
+
   // The area of triangles from the centre of a loop, over the square of how round they are: rather
   // than being slit from a hole to the rim, a flange is filled.
   static double cost_of_disc(const Surgery_mesh& mesh, const std::vector<Place_on_edge>& places) {
@@ -185,29 +258,27 @@ private:
     return area > 0. ? area_of_circle * (area_of_circle / area) : 0.;
   }
 
-  // Where the loop of the present choice was found, if it is there still; or else beside its walk.
-  std::optional<Curve_off_vertices> curve(const Surgery_mesh& mesh) const {
-    const std::size_t loop = choice().loop;
+  // Where a loop was found, if it is there still; or else beside its walk.
+  std::optional<Curve_off_vertices> curve(std::size_t loop, const Surgery_mesh& mesh) const {
     std::optional<Curve_off_vertices> curve =
         Curve_off_vertices::beside(mesh, task_->choices[loop].places);
     return curve ? curve : Curve_off_vertices::beside(mesh, places_of(walks_[loop]));
   }
 
-  std::optional<Handle_surgery> find_surgery(const Surgery_mesh& mesh,
+  std::optional<Handle_surgery> find_surgery(const Region_choice& choice,
+                                             const Surgery_mesh& mesh,
                                              const Region_layout& layout) const {
-    const bool needs_curve =
-        choice().style == Region_choice::STRIP || choice().style == Region_choice::BORE;
-    return layout.surgery(choice(), needs_curve ? curve(mesh) : std::nullopt, walks_, reserved_);
+    return layout.surgery(choice, choice.is_along_curve() ? curve(choice.loop, mesh) : std::nullopt,
+                          walks_, reserved_);
   }
 
-  // Whether the choice is along loops that are lost, or known to separate the surface.
-  bool is_out_of_question() const {
-    if(separates_[choice().loop] && !choice().takes_both_loops())
+  // Whether a choice is along loops that are lost, or known to separate the surface.
+  bool is_out_of_question(const Region_choice& choice) const {
+    if(separates_[choice.loop] && !choice.takes_both_loops())
       return true;
-    const bool needs_walk =
-        choice().style != Region_choice::STRIP && choice().style != Region_choice::BORE;
     for(std::size_t i = 0; i < walks_.size(); ++i)
-      if(needs_walk && (i == choice().loop || choice().takes_both_loops()) && walks_[i].size() < 3)
+      if(!choice.is_along_curve() && (i == choice.loop || choice.takes_both_loops()) &&
+         walks_[i].size() < 3)
         return true;
     return false;
   }
@@ -243,6 +314,7 @@ private:
   std::size_t next_ = 0;
   std::vector<Index> reserved_; // in ascending order
   std::optional<Handle_surgery> surgery_;
+  std::optional<Handle_surgery> rival_; // of the choice after the present one
   bool is_narrow_ = false; // because of regions of the round
 };
 

@@ -62,22 +62,30 @@ public:
   /// \p ask is called again and again, and throws to stop.
   void operator()(std::vector<Removal_task>& tasks, const std::function<void()>& ask) {
     start(tasks);
-    for(Candidates chosen; !(chosen = choose()).empty(); ask()) {
+    for(;; ask()) {
+      const std::size_t now = changes_.size();
+      const Candidates chosen = choose();
+      if(chosen.empty())
+        return note_time(now);
       ask();
       meet_mesh_.update(execution_);
       for_each_index(
           execution_, chosen.size(),
-          [&](std::size_t i) {
-            chosen[i]->surgery()->find_caps(mesh_, meet_mesh_, judge_,
-                                            chosen[i]->intended_change());
-          },
-          1);
+          [&](std::size_t i) { chosen[i]->find_caps(mesh_, meet_mesh_, judge_); }, 1);
       ask();
       find_harmless_cuts(chosen);
       put_in_.clear();
       for(Removal_candidate* candidate : chosen)
         carry_out(*candidate);
+      note_time(now);
     }
+  }
+
+  /// whether something was replaced within the reach of a task since some time.
+  bool has_changed(const Removal_task& task, std::size_t time) const {
+    return std::any_of(
+        changes_.begin() + static_cast<std::ptrdiff_t>(time), changes_.end(),
+        [&](const Box<3>& change) { return task.is_far_reaching || change.meets(task.reach); });
   }
 
 private:
@@ -89,8 +97,10 @@ private:
   void start(std::vector<Removal_task>& tasks) {
     candidates_.clear();
     for(Removal_task& task : tasks)
-      if(!task.is_done())
+      if(!task.is_done()) {
+        task.time = Removal_task::none;
         candidates_.emplace_back(task);
+      }
     for_each_index(
         execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_loops(mesh_); },
         16);
@@ -98,6 +108,15 @@ private:
     for(std::size_t i = 0; i < candidates_.size(); ++i)
       for(std::size_t k = 0; k < candidates_[i].walks().size(); ++k)
         note({i, k});
+  }
+
+  // Of those that have failed in this round.
+  void note_time(std::size_t time) {
+    for(Removal_candidate& candidate : candidates_) {
+      Removal_task& task = candidate.task();
+      if(task.has_failed() && task.time == Removal_task::none)
+        task.time = time;
+    }
   }
 
   // Where a loop leads.
@@ -126,7 +145,7 @@ private:
     Candidates chosen;
     for(Removal_candidate& candidate : candidates_)
       if(is_ready(candidate, layout)) {
-        layout.claim(candidate.surgery()->vertices());
+        candidate.claim(layout);
         chosen.push_back(&candidate);
       }
     return chosen;
@@ -135,10 +154,10 @@ private:
   // Not if there is nothing left to be tried, or if it has to wait for the next round.
   bool is_ready(Removal_candidate& candidate, const Region_layout& layout) {
     while(!candidate.is_done()) {
-      if(!layout.is_free(candidate.surgery()->vertices()) &&
+      if(!candidate.is_free(layout) &&
          candidate.choice().style == Region_choice::RINGS)
         candidate.propose_again(mesh_, layout);
-      if(!candidate.surgery() || !layout.is_free(candidate.surgery()->vertices()))
+      if(!candidate.surgery() || !candidate.is_free(layout))
         return false;
       if(find_companions(candidate))
         return true;
@@ -215,6 +234,7 @@ private:
       return candidate.fail_along_loop();
     if(!separates && candidate.task().is_of_neck())
       return candidate.fail({Obstacle::TOPOLOGY, "the loop does not separate the surface"});
+    changes_.push_back(surgery.reach());
     put_in(candidate);
     put_in_.push_back(std::move(placed));
   }
@@ -248,7 +268,8 @@ private:
     Removal_task& task = candidate.task();
     const Handle_surgery& surgery = *candidate.surgery();
     const double number = static_cast<double>(1 + surgery.companions.size());
-    task.choice = candidate.measure();
+    task.choice = candidate.loop();
+    task.length = candidate.length();
     task.is_whole = surgery.takes_all();
     task.change = surgery.change();
     task.change.volume_removed /= number;
@@ -282,6 +303,7 @@ private:
   Separation separates_;
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
+  std::vector<Box<3>> changes_;                   // what holds them, of all rounds
   // In this round.
   std::vector<Placed_patch> put_in_;
   bool are_others_whole_ = false; // nothing was cut that is not one of the harmless ones
@@ -300,16 +322,31 @@ inline void remove_along_loops_nearby(Execution execution,
       break;
     remove(nearby, ask);
     for(std::size_t k = 0; k < tasks.size(); ++k)
-      if(nearby[k].state == Removal_task::State::REMOVED)
-        tasks[k] = std::move(nearby[k]);
+      if(nearby[k].is_done() && nearby[k].state != Removal_task::State::KEPT) {
+        tasks[k].note_tries(nearby[k]);
+        if(nearby[k].state == Removal_task::State::REMOVED) {
+          nearby[k].reach = tasks[k].reach;
+          tasks[k] = std::move(nearby[k]);
+        }
+      }
   }
 }
 
-/// says of those that are left that they are refused.
-inline void give_up(std::vector<Removal_task>& tasks) {
+/// notes where nothing has changed since a handle was refused.
+inline void settle(const Removal_rounds& remove, std::vector<Removal_task>& tasks) {
   for(Removal_task& task : tasks)
-    if(task.state == Removal_task::State::DAMAGED)
+    if(task.has_failed())
+      task.is_settled = task.state == Removal_task::State::REFUSED &&
+                        !remove.has_changed(task, task.time);
+}
+
+/// says of those that are left that they are refused.
+inline void give_up(const Removal_rounds& remove, std::vector<Removal_task>& tasks) {
+  for(Removal_task& task : tasks)
+    if(task.has_failed()) {
       task.state = Removal_task::State::REFUSED;
+      task.is_hindered = remove.has_changed(task, 0);
+    }
 }
 
 CGAL_HTL_CORE void remove_handles(Execution execution,
@@ -328,13 +365,10 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
     remove_along_loops_nearby(execution, remove, mesh, tasks, ask_now);
     if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
       break;
-    // What was refused may be possible by now.
-    for(Removal_task& task : tasks)
-      if(task.state == State::REFUSED)
-        task.state = State::DAMAGED;
+    settle(remove, tasks);
     Loops_anew(execution, mesh).give_to(tasks);
   }
-  give_up(tasks);
+  give_up(remove, tasks);
   CGAL_postcondition(number_with(State::OPEN, tasks) == 0);
 }
 
@@ -350,8 +384,9 @@ remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wan
     tasks.back().are_types_known = false;
     tasks.back().choices.push_back({Loop_type::HANDLE, neck.length(), copy.places(neck)});
   }
-  Removal_rounds(execution, mesh, wanted.force)(tasks, [] {});
-  give_up(tasks);
+  Removal_rounds remove(execution, mesh, wanted.force);
+  remove(tasks, [] {});
+  give_up(remove, tasks);
   return tasks;
 }
 

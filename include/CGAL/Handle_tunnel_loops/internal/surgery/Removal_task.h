@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -91,11 +92,27 @@ struct Removal_task
 
   State state = State::OPEN;
   bool is_done() const { return state != State::OPEN; }
+  bool has_failed() const { return state == State::REFUSED || state == State::DAMAGED; }
+
+  // Of a handle that could not be removed.
   std::vector<std::string> reasons; ///< by choice, why not along this one
+  Box<3> reach = Box<3>::empty();   ///< holds its loops, and all that it was tried with
+  bool is_far_reaching = false;     ///< what is elsewhere has a say, too
+  std::size_t time = none;          ///< of the last try, by the number of changes of the surface
+  bool is_settled = false;          ///< nothing has changed there since
+  bool is_hindered = false;         ///< something there is not as it was at first
+
+  /// the handle was tried as another task.
+  void note_tries(const Removal_task& other) {
+    reach.extend(other.reach);
+    is_far_reaching |= other.is_far_reaching;
+    time = other.time;
+  }
 
   // Of a handle that was removed.
   std::size_t choice = 0;
   bool is_whole = false;  ///< taken out with its surroundings
+  double length = 0.;     ///< that distances are measured by
   Shape_change change;    ///< its share, if others were removed with it
   Index end_of_faces = 0; ///< that were put in: none of a higher number is one of them
 
@@ -107,6 +124,7 @@ struct Removal_task
     for(std::size_t i = 0; i < choices.size(); ++i)
       if(choices[i].type == other.choices[other.choice].type)
         choice = i;
+    length = other.length;
     change = other.change;
     end_of_faces = other.end_of_faces;
   }
@@ -115,6 +133,7 @@ struct Removal_task
   void divide_lengths(double unit) {
     for(Loop_choice& loop : choices)
       loop.length /= unit;
+    length /= unit;
     const double area = unit * unit, volume = area * unit;
     change.volume_removed /= volume;
     change.volume_added /= volume;
@@ -132,7 +151,7 @@ struct Removal_task
         choices[choice].type == Loop_type::HANDLE ? Removal_way::CUT : Removal_way::FILL;
     return {pair,
             is_whole ? Removal_way::WHOLE : along_loop,
-            choices[choice].length,
+            length,
             change.cap_area,
             change.volume_removed - change.volume_added,
             change};
