@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef BENCHMARK_REMOVAL_JUDGE_H
+#define BENCHMARK_REMOVAL_JUDGE_H
+
+#include "Changed_faces.h"
+#include "Line_volumes.h"
+#include "New_caps.h"
+#include "New_folds.h"
+
+#include <CGAL/Handle_tunnel_loops/Removal_report.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <set>
+
+/// \file Removal_judge.h
+/// How each handle was removed, measured on the meshes before and after. Of a report only that is
+/// believed which handles were removed, in which way, and along loops of which lengths.
+
+namespace judge {
+
+using Way = CGAL::Handle_tunnel_loops::Removal_way;
+using Report = CGAL::Handle_tunnel_loops::Removal_report;
+
+struct Verdict
+{
+  std::size_t pair = 0;
+  Way way = Way::CUT;
+  double length = 0.;
+  double net = 0.;          ///< volume added, negative if solid was taken
+  Volumes gross;            ///< where both happened
+  double circles = 0.;      ///< of the largest cap, see Cap
+  double fold = 0.;         ///< the largest that is new and above 120 degrees
+  double displacement = 0.; ///< of the surface, in lengths of the loop
+  bool is_mixed = false;    ///< whether handles were removed in other ways in one group with it
+  bool is_flush = true;     ///< whether all caps are flush
+  std::size_t number_of_caps = 0;
+
+  bool is_flush_fill() const { return way == Way::FILL && is_flush && number_of_caps > 0; }
+
+  /// what a fill has taken, or a cut added, in sum.
+  double wrong_net() const {
+    return way == Way::WHOLE ? 0. : (std::max)(0., way == Way::FILL ? -net : net);
+  }
+
+  /// the same wherever it did so.
+  double wrong_gross() const {
+    return way == Way::WHOLE ? 0. : way == Way::FILL ? gross.taken : gross.added;
+  }
+};
+
+class Removal_judge
+{
+public:
+  using Owners = New_caps::Owners;
+
+  /// \p owners says of new faces for which of the removed handles they were made.
+  Removal_judge(const Mesh& before, const Mesh& after, const Owners& owners, const Report& report)
+      : before_(before)
+      , after_(after)
+      , owners_(owners)
+      , volume_(CGAL::Polygon_mesh_processing::volume(before))
+      , size_(diagonal_of(before)) {
+    for(const auto& handle : report.removed) {
+      Verdict verdict;
+      verdict.pair = handle.pair;
+      verdict.way = handle.by;
+      verdict.length = handle.length;
+      verdicts_.push_back(verdict);
+    }
+    const Changed_faces changed(before, after);
+    for(const Changed_faces::Group& group : changed.groups())
+      judge_volumes(group);
+    if(!changed.groups().empty())
+      judge_surface(changed);
+  }
+
+  const std::vector<Verdict>& verdicts() const { return verdicts_; }
+
+  /// of the mesh before.
+  double volume() const { return std::abs(volume_); }
+
+  /// of groups where no handle was removed, or where it is not clear which.
+  double unclear_volume() const { return unclear_; }
+
+  /// of the sums along lines, beside the groups' exact volumes.
+  double largest_error_of_lines() const { return error_of_lines_; }
+
+private:
+  std::size_t owner(Mesh::Face_index f) const {
+    return owners_[f] < verdicts_.size() ? owners_[f] : nobody;
+  }
+
+  std::set<std::size_t> owners_of(const Changed_faces::Group& group) const {
+    std::set<std::size_t> owners;
+    for(const Mesh::Face_index f : group.new_faces)
+      if(owner(f) != nobody)
+        owners.insert(owner(f));
+    return owners;
+  }
+
+  Triangle outward(Triangle t) const {
+    if(volume_ < 0.)
+      std::swap(t[0], t[1]);
+    return t;
+  }
+
+  std::vector<Sheet> sheets_of(const Changed_faces::Group& group) const {
+    std::vector<Sheet> sheets;
+    for(const Mesh::Face_index f : group.old_faces)
+      sheets.push_back({outward(triangle_of(before_, f)), false, nobody});
+    for(const Mesh::Face_index f : group.new_faces)
+      sheets.push_back({outward(triangle_of(after_, f)), true, owner(f)});
+    return sheets;
+  }
+
+  void judge_volumes(const Changed_faces::Group& group) {
+    const std::set<std::size_t> owners = owners_of(group);
+    const double net = net_volume(before_, after_, group) * (volume_ < 0. ? -1. : 1.);
+    if(owners.empty()) {
+      unclear_ += std::abs(net);
+      return;
+    }
+    const bool is_mixed = std::any_of(owners.begin(), owners.end(), [&](std::size_t i) {
+      return verdicts_[i].way != verdicts_[*owners.begin()].way;
+    });
+    for(const std::size_t i : owners)
+      verdicts_[i].is_mixed = verdicts_[i].is_mixed || is_mixed;
+    const std::vector<Sheet> sheets = sheets_of(group);
+    double by_lines = 0.;
+    const Line_volumes lines(sheets, 1e-10 * size_);
+    for(const auto& [i, volumes] : lines.volumes()) {
+      add_volumes(i, volumes, owners, is_mixed);
+      by_lines += volumes.added - volumes.taken;
+    }
+    if(owners.size() == 1)
+      verdicts_[*owners.begin()].net += net;
+    error_of_lines_ = (std::max)(error_of_lines_, std::abs(by_lines - net));
+  }
+
+  // What ends at old faces only is of the handle of its group, if it does not matter of which.
+  void add_volumes(std::size_t i,
+                   const Volumes& volumes,
+                   const std::set<std::size_t>& owners,
+                   bool is_mixed) {
+    if(i == nobody && is_mixed) {
+      unclear_ += volumes.added + volumes.taken;
+      return;
+    }
+    Verdict& verdict = verdicts_[i != nobody ? i : *owners.begin()];
+    verdict.gross.added += volumes.added;
+    verdict.gross.taken += volumes.taken;
+    if(owners.size() > 1)
+      verdict.net += volumes.added - volumes.taken;
+  }
+
+  void judge_surface(const Changed_faces& changed) {
+    const std::vector<Mesh::Face_index> new_faces = changed.new_faces();
+    const Surface_distance old_surface(before_, 1e-12 * size_), new_surface(after_, 1e-12 * size_);
+    const New_caps caps(after_, new_faces, owners_, old_surface, 1e-9 * size_);
+    for(const Cap& cap : caps.caps())
+      if(cap.owner < verdicts_.size())
+        judge_cap(cap, old_surface);
+    judge_folds(new_faces);
+    for(const Changed_faces::Group& group : changed.groups())
+      judge_what_went(group, new_surface);
+  }
+
+  void judge_cap(const Cap& cap, const Surface_distance& old_surface) {
+    Verdict& verdict = verdicts_[cap.owner];
+    ++verdict.number_of_caps;
+    verdict.is_flush = verdict.is_flush && cap.is_flush();
+    verdict.circles = (std::max)(verdict.circles, cap.circles());
+    if(verdict.way != Way::FILL || !cap.is_flush())
+      for(const Mesh::Face_index f : cap.faces)
+        displace(verdict, triangle_of(after_, f), old_surface);
+  }
+
+  static void displace(Verdict& verdict, const Triangle& t, const Surface_distance& surface) {
+    verdict.displacement =
+        (std::max)(verdict.displacement, surface.most(t, verdict.length / 20.) / verdict.length);
+  }
+
+  void judge_folds(const std::vector<Mesh::Face_index>& new_faces) {
+    const Old_folds old_folds(before_, size_);
+    for(const Mesh::Face_index f : new_faces)
+      for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(after_.halfedge(f), after_))
+        if(owner(f) != nobody) {
+          double& fold = verdicts_[owner(f)].fold;
+          fold = (std::max)(fold, old_folds.new_fold(after_, after_.edge(h)));
+        }
+  }
+
+  // Walls that a fill has buried have not moved anywhere; what else is gone must not be far.
+  void judge_what_went(const Changed_faces::Group& group, const Surface_distance& new_surface) {
+    std::set<std::size_t> others;
+    for(const std::size_t i : owners_of(group))
+      if(verdicts_[i].way != Way::FILL)
+        others.insert(i);
+    if(others.empty())
+      return;
+    for(const Mesh::Face_index f : group.old_faces) {
+      const Triangle t = triangle_of(before_, f);
+      const std::size_t next = owner(new_surface.nearest_face(CGAL::centroid(t[0], t[1], t[2])));
+      if(next == nobody || verdicts_[next].way != Way::FILL)
+        displace(verdicts_[others.count(next) != 0 ? next : *others.begin()], t, new_surface);
+    }
+  }
+
+  const Mesh &before_, &after_;
+  const Owners owners_;
+  const double volume_, size_;
+  std::vector<Verdict> verdicts_;
+  double unclear_ = 0., error_of_lines_ = 0.;
+};
+
+} // namespace judge
+
+#endif // BENCHMARK_REMOVAL_JUDGE_H
