@@ -20,7 +20,6 @@
 
 namespace judge {
 
-using Pairs = std::vector<CGAL::Handle_tunnel_pair<Mesh>>;
 using Options = CGAL::Handle_tunnel_loops::Removal_options;
 using Method = CGAL::Handle_tunnel_loops::Removal_method;
 
@@ -31,6 +30,7 @@ public:
 
   Judged_removal(const Mesh& before, const Pairs& pairs, const Options& options)
       : before_(before)
+      , pairs_(pairs)
       , after_(before)
       , owners_(after_.add_property_map<Mesh::Face_index, std::size_t>("f:owner", nobody).first) {
     const double start = seconds_now();
@@ -45,10 +45,11 @@ public:
   const Report& report() const { return report_; }
   double seconds() const { return seconds_; }
 
-  Removal_judge judge() const { return Removal_judge(before_, after_, owners_, report_); }
+  Removal_judge judge() const { return Removal_judge(before_, after_, owners_, report_, pairs_); }
 
 private:
   const Mesh& before_;
+  const Pairs& pairs_;
   Mesh after_;
   Removal_judge::Owners owners_;
   Report report_;

@@ -10,15 +10,11 @@
 #ifndef BENCHMARK_REMOVAL_JUDGE_H
 #define BENCHMARK_REMOVAL_JUDGE_H
 
-#include "Changed_faces.h"
+#include "Group_handles.h"
 #include "Line_volumes.h"
-#include "New_caps.h"
 #include "New_folds.h"
 
-#include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-
-#include <set>
 
 /// \file Removal_judge.h
 /// How each handle was removed, measured on the meshes before and after. Of a report only that is
@@ -26,19 +22,17 @@
 
 namespace judge {
 
-using Way = CGAL::Handle_tunnel_loops::Removal_way;
-using Report = CGAL::Handle_tunnel_loops::Removal_report;
-
 struct Verdict
 {
   std::size_t pair = 0;
   Way way = Way::CUT;
-  double length = 0.;
+  double length = 0.;       ///< of the loop that it was removed along
+  double longest = 0.;      ///< ... or of the longer one, if it was taken out whole
   double net = 0.;          ///< volume added, negative if solid was taken
   Volumes gross;            ///< where both happened
   double circles = 0.;      ///< of the largest cap, see Cap
   double fold = 0.;         ///< the largest that is new and above 120 degrees
-  double displacement = 0.; ///< of the surface, in lengths of the loop
+  double displacement = 0.; ///< of the surface
   bool is_mixed = false;    ///< whether handles were removed in other ways in one group with it
   bool is_flush = true;     ///< whether all caps are flush
   std::size_t number_of_caps = 0;
@@ -62,24 +56,24 @@ public:
   using Owners = New_caps::Owners;
 
   /// \p owners says of new faces for which of the removed handles they were made.
-  Removal_judge(const Mesh& before, const Mesh& after, const Owners& owners, const Report& report)
+  Removal_judge(const Mesh& before,
+                const Mesh& after,
+                const Owners& owners,
+                const Report& report,
+                const Pairs& pairs)
       : before_(before)
       , after_(after)
       , owners_(owners)
       , volume_(CGAL::Polygon_mesh_processing::volume(before))
       , size_(diagonal_of(before)) {
-    for(const auto& handle : report.removed) {
-      Verdict verdict;
-      verdict.pair = handle.pair;
-      verdict.way = handle.by;
-      verdict.length = handle.length;
-      verdicts_.push_back(verdict);
-    }
+    for(const auto& handle : report.removed)
+      verdicts_.push_back(first_verdict(handle, pairs));
     const Changed_faces changed(before, after);
-    for(const Changed_faces::Group& group : changed.groups())
-      judge_volumes(group);
+    const Group_handles handles(before, changed, owners, report, pairs);
+    for(std::size_t i = 0; i < changed.groups().size(); ++i)
+      judge_volumes(changed.groups()[i], handles[i]);
     if(!changed.groups().empty())
-      judge_surface(changed);
+      judge_surface(changed, handles);
   }
 
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
@@ -98,12 +92,16 @@ private:
     return owners_[f] < verdicts_.size() ? owners_[f] : nobody;
   }
 
-  std::set<std::size_t> owners_of(const Changed_faces::Group& group) const {
-    std::set<std::size_t> owners;
-    for(const Mesh::Face_index f : group.new_faces)
-      if(owner(f) != nobody)
-        owners.insert(owner(f));
-    return owners;
+  static Verdict first_verdict(const CGAL::Handle_tunnel_loops::Removed_handle& handle,
+                               const Pairs& pairs) {
+    Verdict verdict;
+    verdict.pair = handle.pair;
+    verdict.way = handle.by;
+    verdict.length = verdict.longest = handle.length;
+    if(handle.by == Way::WHOLE && handle.pair < pairs.size())
+      verdict.longest = (std::max)({handle.length, pairs[handle.pair].handle().length(),
+                                    pairs[handle.pair].tunnel().length()});
+    return verdict;
   }
 
   Triangle outward(Triangle t) const {
@@ -121,23 +119,20 @@ private:
     return sheets;
   }
 
-  void judge_volumes(const Changed_faces::Group& group) {
-    const std::set<std::size_t> owners = owners_of(group);
+  void judge_volumes(const Changed_faces::Group& group, const Handles_of_group& handles) {
+    const std::set<std::size_t>& owners = handles.owners;
     const double net = net_volume(before_, after_, group) * (volume_ < 0. ? -1. : 1.);
     if(owners.empty()) {
       unclear_ += std::abs(net);
       return;
     }
-    const bool is_mixed = std::any_of(owners.begin(), owners.end(), [&](std::size_t i) {
-      return verdicts_[i].way != verdicts_[*owners.begin()].way;
-    });
     for(const std::size_t i : owners)
-      verdicts_[i].is_mixed = verdicts_[i].is_mixed || is_mixed;
+      verdicts_[i].is_mixed = verdicts_[i].is_mixed || handles.is_mixed;
     const std::vector<Sheet> sheets = sheets_of(group);
     double by_lines = 0.;
     const Line_volumes lines(sheets, 1e-10 * size_);
     for(const auto& [i, volumes] : lines.volumes()) {
-      add_volumes(i, volumes, owners, is_mixed);
+      add_volumes(i, volumes, handles);
       by_lines += volumes.added - volumes.taken;
     }
     if(owners.size() == 1)
@@ -146,22 +141,19 @@ private:
   }
 
   // What ends at old faces only is of the handle of its group, if it does not matter of which.
-  void add_volumes(std::size_t i,
-                   const Volumes& volumes,
-                   const std::set<std::size_t>& owners,
-                   bool is_mixed) {
-    if(i == nobody && is_mixed) {
+  void add_volumes(std::size_t i, const Volumes& volumes, const Handles_of_group& handles) {
+    if(i == nobody && handles.is_mixed) {
       unclear_ += volumes.added + volumes.taken;
       return;
     }
-    Verdict& verdict = verdicts_[i != nobody ? i : *owners.begin()];
+    Verdict& verdict = verdicts_[i != nobody ? i : *handles.owners.begin()];
     verdict.gross.added += volumes.added;
     verdict.gross.taken += volumes.taken;
-    if(owners.size() > 1)
+    if(handles.owners.size() > 1)
       verdict.net += volumes.added - volumes.taken;
   }
 
-  void judge_surface(const Changed_faces& changed) {
+  void judge_surface(const Changed_faces& changed, const Group_handles& handles) {
     const std::vector<Mesh::Face_index> new_faces = changed.new_faces();
     const Surface_distance old_surface(before_, 1e-12 * size_), new_surface(after_, 1e-12 * size_);
     const New_caps caps(after_, new_faces, owners_, old_surface, 1e-9 * size_);
@@ -169,8 +161,8 @@ private:
       if(cap.owner < verdicts_.size())
         judge_cap(cap, old_surface);
     judge_folds(new_faces);
-    for(const Changed_faces::Group& group : changed.groups())
-      judge_what_went(group, new_surface);
+    for(std::size_t i = 0; i < changed.groups().size(); ++i)
+      judge_what_went(changed.groups()[i], handles[i], new_surface);
   }
 
   void judge_cap(const Cap& cap, const Surface_distance& old_surface) {
@@ -180,12 +172,11 @@ private:
     verdict.circles = (std::max)(verdict.circles, cap.circles());
     if(verdict.way != Way::FILL || !cap.is_flush())
       for(const Mesh::Face_index f : cap.faces)
-        displace(verdict, triangle_of(after_, f), old_surface);
+        displace(verdict, old_surface.most(triangle_of(after_, f), verdict.length / 20.));
   }
 
-  static void displace(Verdict& verdict, const Triangle& t, const Surface_distance& surface) {
-    verdict.displacement =
-        (std::max)(verdict.displacement, surface.most(t, verdict.length / 20.) / verdict.length);
+  static void displace(Verdict& verdict, double distance) {
+    verdict.displacement = (std::max)(verdict.displacement, distance);
   }
 
   void judge_folds(const std::vector<Mesh::Face_index>& new_faces) {
@@ -198,10 +189,12 @@ private:
         }
   }
 
-  // Walls that a fill has buried have not moved anywhere; what else is gone must not be far.
-  void judge_what_went(const Changed_faces::Group& group, const Surface_distance& new_surface) {
+  // Walls that are buried in the solid have not moved anywhere; what else is gone must not be far.
+  void judge_what_went(const Changed_faces::Group& group,
+                       const Handles_of_group& handles,
+                       const Surface_distance& new_surface) {
     std::set<std::size_t> others;
-    for(const std::size_t i : owners_of(group))
+    for(const std::size_t i : handles.owners)
       if(verdicts_[i].way != Way::FILL)
         others.insert(i);
     if(others.empty())
@@ -209,9 +202,18 @@ private:
     for(const Mesh::Face_index f : group.old_faces) {
       const Triangle t = triangle_of(before_, f);
       const std::size_t next = owner(new_surface.nearest_face(CGAL::centroid(t[0], t[1], t[2])));
-      if(next == nobody || verdicts_[next].way != Way::FILL)
-        displace(verdicts_[others.count(next) != 0 ? next : *others.begin()], t, new_surface);
+      if(next != nobody && verdicts_[next].way == Way::FILL)
+        continue;
+      Verdict& verdict = verdicts_[others.count(next) != 0 ? next : *others.begin()];
+      for(const Point& p : samples_of(t, verdict.length / 20.))
+        displace(verdict, how_far_outside(p, new_surface, verdict.displacement));
     }
+  }
+
+  // 0 if it is not further than what is known.
+  static double how_far_outside(const Point& p, const Surface_distance& surface, double known) {
+    const double distance = surface(p);
+    return distance > known && !surface.is_inside(p) ? distance : 0.;
   }
 
   const Mesh &before_, &after_;

@@ -75,8 +75,9 @@ public:
       add_volumes(place, verdict, judge.volume());
       circles_.add(place, verdict.circles);
       folds_.add(place, verdict.fold);
-      most = (std::max)(most, verdict.displacement);
-      displacements_of_handles_.add(place, verdict.displacement);
+      most = (std::max)(most, verdict.displacement / verdict.longest);
+      displacements_of_handles_.add(place, verdict.displacement / verdict.longest);
+      by_own_loops_.add(place, verdict.displacement / verdict.length);
     }
     if(!judge.verdicts().empty())
       displacements_.add(mesh, most);
@@ -126,6 +127,9 @@ public:
                 "0.18, -, 0.5 | %.3f, %.3f, %.3f |\n",
                 displacements_.quantile(0.5), displacements_.quantile(0.9),
                 displacements_.quantile(1.));
+    std::printf("| handles displaced by over half the loop that they were removed along, not the "
+                "longer one if whole | - | %zu (most %.3f) |\n",
+                by_own_loops_.number_above(0.5), by_own_loops_.quantile(1.));
     if(times_.size() != 0)
       std::printf("| removing / loops: median, 90%%, most, meshes within 3 | 1, 3, -, 90%% | %.2f, "
                   "%.2f, %.2f, %.1f%% |\n",
@@ -192,6 +196,7 @@ private:
     circles_.print_worst("caps in circles", 2.);
     folds_.print_worst("new folds in degrees", 120., 30);
     displacements_of_handles_.print_worst("displacement in lengths of the loop", 0.25, 30);
+    by_own_loops_.print_worst("displacement in lengths of the loop removed along", 0.5, 30);
     times_.print_worst("removing / loops", 3., 30);
     ratios_of_others_.print_worst("default over the best single way, not flush", 1.1, 60);
     ratios_.print_worst("default over the best single way", 1.1, 30);
@@ -199,7 +204,7 @@ private:
 
   std::vector<std::pair<std::string, std::size_t>> refused_;
   Measured net_, gross_, mixed_, unclear_, lines_, circles_, folds_, displacements_,
-      displacements_of_handles_, times_, ratios_, ratios_of_others_;
+      displacements_of_handles_, by_own_loops_, times_, ratios_, ratios_of_others_;
 };
 
 } // namespace judge

@@ -69,6 +69,14 @@ public:
                        [&](const Point& p) { return (*this)(p) <= distance; });
   }
 
+  /// whether a line to far away crosses the surface an odd number of times.
+  bool is_inside(const Point& p) const {
+    return tree_.number_of_intersected_primitives(
+               Kernel::Ray_3(p, Vector(0.5479, 0.3217, 0.7721))) %
+               2 ==
+           1;
+  }
+
 private:
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>;

@@ -10,10 +10,12 @@
 // handles of each mesh are also removed one by one, by default, cut and filled.
 //
 //   benchmark_removal --judge [--ways] [-n RUNS] [FILE | FOLDER]...
+//   benchmark_removal --judge-itself
 
 #include "Benchmark_meshes.h"
 #include "Command_line.h"
 #include "Counting_allocation.h"
+#include "Judge_cases.h"
 #include "Single_ways.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -217,8 +219,11 @@ std::vector<std::string> meshes_of(const std::vector<std::filesystem::path>& fil
 }
 
 int run(int argc, char* argv[]) {
-  const corpus::Command_line line(argc, argv, {"--half", "--check", "--judge", "--ways"},
+  const corpus::Command_line line(argc, argv,
+                                  {"--half", "--check", "--judge", "--ways", "--judge-itself"},
                                   {"-n", "--genus", "--necks"});
+  if(line.has("--judge-itself"))
+    return judge::Judge_cases()() == 0 ? 0 : 1;
   Wish wish;
   const bool judged = line.has("--judge") || line.has("--ways");
   wish.number_of_runs = (std::max)(1, int(line.number("-n", judged ? 1 : 3)));
