@@ -73,7 +73,7 @@ public:
     for(std::size_t i = 0; i < changed.groups().size(); ++i)
       judge_volumes(changed.groups()[i], handles[i]);
     if(!changed.groups().empty())
-      judge_surface(changed, handles);
+      judge_surface(changed);
   }
 
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
@@ -126,8 +126,12 @@ private:
       unclear_ += std::abs(net);
       return;
     }
-    for(const std::size_t i : owners)
+    for(const std::size_t i : owners) {
       verdicts_[i].is_mixed = verdicts_[i].is_mixed || handles.is_mixed;
+      if(verdicts_[i].way == Way::WHOLE)
+        for(const std::size_t j : handles.hidden) // may have been taken out with it
+          verdicts_[i].longest = (std::max)(verdicts_[i].longest, verdicts_[j].longest);
+    }
     const std::vector<Sheet> sheets = sheets_of(group);
     double by_lines = 0.;
     const Line_volumes lines(sheets, 1e-10 * size_);
@@ -153,7 +157,7 @@ private:
       verdict.net += volumes.added - volumes.taken;
   }
 
-  void judge_surface(const Changed_faces& changed, const Group_handles& handles) {
+  void judge_surface(const Changed_faces& changed) {
     const std::vector<Mesh::Face_index> new_faces = changed.new_faces();
     const Surface_distance old_surface(before_, 1e-12 * size_), new_surface(after_, 1e-12 * size_);
     const New_caps caps(after_, new_faces, owners_, old_surface, 1e-9 * size_);
@@ -161,8 +165,8 @@ private:
       if(cap.owner < verdicts_.size())
         judge_cap(cap, old_surface);
     judge_folds(new_faces);
-    for(std::size_t i = 0; i < changed.groups().size(); ++i)
-      judge_what_went(changed.groups()[i], handles[i], new_surface);
+    for(const Changed_faces::Group& group : changed.groups())
+      judge_what_went(group, new_surface);
   }
 
   void judge_cap(const Cap& cap, const Surface_distance& old_surface) {
@@ -190,21 +194,17 @@ private:
   }
 
   // Walls that are buried in the solid have not moved anywhere; what else is gone must not be far.
-  void judge_what_went(const Changed_faces::Group& group,
-                       const Handles_of_group& handles,
-                       const Surface_distance& new_surface) {
-    std::set<std::size_t> others;
-    for(const std::size_t i : handles.owners)
-      if(verdicts_[i].way != Way::FILL)
-        others.insert(i);
-    if(others.empty())
+  void judge_what_went(const Changed_faces::Group& group, const Surface_distance& new_surface) {
+    std::vector<Mesh::Face_index> faces; // of cuts, and what was taken out whole
+    for(const Mesh::Face_index f : group.new_faces)
+      if(owner(f) != nobody && verdicts_[owner(f)].way != Way::FILL)
+        faces.push_back(f);
+    const Surface_distance theirs(after_, faces, 1e-12 * size_);
+    if(theirs.is_empty())
       return;
     for(const Mesh::Face_index f : group.old_faces) {
       const Triangle t = triangle_of(before_, f);
-      const std::size_t next = owner(new_surface.nearest_face(CGAL::centroid(t[0], t[1], t[2])));
-      if(next != nobody && verdicts_[next].way == Way::FILL)
-        continue;
-      Verdict& verdict = verdicts_[others.count(next) != 0 ? next : *others.begin()];
+      Verdict& verdict = verdicts_[owner(theirs.nearest_face(CGAL::centroid(t[0], t[1], t[2])))];
       for(const Point& p : samples_of(t, verdict.length / 20.))
         displace(verdict, how_far_outside(p, new_surface, verdict.displacement));
     }

@@ -25,8 +25,12 @@ class Surface_distance
 {
 public:
   /// Faces not higher than a length are left out: their neighbours are as near.
-  Surface_distance(const Mesh& mesh, double height) {
-    for(const Mesh::Face_index f : mesh.faces()) {
+  Surface_distance(const Mesh& mesh, double height)
+      : Surface_distance(mesh, mesh.faces(), height) {}
+
+  /// to some of the faces only.
+  template <typename Faces> Surface_distance(const Mesh& mesh, const Faces& faces, double height) {
+    for(const Mesh::Face_index f : faces) {
       const Triangle t = triangle_of(mesh, f);
       if(is_needle(t, height))
         continue;
@@ -35,11 +39,14 @@ public:
     }
     tree_.insert(triangles_.begin(), triangles_.end());
     tree_.build();
-    tree_.accelerate_distance_queries();
+    if(!faces_.empty())
+      tree_.accelerate_distance_queries();
   }
 
   Surface_distance(const Surface_distance&) = delete;
   Surface_distance& operator=(const Surface_distance&) = delete;
+
+  bool is_empty() const { return faces_.empty(); }
 
   double operator()(const Point& p) const { return std::sqrt(tree_.squared_distance(p)); }
 

@@ -168,9 +168,8 @@ void measure_all(const std::vector<std::string>& inputs, const Wish& wish) {
 
 // With the medians of the times of all runs.
 void judge_mesh(const std::string& input, const Wish& wish, judge::Removal_targets& targets) {
-  const Off_file off(input);
   const std::string name = std::filesystem::path(input).stem().string();
-  const Mesh mesh = read(off.name());
+  const Mesh mesh = std::filesystem::exists(input) ? read(input) : read(Off_file(input).name());
   std::vector<double> finding, removing;
   Pairs pairs;
   std::unique_ptr<judge::Judged_removal> removal;
