@@ -68,16 +68,22 @@ class Removal_targets
 {
 public:
   void add(const std::string& mesh, const Report& report, const Removal_judge& judge) {
-    refused_.emplace_back(mesh, report.refused.size());
+    for(const auto& handle : report.refused)
+      refused_.push_back(mesh + " pair " + std::to_string(handle.pair) + ": " +
+                         handle.reason.substr(0, 200));
     double most = 0.;
     for(const Verdict& verdict : judge.verdicts()) {
-      const std::string place = mesh + " pair " + std::to_string(verdict.pair) + name(verdict.way);
+      const std::string place = mesh + " pair " + std::to_string(verdict.pair) + name(verdict.way) +
+                                (verdict.is_mixed ? ", beside others" : "");
       add_volumes(place, verdict, judge.volume());
       circles_.add(place, verdict.circles);
       folds_.add(place, verdict.fold);
-      most = (std::max)(most, verdict.displacement / verdict.longest);
-      displacements_of_handles_.add(place, verdict.displacement / verdict.longest);
       by_own_loops_.add(place, verdict.displacement / verdict.length);
+      const double displacement = verdict.displacement / verdict.longest;
+      (verdict.is_mixed ? displacements_beside_ : displacements_of_handles_)
+          .add(place, displacement);
+      if(!verdict.is_mixed)
+        most = (std::max)(most, displacement);
     }
     if(!judge.verdicts().empty())
       displacements_.add(mesh, most);
@@ -119,19 +125,9 @@ public:
   void print() const {
     std::printf("\n| | aim | reached |\n|---|---|---|\n");
     print_volumes();
-    std::printf("| single caps of over 3 circles | 0 | %zu (most %.2f) |\n"
-                "| new folds above 150 degrees | 0 | %zu (most %.1f, above 120: %zu) |\n",
-                circles_.number_above(3.), circles_.quantile(1.), folds_.number_above(150.),
-                folds_.quantile(1.), folds_.number_above(120.));
-    std::printf("| largest displacement in lengths of the loop: median over meshes, 90%%, most | "
-                "0.18, -, 0.5 | %.3f, %.3f, %.3f |\n",
-                displacements_.quantile(0.5), displacements_.quantile(0.9),
-                displacements_.quantile(1.));
-    std::printf("| handles displaced by over half the loop that they were removed along, not the "
-                "longer one if whole | - | %zu (most %.3f) |\n",
-                by_own_loops_.number_above(0.5), by_own_loops_.quantile(1.));
+    print_surfaces();
     if(times_.size() != 0)
-      std::printf("| removing / loops: median, 90%%, most, meshes within 3 | 1, 3, -, 90%% | %.2f, "
+      std::printf("| removing / loops: median, 90%%, most, meshes within 3 | - | %.2f, "
                   "%.2f, %.2f, %.1f%% |\n",
                   times_.quantile(0.5), times_.quantile(0.9), times_.quantile(1.),
                   times_.percentage_within(3.));
@@ -154,22 +150,32 @@ private:
       gross_.add(place, verdict.wrong_gross() / volume);
   }
 
-  std::size_t number_of_refused() const {
-    std::size_t sum = 0;
-    for(const auto& [mesh, number] : refused_)
-      sum += number;
-    return sum;
-  }
-
   void print_volumes() const {
-    std::printf("| handles refused | at most 10 | %zu of %zu |\n", number_of_refused(),
-                number_of_refused() + circles_.size());
+    std::printf("| handles refused | at most 10 | %zu of %zu |\n", refused_.size(),
+                refused_.size() + circles_.size());
     std::printf("| fills that take solid away, cuts that add some, beyond 1e-9 of the volume | 0 | "
                 "%zu |\n| the same in part, while the sum is right | 0 | %zu |\n"
                 "| the same where handles beside were removed in other ways | 0 | %zu of %zu |\n"
                 "| meshes with volume that is of no single handle | - | %zu |\n",
                 net_.number_above(1e-9), gross_.number_above(1e-9), mixed_.number_above(1e-9),
                 mixed_.size(), unclear_.size());
+  }
+
+  void print_surfaces() const {
+    std::printf("| single caps of over 3 circles | 0 | %zu (most %.2f) |\n"
+                "| new folds above 150 degrees | 0 | %zu (most %.1f, above 120: %zu) |\n",
+                circles_.number_above(3.), circles_.quantile(1.), folds_.number_above(150.),
+                folds_.quantile(1.), folds_.number_above(120.));
+    std::printf("| largest displacement in lengths of the loop: median over meshes, 90%%, most | "
+                "0.18, -, 0.5 | %.3f, %.3f, %.3f |\n",
+                displacements_.quantile(0.5), displacements_.quantile(0.9),
+                displacements_.quantile(1.));
+    std::printf("| handles beside which others were removed in other ways, displaced by over 0.5 | "
+                "0 | %zu (most %.3f) |\n"
+                "| handles displaced by over half the loop that they were removed along, not the "
+                "longer one if whole | - | %zu (most %.3f) |\n",
+                displacements_beside_.number_above(0.5), displacements_beside_.quantile(1.),
+                by_own_loops_.number_above(0.5), by_own_loops_.quantile(1.));
   }
 
   void print_ratios() const {
@@ -184,10 +190,9 @@ private:
   }
 
   void print_worst() const {
-    Measured refused;
-    for(const auto& [mesh, number] : refused_)
-      refused.add(mesh, double(number));
-    refused.print_worst("refused", 0., 100);
+    std::printf("\nrefused:\n");
+    for(const std::string& handle : refused_)
+      std::printf("- %s\n", handle.c_str());
     net_.print_worst("wrong volume over all", 1e-9, 100);
     gross_.print_worst("wrong volume in part, over all", 1e-9, 30);
     mixed_.print_worst("wrong volume beside other ways, over all", 1e-9, 30);
@@ -196,15 +201,18 @@ private:
     circles_.print_worst("caps in circles", 2.);
     folds_.print_worst("new folds in degrees", 120., 30);
     displacements_of_handles_.print_worst("displacement in lengths of the loop", 0.25, 30);
+    displacements_beside_.print_worst("displacement beside others, in lengths of the loop", 0.5,
+                                      30);
     by_own_loops_.print_worst("displacement in lengths of the loop removed along", 0.5, 30);
     times_.print_worst("removing / loops", 3., 30);
     ratios_of_others_.print_worst("default over the best single way, not flush", 1.1, 60);
     ratios_.print_worst("default over the best single way", 1.1, 30);
   }
 
-  std::vector<std::pair<std::string, std::size_t>> refused_;
+  std::vector<std::string> refused_;
   Measured net_, gross_, mixed_, unclear_, lines_, circles_, folds_, displacements_,
-      displacements_of_handles_, by_own_loops_, times_, ratios_, ratios_of_others_;
+      displacements_of_handles_, displacements_beside_, by_own_loops_, times_, ratios_,
+      ratios_of_others_;
 };
 
 } // namespace judge
