@@ -22,15 +22,20 @@ struct Cap
   std::vector<Mesh::Face_index> faces;
   std::size_t owner = nobody;
   double area = 0.;
-  double rim = 0.;      ///< its length
-  double flat_rim = 0.; ///< how much of it goes on in the plane of the cap
-  bool is_plane = false;
+  double rim = 0.;       ///< its length
+  double flat_rim = 0.;  ///< how much of it goes on in the plane of the cap
+  double even_rim = 0.;  ///< how much goes on at less than 10 degrees to it
+  double off_plane = 0.; ///< how far it leaves its plane
 
   /// how many circles as long as the rim have its area.
   double circles() const { return area * 4. * CGAL_PI / (rim * rim); }
 
-  /// whether it continues the plane around it, as the cap of a bore at its mouth.
-  bool is_flush() const { return is_plane && flat_rim >= 0.95 * rim; }
+  /// whether it continues the plane around it, as the cap of a bore at its mouth. Single precision
+  /// is what coordinates of files often have.
+  bool is_flush() const { return off_plane <= 1e-5 * rim && flat_rim >= 0.9 * rim; }
+
+  /// the same where faces were meshed anew, so that no mouth lies in a plane exactly.
+  bool is_nearly_flush() const { return off_plane <= 5e-3 * rim && even_rim >= 0.9 * rim; }
 };
 
 /// Those new faces of a mesh that do not lie on the old surface, in pieces: what hangs together and
@@ -102,30 +107,32 @@ private:
     return length_of(point_of(mesh_, mesh_.target(h)) - point_of(mesh_, mesh_.source(h)));
   }
 
-  // Single precision is what coordinates of files often have.
   void compare_with_plane(Cap& cap, const Vector& normal) const {
     const Point origin = triangle_of(mesh_, cap.faces.front())[0];
-    const auto is_off = [&](Mesh::Vertex_index v) {
-      return !(std::abs((point_of(mesh_, v) - origin) * normal) <= 1e-5 * cap.rim);
-    };
-    cap.is_plane = true;
     for(const Mesh::Face_index f : cap.faces)
       for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_)) {
-        cap.is_plane = cap.is_plane && !is_off(mesh_.target(h));
-        if(is_rim(h) && goes_on(mesh_.opposite(h), normal, 1e-5 * cap.rim))
-          cap.flat_rim += length(h);
+        const double off = std::abs((point_of(mesh_, mesh_.target(h)) - origin) * normal);
+        cap.off_plane = (std::max)(cap.off_plane, off);
+        if(!is_rim(h))
+          continue;
+        const double bend = bend_beyond(mesh_.opposite(h), normal, 1e-5 * cap.rim);
+        cap.flat_rim += bend < 1. ? length(h) : 0.;
+        cap.even_rim += bend < 10. ? length(h) : 0.;
       }
   }
 
-  // Whether the face of the halfedge lies in a plane.
-  bool goes_on(Mesh::Halfedge_index h, const Vector& normal, double tolerance) const {
+  // Of the face of a halfedge against a plane through it, in degrees; 0 if the face does not leave
+  // it by more than a tolerance, however narrow it is.
+  double bend_beyond(Mesh::Halfedge_index h, const Vector& normal, double tolerance) const {
     const Mesh::Face_index f = mesh_.face(h);
     if(f == Mesh::null_face())
-      return false;
+      return 180.;
+    const Vector other = normal_of(triangle_of(mesh_, f));
     const Vector up =
         point_of(mesh_, mesh_.target(mesh_.next(h))) - point_of(mesh_, mesh_.source(h));
-    return bend_between(normal_of(triangle_of(mesh_, f)), normal) < 1. ||
-           (std::abs(up * normal) <= tolerance && normal_of(triangle_of(mesh_, f)) * normal >= 0.);
+    if(std::abs(up * normal) <= tolerance && other * normal >= 0.)
+      return 0.;
+    return bend_between(other, normal);
   }
 
   const Mesh& mesh_;

@@ -36,7 +36,7 @@ public:
     if(by_default_ >= 0.)
       way_ = removal.report().removed.front().by;
     if(by_default_ >= 0. && way_ == Way::FILL)
-      is_flush_fill_ = has_flush_caps(removal, surface, tolerance);
+      look_at_caps(removal, surface, tolerance);
   }
 
   /// Nothing is to be compared where no single way could be.
@@ -51,10 +51,15 @@ public:
 
   bool is_flush_fill() const { return is_flush_fill_; }
 
+  bool is_nearly_flush_fill() const { return is_nearly_flush_fill_; }
+
   /// the changes of volume in words.
   std::string text() const {
     return " (default " + text(by_default_) + (way_ == Way::WHOLE ? " whole" : "") +
-           (is_flush_fill_ ? " flush" : "") + ", cut " + text(cut_) + ", fill " + text(fill_) + ")";
+           (is_flush_fill_          ? " flush"
+            : is_nearly_flush_fill_ ? " nearly flush"
+                                    : "") +
+           ", cut " + text(cut_) + ", fill " + text(fill_) + ")";
   }
 
 private:
@@ -83,13 +88,16 @@ private:
     return std::abs(sum);
   }
 
-  bool has_flush_caps(const Judged_removal& removal,
-                      const Surface_distance& surface,
-                      double tolerance) const {
+  void
+  look_at_caps(const Judged_removal& removal, const Surface_distance& surface, double tolerance) {
     const Changed_faces changed(mesh_, removal.after());
     const New_caps caps(removal.after(), changed.new_faces(), removal.owners(), surface, tolerance);
-    return !caps.caps().empty() && std::all_of(caps.caps().begin(), caps.caps().end(),
-                                               [](const Cap& cap) { return cap.is_flush(); });
+    const auto& all = caps.caps();
+    is_flush_fill_ = !all.empty() && std::all_of(all.begin(), all.end(),
+                                                 [](const Cap& cap) { return cap.is_flush(); });
+    is_nearly_flush_fill_ = !all.empty() && std::all_of(all.begin(), all.end(), [](const Cap& cap) {
+      return cap.is_flush() || cap.is_nearly_flush();
+    });
   }
 
   double best() const { return cut_ < 0. ? fill_ : fill_ < 0. ? cut_ : (std::min)(cut_, fill_); }
@@ -98,7 +106,7 @@ private:
   const Pairs pairs_;
   double by_default_ = refused, cut_ = refused, fill_ = refused;
   Way way_ = Way::CUT; // by default
-  bool is_flush_fill_ = false;
+  bool is_flush_fill_ = false, is_nearly_flush_fill_ = false;
 };
 
 /// compares the ways for the first handles of a mesh.
@@ -113,7 +121,7 @@ inline void compare_ways(const std::string& name,
     const Single_ways ways(mesh, pairs[i], surface, 1e-9 * size);
     if(ways.is_comparable())
       targets.add_ratio(name + " pair " + std::to_string(i) + ways.text(), ways.ratio(),
-                        ways.is_flush_fill());
+                        ways.is_flush_fill(), ways.is_nearly_flush_fill());
   }
 }
 
