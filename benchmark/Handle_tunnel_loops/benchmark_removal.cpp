@@ -1,20 +1,24 @@
 // Removes handles, and measures that as a multiple of the time that CGAL::IO::read_polygon_mesh
 // takes for the same mesh as an OFF file, in one run, beyond finding the loops; and the memory that
-// it takes beyond the mesh. With --check, what comes out is put through programs of others. What
-// becomes of the shape is summed up at the end: volumes and boxes are those of the meshes, the rest
-// is what reports say.
+// it takes beyond the mesh. With --check, what comes out is put through programs of others.
 //
 //   benchmark_removal [-n RUNS] [--genus G | --half | --necks LENGTH] [--check]
-//                     [KIND:FACES:GENUS | FILE]...
+//                     [KIND:FACES:GENUS | FILE | FOLDER]...
 //
-// Each time is the median of the runs.
+// Each time is the median of the runs. With --judge, what becomes of the shape is measured on the
+// meshes before and after instead, and stands beside what is aimed at; with --ways, the first
+// handles of each mesh are also removed one by one, by default, cut and filled.
+//
+//   benchmark_removal --judge [--ways] [-n RUNS] [FILE | FOLDER]...
+//   benchmark_removal --judge-itself
 
 #include "Benchmark_meshes.h"
+#include "Command_line.h"
 #include "Counting_allocation.h"
+#include "Judge_cases.h"
+#include "Single_ways.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -22,12 +26,13 @@
 #include <CGAL/remove_handles.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -47,45 +52,27 @@ struct Wish
   bool half = false;
   double neck_length = 0.;
   bool check = false;
+  bool ways = false;
 };
 
 struct Sum
 {
   std::size_t removed = 0, refused = 0;
   std::map<std::string, std::size_t> reasons;
-  // Of the shapes.
-  std::size_t wrong_signs = 0, large_caps = 0;                // handles
-  std::size_t sharp = 0, larger_boxes = 0, other_volumes = 0; // meshes
-  std::vector<double> displacements; // in lengths of the loop, the largest of each mesh
-  std::vector<double> times;         // over those for the loops
+  std::vector<double> times; // over those for the loops
 };
 
-void add_shape(const Mesh& before, const Mesh& after, const HTL::Removal_report& report, Sum& sum) {
-  const double volume = std::abs(PMP::volume(before));
-  double displacement = 0., taken = 0.;
-  for(const HTL::Removed_handle& handle : report.removed) {
-    const HTL::Shape_change& change = handle.change;
-    sum.wrong_signs +=
-        (handle.by == HTL::Removal_way::CUT && change.volume_added > 1e-9 * volume) ||
-        (handle.by == HTL::Removal_way::FILL && change.volume_removed > 1e-9 * volume);
-    sum.large_caps += change.cap_ratio > 3.;
-    displacement = (std::max)(displacement, change.displacement / handle.length);
-    taken += handle.volume;
-  }
-  sum.sharp += report.change().sharpest_angle < 30.;
-  sum.displacements.push_back(displacement);
-  sum.other_volumes += std::abs(volume - std::abs(PMP::volume(after)) - taken) > 1e-6 * volume;
-  const CGAL::Bbox_3 box = PMP::bbox(before);
-  sum.larger_boxes += (box + PMP::bbox(after)) != box;
-}
-
-HTL::Removal_report remove(Mesh& mesh, const Pairs& pairs, const Wish& wish) {
+HTL::Removal_options options_of(const Pairs& pairs, const Wish& wish) {
   const std::size_t genus = wish.half ? pairs.size() / 2 : (std::min)(wish.genus, pairs.size());
   HTL::Removal_options options;
   options.target_genus = genus;
   options.maximal_neck_length = wish.neck_length;
-  return CGAL::remove_handles<Tag>(mesh,
-                                   params::removal_options(options, params::known_loops(pairs)));
+  return options;
+}
+
+HTL::Removal_report remove(Mesh& mesh, const Pairs& pairs, const Wish& wish) {
+  return CGAL::remove_handles<Tag>(
+      mesh, params::removal_options(options_of(pairs, wish), params::known_loops(pairs)));
 }
 
 Mesh read(const std::string& file) {
@@ -144,7 +131,6 @@ void measure(const std::string& input, const Wish& wish, Sum& sum) {
     }
   }
   const Mesh before = read(off.name());
-  add_shape(before, mesh, report, sum);
   sum.times.push_back(median(removing) / median(finding));
   const std::string state = wish.check ? check(before, mesh) : "";
   if(state != "crossed itself before") {
@@ -161,29 +147,7 @@ void measure(const std::string& input, const Wish& wish, Sum& sum) {
   std::fflush(stdout);
 }
 
-} // namespace
-
-int main(int argc, char* argv[]) {
-  Wish wish;
-  std::vector<std::string> inputs;
-  for(int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool has_value = i + 1 < argc;
-    if(word == "-n" && has_value)
-      wish.number_of_runs = (std::max)(1, std::atoi(argv[++i]));
-    else if(word == "--genus" && has_value)
-      wish.genus = std::strtoul(argv[++i], nullptr, 10);
-    else if(word == "--necks" && has_value)
-      wish.neck_length = std::atof(argv[++i]);
-    else if(word == "--half")
-      wish.half = true;
-    else if(word == "--check")
-      wish.check = true;
-    else
-      inputs.push_back(word);
-  }
-  if(inputs.empty())
-    inputs = {"gyroid:1000000:250", "scan:1000000:3", "lattice:1000000:250"};
+void measure_all(const std::vector<std::string>& inputs, const Wish& wish) {
   Sum sum;
   std::printf("| mesh | faces after | genus | refused | necks | reading s | loops s | removing s | "
               "removing / reading | bytes per face | result |\n"
@@ -197,16 +161,88 @@ int main(int argc, char* argv[]) {
   std::printf("\n%zu removed, %zu refused\n", sum.removed, sum.refused);
   for(const auto& [reason, number] : sum.reasons)
     std::printf("%zu %s\n", number, reason.c_str());
-  if(sum.times.empty())
-    return 0;
+  if(!sum.times.empty())
+    std::printf("removing / finding the loops: median %.2f, most %.2f\n", median(sum.times),
+                *std::max_element(sum.times.begin(), sum.times.end()));
+}
+
+// With the medians of the times of all runs.
+void judge_mesh(const std::string& input, const Wish& wish, judge::Removal_targets& targets) {
+  const std::string name = std::filesystem::path(input).stem().string();
+  const Mesh mesh = std::filesystem::exists(input) ? read(input) : read(Off_file(input).name());
+  std::vector<double> finding, removing;
+  Pairs pairs;
+  std::unique_ptr<judge::Judged_removal> removal;
+  for(int run = 0; run < wish.number_of_runs; ++run) {
+    const double start = seconds_now();
+    pairs = find_loops(mesh);
+    finding.push_back(seconds_now() - start);
+    removal = std::make_unique<judge::Judged_removal>(mesh, pairs, options_of(pairs, wish));
+    removing.push_back(removal->seconds());
+  }
+  const double start = seconds_now();
+  const judge::Removal_judge judged = removal->judge();
+  targets.add(name, removal->report(), judged);
+  targets.add_times(name, median(removing) / median(finding));
+  targets.print_row(name, mesh.number_of_faces(), removal->report(), judged);
+  std::printf(" %.2f | %.2f | %.2f |\n", median(finding), median(removing), seconds_now() - start);
+  std::fflush(stdout);
+  if(wish.ways)
+    judge::compare_ways(name, mesh, pairs, targets);
+}
+
+void judge_all(const std::vector<std::string>& inputs, const Wish& wish) {
+  judge::Removal_targets targets;
+  targets.print_head();
   std::printf(
-      "\nfills that take solid away, cuts that add some: %zu\ncaps of over 3 circles: %zu\n"
-      "meshes with an angle below 30 degrees at a cap: %zu, with a larger box: %zu, with another "
-      "change of volume than the report says: %zu\n",
-      sum.wrong_signs, sum.large_caps, sum.sharp, sum.larger_boxes, sum.other_volumes);
-  std::printf("largest displacement, in lengths of the loop: median %.3f, most %.3f\n",
-              median(sum.displacements),
-              *std::max_element(sum.displacements.begin(), sum.displacements.end()));
-  std::printf("removing / finding the loops: median %.2f, most %.2f\n", median(sum.times),
-              *std::max_element(sum.times.begin(), sum.times.end()));
+      " loops s | removing s | judging s |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for(const std::string& input : inputs)
+    try {
+      judge_mesh(input, wish, targets);
+    } catch(const std::exception& e) {
+      std::cerr << "Error: " << input << ": " << e.what() << '\n';
+    }
+  targets.print();
+}
+
+// A folder stands for the meshes in it.
+std::vector<std::string> meshes_of(const std::vector<std::filesystem::path>& files) {
+  const std::set<std::string> endings = {".off", ".obj", ".ply", ".stl"};
+  std::vector<std::string> meshes;
+  for(const std::filesystem::path& file : files)
+    if(!std::filesystem::exists(file) || endings.count(file.extension().string()) != 0)
+      meshes.push_back(file.string());
+  if(meshes.empty())
+    meshes = {"gyroid:1000000:250", "scan:1000000:3", "lattice:1000000:250"};
+  return meshes;
+}
+
+int run(int argc, char* argv[]) {
+  const corpus::Command_line line(argc, argv,
+                                  {"--half", "--check", "--judge", "--ways", "--judge-itself"},
+                                  {"-n", "--genus", "--necks"});
+  if(line.has("--judge-itself"))
+    return judge::Judge_cases()() == 0 ? 0 : 1;
+  Wish wish;
+  const bool judged = line.has("--judge") || line.has("--ways");
+  wish.number_of_runs = (std::max)(1, int(line.number("-n", judged ? 1 : 3)));
+  wish.genus = line.number("--genus", 0);
+  wish.half = line.has("--half");
+  wish.check = line.has("--check");
+  wish.ways = line.has("--ways");
+  if(line.has("--necks"))
+    wish.neck_length = std::stod(line.text("--necks"));
+  const std::vector<std::string> inputs = meshes_of(line.files());
+  judged ? judge_all(inputs, wish) : measure_all(inputs, wish);
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) try
+{
+  return run(argc, argv);
+} catch(const std::exception& e) {
+  std::cerr << "Error: " << e.what() << '\n';
+  return 1;
 }
