@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -285,6 +286,50 @@ TEST(Handle_removal, ChangesNoMoreThanARepair) {
       }
       EXPECT_NEAR(std::abs(PMP::volume(mesh)), volume - sum, 1e-9 * volume);
     }
+}
+
+double volume_changed(const Mesh& original, std::size_t pair, htl::Removal_method method) {
+  Mesh mesh = original;
+  Options options;
+  options.methods[pair] = method;
+  std::size_t number = 0;
+  const auto is_the_one = [&](const auto&) { return number++ == pair; };
+  const htl::Removal_report report =
+      CGAL::remove_handles(mesh, params::removal_options(options).filter(is_the_one));
+  return report.removed.size() == 1 ? std::abs(PMP::volume(original) - PMP::volume(mesh))
+                                    : (std::numeric_limits<double>::infinity)(); // refused
+}
+
+void expect_smallest_change(const Mesh& mesh, std::size_t genus) {
+  for(std::size_t pair = 0; pair < genus; ++pair) {
+    const double best = (std::min)(volume_changed(mesh, pair, htl::Removal_method::CUT),
+                                   volume_changed(mesh, pair, htl::Removal_method::FILL));
+    EXPECT_LE(volume_changed(mesh, pair, htl::Removal_method::SMALLEST_CHANGE),
+              1.1 * best + 1e-12 * std::abs(PMP::volume(mesh)))
+        << "pair " << pair;
+  }
+}
+
+// A ring as high as it likes: the less round the disc across it is, the smaller it may be.
+TEST(Handle_removal, GoesTheWayThatChangesLess) {
+  expect_smallest_change(mesh_of(recipe("gyroid", 6000, 3)), 3);
+  for(const double height : {0.1, 0.5, 1., 2., 4.})
+    expect_smallest_change(turned({{1., 0.}, {1.2, -height}, {1.4, 0.}, {1.2, height}}), 1);
+}
+
+// Of several that are taken out together, each says how long the longest loop of all is.
+TEST(Handle_removal, MovesNothingFurtherThanHalfALoop) {
+  Recipe scan = recipe("scan", 60000, 2);
+  scan.request.bridges = 20;
+  scan.request.tunnels = 12;
+  Mesh mesh = mesh_of(scan);
+  std::size_t number_whole = 0;
+  for(const htl::Removed_handle& handle : CGAL::remove_handles(mesh).removed) {
+    number_whole += handle.by == htl::Removal_way::WHOLE;
+    EXPECT_LE(handle.change.displacement, (0.5 + 1e-9) * handle.length);
+  }
+  EXPECT_GT(number_whole, 0u);
+  expect_solid(mesh, 0);
 }
 
 // Of seven vertices, each with an edge to each other one: what is left is no good in any way.

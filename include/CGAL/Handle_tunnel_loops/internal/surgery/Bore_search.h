@@ -92,11 +92,13 @@ private:
       } else
         ++border;
     constexpr double most_growth = 1.5;
+    bool is_any_flush = false;
     for(std::size_t border = 0; border < wall->number_of_borders(); ++border)
-      if(!(length(*wall, border) <= most_growth * loop.length()) &&
-         !is_flush(rim_of(mesh_, *wall, border)))
+      if(is_flush(rim_of(mesh_, *wall, border)))
+        is_any_flush = true;
+      else if(!(length(*wall, border) <= most_growth * loop.length()))
         return std::nullopt;
-    return wall;
+    return is_any_flush ? std::move(wall) : std::nullopt;
   }
 
   Flood flood(const std::vector<Index>& begin, std::size_t most) const {

@@ -255,9 +255,8 @@ private:
   static std::vector<Removal_task> hindered_first(std::vector<Removal_task> tasks,
                                                   const std::vector<Removal_task>& done) {
     const std::set<std::size_t> hindered = pairs_of(done, is_hindered);
-    std::stable_partition(tasks.begin(), tasks.end(), [&](const Removal_task& task) {
-      return hindered.count(task.pair) != 0;
-    });
+    std::stable_partition(tasks.begin(), tasks.end(),
+                          [&](const Removal_task& task) { return hindered.count(task.pair) != 0; });
     return tasks;
   }
 

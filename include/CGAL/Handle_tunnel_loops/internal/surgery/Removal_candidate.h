@@ -89,8 +89,7 @@ public:
   /// the vertices of the faces that are to be replaced, along either loop if both are to be
   /// compared.
   bool is_free(const Region_layout& layout) const {
-    return layout.is_free(surgery_->vertices()) &&
-           (!rival_ || layout.is_free(rival_->vertices()));
+    return layout.is_free(surgery_->vertices()) && (!rival_ || layout.is_free(rival_->vertices()));
   }
   void claim(Region_layout& layout) const {
     layout.claim(surgery_->vertices());
@@ -108,7 +107,8 @@ public:
   double length() const { return length(choice(), *surgery_); }
 
   /// looks for caps; of strips along both loops for those that change the volume less.
-  void find_caps(const Surgery_mesh& mesh, const Mesh_contacts& contacts, const Shape_judge& judge) {
+  void
+  find_caps(const Surgery_mesh& mesh, const Mesh_contacts& contacts, const Shape_judge& judge) {
     surgery_->find_caps(mesh, contacts, judge, intended_change(choice(), *surgery_));
     if(!rival_)
       return;
@@ -119,9 +119,7 @@ public:
       obstacles_[choices_[next_ + 1].loop].take(rival_->obstacle());
       note_reach();
       choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(next_) + 1);
-    } else if(!surgery_->has_caps() ||
-              about * volume(*rival_) < volume(*surgery_))
-    {
+    } else if(!surgery_->has_caps() || about * volume(*rival_) < volume(*surgery_)) {
       std::swap(choices_[next_], choices_[next_ + 1]);
       std::swap(surgery_, rival_);
     }
@@ -213,7 +211,8 @@ private:
   }
 
   // What a choice may do to the shape.
-  Intended_change intended_change(const Region_choice& choice, const Handle_surgery& surgery) const {
+  Intended_change intended_change(const Region_choice& choice,
+                                  const Handle_surgery& surgery) const {
     constexpr double most_displacement = 0.5;
     const bool is_either = choice.takes_both_loops() || !task_->are_types_known;
     const Loop_type type = task_->choices[choice.loop].type;
@@ -315,7 +314,7 @@ private:
   std::vector<Index> reserved_; // in ascending order
   std::optional<Handle_surgery> surgery_;
   std::optional<Handle_surgery> rival_; // of the choice after the present one
-  bool is_narrow_ = false; // because of regions of the round
+  bool is_narrow_ = false;              // because of regions of the round
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

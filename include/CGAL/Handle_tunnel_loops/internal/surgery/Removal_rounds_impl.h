@@ -154,8 +154,7 @@ private:
   // Not if there is nothing left to be tried, or if it has to wait for the next round.
   bool is_ready(Removal_candidate& candidate, const Region_layout& layout) {
     while(!candidate.is_done()) {
-      if(!candidate.is_free(layout) &&
-         candidate.choice().style == Region_choice::RINGS)
+      if(!candidate.is_free(layout) && candidate.choice().style == Region_choice::RINGS)
         candidate.propose_again(mesh_, layout);
       if(!candidate.surgery() || !candidate.is_free(layout))
         return false;
@@ -336,8 +335,8 @@ inline void remove_along_loops_nearby(Execution execution,
 inline void settle(const Removal_rounds& remove, std::vector<Removal_task>& tasks) {
   for(Removal_task& task : tasks)
     if(task.has_failed())
-      task.is_settled = task.state == Removal_task::State::REFUSED &&
-                        !remove.has_changed(task, task.time);
+      task.is_settled =
+          task.state == Removal_task::State::REFUSED && !remove.has_changed(task, task.time);
 }
 
 /// says of those that are left that they are refused.

@@ -83,10 +83,9 @@ struct Removal_task
   bool has_both_loops() const { return are_types_known && choices.size() == 2; }
 
   std::size_t longest_choice() const {
-    return std::max_element(choices.begin(), choices.end(),
-                            [](const Loop_choice& a, const Loop_choice& b) {
-                              return a.length < b.length;
-                            }) -
+    return std::max_element(
+               choices.begin(), choices.end(),
+               [](const Loop_choice& a, const Loop_choice& b) { return a.length < b.length; }) -
            choices.begin();
   }
 

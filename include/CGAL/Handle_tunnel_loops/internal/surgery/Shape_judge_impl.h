@@ -76,7 +76,8 @@ public:
     std::vector<Point> points;
     for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i) {
       const Kernel::Triangle_3 t = triangle(patch_.faces[i]);
-      points.insert(points.end(), {t[0], t[1], t[2], CGAL::centroid(t)});
+      points.insert(points.end(), {t[0], t[1], t[2], CGAL::centroid(t), CGAL::midpoint(t[0], t[1]),
+                                   CGAL::midpoint(t[1], t[2]), CGAL::midpoint(t[2], t[0])});
     }
     return largest_distance(points, old);
   }
