@@ -26,8 +26,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_boundaries {
@@ -170,6 +172,25 @@ TEST(Boundaries, DoNotKeepLoopsFromEdges) {
 
 // ---- inside and outside
 
+// A face at each boundary edge, to the middle of that. Coordinates are rounded such that it is
+// exact.
+Soup with_flat_rims(Soup soup) {
+  for(auto& point : soup.points)
+    for(double& x : point)
+      x = std::round(std::ldexp(x, 32)) / std::ldexp(1., 32);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for(const auto& t : soup.triangles)
+    for(int i = 0; i < 3; ++i)
+      edges.emplace(t[i], t[(i + 1) % 3]);
+  for(const auto& [u, v] : edges)
+    if(edges.count({v, u}) == 0) {
+      const auto &p = soup.points[u], &q = soup.points[v];
+      soup.triangles.push_back({v, u, static_cast<std::uint32_t>(soup.points.size())});
+      soup.points.push_back({(p[0] + q[0]) / 2., (p[1] + q[1]) / 2., (p[2] + q[2]) / 2.});
+    }
+  return soup;
+}
+
 std::vector<bool> sides(const Mesh& mesh) {
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
   Pairs pairs;
@@ -194,6 +215,33 @@ TEST(Boundaries, LeaveInsideAndOutsideKnown) {
     EXPECT_EQ(sides(mesh_of(soup)), expected);
     // The other way around, too: a handle is what bounds behind the faces.
     EXPECT_EQ(sides(mesh_of(generators::reversed(soup))), expected);
+  }
+}
+
+// A copy of a loop that entered a cap would meet whatever lies in its way: here the rest of the
+// surface, as holes are so large or ragged that straight caps cross it. The discs that were there
+// cross nothing.
+TEST(Boundaries, LeaveTheSidesOfTheClosedSurface) {
+  Random random(9);
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 4}, 4))
+    for(const std::size_t part : {40, 8, 4}) { // of the faces, in each of three holes
+      if(recipe.kind == std::string("random")) // it crosses itself
+        continue;
+      SCOPED_TRACE(testing::Message() << recipe << ", holes of a part of 1/" << part);
+      const std::vector<bool> closed = sides(mesh_of(recipe));
+      EXPECT_EQ(sides(mesh_with_holes(recipe, 3, recipe.request.faces / part, random)), closed);
+    }
+}
+
+// Faces without area are added at all boundary edges of some holes: copies of the curves must not
+// run over them.
+TEST(Boundaries, AreGoneAroundWhereFacesHaveNoArea) {
+  Random random(13);
+  for(const char* kind : {"torus", "multi-torus", "lattice"}) {
+    const Recipe recipe = {kind, {4000, kind == std::string("torus") ? 1u : 4u, 1}};
+    SCOPED_TRACE(recipe);
+    const std::vector<bool> closed = sides(mesh_of(recipe));
+    EXPECT_EQ(sides(mesh_of(with_flat_rims(soup_with_holes(recipe, 2, 12, random)))), closed);
   }
 }
 
