@@ -8,6 +8,8 @@
 #include "Disks.h"
 #include "Loop_definitions.h"
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
+#include "Walk_of_class_oracle.h"
 
 #include "generators/Random.h"
 #include "generators/generators.h"
@@ -348,6 +350,32 @@ TEST(Boundary_loops, ShrinkInTheirClass) {
         EXPECT_NEAR(waists[0].length(), waists[1].length(), 1e-12 * waists[0].length());
       }
     }
+}
+
+// Where the shortest chain is several loops, as on trousers, too.
+TEST(Boundary_loops, AreNoLongerThanAnyWalkOfTheirClass) {
+  Random random(14);
+  for(const char* kind : {"sphere", "torus", "multi-torus"})
+    for(const std::size_t number : {2, 3, 4})
+      for(int i = 0; i < number_of_cases(30); ++i) {
+        const std::size_t genus = kind == std::string("sphere") ? 0 : kind[0] == 't' ? 1 : 2;
+        const Recipe recipe = {kind, {300 + 150 * genus, genus, 0}};
+        SCOPED_TRACE(testing::Message() << recipe << ", " << number << " holes, " << i);
+        const Mesh mesh = mesh_with_holes(recipe, number, 1 + random.below(60), random);
+        const Homology_by_collapse<Mesh> homology(mesh);
+        const Walk_of_class_oracle<Mesh> oracle(mesh);
+        std::vector<CGAL::Loop_on_surface<Mesh>> curves;
+        CGAL::boundary_loops(mesh, std::back_inserter(curves));
+        const auto waists = waists_of(mesh);
+        ASSERT_EQ(waists.size(), curves.size());
+        for(std::size_t k = 0; k < waists.size(); ++k) {
+          const auto curve = walk_beside(mesh, curves[k]);
+          EXPECT_EQ(homology.coordinates(walk_beside(mesh, waists[k])),
+                    homology.coordinates(curve));
+          const double length = waists[k].length();
+          EXPECT_EQ(oracle.shortest(curve, (1. - 1e-12) * length).value_or(length), length);
+        }
+      }
 }
 
 // It bounds the component; those of another one have waists, and these the numbers of their curves.
