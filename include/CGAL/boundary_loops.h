@@ -51,9 +51,10 @@ too, which does not change its homotopy class, and the shortest closed walk alon
 for that is homologous to the curve and shorter than the loops so far. It is tightened as well.
 
 A waist is no longer than its curve, and no longer than any closed walk along edges that is
-homologous to that, unless the search for walks is given up: it looks at 2<sup>18</sup> ways for each
-curve, where a way is a vertex and a class in which it can be reached. Then the waist is the shortest
-loop that has been found so far. That it is homologous to its curve is decided exactly in either case.
+homologous to that, unless the search for walks is given up: it looks at 2<sup>18</sup> ways for
+each curve, or at an equal share of 2<sup>22</sup> where there are more than 16 curves. A way is a
+vertex and a class in which it can be reached. Then the waist is the shortest loop that has been
+found so far. That it is homologous to its curve is decided exactly in either case.
 
 The curves take linear time. For each waist, the minimum cut takes mostly near linear time; the
 search for walks takes time near linear in the number of ways, and so is bounded by the budget.
