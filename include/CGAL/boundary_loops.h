@@ -45,11 +45,22 @@ It crosses no boundary, but may run along it.
 
 A chain is homologous to a boundary curve if it separates that from all others. So the shortest is a
 minimum cut, wherever on the surface it lies: of a graph on the mesh, which makes its length a few
-percent too large. Then it is tightened to a closed geodesic. Where the shortest chain is several
-loops (the two legs of trousers may be narrower than the waist), the curve itself is tightened,
-which does not change its homotopy class.
+percent too large. Then it is tightened to a closed geodesic. The shortest chain may be several
+loops (the two legs of trousers may be narrower than the waist); so the curve itself is tightened,
+too, which does not change its homotopy class, and the shortest closed walk along edges is searched
+for that is homologous to the curve and shorter than the loops so far. It is tightened as well.
 
-Linear in the size of the mesh; short loops take mostly near linear time for each curve.
+A waist is no longer than its curve, and no longer than any closed walk along edges that is
+homologous to that, unless the search for walks is given up: it looks at 2<sup>18</sup> ways for
+each curve, or at an equal share of 2<sup>22</sup> where there are more than 16 curves. A way is a
+vertex and a class in which it can be reached. Then the waist is the shortest loop that has been
+found so far. That it is homologous to its curve is decided exactly in either case.
+
+The curves take linear time. For each waist, the minimum cut takes mostly near linear time; the
+search for walks takes time near linear in the number of ways, and so is bounded by the budget.
+Ways are looked at up to half of the length of the loops so far; how many there are is up to
+exponential in this length over that of the shortest loops that are not null-homologous. What is
+searched takes memory linear in the size of the mesh for each thread.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the

@@ -22,8 +22,10 @@ using Point_map = boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
 using Index_map = boost::property_map<Mesh, boost::vertex_index_t>::const_type;
 using Walker = Edge_walker<Mesh, Point_map, Index_map>;
 
+const Cap_hubs no_hubs;
+
 Walker walker_on(const Mesh& mesh) {
-  return Walker(mesh, get(CGAL::vertex_point, mesh), get(boost::vertex_index, mesh));
+  return Walker(mesh, get(CGAL::vertex_point, mesh), get(boost::vertex_index, mesh), no_hubs);
 }
 
 Vertex any_vertex(const Mesh& mesh, Random& random) {
@@ -236,7 +238,7 @@ TEST(Edge_walker, LooksAtAClusterThatIsNoDiscOnce) {
     mesh.point(v) = Mesh::Point(mesh.point(v).x(), 0., 0.); // no face has an area
   std::size_t number_of_calls = 0;
   Edge_walker<Mesh, Point_map, Counting_index_map> walker(mesh, get(CGAL::vertex_point, mesh),
-                                                          {&number_of_calls});
+                                                          {&number_of_calls}, no_hubs);
   Random random(1);
   walker(random_loop(mesh, random));
   EXPECT_TRUE(walker.has_failed());

@@ -8,6 +8,8 @@
 #include "Disks.h"
 #include "Loop_definitions.h"
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
+#include "Walk_of_class_oracle.h"
 
 #include "generators/Random.h"
 #include "generators/generators.h"
@@ -26,8 +28,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_boundaries {
@@ -170,6 +174,25 @@ TEST(Boundaries, DoNotKeepLoopsFromEdges) {
 
 // ---- inside and outside
 
+// A face at each boundary edge, to the middle of that. Coordinates are rounded such that it is
+// exact.
+Soup with_flat_rims(Soup soup) {
+  for(auto& point : soup.points)
+    for(double& x : point)
+      x = std::round(std::ldexp(x, 32)) / std::ldexp(1., 32);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for(const auto& t : soup.triangles)
+    for(int i = 0; i < 3; ++i)
+      edges.emplace(t[i], t[(i + 1) % 3]);
+  for(const auto& [u, v] : edges)
+    if(edges.count({v, u}) == 0) {
+      const auto &p = soup.points[u], &q = soup.points[v];
+      soup.triangles.push_back({v, u, static_cast<std::uint32_t>(soup.points.size())});
+      soup.points.push_back({(p[0] + q[0]) / 2., (p[1] + q[1]) / 2., (p[2] + q[2]) / 2.});
+    }
+  return soup;
+}
+
 std::vector<bool> sides(const Mesh& mesh) {
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
   Pairs pairs;
@@ -194,6 +217,33 @@ TEST(Boundaries, LeaveInsideAndOutsideKnown) {
     EXPECT_EQ(sides(mesh_of(soup)), expected);
     // The other way around, too: a handle is what bounds behind the faces.
     EXPECT_EQ(sides(mesh_of(generators::reversed(soup))), expected);
+  }
+}
+
+// A copy of a loop that entered a cap would meet whatever lies in its way: here the rest of the
+// surface, as holes are so large or ragged that straight caps cross it. The discs that were there
+// cross nothing.
+TEST(Boundaries, LeaveTheSidesOfTheClosedSurface) {
+  Random random(9);
+  for(const Recipe& recipe : recipes_of_all_kinds({1, 4}, 4))
+    for(const std::size_t part : {40, 8, 4}) { // of the faces, in each of three holes
+      if(recipe.kind == std::string("random")) // it crosses itself
+        continue;
+      SCOPED_TRACE(testing::Message() << recipe << ", holes of a part of 1/" << part);
+      const std::vector<bool> closed = sides(mesh_of(recipe));
+      EXPECT_EQ(sides(mesh_with_holes(recipe, 3, recipe.request.faces / part, random)), closed);
+    }
+}
+
+// Faces without area are added at all boundary edges of some holes: copies of the curves must not
+// run over them.
+TEST(Boundaries, AreGoneAroundWhereFacesHaveNoArea) {
+  Random random(13);
+  for(const char* kind : {"torus", "multi-torus", "lattice"}) {
+    const Recipe recipe = {kind, {4000, kind == std::string("torus") ? 1u : 4u, 1}};
+    SCOPED_TRACE(recipe);
+    const std::vector<bool> closed = sides(mesh_of(recipe));
+    EXPECT_EQ(sides(mesh_of(with_flat_rims(soup_with_holes(recipe, 2, 12, random)))), closed);
   }
 }
 
@@ -300,6 +350,32 @@ TEST(Boundary_loops, ShrinkInTheirClass) {
         EXPECT_NEAR(waists[0].length(), waists[1].length(), 1e-12 * waists[0].length());
       }
     }
+}
+
+// Where the shortest chain is several loops, as on trousers, too.
+TEST(Boundary_loops, AreNoLongerThanAnyWalkOfTheirClass) {
+  Random random(14);
+  for(const char* kind : {"sphere", "torus", "multi-torus"})
+    for(const std::size_t number : {2, 3, 4})
+      for(int i = 0; i < number_of_cases(30); ++i) {
+        const std::size_t genus = kind == std::string("sphere") ? 0 : kind[0] == 't' ? 1 : 2;
+        const Recipe recipe = {kind, {300 + 150 * genus, genus, 0}};
+        SCOPED_TRACE(testing::Message() << recipe << ", " << number << " holes, " << i);
+        const Mesh mesh = mesh_with_holes(recipe, number, 1 + random.below(60), random);
+        const Homology_by_collapse<Mesh> homology(mesh);
+        const Walk_of_class_oracle<Mesh> oracle(mesh);
+        std::vector<CGAL::Loop_on_surface<Mesh>> curves;
+        CGAL::boundary_loops(mesh, std::back_inserter(curves));
+        const auto waists = waists_of(mesh);
+        ASSERT_EQ(waists.size(), curves.size());
+        for(std::size_t k = 0; k < waists.size(); ++k) {
+          const auto curve = walk_beside(mesh, curves[k]);
+          EXPECT_EQ(homology.coordinates(walk_beside(mesh, waists[k])),
+                    homology.coordinates(curve));
+          const double length = waists[k].length();
+          EXPECT_EQ(oracle.shortest(curve, (1. - 1e-12) * length).value_or(length), length);
+        }
+      }
 }
 
 // It bounds the component; those of another one have waists, and these the numbers of their curves.

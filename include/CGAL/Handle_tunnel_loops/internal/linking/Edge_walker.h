@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Cap_hubs.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -34,6 +35,9 @@ Moves loops onto the edges of the mesh, as closed walks from vertex to vertex in
 that keep away from faces without area: no vertex of such a face is on a walk, nor one that is to be
 avoided for another reason. Where the loop passes such vertices, the walk goes around all that are
 connected.
+
+On a surface with caps, each hub is to be avoided, and the faces around it have no area worth
+speaking of. So a walk that has to go around a vertex on the boundary goes around the cap.
 */
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap> class Edge_walker
 {
@@ -45,10 +49,15 @@ template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMa
 public:
   using Walk = std::vector<halfedge_descriptor>;
 
-  Edge_walker(const TriangleMesh& tm, VertexPointMap point, VertexIndexMap vertex_index)
+  /// \p hubs must outlive it.
+  Edge_walker(const TriangleMesh& tm,
+              VertexPointMap point,
+              VertexIndexMap vertex_index,
+              const Cap_hubs& hubs)
       : tm_(tm)
       , point_(point)
-      , vertex_index_(vertex_index) {}
+      , vertex_index_(vertex_index)
+      , hubs_(hubs) {}
 
   /// the walk of a loop that is closed and lies on the surface.
   template <typename Loop> Walk operator()(const Loop& loop) {
@@ -61,6 +70,25 @@ public:
   /// the walk as it would be if there were no faces without area.
   template <typename Loop> Walk straight(const Loop& loop) const {
     return without_spurs(along_edges(loop));
+  }
+
+  /// the walk around a cap and what is to be avoided beside it, given an edge of its curve with the
+  /// surface to the left: homologous to the curve, but for the sense. It fails as well if another
+  /// cap is there.
+  Walk around_cap(halfedge_descriptor on_curve) {
+    const vertex_descriptor hub = target(next(opposite(on_curve, tm_), tm_), tm_);
+    CGAL_precondition(is_hub(hub));
+    failure_ = no_index;
+    if(!check_cluster(hub))
+      return Walk();
+    const std::vector<vertex_descriptor> cluster = connected(hub);
+    if(std::count_if(cluster.begin(), cluster.end(),
+                     [this](vertex_descriptor v) { return is_hub(v); }) > 1)
+    {
+      failure_ = index(hub);
+      return Walk();
+    }
+    return without_spurs(rim(cluster));
   }
 
   /// whether a walk comes to no vertex to be avoided, and so need not go around any.
@@ -135,14 +163,19 @@ private:
   bool is_avoided(vertex_descriptor v) {
     const auto [it, is_new] = is_avoided_.emplace(index(v), 0);
     if(is_new)
-      for(halfedge_descriptor h : halfedges_around_source(v, tm_))
-        if(are_collinear(coordinates(point_, v), coordinates(point_, target(h, tm_)),
-                         coordinates(point_, target(next(h, tm_), tm_))))
-        {
-          it->second = 1;
-          break;
-        }
+      it->second = is_hub(v) || is_at_flat_face(v);
     return it->second != 0;
+  }
+
+  bool is_hub(vertex_descriptor v) const { return hubs_.contain(index(v)); }
+
+  bool is_at_flat_face(vertex_descriptor v) const {
+    const auto at_source = halfedges_around_source(v, tm_);
+    return std::any_of(at_source.begin(), at_source.end(), [&](halfedge_descriptor h) {
+      const vertex_descriptor a = target(h, tm_), b = target(next(h, tm_), tm_);
+      return !is_hub(a) && !is_hub(b) &&
+             are_collinear(coordinates(point_, v), coordinates(point_, a), coordinates(point_, b));
+    });
   }
 
   Walk around_clusters(const Walk& walk) {
@@ -173,15 +206,32 @@ private:
   // From the source of `in`, which leads into a cluster, to the target of `out`, which leads out of
   // it, along the vertices around the cluster.
   void append_way_around(halfedge_descriptor in, halfedge_descriptor out, Walk& walk) {
-    for(halfedge_descriptor h = opposite(in, tm_); h != out;) {
-      const halfedge_descriptor rim = next(h, tm_);
-      if(is_avoided(target(rim, tm_)))
-        h = opposite(rim, tm_);
-      else {
-        walk.push_back(rim);
-        h = opposite(next(rim, tm_), tm_);
-      }
-    }
+    for(halfedge_descriptor h = opposite(in, tm_); h != out;)
+      h = turn(h, walk);
+  }
+
+  // From one edge that leads out of a cluster to the next.
+  halfedge_descriptor turn(halfedge_descriptor h, Walk& walk) {
+    const halfedge_descriptor beside = next(h, tm_);
+    if(is_avoided(target(beside, tm_)))
+      return opposite(beside, tm_);
+    walk.push_back(beside);
+    return opposite(next(beside, tm_), tm_);
+  }
+
+  // All around a cluster that is a disc.
+  Walk rim(const std::vector<vertex_descriptor>& cluster) {
+    Walk walk;
+    for(vertex_descriptor v : cluster)
+      for(halfedge_descriptor first : halfedges_around_source(v, tm_))
+        if(!is_avoided(target(first, tm_))) {
+          halfedge_descriptor h = first;
+          do
+            h = turn(h, walk);
+          while(h != first);
+          return walk;
+        }
+    return walk;
   }
 
   // Whether the vertices to be avoided that are connected to `first`, and the smaller ones of the
@@ -271,6 +321,7 @@ private:
   const TriangleMesh& tm_;
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
+  const Cap_hubs& hubs_;
   std::unordered_map<Index, char> is_avoided_;        // by vertex, as far as known
   std::unordered_map<Index, std::size_t> cluster_of_; // by vertex, as far as looked at
   std::vector<Cluster> clusters_;

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Cap_hubs.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
@@ -33,7 +34,7 @@ namespace CGAL::Handle_tunnel_loops::internal {
 ///
 /// A loop on a surface with boundary bounds on one side if, pushed there, it bounds a surface that
 /// does not meet the one it is on: if its linking numbers with the boundary curves are zero, too.
-/// The mesh is the surface with caps, but where these are plays no part then.
+/// The mesh is the surface with caps, but where these are plays no part: no curve enters them.
 template <typename TriangleMesh, typename Loop, typename VertexPointMap, typename VertexIndexMap>
 class Loop_linker
 {
@@ -46,10 +47,22 @@ public:
       : tm_(tm)
       , point_(point)
       , vertex_index_(vertex_index)
-      , walker_(tm, point, vertex_index) {}
+      , walker_(tm, point, vertex_index, hubs_) {}
+
+  // Walkers refer to the hubs.
+  Loop_linker(const Loop_linker&) = delete;
+  Loop_linker& operator=(const Loop_linker&) = delete;
 
   /// takes the boundary curves, with the surface to their left; before `set_loops()`.
-  void set_boundaries(std::vector<Walk> boundaries) { boundaries_ = std::move(boundaries); }
+  void set_boundaries(std::vector<Walk> boundaries) {
+    boundaries_ = std::move(boundaries);
+    std::vector<Index> hubs;
+    for(const Walk& boundary : boundaries_) {
+      const auto beside = opposite(boundary.front(), tm_); // in the cap
+      hubs.push_back(static_cast<Index>(get(vertex_index_, target(next(beside, tm_), tm_))));
+    }
+    hubs_ = Cap_hubs(std::move(hubs));
+  }
 
   /// takes pointers to loops that are closed and lie on the surface; \p component gives the number
   /// of the component of a face. Finds where the solid is.
@@ -76,7 +89,7 @@ public:
         execution, loops_.size(),
         [this](std::size_t i) { walks_[i] = walker_.straight(*loops_[i]); }, 1);
     const Surface_curves curves =
-        Builder(tm_, point_, vertex_index_).build(execution, walks_, relations_.outward);
+        Builder(tm_, point_, vertex_index_, hubs_).build(execution, walks_, relations_.outward);
     relations_.intersections = internal::link(execution, curves, false).intersections;
   }
 
@@ -158,7 +171,7 @@ private:
     constexpr std::size_t loops_at_once = 8;
     std::vector<char> is_straight(loops_.size(), 0);
     execution.for_ranges(loops_.size(), loops_at_once, [&](std::size_t begin, std::size_t end) {
-      Walker walker(tm_, point_, vertex_index_);
+      Walker walker(tm_, point_, vertex_index_, hubs_);
       for(std::size_t i = begin; i < end; ++i) {
         walks_[i] = walker.straight(*loops_[i]);
         is_straight[i] = walker.is_clear(walks_[i]);
@@ -178,8 +191,14 @@ private:
     if(!do_link)
       return false;
     relations_.linking = std::move(numbers.linking);
+    const bool is_any_avoided = note_problems(numbers, curves);
     note_linked_boundaries();
     drop_boundaries(relations_.linking);
+    return is_any_avoided;
+  }
+
+  // What makes numbers meaningless. Returns whether another round may do better.
+  bool note_problems(const Linking& numbers, const Surface_curves& curves) {
     if(numbers.has_too_many_contacts) {
       for(std::size_t i = 0; i < loops_.size(); ++i)
         add_problem(i, "the surface touches itself in very many places");
@@ -199,12 +218,21 @@ private:
   }
 
   // The numbers of the boundary curves come after those of the loops.
-  Surface_curves curves_with_boundaries(Execution execution) const {
+  Surface_curves curves_with_boundaries(Execution execution) {
     std::vector<Walk> walks = walks_;
-    walks.insert(walks.end(), boundaries_.begin(), boundaries_.end());
+    for(const Walk& boundary : boundaries_)
+      walks.push_back(clear_boundary(boundary));
     std::vector<int> outward = relations_.outward;
     outward.resize(walks.size(), 1);
-    return Builder(tm_, point_, vertex_index_).build(execution, walks, std::move(outward));
+    return Builder(tm_, point_, vertex_index_, hubs_).build(execution, walks, std::move(outward));
+  }
+
+  // A boundary curve, or where vertices on it are to be avoided, a curve around these and the cap.
+  Walk clear_boundary(const Walk& boundary) {
+    if(walker_.is_clear(boundary))
+      return boundary;
+    Walk around = walker_.around_cap(boundary.front());
+    return walker_.has_failed() ? boundary : around;
   }
 
   void note_linked_boundaries() {
@@ -269,6 +297,7 @@ private:
   const TriangleMesh& tm_;
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
+  Cap_hubs hubs_;
   Walker walker_;
   std::vector<const Loop*> loops_;
   Loop_relations relations_;

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Cap_hubs.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
@@ -96,6 +97,10 @@ CGAL_HTL_CORE void sort_positions(Execution execution, std::vector<Edge_position
 
 /// Turns closed walks on the edges of a mesh into `Surface_curves`. Linear in their length, but for
 /// a sort of their edges and an array of numbers of the vertices of the mesh.
+///
+/// A copy passes each vertex on the left, or on the right if there is a cap on the left, so that it
+/// enters none. Between two vertices that it does not pass on the same side it crosses the edge of
+/// its own walk.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
 class Surface_curves_builder
 {
@@ -105,10 +110,15 @@ class Surface_curves_builder
 public:
   using Walk = std::vector<halfedge_descriptor>;
 
-  Surface_curves_builder(const TriangleMesh& tm, VertexPointMap point, VertexIndexMap vertex_index)
+  /// \p hubs must outlive it.
+  Surface_curves_builder(const TriangleMesh& tm,
+                         VertexPointMap point,
+                         VertexIndexMap vertex_index,
+                         const Cap_hubs& hubs)
       : tm_(tm)
       , point_(point)
-      , vertex_index_(vertex_index) {}
+      , vertex_index_(vertex_index)
+      , hubs_(hubs) {}
 
   /// \p outward is 1 or -1 for each walk, as in `Surface_curves`.
   Surface_curves
@@ -150,16 +160,48 @@ private:
 
   vertex_descriptor apex(halfedge_descriptor h) const { return target(next(h, tm_), tm_); }
 
-  // The copy to the left of a walk, by the halfedges into whose faces it passes.
+  // The copy of a walk, by the halfedges into whose faces it passes.
   Walk entered_halfedges(const Walk& walk) const {
     Walk entered;
+    if(walk.empty())
+      return entered;
+    bool was_left = is_free_on_left(walk.back(), walk.front());
     for(std::size_t i = 0; i < walk.size(); ++i) {
-      const halfedge_descriptor end = walk[i + 1 == walk.size() ? 0 : i + 1];
-      CGAL_precondition_msg(source(end, tm_) == target(walk[i], tm_), "walks are closed");
-      for(halfedge_descriptor h = next(walk[i], tm_); h != end; h = next(opposite(h, tm_), tm_))
-        entered.push_back(opposite(h, tm_));
+      const halfedge_descriptor in = walk[i], out = walk[i + 1 == walk.size() ? 0 : i + 1];
+      CGAL_precondition_msg(source(out, tm_) == target(in, tm_), "walks are closed");
+      const bool is_left = is_free_on_left(in, out);
+      if(is_left != was_left)
+        entered.push_back(is_left ? in : opposite(in, tm_));
+      if(is_left)
+        pass_on_left(in, out, entered);
+      else
+        pass_on_right(in, out, entered);
+      was_left = is_left;
     }
     return entered;
+  }
+
+  // Whether no cap is to the left between two edges that follow each other. A vertex is on one
+  // boundary curve at most, so there is none on the other side then.
+  bool is_free_on_left(halfedge_descriptor in, halfedge_descriptor out) const {
+    for(halfedge_descriptor h = next(in, tm_); h != out; h = next(opposite(h, tm_), tm_))
+      if(hubs_.contain(index(target(h, tm_))))
+        return false;
+    return true;
+  }
+
+  void pass_on_left(halfedge_descriptor in, halfedge_descriptor out, Walk& entered) const {
+    for(halfedge_descriptor h = next(in, tm_); h != out; h = next(opposite(h, tm_), tm_))
+      entered.push_back(opposite(h, tm_));
+  }
+
+  void pass_on_right(halfedge_descriptor in, halfedge_descriptor out, Walk& entered) const {
+    halfedge_descriptor h = opposite(in, tm_);
+    while(h != out) {
+      h = opposite(prev(h, tm_), tm_);
+      if(h != out)
+        entered.push_back(h);
+    }
   }
 
   // ---- vertices
@@ -331,6 +373,7 @@ private:
   const TriangleMesh& tm_;
   VertexPointMap point_;
   VertexIndexMap vertex_index_;
+  const Cap_hubs& hubs_;
   Surface_curves curves_;
   std::unique_ptr<std::atomic<Index>[]> numbers_; // of vertices, by index in the mesh
   Walk firsts_;                                   // by edge: how it was passed first

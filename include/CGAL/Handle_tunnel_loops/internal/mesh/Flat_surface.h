@@ -125,8 +125,8 @@ public:
                                                                         vertices);
     std::vector<Pair> pairs;
     for(const Flat_pair& pair : found)
-      pairs.emplace_back(away_from_boundary(convert(pair.handle, Loop_type::HANDLE, pairs.size())),
-                         away_from_boundary(convert(pair.tunnel, Loop_type::TUNNEL, pairs.size())));
+      pairs.emplace_back(convert(pair.handle, Loop_type::HANDLE, pairs.size()),
+                         convert(pair.tunnel, Loop_type::TUNNEL, pairs.size()));
     return pairs;
   }
 
@@ -147,7 +147,7 @@ public:
           steps.push_back({graph_.find(flat_index[get(index_of_caller, source(step.halfedge, tm))],
                                        flat_index[get(index_of_caller, target(step.halfedge, tm))]),
                            step.ratio});
-      return away_from_boundary(Loop(std::move(steps), {}, l.length(), l.type(), l.pair_index()));
+      return Loop(std::move(steps), {}, l.length(), l.type(), l.pair_index());
     };
     std::vector<Pair> pairs;
     for(const auto& pair : given)
@@ -163,23 +163,6 @@ private:
       for(int d = 0; d < 3; ++d)
         sum[d] += points_[v][d] / double(curve.size());
     return Point(sum[0], sum[1], sum[2]);
-  }
-
-  bool is_on_boundary(Index v) const {
-    const Flat_mesh& mesh = graph_.mesh();
-    const Ring ring = mesh.ring(v);
-    return std::any_of(ring.begin(), ring.end(), [&](Index u) { return mesh.is_hub(u); });
-  }
-
-  // A step on an edge that has an end on the boundary begins at the other one: walks are moved
-  // there.
-  Loop away_from_boundary(const Loop& loop) const {
-    std::vector<Loop::Step> steps = loop.steps();
-    for(Loop::Step& step : steps)
-      if(step.halfedge != Flat_graph::Halfedge() && !step.is_vertex() && 1. - step.ratio != 1. &&
-         is_on_boundary(step.halfedge.source))
-        step = {opposite(step.halfedge, graph_), 1. - step.ratio};
-    return Loop(std::move(steps), loop.points(), loop.length(), loop.type(), loop.pair_index());
   }
 
   Flat_graph graph_;

@@ -14,7 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Class_numbers.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Walks_of_class.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -174,6 +176,19 @@ public:
     return loop_of_cut();
   }
 
+  /// the vertices of a shortest way from the curve around a hub to the nearest other one; empty if
+  /// there is none.
+  std::vector<Index> way_to_another(Index hub) {
+    const auto is_at_another = [&](Index v) {
+      return hub_beside_[v] != no_index && hub_beside_[v] != hub;
+    };
+    std::vector<Index> way;
+    for(Index v = grow(mesh_.ring(hub), never, is_at_another); v != no_index;
+        v = paths_[v].previous)
+      way.push_back(v);
+    return way;
+  }
+
 private:
   static constexpr double never = (std::numeric_limits<double>::max)();
 
@@ -226,18 +241,6 @@ private:
       if(sum < paths_[u].distance && sum <= radius)
         paths_.reach(u, {sum, v});
     });
-  }
-
-  // From the curve around a hub to the nearest other one.
-  std::vector<Index> way_to_another(Index hub) {
-    const auto is_at_another = [&](Index v) {
-      return hub_beside_[v] != no_index && hub_beside_[v] != hub;
-    };
-    std::vector<Index> way;
-    for(Index v = grow(mesh_.ring(hub), never, is_at_another); v != no_index;
-        v = paths_[v].previous)
-      way.push_back(v);
-    return way;
   }
 
   void find_region(const std::vector<Index>& way, double longest) {
@@ -364,12 +367,17 @@ inline Crossing_loop boundary_curve(const Flat_mesh& mesh, Index hub) {
   return loop;
 }
 
-/// the curve a little inside of the surface. It enters no cap.
-inline Crossing_loop beside_boundary(const Flat_mesh& mesh, Index hub) {
+/// the same as a closed walk along edges.
+inline std::vector<Index> boundary_walk(const Flat_mesh& mesh, Index hub) {
   const Ring ring = mesh.ring(hub);
   std::vector<Index> walk(ring.begin(), ring.end());
   std::reverse(walk.begin(), walk.end());
-  return pushed_left(mesh, walk);
+  return walk;
+}
+
+/// the curve a little inside of the surface. It enters no cap.
+inline Crossing_loop beside_boundary(const Flat_mesh& mesh, Index hub) {
+  return pushed_left(mesh, boundary_walk(mesh, hub));
 }
 
 /// adds, of the boundary curves of each component, all but the last.
@@ -383,10 +391,22 @@ inline void add_boundaries_of_basis(const Flat_mesh& mesh, std::vector<Crossing_
       loops.push_back(beside_boundary(mesh, hub));
 }
 
+/// The searches for waists, with their memory.
+struct Waist_searches
+{
+  Waist_searches(const Flat_mesh& mesh, const Class_numbers& numbers)
+      : cut(mesh)
+      , walks(mesh, numbers) {}
+
+  Waist_search cut;
+  Walks_of_class walks;
+};
+
 /// a short loop that is homologous to the curve around a hub on the surface, without any cap: the
-/// shortest one that is found, tightened, or else the curve tightened; or the curve itself where
-/// that is a point. These begin beside the curve, and loops enter no cap.
-inline Crossing_loop waist(const Flat_mesh& mesh, Index hub, Waist_search& search) {
+/// curve tightened, or what a minimum cut finds, tightened; or the curve itself where that is a
+/// point. If a closed walk along edges that is homologous to the curve is shorter, the shortest one
+/// is tightened. It crosses every way to another curve, and so has a vertex on any along edges.
+inline Crossing_loop waist(const Flat_mesh& mesh, Index hub, Waist_searches& search) {
   Crossing_loop best = boundary_curve(mesh, hub), tightened = beside_boundary(mesh, hub);
   Loop_tightening tightening(mesh);
   const auto take_if_shorter = [&](Crossing_loop& loop) {
@@ -395,8 +415,12 @@ inline Crossing_loop waist(const Flat_mesh& mesh, Index hub, Waist_search& searc
       best = std::move(loop);
   };
   take_if_shorter(tightened);
-  Crossing_loop found = search(hub, length(mesh, best));
+  Crossing_loop found = search.cut(hub, length(mesh, best));
   take_if_shorter(found);
+  Crossing_loop walk =
+      pushed_left(mesh, search.walks.shortest(boundary_walk(mesh, hub),
+                                              search.cut.way_to_another(hub), length(mesh, best)));
+  take_if_shorter(walk);
   return best;
 }
 
@@ -434,9 +458,13 @@ inline void share_waists(const std::vector<std::vector<Index>>& curves,
 /// the waists of all boundary curves; empty where the curve is the only one of its component, as a
 /// point is homologous to it.
 inline std::vector<Crossing_loop> waists(Execution execution, const Flat_mesh& mesh) {
-  Workspace_pool<Waist_search> searches([&mesh] { return std::make_unique<Waist_search>(mesh); });
   std::vector<Crossing_loop> loops(mesh.number_of_hubs);
   const std::vector<std::vector<Index>> curves = curves_of_components(mesh);
+  if(std::none_of(curves.begin(), curves.end(), [](const auto& c) { return c.size() > 1; }))
+    return loops;
+  const Class_numbers numbers(execution, mesh);
+  Workspace_pool<Waist_searches> searches(
+      [&] { return std::make_unique<Waist_searches>(mesh, numbers); });
   for_each_index(
       execution, loops.size(),
       [&](std::size_t i) {
