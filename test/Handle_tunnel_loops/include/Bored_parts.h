@@ -76,7 +76,7 @@ private:
   // On one side, or on both.
   void make_counterbores() {
     on_grid([this](double x, double y) {
-      const double radius = random_.uniform(0.1, 0.2), wider = random_.uniform(0.25, 0.4);
+      const double radius = random_.uniform(0.1, 0.2), wider = radius * random_.uniform(1.5, 2.);
       const double depth = random_.uniform(0.1, 0.4) * thickness_;
       bore(polygon(radius, number_of_sides()), at(x, y));
       const std::size_t sides = random_.below(3);
