@@ -11,6 +11,7 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,6 +28,7 @@ struct Bored_part
 {
   std::string kind;
   Mesh mesh, blank;
+  std::vector<double> diameters; ///< of bores with six sides and more, the narrowest of each
 };
 
 class Bored_part_maker
@@ -59,7 +61,7 @@ public:
                   {"plate with oblique bores", &Bored_part_maker::make_oblique}}};
     (this->*kinds[kind_].second)();
     return {std::string(kinds[kind_].first) + (is_askew_ ? ", askew" : ""), copy_of(part_),
-            copy_of(blank_)};
+            copy_of(blank_), diameters_};
   }
 
 private:
@@ -69,7 +71,7 @@ private:
 
   void make_plate() {
     on_grid([this](double x, double y) {
-      bore(polygon(random_.uniform(0.05, 0.4), number_of_sides()), at(x, y));
+      round_bore(random_.uniform(0.05, 0.4), number_of_sides(), at(x, y));
     });
   }
 
@@ -78,7 +80,7 @@ private:
     on_grid([this](double x, double y) {
       const double radius = random_.uniform(0.1, 0.2), wider = radius * random_.uniform(1.5, 2.);
       const double depth = random_.uniform(0.1, 0.4) * thickness_;
-      bore(polygon(radius, number_of_sides()), at(x, y));
+      round_bore(radius, (std::max)(std::size_t(6), number_of_sides()), at(x, y));
       const std::size_t sides = random_.below(3);
       if(sides != 0)
         cut(polygon(wider, number_of_sides()), at(x, y), thickness_ - depth, 2. * thickness_);
@@ -115,13 +117,13 @@ private:
   void make_flange() {
     thickness_ = random_.uniform(0.1, 1.);
     start(polygon(3., 24 + random_.below(60)));
-    bore(polygon(random_.uniform(0.5, 1.5), number_of_sides()), at(0., 0.));
+    round_bore(random_.uniform(0.5, 1.5), number_of_sides(), at(0., 0.));
     const std::size_t number = 3 + random_.below(6);
     const double radius = random_.uniform(0.05, 0.3);
     const std::size_t sides = number_of_sides();
     for(std::size_t i = 0; i < number; ++i) {
       const double angle = 2. * CGAL_PI * static_cast<double>(i) / static_cast<double>(number);
-      bore(polygon(radius, sides), at(2.3 * std::cos(angle), 2.3 * std::sin(angle)));
+      round_bore(radius, sides, at(2.3 * std::cos(angle), 2.3 * std::sin(angle)));
     }
   }
 
@@ -154,6 +156,12 @@ private:
   }
 
   Section polygon(double radius, std::size_t sides) { return slot(radius, 0., sides); }
+
+  void round_bore(double radius, std::size_t sides, const Placing& place) {
+    if(sides >= 6)
+      diameters_.push_back(2. * radius);
+    bore(polygon(radius, sides), place);
+  }
 
   // Two half circles of so many sides each, or together if they are one circle.
   Section slot(double radius, double length, std::size_t sides) {
@@ -246,6 +254,7 @@ private:
   std::array<double, 3> angles_;
   double thickness_ = 1.;
   Exact_mesh blank_, part_;
+  std::vector<double> diameters_;
 };
 
 #endif // HTL_TEST_BORED_PARTS_H

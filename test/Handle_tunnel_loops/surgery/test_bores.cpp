@@ -8,15 +8,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace test_bores {
 
 namespace htl = CGAL::Handle_tunnel_loops;
 namespace PMP = CGAL::Polygon_mesh_processing;
+using Options = htl::Removal_options;
 using Plane = CGAL::Simple_cartesian<double>::Plane_3;
 
 std::ptrdiff_t genus_of(const Mesh& mesh) {
@@ -79,6 +84,68 @@ TEST_P(Bores, AreRemovedWithoutATrace) {
   EXPECT_EQ(number_of_points_off(part.mesh, mesh), 0u);
 }
 
+class Bores_of_diameters : public testing::TestWithParam<unsigned>
+{};
+
+// As many as have a diameter in the range; slots and square holes have none.
+TEST_P(Bores_of_diameters, AreChosen) {
+  const Bored_part part = Bored_part_maker(GetParam())();
+  if(part.kind.find("meet") != std::string::npos || part.kind.find("oblique") != std::string::npos)
+    return; // they are narrower where they meet, or not as wide as they were made
+  SCOPED_TRACE(part.kind);
+  std::vector<double> diameters = part.diameters;
+  std::sort(diameters.begin(), diameters.end());
+  const std::size_t n = diameters.size();
+  const double below = n == 0 ? 1. : 0.99 * diameters[n / 2],
+               above = n == 0 ? 1. : 1.01 * below / 0.99;
+  const auto number_in = [&](double least, double most) {
+    return static_cast<std::size_t>(std::count_if(
+        diameters.begin(), diameters.end(), [&](double d) { return least <= d && d <= most; }));
+  };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for(const auto& [least, most] : {std::array{0., infinity}, std::array{below, infinity},
+                                   std::array{0., below}, std::array{below, above}})
+  {
+    Options options = with(&Options::minimal_bore_diameter, least);
+    options.maximal_bore_diameter = most;
+    Mesh mesh = part.mesh;
+    const htl::Removal_report report =
+        CGAL::remove_handles(mesh, CGAL::parameters::removal_options(options));
+    EXPECT_EQ(report.removed.size(), number_in(least, most)) << least << ' ' << most;
+    EXPECT_TRUE(report.refused.empty());
+    EXPECT_EQ(number_of_points_off(part.mesh, mesh), 0u);
+    for(const htl::Removed_handle& removed : report.removed)
+      EXPECT_EQ(removed.by, htl::Removal_way::FILL);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Generated, Bores, testing::Range(0u, 200u));
+INSTANTIATE_TEST_SUITE_P(Generated, Bores_of_diameters, testing::Range(0u, 200u, 5u));
+
+TEST(Bores_by_diameter, ThatMakeNoSenseAreRefused) {
+  Mesh mesh = Bored_part_maker(0)().mesh;
+  const auto refuses = [&](const Options& options) {
+    EXPECT_THROW(CGAL::remove_handles(mesh, CGAL::parameters::removal_options(options)),
+                 std::invalid_argument);
+  };
+  refuses(with(&Options::minimal_bore_diameter, -1.));
+  refuses(with(&Options::maximal_bore_diameter, -1.));
+  refuses(with(&Options::maximal_bore_diameter, 1., with(&Options::minimal_bore_diameter, 2.)));
+  refuses(
+      with(&Options::method, htl::Removal_method::CUT, with(&Options::minimal_bore_diameter, 0.)));
+}
+
+// A ring has a hole and no bore.
+TEST(Bores_by_diameter, AreNoHandlesOfOtherKinds) {
+  Recipe recipe;
+  recipe.kind = "multi-torus";
+  recipe.request.faces = 2000;
+  recipe.request.genus = 3;
+  Mesh mesh = mesh_of(recipe);
+  const htl::Removal_report report = CGAL::remove_handles(
+      mesh, CGAL::parameters::removal_options(with(&Options::minimal_bore_diameter, 0.)));
+  EXPECT_TRUE(report.removed.empty());
+  EXPECT_EQ(report.genus_after, 3u);
+}
 
 } // namespace test_bores
