@@ -255,7 +255,8 @@ void run(const Remove_options& options) {
 
 CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
   const auto take = [&range](const std::string& text) {
-    range = text == "true" ? ":" : text; // what CLI11 says where there is none
+    // What CLI11 says where there is none depends on its version.
+    range = text.empty() || text == "true" ? ":" : text;
   };
   return command
       .add_option_function<std::string>(
