@@ -33,12 +33,12 @@ Each handle is removed in the way that changes the shape least, of those that th
 - A handle that sits on the surface like a knob on a lid, with faces around it that all look the
 same way, is *taken out whole*: one disc takes the place of its surroundings, and no stumps are
 left.
-- A *bore* is closed at its mouths. Where a mouth lies in a plane, its cap does so exactly; so does
-  that of a counterbore. Bores that meet are closed together.
+- A *bore* with a mouth in a plane is closed at its mouths, there exactly in the plane, and so is a
+  counterbore. Bores that meet are closed together, if all of them are to be removed.
 - Along its handle loop a handle is *cut* into two ends that are closed in the solid, along its
 tunnel loop its hole is *filled*: faces are divided beside the loop, which leaves the shape as it
-is, a narrow strip is taken out, and a membrane put in on either side. The loop across which the
-disc is small and round comes first.
+is, a narrow strip is taken out, and a membrane put in on either side. The loop along which the
+volume changes less is the one; if it is about the same, that with the smaller and rounder disc.
 - If no membranes fit, rings of faces around a loop are taken out, or around both loops; their caps
 are refined to the density of the mesh around them and made smooth with it.
 
@@ -176,7 +176,7 @@ are refined and plane otherwise.
   triangle mesh with finite coordinates; the message names an element
 \throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
 \throws std::invalid_argument if the target is above the genus, no loop lies in the box, the pairs
-  are not of this mesh, or a length or a share is not valid
+  are not of this mesh, or a length, a share or a range of diameters is not valid
 \throws std::logic_error if the result is not what it should be, which is a defect of the package
 
 Whatever is thrown, the mesh is as it was; but for what is thrown by the maps and output iterators

@@ -50,6 +50,10 @@ htloops::Removal_options options_of(const py::dict& options) {
     result.maximal_length = result.maximal_neck_length = *length;
   if(const auto box = chosen<std::array<double, 6>>(options, "box"))
     result.box = CGAL::Bbox_3((*box)[0], (*box)[1], (*box)[2], (*box)[3], (*box)[4], (*box)[5]);
+  if(const auto range = chosen<std::array<double, 2>>(options, "bores")) {
+    result.minimal_bore_diameter = (*range)[0];
+    result.maximal_bore_diameter = (*range)[1];
+  }
   result.method = methods.at(py::cast<std::string>(options["by"]));
   for(const auto& [pair, by] : py::cast<std::map<std::size_t, std::string>>(options["methods"]))
     result.methods[pair] = methods.at(by);

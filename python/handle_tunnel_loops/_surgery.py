@@ -28,6 +28,7 @@ def remove_handles(
     pairs: Union[None, int, Sequence[int], Mapping[int, Optional[str]]] = None,
     box: Any = None,
     necks: Optional[float] = None,
+    bores: Optional[Tuple[Optional[float], Optional[float]]] = None,
     by: str = "smallest-change",
     force: bool = False,
     loops: Optional[Loops] = None,
@@ -45,6 +46,9 @@ def remove_handles(
         mapping, each with a way of its own, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): those of which a loop lies in this box
     necks : as shorter_than; shorter loops at which shells come apart go, too
+    bores : (least, largest): round bores of a diameter in this range, in the unit of the coordinates; None
+        for no limit, so that (None, None) are all of them. Of a stepped bore, or one with counterbores, the
+        narrowest cylinder counts; slots have no diameter
     by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "smallest-change", what
         changes the shape less
     force : also where that is no repair: where the bounding box would grow, say
@@ -72,6 +76,7 @@ def remove_handles(
         pairs=None if pairs is None else wholes("pairs", pairs),
         box=None if box is None else _corners(box),
         necks=real_or_none("necks", necks),
+        bores=None if bores is None else _range(bores),
     )
     given = [name for name, value in chosen.items() if value is not None]
     if len(given) > 1:
@@ -88,6 +93,16 @@ def remove_handles(
         record = record_of(loops, "loops")
         rest = part(callback, begin, 1)
         return computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
+
+
+def _range(bores: Any) -> List[float]:
+    if not isinstance(bores, Sequence) or isinstance(bores, str) or len(bores) != 2:
+        raise ValueError("bores is two diameters, each of which may be None: (least, largest)")
+    least, largest = (real_or_none("bores", diameter) for diameter in bores)
+    limits = [0.0 if least is None else least, float("inf") if largest is None else largest]
+    if not limits[0] <= limits[1]:
+        raise ValueError("bores has the least diameter first, then the largest")
+    return limits
 
 
 def _corners(box: Any) -> List[float]:

@@ -51,6 +51,38 @@ def test_some_handles(genus_3):
     assert 2 in [handle["pair"] for handle in report["removed"]]
 
 
+def nut():
+    """A bore of six sides, 2 wide."""
+    angles = np.arange(6) * np.pi / 3
+    V = [[r * np.cos(a), r * np.sin(a), z] for r, z in ((1, 0), (4, 0), (4, 1), (1, 1)) for a in angles]
+    F = []
+    for ring in range(4):
+        for i in range(6):
+            a, b = 6 * ring + i, 6 * ring + (i + 1) % 6
+            c, d = (a + 6) % 24, (b + 6) % 24
+            F += [[a, b, c], [b, d, c]]
+    return np.array(V), np.array(F)
+
+
+def test_bores(genus_3):
+    V, F = nut()
+    for bores in ((None, None), (1.9, 2.1), (1.9, None), [None, 2.1]):
+        _, new_F, _, report = htl.remove_handles(V, F, bores=bores)
+        assert euler_characteristic(new_F) == 2 and report["removed"][0]["by"] == "fill"
+        assert report["removed"][0]["volume"] == pytest.approx(-1.5 * np.sqrt(3))
+    for bores in ((2.1, None), (None, 1.9)):
+        assert htl.remove_handles(V, F, bores=bores)[3]["removed"] == []
+    assert htl.remove_handles(*genus_3, bores=(None, None))[3]["genus_after"] == 3
+    with pytest.raises(ValueError, match="bores is two diameters"):
+        htl.remove_handles(V, F, bores=(1, 2, 3))
+    with pytest.raises(ValueError, match="the least diameter first"):
+        htl.remove_handles(V, F, bores=(2, 1))
+    with pytest.raises(ValueError, match="bores and genus|genus and bores"):
+        htl.remove_handles(V, F, bores=(1, 2), genus=0)
+    with pytest.raises(ValueError, match="bores are filled"):
+        htl.remove_handles(V, F, bores=(1, 2), by="cut")
+
+
 def test_what_cannot_be_asked(genus_3):
     with pytest.raises(ValueError, match="genus and pairs cannot be given together"):
         htl.remove_handles(*genus_3, genus=1, pairs=[0], loops=htl.loops(*genus_3))

@@ -48,6 +48,16 @@ struct Removal_options
   std::optional<double> maximal_length;
   /// only handles are removed whose loop that is tried first lies in this box.
   std::optional<Bbox_3> box;
+  /// only round bores of at least this diameter are removed; by default handles of any kind. See
+  /// `maximal_bore_diameter`.
+  std::optional<double> minimal_bore_diameter;
+  /// only round bores of at most this diameter are removed. Each of the two limits does without the
+  /// other one; 0 for the lower one, or infinity for the upper one, asks for all of them. A bore is
+  /// round if a part of its wall is a cylinder: its edges lie within 1 percent of the radius on a
+  /// circle, which is that of the diameter, and go around it as those of a hexagon, or denser. Of a
+  /// stepped bore, or one with counterbores, the narrowest cylinder counts; slots have no diameter.
+  /// Bores are filled, whatever else would be the smallest change.
+  std::optional<double> maximal_bore_diameter;
   /// necks shorter than this are removed; 0 for none.
   double maximal_neck_length = 0.;
   /// the share of the area of its component that each piece has at least that comes off at a neck;

@@ -24,7 +24,9 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -42,6 +44,7 @@ struct Remove_options : Common_options // the JSON is the report
   std::vector<std::string> pairs; // numbers, some with a way: "5", "1:fill"
   std::vector<double> box;
   std::string necks;
+  std::string bores; // "MIN:MAX", either of them may be missing
   std::string method = "smallest-change";
   std::string map_file;
   bool is_forced = false;
@@ -72,6 +75,30 @@ std::pair<std::size_t, std::optional<Removal_method>> parse_pair(const std::stri
   return {number, way->second};
 }
 
+std::optional<double> parse_diameter(const std::string& text) {
+  if(text.empty())
+    return std::nullopt;
+  double diameter = 0.;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), diameter);
+  if(error != std::errc() || end != text.data() + text.size() || !(diameter >= 0.) ||
+     !std::isfinite(diameter))
+    throw wrong_usage("--bores: '" + text + "' is not a diameter, such as 0.25");
+  return diameter;
+}
+
+// Of bores: "3:8" to the limits, or to those that leave all.
+std::pair<double, double> parse_range(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if(colon == std::string::npos)
+    throw wrong_usage("--bores: '" + text + "' is not a range of diameters, such as 3:8, 3: or :8");
+  const double least = parse_diameter(text.substr(0, colon)).value_or(0.),
+               most = parse_diameter(text.substr(colon + 1))
+                          .value_or(std::numeric_limits<double>::infinity());
+  if(!(least <= most))
+    throw wrong_usage("--bores: the least diameter comes first, then the largest");
+  return {least, most};
+}
+
 void check_options(const Remove_options& options) {
   if(options.result_file.empty() && !options.is_dry_run)
     throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
@@ -81,6 +108,11 @@ void check_options(const Remove_options& options) {
   box_of(options.box);
   for(const std::string& pair : options.pairs)
     parse_pair(pair);
+  if(!options.bores.empty()) {
+    parse_range(options.bores);
+    if(methods.at(options.method) == Removal_method::CUT)
+      throw wrong_usage("--bores are filled: not with --by cut");
+  }
   if(!options.map_file.empty() && options.is_dry_run)
     throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
                       "--dry-run");
@@ -147,6 +179,11 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   removal.box = box_of(options.box);
   if(const auto length = parse_length("--necks", options.necks, whole))
     removal.maximal_length = removal.maximal_neck_length = *length;
+  if(!options.bores.empty()) {
+    const auto [least, most] = parse_range(options.bores);
+    removal.minimal_bore_diameter = least;
+    removal.maximal_bore_diameter = most;
+  }
   removal.method = methods.at(options.method);
   removal.force = options.is_forced;
   removal.number_of_threads = options.number_of_threads;
@@ -216,6 +253,20 @@ void run(const Remove_options& options) {
   show(options, answer, loops_seconds, read_seconds);
 }
 
+CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
+  const auto take = [&range](const std::string& text) {
+    // What CLI11 says where there is none depends on its version.
+    range = text.empty() || text == "true" ? ":" : text;
+  };
+  return command
+      .add_option_function<std::string>(
+          "--bores", take,
+          "round bores, of a diameter in a range, in the unit of the\n"
+          "coordinates: 3:8, 3: or :8; without one, all round bores")
+      ->option_text("[MIN:MAX]")
+      ->expected(0, 1);
+}
+
 void add_selection_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to remove (default: all handles)");
   CLI::Option* selections[] = {
@@ -234,6 +285,7 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
       add_length(command, "--necks", options.necks,
                  "handles with a loop that is shorter, and necks:\n"
                  "shorter loops at which shells come apart"),
+      add_bores_option(command, options.bores),
   };
   for(CLI::Option* const option : selections) {
     for(CLI::Option* const other : selections)
@@ -287,6 +339,8 @@ constexpr char remove_examples[] = R"(Examples:
                                                   the small ones
   htloops remove part.stl -o part.off --pairs 0:fill,3:fill
                                                   two bores
+  htloops remove part.stl -o part.off --bores 3:8
+                                                  those from 3 to 8 wide
   htloops remove scan.ply --genus 2 --dry-run --html look.html
                                                   what would go, if two are to stay
 )";

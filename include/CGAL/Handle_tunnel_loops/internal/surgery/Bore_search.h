@@ -22,6 +22,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -31,17 +32,18 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Finds the wall of the bore that a tunnel loop goes around: the faces that are reached from it
-without passing a convex edge of the solid, if they are bounded by the mouths of the bore. Bores
-that meet have one wall. If a mouth lies at the bottom of a counterbore, the wall of that belongs to
-it.
+without passing a convex edge of the solid, if they are bounded by the mouths of the bore. If a
+mouth lies at the bottom of a counterbore, the wall of that belongs to it. Where bores meet there
+are convex edges; if so wanted, what is beyond a mouth in no plane belongs to the wall, too.
 */
 class Bore_search
 {
 public:
   /// \p outward is 1 if the faces point out of the solid, -1 if they point into it.
-  Bore_search(const Surgery_mesh& mesh, double outward)
+  Bore_search(const Surgery_mesh& mesh, double outward, bool takes_bores_that_meet)
       : mesh_(mesh)
-      , outward_(outward) {}
+      , outward_(outward)
+      , takes_bores_that_meet_(takes_bores_that_meet) {}
 
   /// of a bore that a loop goes around. Gives up where the wall is many times as
   /// large, or has many mouths. Near linear in its size.
@@ -85,20 +87,37 @@ private:
     constexpr std::size_t most_mouths = 16;
     if(!wall || wall->number_of_borders() > most_mouths)
       return std::nullopt;
-    for(std::size_t border = 0; border < wall->number_of_borders();)
-      if(std::optional<Cut_region> wider = with_counterbore(*wall, border, most)) {
-        wall = std::move(wider);
-        border = 0;
-      } else
-        ++border;
+    while(std::optional<Cut_region> wider = widened(*wall, most)) {
+      wall = std::move(wider);
+      if(wall->number_of_borders() > most_mouths)
+        return std::nullopt;
+    }
+    const bool is_closed = takes_bores_that_meet_ ? is_flush_at_all_mouths(*wall)
+                                                  : is_flush_at_one_mouth(*wall, loop.length());
+    return is_closed ? wall : std::nullopt;
+  }
+
+  bool is_flush_at(const Cut_region& wall, std::size_t border) const {
+    return is_flush(rim_of(mesh_, wall, border));
+  }
+
+  bool is_flush_at_all_mouths(const Cut_region& wall) const {
+    std::size_t border = 0;
+    while(border < wall.number_of_borders() && is_flush_at(wall, border))
+      ++border;
+    return border == wall.number_of_borders();
+  }
+
+  // Others may be rounded, if they are narrow.
+  bool is_flush_at_one_mouth(const Cut_region& wall, double length_of_loop) const {
     constexpr double most_growth = 1.5;
     bool is_any_flush = false;
-    for(std::size_t border = 0; border < wall->number_of_borders(); ++border)
-      if(is_flush(rim_of(mesh_, *wall, border)))
+    for(std::size_t border = 0; border < wall.number_of_borders(); ++border)
+      if(is_flush_at(wall, border))
         is_any_flush = true;
-      else if(!(length(*wall, border) <= most_growth * loop.length()))
-        return std::nullopt;
-    return is_any_flush ? std::move(wall) : std::nullopt;
+      else if(!(length(wall, border) <= most_growth * length_of_loop))
+        return false;
+    return is_any_flush;
   }
 
   Flood flood(const std::vector<Index>& begin, std::size_t most) const {
@@ -131,40 +150,76 @@ private:
     return outward_ * height < 0.;
   }
 
+  // With what is beyond one of the mouths, if that belongs to it.
+  std::optional<Cut_region> widened(const Cut_region& wall, std::size_t most) const {
+    for(std::size_t border = 0; border < wall.number_of_borders(); ++border) {
+      std::optional<Cut_region> wider = with_counterbore(wall, border, most);
+      if(!wider && takes_bores_that_meet_)
+        wider = with_bore_that_meets(wall, border, most);
+      if(wider)
+        return wider;
+    }
+    return std::nullopt;
+  }
+
   // A ring around a mouth, up to one that is flush with what is around it, and not much larger.
   std::optional<Cut_region>
   with_counterbore(const Cut_region& wall, std::size_t border, std::size_t most) const {
-    constexpr double most_growth = 2.5;
     if(!Scaled_polygon(rim_of(mesh_, wall, border)).is_flat())
       return std::nullopt;
+    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most);
+    if(!wider || wider->number_of_borders() != wall.number_of_borders())
+      return std::nullopt;
+    const std::vector<std::size_t> outer = new_borders(*wider, wall);
+    const bool is_ring = outer.size() == 1 && is_not_much_longer(*wider, outer[0], wall, border);
+    return is_ring && is_flush_at(*wider, outer[0]) ? wider : std::nullopt;
+  }
+
+  // Another bore leads to mouths of its own. If there is only one of these, and much larger, it is
+  // the edge of a pocket.
+  std::optional<Cut_region>
+  with_bore_that_meets(const Cut_region& wall, std::size_t border, std::size_t most) const {
+    if(is_flush_at(wall, border))
+      return std::nullopt;
+    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most);
+    if(!wider)
+      return std::nullopt;
+    const std::vector<std::size_t> outer = new_borders(*wider, wall);
+    const bool is_pocket = outer.size() == 1 && !is_not_much_longer(*wider, outer[0], wall, border);
+    return is_pocket ? std::nullopt : wider;
+  }
+
+  std::optional<Cut_region>
+  with_faces_beyond(const Cut_region& wall, std::size_t border, std::size_t most) const {
     std::vector<Index> beyond;
     for(Index h : wall.border(border))
       beyond.push_back(mesh_.face(mesh_.twin(h)));
     make_set(beyond);
-    auto [ring, is_bounded] = flood(beyond, most);
+    const auto [faces, is_bounded] = flood(beyond, most);
     if(!is_bounded)
       return std::nullopt;
-    const std::size_t number = wall.faces().size() + ring.size();
-    ring.insert(ring.end(), wall.faces().begin(), wall.faces().end());
-    make_set(ring);
-    if(ring.size() != number)
-      return std::nullopt; // it leads back to the wall
-    std::optional<Cut_region> wider = Cut_region::wall(mesh_, std::move(ring));
-    if(!wider || wider->number_of_borders() != wall.number_of_borders())
-      return std::nullopt;
-    const std::size_t outer = new_border(*wider, wall);
-    if(outer == wider->number_of_borders() ||
-       !(length(*wider, outer) <= most_growth * length(wall, border)))
-      return std::nullopt;
-    return is_flush(rim_of(mesh_, *wider, outer)) ? wider : std::nullopt;
+    std::vector<Index> all;
+    std::set_union(wall.faces().begin(), wall.faces().end(), faces.begin(), faces.end(),
+                   std::back_inserter(all));
+    const bool leads_back = all.size() != wall.faces().size() + faces.size();
+    return leads_back || all.size() > most ? std::nullopt : Cut_region::wall(mesh_, std::move(all));
   }
 
-  // The first border that is none of another wall.
-  std::size_t new_border(const Cut_region& wider, const Cut_region& wall) const {
-    std::size_t i = 0;
-    while(i < wider.number_of_borders() && wall.contains(mesh_.face(wider.border(i).front())))
-      ++i;
-    return i;
+  // The borders that are none of another wall.
+  std::vector<std::size_t> new_borders(const Cut_region& wider, const Cut_region& wall) const {
+    std::vector<std::size_t> borders;
+    for(std::size_t i = 0; i < wider.number_of_borders(); ++i)
+      if(!wall.contains(mesh_.face(wider.border(i).front())))
+        borders.push_back(i);
+    return borders;
+  }
+
+  bool is_not_much_longer(const Cut_region& wider,
+                          std::size_t outer,
+                          const Cut_region& wall,
+                          std::size_t border) const {
+    constexpr double most_growth = 2.5;
+    return length(wider, outer) <= most_growth * length(wall, border);
   }
 
   double length(const Cut_region& region, std::size_t border) const {
@@ -176,6 +231,7 @@ private:
 
   const Surgery_mesh& mesh_;
   const double outward_;
+  const bool takes_bores_that_meet_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

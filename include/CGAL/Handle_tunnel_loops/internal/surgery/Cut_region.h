@@ -30,10 +30,10 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
-Faces, of no cap, that are taken out to remove handles: a wall, as that of a bore, which is a sphere
-with n > 1 holes, so that the genus is n - 1 less once these are closed by discs, if the rest of the
-surface is in one piece; or a piece with one hole that holds whole handles. The holes are simple
-closed curves of at least three edges, and they do not touch each other.
+Faces, of no cap, that are taken out to remove handles: a wall, as that of a bore, which has n > 1
+holes, so that the genus is n - 1 less once these are closed by discs, and less by that of the wall,
+if the rest of the surface is in one piece; or a piece with one hole that holds whole handles. The
+holes are simple closed curves of at least three edges, and they do not touch each other.
 */
 class Cut_region
 {
@@ -98,7 +98,7 @@ public:
         std::remove_if(beyond.begin(), beyond.end(), [this](Index f) { return contains(f); }),
         beyond.end());
     const std::optional<Cut_region> ring = of(mesh, std::move(beyond));
-    if(!ring || ring->borders_.size() != 2)
+    if(!ring || ring->borders_.size() != 2 || ring->number_of_handles_ != 1)
       return std::nullopt;
     const std::vector<Index>& side = ring->borders_[0];
     const Index shared = mesh.twin(borders_[border].front());
@@ -154,13 +154,12 @@ private:
     borders_ = curves(mesh, border);
     if(std::any_of(borders_.begin(), borders_.end(), [](const auto& b) { return b.size() < 3; }))
       return false;
-    // 2 - 2 g - b.
-    const std::ptrdiff_t chi = euler_characteristic(mesh),
-                         number = static_cast<std::ptrdiff_t>(borders_.size());
-    const bool is_wall = number > 1 && chi == 2 - number;
-    const bool has_handles = number == 1 && chi < 0;
-    number_of_handles_ = is_wall ? borders_.size() - 1 : static_cast<std::size_t>((1 - chi) / 2);
-    return is_wall || has_handles;
+    const std::ptrdiff_t number = static_cast<std::ptrdiff_t>(borders_.size()),
+                         genus = (2 - number - euler_characteristic(mesh)) / 2;
+    if(number == 0 || genus < 0)
+      return false;
+    number_of_handles_ = static_cast<std::size_t>(number - 1 + genus);
+    return number_of_handles_ > 0;
   }
 
   // With their sources, by which they are sorted, the halfedges with no face of the region on their

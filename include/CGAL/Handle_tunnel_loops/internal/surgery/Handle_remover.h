@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/bore_diameters.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
@@ -35,7 +36,9 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -50,6 +53,7 @@ namespace CGAL::Handle_tunnel_loops::internal {
 template <typename Pair> struct Handle_selection : Removal_options
 {
   std::function<bool(const Pair&)> filter;
+  std::vector<char> is_bore_wanted; ///< by pair, if only bores are
 
   /// turns pairs of loops into tasks: first the handles that are to be removed, smallest first,
   /// then those that are kept. Throws `std::invalid_argument` if the selection makes no sense.
@@ -72,7 +76,7 @@ template <typename Pair> struct Handle_selection : Removal_options
       task.choices = {choice(first, tm, vertex_index),
                       choice(pairs[i].partner(first), tm, vertex_index)};
       task.choices.back().is_allowed = method_of(i) == Removal_method::SMALLEST_CHANGE;
-      (is_wanted(pairs[i], first) ? selected : kept).push_back(std::move(task));
+      (is_wanted(i, pairs[i], first) ? selected : kept).push_back(std::move(task));
     }
     if(box && selected.empty())
       throw std::invalid_argument("no loop that a handle could be removed along lies in the box");
@@ -105,8 +109,9 @@ private:
     return pair.tunnel().length() < pair.handle().length() ? Loop_type::TUNNEL : Loop_type::HANDLE;
   }
 
-  bool is_wanted(const Pair& pair, const Loop& first) const {
-    return (!maximal_length || first.length() < *maximal_length) && (!box || lies_in_box(first)) &&
+  bool is_wanted(std::size_t i, const Pair& pair, const Loop& first) const {
+    return (is_bore_wanted.empty() || is_bore_wanted[i]) &&
+           (!maximal_length || first.length() < *maximal_length) && (!box || lies_in_box(first)) &&
            (!filter || filter(pair));
   }
 
@@ -151,8 +156,11 @@ public:
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm_, np_);
     const auto face_index = CGAL::get_initialized_face_index_map(tm_, np_);
     find_pairs(vertex_index, face_index);
+    Handle_selection<Pair> wanted = selection();
+    if(selects_bores())
+      wanted.is_bore_wanted = find_bores(vertex_index, face_index);
     const std::vector<Removal_task> tasks =
-        selection().tasks(tm_, vertex_index, pairs_, report_.genus_before);
+        wanted.tasks(tm_, vertex_index, pairs_, report_.genus_before);
     Attempt attempt = attempt_at(tasks, vertex_index, face_index);
     if(may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
       Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), vertex_index, face_index);
@@ -187,6 +195,36 @@ private:
 
   using Link = Mesh_link<TriangleMesh, Vertex_point_map>;
 
+  std::unique_ptr<Link> new_link() const {
+    return std::make_unique<Link>(
+        tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
+                                          get_property_map(vertex_point, tm_)));
+  }
+
+  bool selects_bores() const {
+    return options_.minimal_bore_diameter || options_.maximal_bore_diameter;
+  }
+
+  // By pair, whether it is that of a bore of a diameter that is asked for.
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  std::vector<char> find_bores(VertexIndexMap vertex_index, FaceIndexMap face_index) const {
+    Handle_selection<Pair> all;
+    all.method = Removal_method::FILL;
+    const std::vector<Removal_task> tasks =
+        all.tasks(tm_, vertex_index, pairs_, report_.genus_before);
+    const auto link = new_link();
+    const Surgery_mesh mesh = link->read(execution, vertex_index, face_index);
+    const std::vector<std::optional<double>> diameters = bore_diameters(execution, mesh, tasks);
+    const double unit = link->unit(), least = options_.minimal_bore_diameter.value_or(0.),
+                 most = options_.maximal_bore_diameter.value_or(
+                     std::numeric_limits<double>::infinity());
+    std::vector<char> is_wanted(pairs_.size(), 0);
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      is_wanted[tasks[i].pair] =
+          diameters[i] && least <= *diameters[i] * unit && *diameters[i] * unit <= most;
+    return is_wanted;
+  }
+
   // The mesh of the caller is as it was.
   struct Attempt
   {
@@ -200,9 +238,7 @@ private:
                      VertexIndexMap vertex_index,
                      FaceIndexMap face_index) {
     Attempt attempt;
-    attempt.link = std::make_unique<Link>(
-        tm_, parameters::choose_parameter(parameters::get_parameter(np_, internal_np::vertex_point),
-                                          get_property_map(vertex_point, tm_)));
+    attempt.link = new_link();
     attempt.mesh = attempt.link->read(execution, vertex_index, face_index);
     attempt.tasks = std::move(tasks);
     for(Removal_task& task : attempt.tasks)
@@ -307,12 +343,25 @@ private:
       throw std::invalid_argument("the share of a piece is not in [0, 0.5]");
     if(options_.maximal_length && !(*options_.maximal_length > 0.))
       throw std::invalid_argument("the maximal length is not positive");
-    Handle_selection<Pair> wanted{options_, {}};
+    Handle_selection<Pair> wanted{options_, {}, {}};
+    if(selects_bores())
+      check_bores(wanted);
     if(!wanted.maximal_length && options_.maximal_neck_length > 0.)
       wanted.maximal_length = options_.maximal_neck_length;
     if constexpr(is_given<internal_np::filter_t>)
       wanted.filter = parameters::get_parameter(np_, internal_np::filter);
     return wanted;
+  }
+
+  // Which are filled.
+  void check_bores(Handle_selection<Pair>& wanted) const {
+    const double least = options_.minimal_bore_diameter.value_or(0.),
+                 most = options_.maximal_bore_diameter.value_or(least);
+    if(!(least >= 0. && least <= most))
+      throw std::invalid_argument("the range of diameters of bores is empty");
+    if(wanted.method == Removal_method::CUT)
+      throw std::invalid_argument("bores are filled, and not cut");
+    wanted.method = Removal_method::FILL;
   }
 
   // That what is promised is so.

@@ -31,6 +31,8 @@ struct Polygon_in_space
   /// outer normals of the faces beyond the sides, from each point to the next one, which the
   /// triangles should continue; those without a length do not count. Or none at all.
   std::vector<Simple_cartesian<double>::Vector_3> normals_beyond = {};
+  /// the third corners of the same faces, or none at all.
+  std::vector<Surgery_mesh::Point> corners_beyond = {};
   /// whether the triangles should continue these faces; or stand on them at right angles, outside
   /// of them, or inside, or on either side.
   enum At_sides { CONTINUED, OUTSIDE, INSIDE, UPRIGHT };
@@ -49,19 +51,17 @@ struct Scaled_polygon
   using Vector = Simple_cartesian<double>::Vector_3;
 
   explicit Scaled_polygon(const Polygon_in_space& polygon) {
-    const auto from_first = [&](const Surgery_mesh::Point& p, int axis) {
-      return p[axis] / 2. - polygon.points.front()[axis] / 2.;
-    };
-    double size = 0.;
+    if(polygon.size() < 3)
+      return;
+    origin_ = polygon.points.front();
     for(const Surgery_mesh::Point& p : polygon.points)
       for(int axis = 0; axis < 3; ++axis)
-        size = (std::max)(size, std::abs(from_first(p, axis)));
-    if(polygon.size() < 3 || !(size > 0.) || !std::isfinite(size))
+        size_ = (std::max)(size_, std::abs(p[axis] / 2. - origin_[axis] / 2.));
+    if(!(size_ > 0.) || !std::isfinite(size_))
       return;
     Vector sum(NULL_VECTOR);
     for(const Surgery_mesh::Point& p : polygon.points) {
-      points.emplace_back(from_first(p, 0) / size, from_first(p, 1) / size,
-                          from_first(p, 2) / size);
+      points.push_back(scaled(p));
       sum = sum + (points.back() - ORIGIN);
     }
     center = ORIGIN + sum / static_cast<double>(points.size());
@@ -73,18 +73,33 @@ struct Scaled_polygon
   /// whether there are at least three points, not all the same.
   bool is_good() const { return !points.empty(); }
 
+  /// where another point is then.
+  Point scaled(const Surgery_mesh::Point& p) const {
+    const auto from_origin = [&](int axis) { return (p[axis] / 2. - origin_[axis] / 2.) / size_; };
+    return {from_origin(0), from_origin(1), from_origin(2)};
+  }
+
   /// whether all points lie on a plane.
   bool is_flat() const {
-    constexpr double tolerance = 1e-6; // of the size: coordinates may have been floats
-    const double length = std::sqrt(normal.squared_length());
-    return length > 0. && std::all_of(points.begin(), points.end(), [&](const Point& p) {
-             return std::abs(normal * (p - center)) <= tolerance * length;
-           });
+    return is_good() &&
+           std::all_of(points.begin(), points.end(), [&](const Point& p) { return is_level(p); });
   }
+
+  /// whether a point lies on the plane of the others, if they have one.
+  bool is_level(const Point& p) const {
+    const double length = std::sqrt(normal.squared_length());
+    return length > 0. && std::abs(normal * (p - center)) <= tolerance * length;
+  }
+
+  static constexpr double tolerance = 1e-6; ///< of the size: coordinates may have been floats
 
   std::vector<Point> points;
   Point center = Point(ORIGIN);
   Vector normal = Vector(NULL_VECTOR); ///< as long as twice the area
+
+private:
+  Surgery_mesh::Point origin_ = Surgery_mesh::Point(ORIGIN);
+  double size_ = 0.;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -25,7 +25,7 @@ struct Region_choice
   enum Style {
     KNOB,  ///< the faces at both loops, and some rings more, of a handle that sits on the surface
            ///< like a knob on a lid
-    BORE,  ///< the wall of a bore that the loop goes around
+    BORE,  ///< the wall of a bore that the loop goes around; with rings, and of bores that it meets
     STRIP, ///< a narrow strip along the loop
     RINGS, ///< the faces at the loop, and some rings more
     WHOLE  ///< the faces at both loops, and some rings more
@@ -49,7 +49,8 @@ inline std::vector<Region_choice> region_choices(const Removal_task& task,
     all.push_back({Choice::KNOB, allowed.front(), 8});
   for(std::size_t i : allowed)
     if(!task.are_types_known || task.choices[i].type == Loop_type::TUNNEL)
-      all.push_back({Choice::BORE, i, 0});
+      for(int rings : {1, 0})
+        all.push_back({Choice::BORE, i, rings});
   for(std::size_t i : allowed)
     all.push_back({Choice::STRIP, i, 0});
   for(std::size_t i : allowed)

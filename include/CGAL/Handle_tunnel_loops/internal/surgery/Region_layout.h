@@ -84,7 +84,7 @@ private:
                                    const std::vector<Closed_walk>& walks,
                                    const std::vector<Index>& reserved) const {
     if(choice.style == Region_choice::BORE)
-      return curve ? Bore_search(mesh_, outward_).wall_at(*curve) : std::nullopt;
+      return curve ? Bore_search(mesh_, outward_, choice.rings > 0).wall_at(*curve) : std::nullopt;
     if(choice.style == Region_choice::RINGS)
       return around(walks[choice.loop], choice.rings, reserved);
     return whole(choice, walks);

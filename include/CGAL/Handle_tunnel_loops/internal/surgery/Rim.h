@@ -50,6 +50,7 @@ rim_of(const Surgery_mesh& mesh, const Cut_region& region, std::size_t border) {
     vertices.push_back(mesh.source(h));
     rim.points.push_back(mesh.point(mesh.source(h)));
     rim.normals_beyond.push_back(normal_of(mesh, mesh.face(mesh.twin(h))));
+    rim.corners_beyond.push_back(mesh.point(mesh.target(mesh.next(mesh.twin(h)))));
   }
   rim.are_joined = [&mesh, &region, vertices](std::size_t i, std::size_t j) {
     const Index h = mesh.halfedge(vertices[i], vertices[j]);
@@ -59,15 +60,32 @@ rim_of(const Surgery_mesh& mesh, const Cut_region& region, std::size_t border) {
   return rim;
 }
 
+/// whether the face beyond a side of a flat rim continues its plane, so far as can be told from
+/// coordinates that are rounded: a face may be so narrow that it has any normal.
+inline bool is_level(const Polygon_in_space& rim, const Scaled_polygon& scaled, std::size_t side) {
+  constexpr double cosine = 1. - 1e-5; // of a quarter of a degree
+  const auto& beyond = rim.normals_beyond[side];
+  const double lengths = std::sqrt(scaled.normal.squared_length() * beyond.squared_length()),
+               product = scaled.normal * beyond;
+  if(lengths == 0. || product >= cosine * lengths)
+    return true;
+  const auto corner = scaled.scaled(rim.corners_beyond[side]), &p = scaled.points[side],
+             &q = scaled.points[(side + 1) % scaled.points.size()];
+  if(!scaled.is_level(corner))
+    return false;
+  const double area = std::sqrt(CGAL::cross_product(q - p, corner - p).squared_length());
+  return product > 0. || area <= Scaled_polygon::tolerance * std::sqrt((q - p).squared_length());
+}
+
 /// whether a hole is one in a plane: its border lies on that, and so do the faces beyond.
 inline bool is_flush(const Polygon_in_space& rim) {
-  constexpr double cosine = 1. - 1e-5; // of a quarter of a degree
   const Scaled_polygon scaled(rim);
-  return scaled.is_flat() &&
-         std::all_of(rim.normals_beyond.begin(), rim.normals_beyond.end(), [&](const auto& beyond) {
-           const double lengths = scaled.normal.squared_length() * beyond.squared_length();
-           return lengths == 0. || scaled.normal * beyond >= cosine * std::sqrt(lengths);
-         });
+  if(!scaled.is_flat())
+    return false;
+  for(std::size_t side = 0; side < rim.size(); ++side)
+    if(!is_level(rim, scaled, side))
+      return false;
+  return true;
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Polygon_in_space.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Sheared_circles.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -38,7 +39,8 @@ Fills a polygon by triangles without points of their own: by those of least cost
 *Filling holes in meshes* (2003), which is their area, and how far they bend at their edges. That
 takes the cube of the number of points. Where there are many, they are triangulated as they are seen
 from the side where the polygon looks largest; or, if it crosses itself from there, a few of them
-are taken first.
+are taken first. A polygon in a plane is triangulated as it is seen along an axis of space: nothing
+is rounded then, and triangles do not meet even where corners are all but on a line.
 
 What is found depends on the order of the points alone. Costs are rounded: they choose between
 triangulations of which all are right.
@@ -62,7 +64,7 @@ public:
     std::vector<std::size_t> all(polygon.size());
     for(std::size_t i = 0; i < all.size(); ++i)
       all[i] = i;
-    is_good_ = fill(all);
+    is_good_ = (scaled_.is_flat() && fill_as_seen<Sheared_circles>(all, along_axis())) || fill(all);
     if(!is_good_)
       return;
     std::sort(triangles_.begin(), triangles_.end(), [](const Triangle& s, const Triangle& t) {
@@ -85,7 +87,7 @@ private:
       return true;
     if(corners.size() <= most_for_cubic)
       return fill_at_least_cost(corners);
-    return fill_as_seen(corners) || fill_few_first(corners);
+    return fill_as_seen<Plane>(corners, from_largest_side()) || fill_few_first(corners);
   }
 
   // Some points far from each other, and then what is between them.
@@ -214,30 +216,63 @@ private:
 
   // ---- as seen from a side
 
-  bool fill_as_seen(const Corners& corners) {
-    using Plane = Exact_predicates_inexact_constructions_kernel;
-    using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Plane>;
-    using Face_base = Constrained_triangulation_face_base_2<Plane>;
-    using Triangulation = Constrained_Delaunay_triangulation_2<
-        Plane, Triangulation_data_structure_2<Vertex_base, Face_base>, Exact_predicates_tag>;
-    if(scaled_.normal == Vector(NULL_VECTOR))
+  using Plane = Exact_predicates_inexact_constructions_kernel;
+  using Picture = std::vector<Plane::Point_2>; // of all corners
+
+  template <typename Traits> bool fill_as_seen(const Corners& corners, const Picture& picture) {
+    using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Traits>;
+    using Face_base = Constrained_triangulation_face_base_2<Traits>;
+    using Triangulation =
+        Constrained_Delaunay_triangulation_2<Traits,
+                                             Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                             No_constraint_intersection_tag>;
+    if(picture.empty())
       return false;
-    const auto [x, y] = axes();
     Triangulation cdt;
     std::vector<typename Triangulation::Vertex_handle> vertices;
     typename Triangulation::Face_handle near;
     for(std::size_t i : corners) {
-      const Vector v = scaled_.points[i] - scaled_.center;
-      // Sheared a little, so that points of a symmetric polygon are on no circle: which of two
-      // Delaunay triangulations is found depends on memory.
-      vertices.push_back(cdt.insert({v * x + 1.3e-3 * (v * y), 1.0007 * (v * y)}, near));
+      vertices.push_back(cdt.insert(picture[i], near));
       vertices.back()->info() = i;
       near = vertices.back()->face();
     }
-    for(std::size_t k = 0; k < corners.size() && cdt.number_of_vertices() == corners.size(); ++k)
-      cdt.insert_constraint(vertices[k], vertices[(k + 1) % corners.size()]);
-    return cdt.number_of_vertices() == corners.size() && cdt.dimension() == 2 &&
-           take_inner(cdt, corners.size() - 2);
+    if(cdt.number_of_vertices() != corners.size() || cdt.dimension() != 2)
+      return false;
+    try {
+      for(std::size_t k = 0; k < corners.size(); ++k)
+        cdt.insert_constraint(vertices[k], vertices[(k + 1) % corners.size()]);
+    } catch(const typename Triangulation::Intersection_of_constraints_exception&) {
+      return false;
+    }
+    return take_inner(cdt, corners.size() - 2);
+  }
+
+  Picture from_largest_side() const {
+    Picture picture;
+    if(scaled_.normal == Vector(NULL_VECTOR))
+      return picture;
+    const auto [x, y] = axes();
+    for(const Point& p : scaled_.points) {
+      const Vector v = p - scaled_.center;
+      // As in `Sheared_circles`, and faster.
+      picture.emplace_back(v * x + 1.3e-3 * (v * y), 1.0007 * (v * y));
+    }
+    return picture;
+  }
+
+  // That from which a polygon in a plane looks largest.
+  Picture along_axis() const {
+    int axis = 0;
+    for(int other : {1, 2})
+      if(std::abs(scaled_.normal[other]) > std::abs(scaled_.normal[axis]))
+        axis = other;
+    int x = (axis + 1) % 3, y = (axis + 2) % 3;
+    if(scaled_.normal[axis] < 0.)
+      std::swap(x, y);
+    Picture picture;
+    for(const Surgery_mesh::Point& p : polygon_.points)
+      picture.emplace_back(p[x], p[y]);
+    return picture;
   }
 
   std::pair<Vector, Vector> axes() const {
