@@ -92,32 +92,30 @@ private:
       if(wall->number_of_borders() > most_mouths)
         return std::nullopt;
     }
-    const bool is_closed = takes_bores_that_meet_ ? is_flush_at_all_mouths(*wall)
-                                                  : is_flush_at_one_mouth(*wall, loop.length());
-    return is_closed ? wall : std::nullopt;
+    return are_mouths_closed_well(*wall, loop.length()) ? std::move(wall) : std::nullopt;
   }
 
   bool is_flush_at(const Cut_region& wall, std::size_t border) const {
     return is_flush(rim_of(mesh_, wall, border));
   }
 
-  bool is_flush_at_all_mouths(const Cut_region& wall) const {
-    std::size_t border = 0;
-    while(border < wall.number_of_borders() && is_flush_at(wall, border))
-      ++border;
-    return border == wall.number_of_borders();
+  std::size_t number_of_flush_mouths(const Cut_region& wall) const {
+    std::size_t number = 0;
+    for(std::size_t border = 0; border < wall.number_of_borders(); ++border)
+      number += is_flush_at(wall, border);
+    return number;
   }
 
-  // Others may be rounded, if they are narrow.
-  bool is_flush_at_one_mouth(const Cut_region& wall, double length_of_loop) const {
+  // Whether each is flush; or at least one is, and the others are narrow.
+  bool are_mouths_closed_well(const Cut_region& wall, double length_of_loop) const {
     constexpr double most_growth = 1.5;
-    bool is_any_flush = false;
+    const std::size_t number = number_of_flush_mouths(wall);
+    if(takes_bores_that_meet_ || number == 0)
+      return number == wall.number_of_borders();
     for(std::size_t border = 0; border < wall.number_of_borders(); ++border)
-      if(is_flush_at(wall, border))
-        is_any_flush = true;
-      else if(!(length(wall, border) <= most_growth * length_of_loop))
+      if(!(length(wall, border) <= most_growth * length_of_loop) && !is_flush_at(wall, border))
         return false;
-    return is_any_flush;
+    return true;
   }
 
   Flood flood(const std::vector<Index>& begin, std::size_t most) const {
@@ -150,11 +148,13 @@ private:
     return outward_ * height < 0.;
   }
 
-  // With what is beyond one of the mouths, if that belongs to it.
+  // With what is beyond one of the mouths, if that belongs to it. What has no mouth in a plane is
+  // no bore that others could meet.
   std::optional<Cut_region> widened(const Cut_region& wall, std::size_t most) const {
+    const bool may_meet = takes_bores_that_meet_ && number_of_flush_mouths(wall) > 0;
     for(std::size_t border = 0; border < wall.number_of_borders(); ++border) {
       std::optional<Cut_region> wider = with_counterbore(wall, border, most);
-      if(!wider && takes_bores_that_meet_)
+      if(!wider && may_meet)
         wider = with_bore_that_meets(wall, border, most);
       if(wider)
         return wider;
