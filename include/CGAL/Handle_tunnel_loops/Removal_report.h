@@ -85,7 +85,8 @@ struct Shape_change
   double cap_area = 0.;       ///< of what is new of the surface
   double cap_ratio = 0.;    ///< the largest area of a cap over that of a circle as long as its rim
   double displacement = 0.; ///< the largest distance of a point of a cap from the old surface
-  double burial = 0.;       ///< the largest distance of a point that was taken out from the new one
+  double burial = 0.; ///< the largest distance from the caps of a point that was taken out with
+                      ///< solid; what is buried in solid does not count
   double sharpest_angle = 180.; ///< the smallest dihedral angle at an edge of a cap, in degrees:
                                 ///< 180 where it is flat
   double box_growth = 0.;       ///< how far a cap leaves the bounding box of the surface

@@ -74,16 +74,14 @@ public:
     for(Index f : out_)
       add(triangle(f), old);
     std::vector<Point> points;
-    for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i) {
-      const Kernel::Triangle_3 t = triangle(patch_.faces[i]);
-      points.insert(points.end(), {t[0], t[1], t[2], CGAL::centroid(t), CGAL::midpoint(t[0], t[1]),
-                                   CGAL::midpoint(t[1], t[2]), CGAL::midpoint(t[2], t[0])});
-    }
+    for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
+      add_grid(triangle(patch_.faces[i]), points);
     return largest_distance(points, old);
   }
 
-  /// how far the vertices that are taken out, and the faces there, are from the caps.
-  double burial() const {
+  /// how far vertices that are taken out, and the faces there, are above the caps; \p outward is
+  /// which side that is. What is below is buried in the solid.
+  double burial(double outward) const {
     std::vector<Index> left;
     for(const Surgery_mesh::Face& f : patch_.faces)
       for(Index v : f)
@@ -104,7 +102,9 @@ public:
     Triangles caps;
     for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
       add(triangle(patch_.faces[i]), caps);
-    return largest_distance(points, caps);
+    return largest_distance(points, caps, [&](const Point& p, const Point& q, const Vector& n) {
+      return outward * ((p - q) * n) > 0.;
+    });
   }
 
   Box<3> box_of_caps() const {
@@ -131,18 +131,33 @@ private:
       all.push_back(t);
   }
 
-  static double largest_distance(const std::vector<Point>& points, const Triangles& triangles) {
+  // The distance of a triangle may be largest anywhere.
+  static void add_grid(const Kernel::Triangle_3& t, std::vector<Point>& points) {
+    constexpr int n = 4;
+    for(int i = 0; i <= n; ++i)
+      for(int k = 0; k <= n - i; ++k)
+        points.push_back(CGAL::barycenter(t[0], double(i) / n, t[1], double(k) / n, t[2]));
+  }
+
+  static bool counts_always(const Point&, const Point&, const Vector&) { return true; }
+
+  // Of points that count, given the nearest point of the triangles, and the normal there.
+  template <typename Predicate = bool (*)(const Point&, const Point&, const Vector&)>
+  static double largest_distance(const std::vector<Point>& points,
+                                 const Triangles& triangles,
+                                 const Predicate& counts = counts_always) {
     using Primitive = AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
     if(points.empty() || triangles.empty())
       return 0.;
     AABB_tree<AABB_traits<Kernel, Primitive>> tree(triangles.begin(), triangles.end());
     tree.build();
     double most = 0.;
-    Point nearby = triangles.front()[0]; // on the triangles
+    auto nearest = std::make_pair(triangles.front()[0], triangles.begin());
     for(const Point& p : points)
-      if(CGAL::squared_distance(p, nearby) > most) {
-        nearby = tree.closest_point(p, nearby);
-        most = (std::max)(most, CGAL::squared_distance(p, nearby));
+      if(CGAL::squared_distance(p, nearest.first) > most) {
+        nearest = tree.closest_point_and_primitive(p, nearest);
+        if(counts(p, nearest.first, normal(*nearest.second)))
+          most = (std::max)(most, CGAL::squared_distance(p, nearest.first));
       }
     return std::sqrt(most);
   }
@@ -212,10 +227,10 @@ private:
     largest = (std::max)(largest, fold);
   }
 
-  Vector normal(std::size_t face) const {
-    const Kernel::Triangle_3 t = triangle(patch_.faces[face]);
+  static Vector normal(const Kernel::Triangle_3& t) {
     return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
   }
+  Vector normal(std::size_t face) const { return normal(triangle(patch_.faces[face])); }
 
   // In degrees.
   static double fold(const Vector& m, const Vector& n) {
@@ -263,7 +278,7 @@ CGAL_HTL_CORE Judged_change Shape_judge::change(const Surgery_mesh& mesh,
   if(objection(change, intended).empty())
     change.displacement = measure.displacement();
   if(objection(change, intended).empty())
-    change.burial = measure.burial();
+    change.burial = measure.burial(outward_);
   return change;
 }
 
@@ -292,7 +307,7 @@ CGAL_HTL_CORE std::string Shape_judge::objection(const Judged_change& change,
         << " degrees";
   else if(change.displacement > intended.most_displacement)
     why << "a cap would be " << change.displacement << " away from the surface";
-  else if(change.volume_removed > change.volume_added && change.burial > intended.most_displacement)
+  else if(change.burial > intended.most_displacement)
     why << "surface would be taken away that is " << change.burial << " away from the caps";
   return why.str();
 }
