@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Makes a sheet of 40 meshes before and after all their handles are removed: parts, scans, lattices and
-# molecules, from a folder of meshes and generated; or the gallery of the manual, twelve of them, in at
-# most 500 kB. Builds htloops first. Needs Python with NumPy, SciPy and Pillow. Two sheets are made: OUT,
-# and OUT with "_small" in its name.
+# Makes a sheet of 40 meshes before and after all their handles are removed: 20 parts, 10 scans, and 10
+# lattices and molecules, of a folder of OFF files and of the generator. OUT.png shows the faces,
+# OUT_small.png what is odd at first sight. With --gallery, the twelve of the manual, in at most 500 kB.
+# Builds htloops first; needs Python, or PYTHON, with NumPy, SciPy and Pillow.
 #
 #   scripts/make_removal_sheet.sh FOLDER OUT.png
 #   scripts/make_removal_sheet.sh --gallery FOLDER OUT.png
 #
-# What FOLDER has not is left out, and said.
+# Meshes that FOLDER does not have are named and left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,36 +17,45 @@ if [ "${1:-}" = --gallery ]; then
   shift
 fi
 if [ $# -ne 2 ]; then
-  sed -n '/^#   /s/^# *//p' "$0" >&2
+  sed -n 's/^#   //p' "$0" >&2
   exit 2
 fi
 folder="$1"
 output="$2"
 
-parts=(plate_holes of_flange BracketInches IDGH_42400 thingi_73416 counter_unitsmm gmax15p_bed adns2610
-  cranck_cse aqp_bed hinge deckel ADIS16480 chassis_upright hanger extruder_idler engine_Adapted03dist
-  gearwheel impeller stratocaster)
-scans=(fertility_6k botijo_jg rocker-arm happy_buddha_54k dragon_100k elk_vmas chair_vmas seahorse_vmas
-  skull_low buddha_lihy)
-spread=(protein_2jho protein_1CID_27k cgal_cheese magstim_coil)
-generated=("lattice --genus 12" "gyroid --genus 8" "sponge --genus 20" "foam --genus 15"
-  "plates --genus 20" "ladder --genus 4")
-shown=(plate_holes of_flange deckel BracketInches chassis_upright hanger fertility_6k rocker-arm
-  botijo_jg protein_2jho "sponge --genus 20" "lattice --genus 12")
+# Names of files without .off, or what to generate.
+sheet=(
+  plate_holes of_flange BracketInches IDGH_42400 thingi_73416 counter_unitsmm gmax15p_bed adns2610
+  cranck_cse aqp_bed hinge deckel ADIS16480 chassis_upright hanger extruder_idler
+  engine_Adapted03dist gearwheel impeller stratocaster
+
+  fertility_6k botijo_jg rocker-arm happy_buddha_54k dragon_100k elk_vmas chair_vmas seahorse_vmas
+  skull_low buddha_lihy
+
+  protein_2jho protein_1CID_27k cgal_cheese magstim_coil
+  "generate lattice --genus 12 --faces 20000" "generate gyroid --genus 8 --faces 20000"
+  "generate sponge --genus 20" "generate foam --genus 15 --faces 20000"
+  "generate plates --genus 20" "generate bores"
+)
+twelve=(
+  of_flange adns2610 extruder_idler gmsh_t13 "generate plates --genus 20"
+  "generate bars --genus 20" "generate foam --genus 15 --faces 20000" "generate scan --genus 2"
+  "generate mug" "generate coral"
+  "generate lattice --genus 12 --faces 20000" "generate sponge --genus 20"
+)
 
 scripts/build.sh htloops
 made=$(mktemp --directory)
 trap 'rm -rf "$made"' EXIT
 
-# add NAME: the mesh of the folder, or what the generator makes of NAME, which has options then
+# found NAME: adds it to the meshes
 meshes=()
-add() {
-  local words mesh
+found() {
+  local words mesh="$folder/$1.off"
   read -ra words <<<"$1"
-  mesh="$folder/$1.off"
-  if [ "${#words[@]}" -gt 1 ]; then
-    mesh="$made/${words[0]}.off"
-    build/bin/htloops generate "${words[@]}" --faces 20000 -q -o "$mesh"
+  if [ "${words[0]}" = generate ]; then
+    mesh="$made/${words[1]}.off"
+    build/bin/htloops "${words[@]}" -q -o "$mesh"
   fi
   if [ -f "$mesh" ]; then
     meshes+=("$mesh")
@@ -57,15 +66,15 @@ add() {
 
 # draw OUT [OPTION of the sheet...]
 draw() {
-  python3 benchmark/python/removal_sheet.py -o "$@" "${meshes[@]}"
+  "${PYTHON:-python3}" benchmark/python/removal_sheet.py "${meshes[@]}" -o "$@"
+  du -h "$1"
 }
 
 if [ "$gallery" = yes ]; then
-  for name in "${shown[@]}"; do add "$name"; done
-  draw "$output" --size 190 --columns 4 --colours 64
+  for name in "${twelve[@]}"; do found "$name"; done
+  draw "$output" --size 260 --columns 4 --colours 192
 else
-  for name in "${parts[@]}" "${scans[@]}" "${spread[@]}" "${generated[@]}"; do add "$name"; done
-  draw "$output" --size 500 --columns 4
+  for name in "${sheet[@]}"; do found "$name"; done
+  draw "$output" --size 480 --columns 4
   draw "${output%.png}_small.png" --size 130 --columns 8
 fi
-ls -l "$output"
