@@ -84,8 +84,10 @@ def score(change, view):
 def in_frame(change, closely):
     """The points that are to be in the picture: all, or those of what is changed, with a margin."""
     everything = np.vstack([points for points, _ in change.meshes])
-    changed = [points[faces[own]].reshape(-1, 3)
-               for (points, faces), own in zip(change.meshes, change.changed)]
+    changed = [
+        points[faces[own]].reshape(-1, 3)
+        for (points, faces), own in zip(change.meshes, change.changed)
+    ]
     if not closely or sum(map(len, changed)) == 0:
         return everything
     low, high = np.vstack(changed).min(axis=0), np.vstack(changed).max(axis=0)
@@ -154,7 +156,10 @@ def main():
     wanted = options()
     with ThreadPoolExecutor(wanted.jobs) as pool:
         tiles = list(pool.map(lambda name: draw_one(wanted, name), wanted.meshes))
-    whole = sheet([picture for picture in tiles if picture is not None], wanted.columns)
+    tiles = [picture for picture in tiles if picture is not None]
+    if not tiles:
+        raise SystemExit("no mesh could be drawn")
+    whole = sheet(tiles, wanted.columns)
     if wanted.colours:
         whole = whole.quantize(wanted.colours, dither=Image.Dither.NONE)
     whole.save(wanted.output, optimize=True)
