@@ -15,7 +15,7 @@ python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-networkx p
 tests=("${tool[@]}" "${python[@]}" libgtest-dev assimp-utils)
 checks=("${tests[@]}" clang-format)
 all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshio python3-matplotlib
-  python3-distributed)
+  python3-pil python3-distributed)
 benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
 
 case "${1:-tool}" in
