@@ -106,16 +106,19 @@ private:
     return number;
   }
 
-  // Whether each is flush; or at least one is, and the others are narrow.
+  // Whether each is flush; or at least one is nearly so, and the others are narrow.
   bool are_mouths_closed_well(const Cut_region& wall, double length_of_loop) const {
     constexpr double most_growth = 1.5;
-    const std::size_t number = number_of_flush_mouths(wall);
-    if(takes_bores_that_meet_ || number == 0)
-      return number == wall.number_of_borders();
-    for(std::size_t border = 0; border < wall.number_of_borders(); ++border)
-      if(!(length(wall, border) <= most_growth * length_of_loop) && !is_flush_at(wall, border))
+    if(takes_bores_that_meet_)
+      return number_of_flush_mouths(wall) == wall.number_of_borders();
+    bool is_any_flush = false;
+    for(std::size_t border = 0; border < wall.number_of_borders(); ++border) {
+      const bool is_flush = is_flush_at(wall, border);
+      is_any_flush |= is_flush || is_nearly_flush(rim_of(mesh_, wall, border));
+      if(!is_flush && !(length(wall, border) <= most_growth * length_of_loop))
         return false;
-    return true;
+    }
+    return is_any_flush;
   }
 
   Flood flood(const std::vector<Index>& begin, std::size_t most) const {

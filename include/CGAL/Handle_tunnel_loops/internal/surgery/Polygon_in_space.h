@@ -79,16 +79,16 @@ struct Scaled_polygon
     return {from_origin(0), from_origin(1), from_origin(2)};
   }
 
-  /// whether all points lie on a plane.
-  bool is_flat() const {
-    return is_good() &&
-           std::all_of(points.begin(), points.end(), [&](const Point& p) { return is_level(p); });
+  /// whether all points lie on a plane, but for a part of the size.
+  bool is_flat(double most_height = tolerance) const {
+    return is_good() && std::all_of(points.begin(), points.end(),
+                                    [&](const Point& p) { return is_level(p, most_height); });
   }
 
   /// whether a point lies on the plane of the others, if they have one.
-  bool is_level(const Point& p) const {
+  bool is_level(const Point& p, double most_height = tolerance) const {
     const double length = std::sqrt(normal.squared_length());
-    return length > 0. && std::abs(normal * (p - center)) <= tolerance * length;
+    return length > 0. && std::abs(normal * (p - center)) <= most_height * length;
   }
 
   static constexpr double tolerance = 1e-6; ///< of the size: coordinates may have been floats

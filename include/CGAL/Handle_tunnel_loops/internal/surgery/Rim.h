@@ -88,6 +88,27 @@ inline bool is_flush(const Polygon_in_space& rim) {
   return true;
 }
 
+/// the same but for what is left where a part was meshed anew: borders that leave the plane a
+/// little, and faces beyond that do so here and there.
+inline bool is_nearly_flush(const Polygon_in_space& rim) {
+  constexpr double most_height = 0.03 /* of the size */, cosine = 0.966 /* of 15 degrees */,
+                   most_of_rim = 0.1;
+  const Scaled_polygon scaled(rim);
+  if(!scaled.is_flat(most_height))
+    return false;
+  double length = 0., uneven = 0.;
+  for(std::size_t side = 0; side < rim.size(); ++side) {
+    const auto& beyond = rim.normals_beyond[side];
+    const double step = std::sqrt(CGAL::squared_distance(
+        scaled.points[side], scaled.points[(side + 1) % scaled.points.size()]));
+    length += step;
+    if(!(scaled.normal * beyond >=
+         cosine * std::sqrt(scaled.normal.squared_length() * beyond.squared_length())))
+      uneven += step;
+  }
+  return uneven <= most_of_rim * length;
+}
+
 } // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_RIM_H
