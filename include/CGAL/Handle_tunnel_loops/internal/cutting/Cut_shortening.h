@@ -63,6 +63,7 @@ private:
 
   void shorten_component(Index some_halfedge) {
     some_halfedge_ = some_halfedge;
+    exchange_.clear();
     for(int round = 0; round < most_rounds; ++round) {
       const Disk_boundary boundary(problem_, cut_, some_halfedge_);
       edges_ = boundary.size() / 2;
@@ -103,6 +104,7 @@ private:
   bool accept(const Disk_boundary& boundary, const Arc_proposal& proposal) {
     changes_.clear();
     excess_ = 0;
+    tour_.begin_change();
     const Cut_arc& arc = exchange_.arcs()[proposal.arc];
     for(Index k = arc.first; k != arc.last; k = boundary.next(k))
       if(cut_.contains(boundary[k]))
@@ -157,6 +159,7 @@ private:
         erase(change->halfedge);
       else
         insert(change->halfedge);
+    tour_.take_change_back();
   }
 
   const Cut_problem& problem_;
