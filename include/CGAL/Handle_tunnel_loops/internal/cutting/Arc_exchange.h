@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -69,6 +70,7 @@ public:
       , labels_(problem.mesh.number_of_vertices())
       , cell_labels_(problem.mesh.number_of_vertices())
       , cell_of_(problem.mesh.number_of_vertices(), no_index)
+      , group_of_vertex_(problem.mesh.number_of_vertices(), no_index)
       , places_(problem.halfedges.size())
       , settled_size_(problem.halfedges.size(), 0) {}
 
@@ -110,10 +112,8 @@ private:
     const Index n = boundary_->size();
     group_.assign(n, no_index);
     arc_of_place_.assign(n, no_index);
-    most_ = 0.;
     for(std::size_t a = 0; a < arcs_.size(); ++a) {
       const Cut_arc& arc = arcs_[a];
-      most_ = (std::max)(most_, arc.is_kept ? 0. : arc.length);
       for(const auto& [first, last] :
           {std::make_pair(arc.first, arc.last), std::make_pair(arc.twin_first, arc.twin_last)})
       {
@@ -196,9 +196,14 @@ private:
   // By arc, the vertices that are nearest to it, and those on it.
   void collect_cells() {
     cells_.assign(arcs_.size(), {});
-    for(const Index v : labels_.reached())
-      if(const Index a = arc_of_place_[place_of(labels_[v])]; a != no_index)
+    for(const Index v : labels_.reached()) {
+      const Index place = place_of(labels_[v]), a = arc_of_place_[place];
+      group_of_vertex_[v] = group_[place];
+      if(a != no_index)
         cells_[a].push_back(v);
+    }
+    for(Index k = 0; k < boundary_->size(); ++k)
+      group_of_vertex_[boundary_->vertex(k)] = no_index; // each corner has its own
     for(std::size_t a = 0; a < arcs_.size(); ++a) {
       for(Index k = boundary_->next(arcs_[a].first); k != arcs_[a].last; k = boundary_->next(k))
         cells_[a].push_back(boundary_->vertex(k));
@@ -221,9 +226,12 @@ private:
       for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h)
         note(halfedges_.target(h));
     }
+    most_ = 0.;
     for(std::size_t a = 0; a < arcs_.size(); ++a)
       if(arcs_[a].is_kept)
         is_to_try_[a] = 0;
+      else if(is_to_try_[a])
+        most_ = (std::max)(most_, arcs_[a].length);
   }
 
   Index size_of(const Cut_arc& arc) const { return boundary_->places_from(arc.first, arc.last); }
@@ -242,9 +250,7 @@ private:
         problem_.execution, reached.size(), [&](std::size_t begin, std::size_t end) {
           std::vector<Chord_of_groups> some;
           for(std::size_t i = begin; i < end; ++i)
-            for(Index h = halfedges_.begin(reached[i]); h < halfedges_.end(reached[i]); ++h)
-              if(is_on_cut(halfedges_.target(h)) || reached[i] < halfedges_.target(h))
-                add_chord(h, some);
+            add_chords_from(reached[i], some);
           return some;
         });
     for(Index k = 0; k < boundary_->size(); ++k)
@@ -255,12 +261,20 @@ private:
     const auto key = [](const Chord_of_groups& c) {
       return std::tie(c.from_group, c.to_group, c.length, c.halfedge);
     };
-    std::sort(chords.begin(), chords.end(),
-              [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    sort(problem_.execution, chords.begin(), chords.end(),
+         [&](const auto& a, const auto& b) { return key(a) < key(b); });
     const auto end = std::unique(chords.begin(), chords.end(), [](const auto& a, const auto& b) {
       return a.from_group == b.from_group && a.to_group == b.to_group;
     });
     chords_ = Chord_tree(std::vector<Chord>(chords.begin(), end));
+  }
+
+  void add_chords_from(Index v, std::vector<Chord_of_groups>& chords) const {
+    for(Index h = halfedges_.begin(v); h < halfedges_.end(v); ++h) {
+      const Index u = halfedges_.target(h);
+      if(group_of_vertex_[u] != group_of_vertex_[v] && (is_on_cut(u) || v < u))
+        add_chord(h, chords);
+    }
   }
 
   void add_chord(Index h, std::vector<Chord_of_groups>& chords) const {
@@ -350,12 +364,13 @@ private:
   const Disk_boundary* boundary_ = nullptr;
   std::vector<Cut_arc> arcs_;
   std::vector<Index> group_, arc_of_place_;    // by place
-  double most_ = 0.;                           // no way is longer
+  double most_ = 0.;                           // no chord that is longer is of use
   Shortest_paths<Label> labels_, cell_labels_; // by vertex
   std::vector<std::vector<Index>> cells_;      // by arc
   std::vector<Index> cell_of_;                 // by vertex
-  std::vector<Index> places_;                  // by halfedge that leaves a vertex of the cut
-  std::vector<Index> changed_;                 // vertices with a new label, or none any more
+  std::vector<Index> group_of_vertex_;
+  std::vector<Index> places_;       // by halfedge that leaves a vertex of the cut
+  std::vector<Index> changed_;      // vertices with a new label, or none any more
   std::vector<Index> settled_size_; // by halfedge, of the arc from there without a shorter way
   std::vector<char> is_to_try_;     // by arc
   Chord_tree chords_;

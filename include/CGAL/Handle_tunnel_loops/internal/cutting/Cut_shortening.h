@@ -58,8 +58,8 @@ private:
   };
 
   static constexpr int most_rounds = 40;
-  // Each round takes as long as the first one, and the last ones gain next to nothing.
-  static constexpr double least_gain = 1e-4; // of the length of the cut, in a round
+  // The last rounds gain next to nothing, and each looks for chords on the whole surface.
+  static constexpr double least_gain = 1e-3; // of the length of the cut, in a round
 
   void shorten_component(Index some_halfedge) {
     some_halfedge_ = some_halfedge;
