@@ -59,7 +59,7 @@ private:
 
   static constexpr int most_rounds = 40;
   // The last rounds gain next to nothing, and each looks for chords on the whole surface.
-  static constexpr double least_gain = 1e-3; // of the length of the cut, in a round
+  static constexpr double least_gain = 5e-4; // of the length of the cut, in a round
 
   void shorten_component(Index some_halfedge) {
     some_halfedge_ = some_halfedge;
