@@ -86,7 +86,7 @@ public:
 private:
   // About where a count takes as long as writing the boundary down, shared by the counts up to
   // then.
-  bool is_outdated() const { return number_changed_ * number_changed_ > 32 * boundary_.size(); }
+  bool is_outdated() const { return number_changed_ * number_changed_ > 256 * boundary_.size(); }
 
   void mark(Index h) {
     const Index k = place_[h];
