@@ -68,6 +68,7 @@ TEST(Boundary_tour, CountsWhatAWalkCounts) {
       const Index change = random.below(4) == 0   ? random_index(random, problem.halfedges.size())
                            : random.below(3) == 0 ? at
                                                   : problem.halfedges.after(at);
+      tour.begin_change();
       flip(cut, change, tour);
       in_cut = halfedges_of(problem, cut);
       if(in_cut.empty())
@@ -78,6 +79,7 @@ TEST(Boundary_tour, CountsWhatAWalkCounts) {
       ++(is_cycle ? cycles : others);
       if(!is_cycle && random.below(8) != 0) {
         flip(cut, change, tour);
+        tour.take_change_back();
         in_cut = halfedges_of(problem, cut);
       }
     }

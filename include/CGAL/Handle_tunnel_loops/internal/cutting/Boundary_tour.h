@@ -46,6 +46,7 @@ public:
     is_changed_.clear();
     is_changed_.resize(boundary_.size());
     number_changed_ = 0;
+    latest_.clear();
   }
 
   /// to be told of each edge that is inserted or erased, after that.
@@ -54,6 +55,17 @@ public:
       mark(k);
       mark(preceding(k));
     }
+  }
+
+  /// what is changed from here on may be taken back.
+  void begin_change() { latest_.clear(); }
+
+  /// to be told when the edges are as they were at `begin_change()`.
+  void take_change_back() {
+    for(const Index k : latest_)
+      is_changed_.reset(k);
+    number_changed_ -= latest_.size();
+    latest_.clear();
   }
 
   /// whether the boundary is one cycle of so many halfedges, one of which is h.
@@ -74,12 +86,14 @@ public:
 private:
   // About where a count takes as long as writing the boundary down, shared by the counts up to
   // then.
-  bool is_outdated() const { return number_changed_ * number_changed_ > 32 * boundary_.size(); }
+  bool is_outdated() const { return number_changed_ * number_changed_ > 256 * boundary_.size(); }
 
   void mark(Index h) {
     const Index k = place_[h];
-    if(k != no_index && !is_changed_.test_set(k))
-      ++number_changed_;
+    if(k == no_index || is_changed_.test_set(k))
+      return;
+    ++number_changed_;
+    latest_.push_back(k);
   }
 
   // What the halfedge follows, or would if it were in the cut.
@@ -107,6 +121,7 @@ private:
   // By place, whether something else may follow.
   boost::dynamic_bitset<> is_changed_;
   std::size_t number_changed_ = 0;
+  std::vector<Index> latest_; // places that were not changed before the last change began
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -29,10 +29,12 @@ enum class Edge_rule : unsigned char { FREE, KEEP, AVOID };
 /// Edges to hubs cost nothing, and those on the boundary are not to be cut.
 struct Cut_problem
 {
-  Cut_problem(Execution execution, const Flat_mesh& m)
-      : mesh(m)
-      , halfedges(execution, m) {}
+  Cut_problem(Execution e, const Flat_mesh& m)
+      : execution(e)
+      , mesh(m)
+      , halfedges(e, m) {}
 
+  Execution execution;
   const Flat_mesh& mesh;
   Flat_halfedges halfedges;
   std::vector<double> weight;            ///< by halfedge, the same both ways

@@ -58,11 +58,12 @@ private:
   };
 
   static constexpr int most_rounds = 40;
-  // Each round takes as long as the first one, and the last ones gain next to nothing.
-  static constexpr double least_gain = 1e-4; // of the length of the cut, in a round
+  // The last rounds gain next to nothing, and each looks for chords on the whole surface.
+  static constexpr double least_gain = 5e-4; // of the length of the cut, in a round
 
   void shorten_component(Index some_halfedge) {
     some_halfedge_ = some_halfedge;
+    exchange_.clear();
     for(int round = 0; round < most_rounds; ++round) {
       const Disk_boundary boundary(problem_, cut_, some_halfedge_);
       edges_ = boundary.size() / 2;
@@ -103,6 +104,7 @@ private:
   bool accept(const Disk_boundary& boundary, const Arc_proposal& proposal) {
     changes_.clear();
     excess_ = 0;
+    tour_.begin_change();
     const Cut_arc& arc = exchange_.arcs()[proposal.arc];
     for(Index k = arc.first; k != arc.last; k = boundary.next(k))
       if(cut_.contains(boundary[k]))
@@ -157,6 +159,7 @@ private:
         erase(change->halfedge);
       else
         insert(change->halfedge);
+    tour_.take_change_back();
   }
 
   const Cut_problem& problem_;

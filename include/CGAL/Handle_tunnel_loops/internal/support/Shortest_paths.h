@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <queue>
@@ -81,6 +82,15 @@ public:
   }
   template <typename Visit> void grow(const Visit& visit) {
     grow([](auto) { return true; }, visit);
+  }
+
+  /// takes the labels of places back, from which nothing is to be visited any more.
+  void forget(const std::vector<Index>& places) {
+    for(const Index i : places)
+      labels_[i] = Label();
+    reached_.erase(
+        std::remove_if(reached_.begin(), reached_.end(), [&](Index i) { return !is_reached(i); }),
+        reached_.end());
   }
 
   void clear() {
