@@ -34,7 +34,8 @@ namespace CGAL::Handle_tunnel_loops::internal {
 Finds the wall of the bore that a tunnel loop goes around: the faces that are reached from it
 without passing a convex edge of the solid, if they are bounded by the mouths of the bore. If a
 mouth lies at the bottom of a counterbore, the wall of that belongs to it. Where bores meet there
-are convex edges; if so wanted, what is beyond a mouth in no plane belongs to the wall, too.
+are convex edges; if so wanted, what is beyond a mouth in no plane belongs to the wall, too. One
+mouth lies in a plane, or all but does: what is rounded everywhere is no bore.
 */
 class Bore_search
 {
