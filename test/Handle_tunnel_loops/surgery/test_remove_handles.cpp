@@ -381,6 +381,17 @@ TEST(Handle_removal, RemovesAsManyHoweverTheMeshIsNumbered) {
   }
 }
 
+// A surface that crosses itself all over, with points that coincide: what can't be removed is
+// refused.
+TEST(Handle_removal, RefusesHandlesOfRandomSurfaces) {
+  Mesh mesh = mesh_of(recipe("random", 10000, 100));
+  const htl::Removal_report report = CGAL::remove_handles(mesh);
+  EXPECT_EQ(report.removed.size() + report.refused.size(), 100u);
+  EXPECT_EQ(report.genus_after, report.refused.size());
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_EQ(euler_characteristic(mesh), 2 - 2 * static_cast<std::ptrdiff_t>(report.genus_after));
+}
+
 TEST(Handle_removal, StopsAtTheTargetSmallestFirst) {
   for(std::size_t target : {0, 3, 4, 7, 8}) {
     Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));

@@ -443,8 +443,9 @@ private:
     std::vector<Way> ways;
     for(std::size_t i = 0; i < size(); ++i) {
       const Edge_crossing &from = crossings_[before(i)], &to = crossings_[i];
-      const auto [begin, end] = std::minmax<double>(mesh.twin(from.halfedge) % 3 + 1. - from.ratio,
-                                                    to.halfedge % 3 + to.ratio);
+      // By value: they are temporary.
+      const auto [begin, end] =
+          std::minmax({mesh.twin(from.halfedge) % 3 + 1. - from.ratio, to.halfedge % 3 + to.ratio});
       ways.push_back({mesh.face(to.halfedge), begin, end});
     }
     std::stable_sort(ways.begin(), ways.end(),
