@@ -220,7 +220,7 @@ impl::Patch caps_of(const Surgery_mesh& mesh, const Cut_region& region) {
 impl::Patch membranes_of(const Surgery_mesh& mesh, const Curve_off_vertices& curve) {
   impl::Patch caps;
   impl::for_each_membrane(mesh, curve, impl::Divided_strip(mesh, curve),
-                          impl::Polygon_in_space::UPRIGHT, [&](const impl::Patch& patch) {
+                          impl::Polygon_in_space::INSIDE, [&](const impl::Patch& patch) {
                             caps = patch;
                             return true;
                           });
@@ -302,7 +302,7 @@ TEST(Surgery, MakesTheSameCapsWhereverTheyAreInMemory) {
         };
         impl::for_each_cap(surface.mesh, *strip, take);
         impl::for_each_membrane(surface.mesh, curve, impl::Divided_strip(surface.mesh, curve),
-                                impl::Polygon_in_space::UPRIGHT, take);
+                                impl::Polygon_in_space::INSIDE, take);
         return all;
       };
       const std::vector<impl::Patch> expected = all_caps();

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Concave_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Polygon_in_space.h>
@@ -40,22 +41,27 @@ mouth lies in a plane, or all but does: what is rounded everywhere is no bore.
 class Bore_search
 {
 public:
-  /// \p outward is 1 if the faces point out of the solid, -1 if they point into it.
-  Bore_search(const Surgery_mesh& mesh, double outward, bool takes_bores_that_meet)
+  Bore_search(const Surgery_mesh& mesh, const Concave_pieces& pieces)
       : mesh_(mesh)
-      , outward_(outward)
-      , takes_bores_that_meet_(takes_bores_that_meet) {}
+      , pieces_(pieces) {}
+
+  /// Of a bore by itself, and together with bores that it meets; there may be but one of them.
+  struct Walls
+  {
+    std::optional<Cut_region> alone, joined;
+    bool is_any() const { return alone || joined; }
+  };
 
   /// of a bore that a loop goes around. Gives up where the wall is many times as
   /// large, or has many mouths. Near linear in its size.
-  std::optional<Cut_region> wall_at(const Curve_off_vertices& loop) const {
+  Walls walls_at(const Curve_off_vertices& loop) const {
     const std::vector<Index> faces = loop.faces();
     const std::size_t most = most_tried + 64 * faces.size();
-    std::optional<Cut_region> wall = wall_of(flood(faces, most), loop, most);
+    Walls walls = walls_of(flood(faces, most), loop, most);
     // At a mouth, some of the faces are beyond it.
     std::vector<Index> tried;
     std::size_t number = 0; // of faces reached in vain, but for those from where there is no end
-    for(std::size_t i = 0; i < faces.size() && !wall && number < most_tried; ++i) {
+    for(std::size_t i = 0; i < faces.size() && !walls.is_any() && number < most_tried; ++i) {
       if(is_in(faces[i], tried))
         continue;
       Flood reached = flood({faces[i]}, most_tried);
@@ -63,14 +69,14 @@ public:
       make_set(tried);
       if(reached.is_bounded) {
         number += reached.faces.size();
-        wall = wall_of(std::move(reached), loop, most_tried + 64);
+        walls = walls_of(std::move(reached), loop, most_tried + 64);
       }
     }
-    return wall;
+    return walls;
   }
 
 private:
-  static constexpr std::size_t most_tried = 4000;
+  static constexpr std::size_t most_tried = 4000, most_mouths = 16;
 
   // What is reached without passing a convex edge.
   struct Flood
@@ -80,20 +86,33 @@ private:
   };
 
   // A counterbore may have so many faces.
-  std::optional<Cut_region>
-  wall_of(Flood reached, const Curve_off_vertices& loop, std::size_t most) const {
+  Walls walls_of(Flood reached, const Curve_off_vertices& loop, std::size_t most) const {
+    Walls walls;
     if(!reached.is_bounded)
-      return std::nullopt;
+      return walls;
     std::optional<Cut_region> wall = Cut_region::wall(mesh_, std::move(reached.faces));
-    constexpr std::size_t most_mouths = 16;
     if(!wall || wall->number_of_borders() > most_mouths)
-      return std::nullopt;
-    while(std::optional<Cut_region> wider = widened(*wall, most)) {
-      wall = std::move(wider);
-      if(wall->number_of_borders() > most_mouths)
-        return std::nullopt;
-    }
-    return are_mouths_closed_well(*wall, loop.length()) ? std::move(wall) : std::nullopt;
+      return walls;
+    const auto counterbores = [&](const Cut_region& w, std::size_t border) {
+      return with_counterbore(w, border, most);
+    };
+    wall = widened(std::move(*wall), counterbores);
+    if(!wall)
+      return walls;
+    // What has no mouth in a plane is no bore that others could meet.
+    if(const std::size_t number = number_of_flush_mouths(*wall);
+       number == wall->number_of_borders())
+      walls.joined = wall;
+    else if(number > 0)
+      walls.joined = widened(*wall, [&](const Cut_region& w, std::size_t border) {
+        auto wider = counterbores(w, border);
+        return wider ? std::move(wider) : with_bore_that_meets(w, border, most);
+      });
+    if(walls.joined && number_of_flush_mouths(*walls.joined) != walls.joined->number_of_borders())
+      walls.joined.reset();
+    if(are_mouths_closed_well(*wall, loop.length()))
+      walls.alone = std::move(wall);
+    return walls;
   }
 
   bool is_flush_at(const Cut_region& wall, std::size_t border) const {
@@ -110,8 +129,6 @@ private:
   // Whether each is flush; or at least one is nearly so, and the others are narrow.
   bool are_mouths_closed_well(const Cut_region& wall, double length_of_loop) const {
     constexpr double most_growth = 1.5;
-    if(takes_bores_that_meet_)
-      return number_of_flush_mouths(wall) == wall.number_of_borders();
     bool is_any_flush = false;
     for(std::size_t border = 0; border < wall.number_of_borders(); ++border) {
       const bool is_flush = is_flush_at(wall, border);
@@ -123,47 +140,44 @@ private:
   }
 
   Flood flood(const std::vector<Index>& begin, std::size_t most) const {
-    Flood flood{begin, true};
+    Flood flood{{}, true};
     std::vector<Index>& reached = flood.faces;
-    std::unordered_set<Index> is_reached(begin.begin(), begin.end());
-    for(std::size_t i = 0; i < reached.size() && flood.is_bounded; ++i) {
-      flood.is_bounded = reached.size() <= most && !mesh_.is_in_cap(reached[i]);
+    std::unordered_set<Index> is_reached, pieces;
+    std::size_t size = 0; // of the pieces
+    const auto reach = [&](Index f) {
+      if(!is_reached.insert(f).second)
+        return;
+      reached.push_back(f);
+      const Index piece = pieces_.piece(f);
+      if(piece != no_index && pieces.insert(piece).second)
+        size += pieces_.size(piece);
+      flood.is_bounded =
+          flood.is_bounded && size <= most && reached.size() <= most && !mesh_.is_in_cap(f);
+    };
+    for(Index f : begin)
+      reach(f);
+    for(std::size_t i = 0; i < reached.size() && flood.is_bounded; ++i)
       for(Index h : {3 * reached[i], 3 * reached[i] + 1, 3 * reached[i] + 2})
-        if(!is_convex(h) && is_reached.insert(mesh_.face(mesh_.twin(h))).second)
-          reached.push_back(mesh_.face(mesh_.twin(h)));
-    }
+        if(const Index f = mesh_.face(mesh_.twin(h));
+           is_reached.count(f) == 0 && !pieces_.is_convex(h))
+          reach(f);
     make_set(reached);
     return flood;
   }
 
-  // By more than five degrees.
-  bool is_convex(Index h) const {
-    constexpr double cosine = 0.996;
-    const Index g = mesh_.twin(h);
-    const auto m = normal_of(mesh_, mesh_.face(h)), n = normal_of(mesh_, mesh_.face(g));
-    const double lengths = m.squared_length() * n.squared_length();
-    if(lengths == 0. || m * n >= cosine * std::sqrt(lengths))
-      return false;
-    const Surgery_mesh::Point &p = mesh_.point(mesh_.source(h)),
-                              &q = mesh_.point(mesh_.target(mesh_.next(g)));
-    double height = 0.; // of the other face above this one
-    for(int axis = 0; axis < 3; ++axis)
-      height += m[axis] * (q[axis] / 2. - p[axis] / 2.);
-    return outward_ * height < 0.;
-  }
-
-  // With what is beyond one of the mouths, if that belongs to it. What has no mouth in a plane is
-  // no bore that others could meet.
-  std::optional<Cut_region> widened(const Cut_region& wall, std::size_t most) const {
-    const bool may_meet = takes_bores_that_meet_ && number_of_flush_mouths(wall) > 0;
-    for(std::size_t border = 0; border < wall.number_of_borders(); ++border) {
-      std::optional<Cut_region> wider = with_counterbore(wall, border, most);
-      if(!wider && may_meet)
-        wider = with_bore_that_meets(wall, border, most);
-      if(wider)
-        return wider;
-    }
-    return std::nullopt;
+  // With what is beyond the mouths, as long as `wider(wall, border)` gives that of one. None if
+  // there are too many in the end.
+  template <typename Function>
+  std::optional<Cut_region> widened(Cut_region wall, const Function& wider) const {
+    for(std::size_t border = 0; border < wall.number_of_borders();)
+      if(std::optional<Cut_region> next = wider(wall, border)) {
+        wall = std::move(*next);
+        if(wall.number_of_borders() > most_mouths)
+          return std::nullopt;
+        border = 0;
+      } else
+        ++border;
+    return wall;
   }
 
   // A ring around a mouth, up to one that is flush with what is around it, and not much larger.
@@ -234,8 +248,7 @@ private:
   }
 
   const Surgery_mesh& mesh_;
-  const double outward_;
-  const bool takes_bores_that_meet_;
+  const Concave_pieces& pieces_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

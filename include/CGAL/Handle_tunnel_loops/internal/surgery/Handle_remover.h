@@ -249,7 +249,7 @@ private:
   }
 
   // Whether any handle that could not be removed, where other handles were, can be if it comes
-  // first: with those around it, which are tried alone unless they are many.
+  // first: those are tried alone.
   template <typename VertexIndexMap, typename FaceIndexMap>
   bool may_do_better(std::vector<Removal_task> tasks,
                      const std::vector<Removal_task>& done,
@@ -258,20 +258,11 @@ private:
     const std::set<std::size_t> hindered = pairs_of(done, is_hindered);
     if(hindered.empty())
       return false;
-    const std::set<std::size_t> around = pairs_of(done, [&](const Removal_task& task) {
-      return std::any_of(done.begin(), done.end(), [&](const Removal_task& other) {
-        return is_hindered(other) && other.reach.meets(task.reach);
-      });
-    });
-    if(2 * around.size() > number_with(Removal_task::State::REMOVED, done))
-      return true;
     for(Removal_task& task : tasks)
-      if(around.count(task.pair) == 0)
+      if(hindered.count(task.pair) == 0)
         task.state = Removal_task::State::KEPT;
-    tasks = attempt_at(hindered_first(std::move(tasks), done), vertex_index, face_index).tasks;
-    return std::any_of(tasks.begin(), tasks.end(), [&](const Removal_task& task) {
-      return task.state == Removal_task::State::REMOVED && hindered.count(task.pair) != 0;
-    });
+    tasks = attempt_at(std::move(tasks), vertex_index, face_index).tasks;
+    return number_with(Removal_task::State::REMOVED, tasks) > 0;
   }
 
   static bool is_hindered(const Removal_task& task) {
@@ -291,8 +282,8 @@ private:
   static std::vector<Removal_task> hindered_first(std::vector<Removal_task> tasks,
                                                   const std::vector<Removal_task>& done) {
     const std::set<std::size_t> hindered = pairs_of(done, is_hindered);
-    std::stable_partition(tasks.begin(), tasks.end(),
-                          [&](const Removal_task& task) { return hindered.count(task.pair) != 0; });
+    for(Removal_task& task : tasks)
+      task.comes_first = hindered.count(task.pair) != 0;
     return tasks;
   }
 

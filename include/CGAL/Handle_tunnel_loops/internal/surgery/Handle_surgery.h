@@ -109,19 +109,22 @@ public:
     is_harmless = false;
     has_caps_ = false;
     obstacle_ = Obstacle();
+    if(intended.may_cross && !crosses_anything(mesh, contacts))
+      return; // nothing new
     const auto is_wanted = [&](const Patch& patch) {
-      const std::optional<Obstacle> obstacle = obstacle_to(patch, mesh, contacts, judge, intended);
-      if(obstacle)
+      if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
         obstacle_.take(*obstacle);
-      else
-        patch_ = patch;
-      return has_caps_ = !obstacle;
+        return false;
+      }
+      patch_ = patch;
+      return has_caps_ = true;
     };
     if(region_)
       for_each_cap(mesh, *region_, is_wanted);
     else
-      for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_),
-                        side_of_membranes(intended, judge.outward()), is_wanted);
+      for(const auto side : sides_of_membranes(intended, judge.outward()))
+        if(!has_caps_)
+          for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_), side, is_wanted);
   }
 
   bool has_caps() const { return has_caps_; }
@@ -152,12 +155,14 @@ private:
   }
 
   // Solid is taken away between membranes inside.
-  static Polygon_in_space::At_sides side_of_membranes(const Intended_change& intended,
-                                                      double outward) {
-    if(intended.may_add && intended.may_remove)
-      return Polygon_in_space::UPRIGHT;
-    return intended.may_add == (outward > 0.) ? Polygon_in_space::OUTSIDE
-                                              : Polygon_in_space::INSIDE;
+  static std::vector<Polygon_in_space::At_sides> sides_of_membranes(const Intended_change& intended,
+                                                                    double outward) {
+    std::vector<Polygon_in_space::At_sides> sides;
+    if(intended.may_remove)
+      sides.push_back(outward > 0. ? Polygon_in_space::INSIDE : Polygon_in_space::OUTSIDE);
+    if(intended.may_add)
+      sides.push_back(outward > 0. ? Polygon_in_space::OUTSIDE : Polygon_in_space::INSIDE);
+    return sides;
   }
 
   bool are_mouths_flush(const Surgery_mesh& mesh) const {
@@ -169,6 +174,28 @@ private:
     return true;
   }
 
+  // Whether what is taken out does.
+  bool crosses_anything(const Surgery_mesh& mesh, const Mesh_contacts& contacts) const {
+    const auto never = [](auto...) { return false; };
+    Patch patch;
+    for(Index f : out_)
+      patch.faces.push_back(mesh.corners(f));
+    const Placed_patch placed(mesh, patch);
+    return !placed.is_embedded(never) || contacts.meets(placed, out_, never);
+  }
+
+  bool is_embedded(const Placed_patch& placed,
+                   const Surgery_mesh& mesh,
+                   const Intended_change& intended) const {
+    if(!intended.may_cross)
+      return placed.is_embedded([](Index, Index) { return false; });
+    const Former_contacts former(mesh, out_);
+    const bool have_met = former.meet_each_other();
+    return placed.is_embedded([&](Index, Index j) {
+      return have_met && (!placed.is_part(j) || former.meet(placed.parent(j)));
+    });
+  }
+
   std::optional<Obstacle> obstacle_to(const Patch& patch,
                                       const Surgery_mesh& mesh,
                                       const Mesh_contacts& contacts,
@@ -176,14 +203,18 @@ private:
                                       const Intended_change& intended) {
     const Placed_patch placed(mesh, patch);
     reach_.extend(placed.box());
-    if(!placed.is_embedded())
+    if(!is_embedded(placed, mesh, intended))
       return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
-    if(contacts.meets(placed, out_))
+    if(contacts.meets(placed, out_, [&](Index f) {
+         return intended.may_cross && Former_contacts(mesh, out_).meet(placed_triangle(mesh, f));
+       }))
       return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
     const Judged_change change = judge.change(mesh, out_, patch, intended);
-    change_ = change;
     const std::string why = judge.objection(change, intended);
-    return why.empty() ? std::nullopt : std::optional<Obstacle>({Obstacle::SHAPE, why});
+    if(!why.empty())
+      return Obstacle{Obstacle::SHAPE, why};
+    change_ = change;
+    return std::nullopt;
   }
 
   // One of them.

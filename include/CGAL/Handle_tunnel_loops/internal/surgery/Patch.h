@@ -199,6 +199,33 @@ inline Index put_in_place(Surgery_mesh& mesh, const std::vector<Index>& faces, c
   return mesh.replace(faces, in);
 }
 
+/// Which faces some others cross. Where a surface crosses itself, what takes the place of a part of
+/// it cannot but cross what that has crossed.
+class Former_contacts
+{
+public:
+  Former_contacts(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
+    for(Index f : faces)
+      triangles_.push_back(placed_triangle(mesh, f));
+  }
+
+  /// whether one of the faces, but for that itself, meets another one.
+  bool meet(const Placed_triangle& other) const {
+    return std::any_of(triangles_.begin(), triangles_.end(), [&](const Placed_triangle& t) {
+      return t.vertices != other.vertices && are_in_contact(t, other);
+    });
+  }
+
+  /// whether two of the faces meet each other.
+  bool meet_each_other() const {
+    return std::any_of(triangles_.begin(), triangles_.end(),
+                       [this](const Placed_triangle& t) { return meet(t); });
+  }
+
+private:
+  std::vector<Placed_triangle> triangles_;
+};
+
 /// The faces of a patch where they lie. Parts of faces of the mesh may meet what these meet.
 class Placed_patch
 {
@@ -245,26 +272,30 @@ public:
         });
   }
 
-  /// whether all triangles have an area, and none meets another one, but for parts of faces.
-  bool is_embedded() const {
+  /// whether all triangles have an area, and none meets another one, but for parts of faces; or for
+  /// those for which `may_meet(i, j)`.
+  template <typename Predicate> bool is_embedded(const Predicate& may_meet) const {
     for(std::size_t i = parents_.size(); i < triangles_.size(); ++i)
       if(triangles_[i].is_degenerate())
         return false;
     const Placed_boxes near = placed_boxes();
     const auto box = [this](Index i) { return boxes_[i]; };
     // Parts come first, and do not meet each other.
-    return !near.any_meeting(near, box, box, [this](Index i, Index j) {
-      return i > j && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]);
+    return !near.any_meeting(near, box, box, [&](Index i, Index j) {
+      return i > j && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]) &&
+             !may_meet(i, j);
     });
   }
+
+  /// whether a triangle is part of a face of the mesh, and which one that is.
+  bool is_part(std::size_t i) const { return i < parents_.size(); }
+  const Placed_triangle& parent(std::size_t i) const { return parents_[i]; }
 
   Placed_boxes placed_boxes() const {
     return Placed_boxes(Execution(), boxes_.size(), [this](std::size_t i) { return boxes_[i]; });
   }
 
 private:
-  bool is_part(std::size_t i) const { return i < parents_.size(); }
-
   std::vector<Placed_triangle> triangles_, parents_;
   std::vector<Box<3>> boxes_; // of the triangles
   Box<3> box_ = Box<3>::empty();
@@ -292,9 +323,11 @@ public:
     layers_.push_back({begin, end, boxes(execution, begin, end)});
   }
 
-  /// whether a patch meets a face that is not in a set of those that it takes the place of. Near
-  /// linear in the size of the patch.
-  bool meets(const Placed_patch& patch, const std::vector<Index>& out) const {
+  /// whether a patch meets a face that is not in a set of those that it takes the place of; but for
+  /// those that `may_meet(f)`. Near linear in the size of the patch.
+  template <typename Predicate>
+  bool
+  meets(const Placed_patch& patch, const std::vector<Index>& out, const Predicate& may_meet) const {
     CGAL_precondition(!layers_.empty() && layers_.back().end == mesh_.face_bound());
     const Placed_boxes boxes_of_patch = patch.placed_boxes();
     return std::any_of(layers_.begin(), layers_.end(), [&](const Layer& layer) {
@@ -303,7 +336,7 @@ public:
           [&](Index t) { return patch.box(t); },
           [&](Index i, Index t) {
             const Index f = layer.begin + i;
-            return !is_in(f, out) && patch.meets(t, placed_triangle(mesh_, f));
+            return !is_in(f, out) && patch.meets(t, placed_triangle(mesh_, f)) && !may_meet(f);
           });
     });
   }

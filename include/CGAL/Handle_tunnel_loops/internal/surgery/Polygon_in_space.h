@@ -33,9 +33,9 @@ struct Polygon_in_space
   std::vector<Simple_cartesian<double>::Vector_3> normals_beyond = {};
   /// the third corners of the same faces, or none at all.
   std::vector<Surgery_mesh::Point> corners_beyond = {};
-  /// whether the triangles should continue these faces; or stand on them at right angles, outside
-  /// of them, or inside, or on either side.
-  enum At_sides { CONTINUED, OUTSIDE, INSIDE, UPRIGHT };
+  /// whether the triangles should continue these faces; or stand on them, at right angles if that
+  /// can be, outside of them, or inside.
+  enum At_sides { CONTINUED, OUTSIDE, INSIDE };
   At_sides at_sides = CONTINUED;
   /// whether two points are joined by an edge elsewhere already.
   std::function<bool(std::size_t, std::size_t)> are_joined = {};

@@ -25,7 +25,8 @@ struct Region_choice
   enum Style {
     KNOB,  ///< the faces at both loops, and some rings more, of a handle that sits on the surface
            ///< like a knob on a lid
-    BORE,  ///< the wall of a bore that the loop goes around; with rings, and of bores that it meets
+    BORE,  ///< the wall of a bore that the loop goes around; with rings, and of bores that it
+           ///< meets, if it does
     STRIP, ///< a narrow strip along the loop
     RINGS, ///< the faces at the loop, and some rings more
     WHOLE  ///< the faces at both loops, and some rings more
@@ -33,6 +34,7 @@ struct Region_choice
   Style style;
   std::size_t loop; ///< the number of its choice
   int rings;
+  bool may_cross = false; ///< whether caps may cross what the surface there crosses
 
   bool takes_both_loops() const { return style == WHOLE || style == KNOB; }
   bool is_along_curve() const { return style == STRIP || style == BORE; }
@@ -59,6 +61,8 @@ inline std::vector<Region_choice> region_choices(const Removal_task& task,
   if(are_both_allowed)
     for(int rings : {0, 1, 2, 3, 4, 5, 6, 8, 10, 12})
       all.push_back({Choice::WHOLE, allowed.front(), rings});
+  for(std::size_t i : allowed)
+    all.push_back({Choice::STRIP, i, 0, true});
   return all;
 }
 

@@ -38,10 +38,9 @@ namespace CGAL::Handle_tunnel_loops::internal {
 class Region_layout
 {
 public:
-  /// \p outward is 1 if the faces point out of the solid, -1 if they point into it.
-  Region_layout(const Surgery_mesh& mesh, double outward)
+  Region_layout(const Surgery_mesh& mesh, const Concave_pieces& pieces)
       : mesh_(mesh)
-      , outward_(outward)
+      , pieces_(pieces)
       , is_claimed_(mesh.vertex_bound(), 0)
       , number_of_walks_at_(mesh.vertex_bound(), 0) {}
 
@@ -84,10 +83,16 @@ private:
                                    const std::vector<Closed_walk>& walks,
                                    const std::vector<Index>& reserved) const {
     if(choice.style == Region_choice::BORE)
-      return curve ? Bore_search(mesh_, outward_, choice.rings > 0).wall_at(*curve) : std::nullopt;
+      return curve ? bore(*curve, choice.rings > 0) : std::nullopt;
     if(choice.style == Region_choice::RINGS)
       return around(walks[choice.loop], choice.rings, reserved);
     return whole(choice, walks);
+  }
+
+  std::optional<Cut_region> bore(const Curve_off_vertices& curve,
+                                 bool takes_bores_that_meet) const {
+    Bore_search::Walls walls = Bore_search(mesh_, pieces_).walls_at(curve);
+    return takes_bores_that_meet && walls.joined ? std::move(walls.joined) : std::move(walls.alone);
   }
 
   std::optional<Cut_region> whole(const Region_choice& choice,
@@ -193,7 +198,7 @@ private:
   }
 
   const Surgery_mesh& mesh_;
-  const double outward_;
+  const Concave_pieces& pieces_;
   // By vertex.
   std::vector<char> is_claimed_;
   std::vector<Index> number_of_walks_at_;

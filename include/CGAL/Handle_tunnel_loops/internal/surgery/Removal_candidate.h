@@ -163,6 +163,9 @@ public:
     note_reach();
     // Whether a loop separates the surface is decided anywhere.
     task_->is_far_reaching |= obstacle.kind == Obstacle::TOPOLOGY;
+    const bool is_alone = !surgery_ || surgery_->number_of_handles() == 1;
+    if(choice().style == Region_choice::BORE && choice().rings > 0 && is_alone)
+      ++next_; // the next one would be the same
     drop_surgery();
     if(++next_ < choices_.size())
       return;
@@ -217,7 +220,7 @@ private:
     const bool is_either = choice.takes_both_loops() || !task_->are_types_known;
     const Loop_type type = task_->choices[choice.loop].type;
     return {is_either || type == Loop_type::HANDLE, is_either || type == Loop_type::TUNNEL,
-            most_displacement * length(choice, surgery)};
+            most_displacement * length(choice, surgery), choice.may_cross};
   }
 
   double length(const Region_choice& choice, const Handle_surgery& surgery) const {

@@ -57,7 +57,8 @@ public:
       : execution_(execution)
       , mesh_(mesh)
       , meet_mesh_(mesh)
-      , judge_(mesh, force) {}
+      , judge_(mesh, force)
+      , pieces_(execution, mesh, judge_.outward()) {}
 
   /// \p ask is called again and again, and throws to stop.
   void operator()(std::vector<Removal_task>& tasks, const std::function<void()>& ask) {
@@ -131,24 +132,30 @@ private:
   // ---- what is tried in a round
 
   Candidates choose() {
-    Region_layout layout(mesh_, judge_.outward());
+    Region_layout layout(mesh_, pieces_);
+    is_any_first_ = std::any_of(candidates_.begin(), candidates_.end(),
+                                [](const auto& c) { return !c.is_done() && c.task().comes_first; });
     for(Removal_candidate& candidate : candidates_)
       if(!candidate.is_done())
         candidate.reserve(layout);
     for_each_index(
         execution_, candidates_.size(),
         [&](std::size_t i) {
-          if(!candidates_[i].is_done())
+          if(may_be_tried(candidates_[i]))
             candidates_[i].propose(mesh_, layout);
         },
         1);
     Candidates chosen;
     for(Removal_candidate& candidate : candidates_)
-      if(is_ready(candidate, layout)) {
+      if(may_be_tried(candidate) && is_ready(candidate, layout)) {
         candidate.claim(layout);
         chosen.push_back(&candidate);
       }
     return chosen;
+  }
+
+  bool may_be_tried(const Removal_candidate& candidate) const {
+    return !candidate.is_done() && (!is_any_first_ || candidate.task().comes_first);
   }
 
   // Not if there is nothing left to be tried, or if it has to wait for the next round.
@@ -252,7 +259,9 @@ private:
     Removal_task& task = candidate.task();
     describe(candidate);
     const Index first_vertex = mesh_.vertex_bound();
+    auto originals = judge_.originals(mesh_, surgery.out());
     const Index first_face = put_in_place(mesh_, surgery.out(), surgery.patch());
+    judge_.note_originals(first_face, std::move(originals));
     task.end_of_faces = mesh_.face_bound();
     for(Removal_task* companion : surgery.companions)
       companion->become_like(task);
@@ -298,13 +307,15 @@ private:
   const Execution execution_;
   Surgery_mesh& mesh_;
   Mesh_contacts meet_mesh_;
-  const Shape_judge judge_;
+  Shape_judge judge_;
+  const Concave_pieces pieces_;
   Separation separates_;
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
   std::vector<Box<3>> changes_;                   // what holds them, of all rounds
   // In this round.
   std::vector<Placed_patch> put_in_;
+  bool is_any_first_ = false;     // others wait for that
   bool are_others_whole_ = false; // nothing was cut that is not one of the harmless ones
 };
 

@@ -76,6 +76,7 @@ struct Removal_task
   std::size_t pair = none;          ///< its number; none for a neck
   std::vector<Loop_choice> choices; ///< in the order in which they are to be tried
   bool are_types_known = true;      ///< or what is taken away will tell
+  bool comes_first = false;         ///< before all others that do not
 
   bool is_of_neck() const { return pair == none; }
 

@@ -25,18 +25,27 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
+
+/// adds one that is not on a line.
+inline void add_triangle(const Simple_cartesian<double>::Triangle_3& t,
+                         Shape_judge::Triangles& all) {
+  if(!t.is_degenerate())
+    all.push_back(t);
+}
 
 /// Measures one change.
 class Shape_measure
 {
   using Kernel = Simple_cartesian<double>;
   using Point = Kernel::Point_3;
-  using Triangles = std::vector<Kernel::Triangle_3>;
+  using Triangles = Shape_judge::Triangles;
 
 public:
   Shape_measure(const Surgery_mesh& mesh, const std::vector<Index>& out, const Patch& patch)
@@ -68,11 +77,8 @@ public:
     }
   }
 
-  /// how far caps are from the faces that are taken out.
-  double displacement() const {
-    Triangles old;
-    for(Index f : out_)
-      add(triangle(f), old);
+  /// how far caps are from the surface that they take the place of.
+  double displacement(const Triangles& old) const {
     std::vector<Point> points;
     for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
       add_grid(triangle(patch_.faces[i]), points);
@@ -101,7 +107,7 @@ public:
     }
     Triangles caps;
     for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
-      add(triangle(patch_.faces[i]), caps);
+      add_triangle(triangle(patch_.faces[i]), caps);
     return largest_distance(points, caps, [&](const Point& p, const Point& q, const Vector& n) {
       return outward * ((p - q) * n) > 0.;
     });
@@ -125,11 +131,6 @@ private:
     return {point(f[0]), point(f[1]), point(f[2])};
   }
   Kernel::Triangle_3 triangle(Index f) const { return triangle(mesh_.corners(f)); }
-
-  static void add(const Kernel::Triangle_3& t, Triangles& all) {
-    if(!t.is_degenerate())
-      all.push_back(t);
-  }
 
   // The distance of a triangle may be largest anywhere.
   static void add_grid(const Kernel::Triangle_3& t, std::vector<Point>& points) {
@@ -276,10 +277,32 @@ CGAL_HTL_CORE Judged_change Shape_judge::change(const Surgery_mesh& mesh,
     change.box_growth =
         (std::max)({change.box_growth, box_.low[i] - caps.low[i], caps.high[i] - box_.high[i]});
   if(objection(change, intended).empty())
-    change.displacement = measure.displacement();
+    change.displacement = measure.displacement(originals(mesh, out));
   if(objection(change, intended).empty())
     change.burial = measure.burial(outward_);
   return change;
+}
+
+CGAL_HTL_CORE Shape_judge::Triangles Shape_judge::originals(const Surgery_mesh& mesh,
+                                                            const std::vector<Index>& faces) const {
+  Triangles all;
+  const Triangles* last = nullptr;
+  for(Index f : faces) { // in ascending order
+    const auto next =
+        std::upper_bound(replaced_.begin(), replaced_.end(), f,
+                         [](Index g, const auto& put_in) { return g < put_in.first; });
+    if(next == replaced_.begin()) {
+      const auto& p = placed_triangle(mesh, f).points;
+      const auto point = [&](std::size_t i) {
+        return Simple_cartesian<double>::Point_3(p[i].x(), p[i].y(), p[i].z());
+      };
+      add_triangle({point(0), point(1), point(2)}, all);
+    } else if(const Triangles* those = &std::prev(next)->second; those != last) {
+      all.insert(all.end(), those->begin(), those->end());
+      last = those;
+    }
+  }
+  return all;
 }
 
 CGAL_HTL_CORE std::string Shape_judge::objection(const Judged_change& change,

@@ -80,7 +80,7 @@ public:
 private:
   using Corners = std::vector<std::size_t>; // of a polygon, by their numbers in the whole one
 
-  static constexpr std::size_t most_for_cubic = 160;
+  static constexpr std::size_t most_for_cubic = 100;
 
   bool fill(const Corners& corners) {
     if(corners.size() < 3)
@@ -170,11 +170,14 @@ private:
         continue;
       const Point& r = scaled_.points[corners[k]];
       const Vector normal = CGAL::cross_product(r - p, q - p);
-      if(is_degenerate(corners[i], corners[k], corners[j], normal))
+      cost += cost_of(normal) + length_cost(p, q);
+      if(!(cost < best.cost) || is_degenerate(corners[i], corners[k], corners[j], normal) ||
+         (k == i + 1 && !may_stand_on(left.normal, normal, r - p)) ||
+         (j == k + 1 && !may_stand_on(right.normal, normal, q - r)) ||
+         !may_stand_on(last, normal, p - q))
         continue;
-      cost += cost_of(normal) + cost_at(k == i + 1, left.normal, normal, r - p) +
-              cost_at(j == k + 1, right.normal, normal, q - r) +
-              cost_at(true, last, normal, p - q) + length_cost(p, q);
+      cost += cost_at(k == i + 1, left.normal, normal, r - p) +
+              cost_at(j == k + 1, right.normal, normal, q - r) + cost_at(true, last, normal, p - q);
       if(cost < best.cost)
         best = {cost, k, normal};
     }
@@ -201,11 +204,22 @@ private:
       const double folded = (std::max)(0., -cosine);
       return 0.1 * square * (1. - cosine) + 0.5 * length * folded * folded;
     }
-    if(polygon_.at_sides == Polygon_in_space::UPRIGHT)
-      return 0.2 * length * cosine * cosine;
-    // How far the triangle rises above the face.
-    const double sine = CGAL::cross_product(n, along) * m / (length * std::sqrt(lengths));
-    return 0.2 * length * (1. - (polygon_.at_sides == Polygon_in_space::OUTSIDE ? sine : -sine));
+    return 0.2 * length * (1. - rise(m, n, along));
+  }
+
+  // The sine of the angle at which a triangle stands on the face beyond a side, on the side of it
+  // that is asked for.
+  double rise(const Vector& m, const Vector& n, const Vector& along) const {
+    const double sine = CGAL::cross_product(n, along) * m /
+                        std::sqrt(along.squared_length() * m.squared_length() * n.squared_length());
+    return polygon_.at_sides == Polygon_in_space::OUTSIDE ? sine : -sine;
+  }
+
+  // What lies on the other side of the surface would cross it, and what leans on it is a fold.
+  bool may_stand_on(const Vector& m, const Vector& n, const Vector& along) const {
+    constexpr double least = 0.87; // of 60 degrees
+    return polygon_.at_sides == Polygon_in_space::CONTINUED ||
+           !(m.squared_length() * n.squared_length() > 0.) || rise(m, n, along) >= least;
   }
 
   Vector normal_beyond(std::size_t i, std::size_t j) const {

@@ -49,7 +49,7 @@ inline std::optional<Curve_off_vertices> curve_along(const Surgery_mesh& mesh,
 CGAL_HTL_CORE std::vector<std::optional<double>> bore_diameters(
     Execution execution, const Surgery_mesh& mesh, const std::vector<Removal_task>& tasks) {
   std::vector<std::optional<double>> diameters(tasks.size());
-  const double outward = Shape_judge(mesh, false).outward();
+  const Concave_pieces pieces(execution, mesh, Shape_judge(mesh, false).outward());
   for_each_index(
       execution, tasks.size(),
       [&](std::size_t i) {
@@ -57,11 +57,9 @@ CGAL_HTL_CORE std::vector<std::optional<double>> bore_diameters(
         if(!curve)
           return;
         // Alone, if it can be: the others that it meets have diameters of their own.
-        for(bool takes_bores_that_meet : {false, true})
-          if(const auto wall = Bore_search(mesh, outward, takes_bores_that_meet).wall_at(*curve)) {
-            diameters[i] = narrowest_diameter(mesh, *wall);
-            return;
-          }
+        const auto walls = Bore_search(mesh, pieces).walls_at(*curve);
+        if(const auto& wall = walls.alone ? walls.alone : walls.joined)
+          diameters[i] = narrowest_diameter(mesh, *wall);
       },
       1);
   return diameters;

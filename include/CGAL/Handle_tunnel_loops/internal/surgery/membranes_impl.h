@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Collar.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
@@ -23,7 +24,10 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -47,17 +51,30 @@ public:
     for(std::size_t i = 0; i < curve.size(); ++i) {
       curve_.points.push_back(curve.point(mesh, i));
       const auto &left = strip.parts().points[2 * i], &right = strip.parts().points[2 * i + 1];
-      shifts_.push_back(0.5 * (left - right));
+      widths_.push_back(std::sqrt(CGAL::squared_distance(left, right)) / 2.);
       const Index next = curve[i + 1 == curve.size() ? 0 : i + 1].halfedge;
       curve_.normals_beyond.push_back(normal_of(mesh, Surgery_mesh::face(next)));
     }
     curve_.at_sides = side;
     forbid_sides_of_parts();
-    const Triangulated_polygon filling(curve_);
-    is_good_ = filling.is_good() && make_membrane(filling);
   }
 
-  bool are_good() const { return is_good_; }
+  /// of the points of the curve. Returns whether there is one.
+  bool span() {
+    start();
+    return fill(curve_, 0);
+  }
+
+  /// at the end of a collar, which is as high as a part of the length of the curve.
+  bool span_with_collar(double part) {
+    start();
+    const Collar collar(curve_, part * length_);
+    if(!collar.is_good())
+      return false;
+    for(const Surgery_mesh::Point& p : collar.inner().points)
+      membrane_.add_vertex(p);
+    return add_faces(collar.triangles(), 0) && fill(collar.inner(), curve_.size());
+  }
 
   void refine() {
     const std::vector<Mesh::Face_index> all(membrane_.faces().begin(), membrane_.faces().end());
@@ -71,8 +88,9 @@ public:
     for(const bool is_left : {true, false}) {
       const Index first_inner = static_cast<Index>(patch.points.size());
       for(std::size_t i = curve_.size(); i < membrane_.number_of_vertices(); ++i) {
-        const Surgery_mesh::Point& p = membrane_.point(Vertex(static_cast<Index>(i)));
-        patch.points.push_back(is_left ? p + shift_at(p) : p - shift_at(p));
+        const Vertex v(static_cast<Index>(i));
+        const Vector shift = shift_at(v);
+        patch.points.push_back(membrane_.point(v) + (is_left ? shift : -shift));
       }
       patch.caps.push_back(patch.faces.size());
       for(Mesh::Face_index f : membrane_.faces())
@@ -82,18 +100,28 @@ public:
   }
 
 private:
-  // The points of the curve keep their numbers. As each triangle comes before those at its sides,
-  // these have nothing in common but that side.
-  bool make_membrane(const Triangulated_polygon& filling) {
+  // The points of the curve keep their numbers.
+  void start() {
+    membrane_.clear();
     for(const Surgery_mesh::Point& p : curve_.points)
       membrane_.add_vertex(p);
-    const auto& triangles = filling.triangles();
-    return std::all_of(triangles.rbegin(), triangles.rend(), [this](const auto& t) {
+  }
+
+  bool fill(const Polygon_in_space& polygon, std::size_t first_vertex) {
+    const Triangulated_polygon filling(polygon);
+    return filling.is_good() && add_faces(filling.triangles(), first_vertex);
+  }
+
+  // As each triangle comes after those at its sides, or before them, those that follow have nothing
+  // in common with what is there but sides.
+  bool add_faces(std::vector<std::array<std::size_t, 3>> triangles, std::size_t first_vertex) {
+    if(membrane_.number_of_faces() == 0)
+      std::reverse(triangles.begin(), triangles.end());
+    const auto vertex = [&](std::size_t i) { return Vertex(static_cast<Index>(first_vertex + i)); };
+    return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
       return membrane_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2])) != Mesh::null_face();
     });
   }
-
-  static Vertex vertex(std::size_t i) { return Vertex(static_cast<Index>(i)); }
 
   void forbid_sides_of_parts() {
     std::set<std::pair<std::size_t, std::size_t>> sides;
@@ -109,20 +137,30 @@ private:
     };
   }
 
-  // Half the way from one membrane to the other: that of the curve nearby.
-  Vector shift_at(const Surgery_mesh::Point& p) const {
-    constexpr std::size_t enough = 64;
-    const std::size_t step = 1 + curve_.size() / enough;
-    double weights = 0.;
-    Vector sum(NULL_VECTOR);
-    for(std::size_t i = 0; i < curve_.size(); i += step) {
-      const double d = ((p - curve_.points[i]) / length_).squared_length();
-      if(!(d > 0.))
-        return shifts_[i];
-      weights += 1. / d;
-      sum = sum + shifts_[i] / d;
+  // Half the way from one membrane to the other, at right angles to them: no longer than where the
+  // curve is near, so that they do not meet.
+  Vector shift_at(Vertex v) const {
+    constexpr double most_slope = 0.1;
+    Vector normal(NULL_VECTOR);
+    double room = (std::numeric_limits<double>::infinity)();
+    const Surgery_mesh::Point& p = membrane_.point(v);
+    for(const auto h : halfedges_around_target(membrane_.halfedge(v), membrane_)) {
+      const Vector from = membrane_.point(membrane_.source(h)) - p,
+                   to = membrane_.point(membrane_.target(membrane_.next(h))) - p,
+                   n = CGAL::cross_product(to, from);
+      const double sine = std::sqrt(n.squared_length()),
+                   lengths = std::sqrt(from.squared_length() * to.squared_length());
+      if(sine > 0.)
+        normal = normal + n / sine * std::asin((std::min)(1., sine / lengths));
+      room = (std::min)(room, most_slope * std::sqrt(from.squared_length()));
     }
-    return sum / weights;
+    for(std::size_t i = 0; i < curve_.size(); ++i)
+      room = (std::min)(
+          room, widths_[i] + most_slope * std::sqrt(CGAL::squared_distance(p, curve_.points[i])));
+    if(curve_.at_sides == Polygon_in_space::OUTSIDE)
+      normal = -normal; // the left of the curve is behind the triangles
+    const double length = std::sqrt(normal.squared_length());
+    return length > 0. ? room / length * normal : normal;
   }
 
   Surgery_mesh::Face face_of(Mesh::Face_index f, bool is_left, Index first_inner) const {
@@ -139,10 +177,9 @@ private:
 
   const Divided_strip& strip_;
   Polygon_in_space curve_;
-  std::vector<Vector> shifts_; // from the curve to the rim on its left, by point
+  std::vector<double> widths_; // from the curve to a rim, by point
   double length_;
   Mesh membrane_;
-  bool is_good_ = false;
 };
 
 CGAL_HTL_CORE void for_each_membrane(const Surgery_mesh& mesh,
@@ -151,12 +188,18 @@ CGAL_HTL_CORE void for_each_membrane(const Surgery_mesh& mesh,
                                      Polygon_in_space::At_sides side,
                                      const Patch_visitor& is_wanted) {
   Membranes membranes(mesh, curve, strip, side);
-  if(!membranes.are_good())
+  const auto is_one_wanted = [&] {
+    if(!is_wanted(membranes.caps()))
+      return false;
+    membranes.refine();
+    is_wanted(membranes.caps());
+    return true;
+  };
+  if(membranes.span() && is_one_wanted())
     return;
-  const Patch plain = membranes.caps();
-  membranes.refine();
-  if(!is_wanted(membranes.caps()))
-    is_wanted(plain);
+  for(const double part : {0.03, 0.08, 0.01, 0.003})
+    if(membranes.span_with_collar(part) && is_one_wanted())
+      return;
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal
