@@ -28,7 +28,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -104,13 +103,16 @@ public:
                  const Mesh_contacts& contacts,
                  const Shape_judge& judge,
                  Intended_change intended) {
-    if(are_mouths_flush(mesh))
-      intended.most_displacement = (std::numeric_limits<double>::infinity)();
+    intended.may_be_far = are_mouths_flush(mesh);
     is_harmless = false;
     has_caps_ = false;
     obstacle_ = Obstacle();
-    if(intended.may_cross && !crosses_anything(mesh, contacts))
-      return; // nothing new
+    former_.reset();
+    if(intended.may_cross) {
+      former_.emplace(mesh, contacts, out_);
+      if(former_->are_none())
+        return; // nothing new
+    }
     const auto is_wanted = [&](const Patch& patch) {
       if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
         obstacle_.take(*obstacle);
@@ -144,6 +146,7 @@ public:
   const Shape_change& change() const { return change_; }
 
   std::vector<Removal_task*> companions; ///< whose handles are in the region as well
+  std::size_t number_inside = 0;         ///< of these with all of their loops, which come first
   bool is_harmless = false; ///< to the pieces of the surface, with all others that are so
 
 private:
@@ -174,26 +177,15 @@ private:
     return true;
   }
 
-  // Whether what is taken out does.
-  bool crosses_anything(const Surgery_mesh& mesh, const Mesh_contacts& contacts) const {
-    const auto never = [](auto...) { return false; };
-    Patch patch;
-    for(Index f : out_)
-      patch.faces.push_back(mesh.corners(f));
-    const Placed_patch placed(mesh, patch);
-    return !placed.is_embedded(never) || contacts.meets(placed, out_, never);
+  bool caps_meet_each_other(const Patch& patch, const Placed_patch& placed) const {
+    return placed.meets_itself([&](Index, Index j) {
+      return former_ && former_->are_own() &&
+             (!placed.is_part(j) || former_->are_of_own(patch.parents[j]));
+    });
   }
 
-  bool is_embedded(const Placed_patch& placed,
-                   const Surgery_mesh& mesh,
-                   const Intended_change& intended) const {
-    if(!intended.may_cross)
-      return placed.is_embedded([](Index, Index) { return false; });
-    const Former_contacts former(mesh, out_);
-    const bool have_met = former.meet_each_other();
-    return placed.is_embedded([&](Index, Index j) {
-      return have_met && (!placed.is_part(j) || former.meet(placed.parent(j)));
-    });
+  bool caps_meet_surface(const Placed_patch& placed, const Mesh_contacts& contacts) const {
+    return contacts.meets(placed, out_, [&](Index f) { return former_ && former_->are_with(f); });
   }
 
   std::optional<Obstacle> obstacle_to(const Patch& patch,
@@ -203,11 +195,9 @@ private:
                                       const Intended_change& intended) {
     const Placed_patch placed(mesh, patch);
     reach_.extend(placed.box());
-    if(!is_embedded(placed, mesh, intended))
+    if(!placed.has_areas() || caps_meet_each_other(patch, placed))
       return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
-    if(contacts.meets(placed, out_, [&](Index f) {
-         return intended.may_cross && Former_contacts(mesh, out_).meet(placed_triangle(mesh, f));
-       }))
+    if(caps_meet_surface(placed, contacts))
       return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
     const Judged_change change = judge.change(mesh, out_, patch, intended);
     const std::string why = judge.objection(change, intended);
@@ -224,6 +214,7 @@ private:
   Box<3> reach_;
   std::vector<Index> around_; // faces beyond the borders of a region
   // Of this round.
+  std::optional<Former_contacts> former_; // if caps may cross what there is
   bool has_caps_ = false;
   Obstacle obstacle_;
   Patch patch_;

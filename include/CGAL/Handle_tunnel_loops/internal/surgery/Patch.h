@@ -199,33 +199,6 @@ inline Index put_in_place(Surgery_mesh& mesh, const std::vector<Index>& faces, c
   return mesh.replace(faces, in);
 }
 
-/// Which faces some others cross. Where a surface crosses itself, what takes the place of a part of
-/// it cannot but cross what that has crossed.
-class Former_contacts
-{
-public:
-  Former_contacts(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
-    for(Index f : faces)
-      triangles_.push_back(placed_triangle(mesh, f));
-  }
-
-  /// whether one of the faces, but for that itself, meets another one.
-  bool meet(const Placed_triangle& other) const {
-    return std::any_of(triangles_.begin(), triangles_.end(), [&](const Placed_triangle& t) {
-      return t.vertices != other.vertices && are_in_contact(t, other);
-    });
-  }
-
-  /// whether two of the faces meet each other.
-  bool meet_each_other() const {
-    return std::any_of(triangles_.begin(), triangles_.end(),
-                       [this](const Placed_triangle& t) { return meet(t); });
-  }
-
-private:
-  std::vector<Placed_triangle> triangles_;
-};
-
 /// The faces of a patch where they lie. Parts of faces of the mesh may meet what these meet.
 class Placed_patch
 {
@@ -272,24 +245,27 @@ public:
         });
   }
 
-  /// whether all triangles have an area, and none meets another one, but for parts of faces; or for
-  /// those for which `may_meet(i, j)`.
-  template <typename Predicate> bool is_embedded(const Predicate& may_meet) const {
-    for(std::size_t i = parents_.size(); i < triangles_.size(); ++i)
-      if(triangles_[i].is_degenerate())
-        return false;
+  /// whether all triangles have an area, but for parts of faces.
+  bool has_areas() const {
+    return std::none_of(triangles_.begin() + static_cast<std::ptrdiff_t>(parents_.size()),
+                        triangles_.end(),
+                        [](const Placed_triangle& t) { return t.is_degenerate(); });
+  }
+
+  /// whether a triangle meets another one, but for parts of faces; or for those for which
+  /// `may_meet(i, j)`.
+  template <typename Predicate> bool meets_itself(const Predicate& may_meet) const {
     const Placed_boxes near = placed_boxes();
     const auto box = [this](Index i) { return boxes_[i]; };
     // Parts come first, and do not meet each other.
-    return !near.any_meeting(near, box, box, [&](Index i, Index j) {
+    return near.any_meeting(near, box, box, [&](Index i, Index j) {
       return i > j && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]) &&
              !may_meet(i, j);
     });
   }
 
-  /// whether a triangle is part of a face of the mesh, and which one that is.
+  /// whether a triangle is part of a face of the mesh.
   bool is_part(std::size_t i) const { return i < parents_.size(); }
-  const Placed_triangle& parent(std::size_t i) const { return parents_[i]; }
 
   Placed_boxes placed_boxes() const {
     return Placed_boxes(Execution(), boxes_.size(), [this](std::size_t i) { return boxes_[i]; });
@@ -364,6 +340,46 @@ private:
 
   const Surgery_mesh& mesh_;
   std::vector<Layer> layers_;
+};
+
+/// What some faces cross. Where a surface crosses itself, what takes the place of a part of it
+/// cannot but cross what that has crossed.
+class Former_contacts
+{
+public:
+  /// of faces in ascending order. Near linear in their number.
+  Former_contacts(const Surgery_mesh& mesh,
+                  const Mesh_contacts& contacts,
+                  const std::vector<Index>& faces) {
+    Patch patch;
+    for(Index f : faces)
+      patch.faces.push_back(mesh.corners(f));
+    const Placed_patch placed(mesh, patch);
+    placed.meets_itself([&](Index i, Index j) {
+      own_.insert(own_.end(), {faces[i], faces[j]});
+      return true;
+    });
+    contacts.meets(placed, faces, [&](Index f) {
+      others_.push_back(f);
+      return true;
+    });
+    make_set(own_);
+    make_set(others_);
+  }
+
+  bool are_none() const { return own_.empty() && others_.empty(); }
+
+  /// whether any two of the faces meet each other.
+  bool are_own() const { return !own_.empty(); }
+
+  /// whether one of the faces meets another one of them.
+  bool are_of_own(Index face) const { return is_in(face, own_); }
+
+  /// whether any of the faces meets one that is not one of them.
+  bool are_with(Index face) const { return is_in(face, others_); }
+
+private:
+  std::vector<Index> own_, others_; // in ascending order
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

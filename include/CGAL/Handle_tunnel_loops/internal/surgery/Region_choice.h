@@ -63,6 +63,9 @@ inline std::vector<Region_choice> region_choices(const Removal_task& task,
       all.push_back({Choice::WHOLE, allowed.front(), rings});
   for(std::size_t i : allowed)
     all.push_back({Choice::STRIP, i, 0, true});
+  if(are_both_allowed)
+    for(int rings : {0, 1, 2})
+      all.push_back({Choice::WHOLE, allowed.front(), rings, true});
   return all;
 }
 

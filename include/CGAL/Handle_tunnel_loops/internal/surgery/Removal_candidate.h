@@ -83,6 +83,17 @@ public:
     return task_->has_both_loops() ? walks_[1 - choice().loop] : Closed_walk();
   }
 
+  /// what share of the loops comes to some vertices, in ascending order: 1 if all do.
+  double share_in(const std::vector<Index>& vertices) const {
+    std::size_t number = 0, number_in = 0;
+    for(const Closed_walk& walk : walks_) {
+      number += walk.size();
+      number_in += static_cast<std::size_t>(
+          std::count_if(walk.begin(), walk.end(), [&](Index v) { return is_in(v, vertices); }));
+    }
+    return number == 0 ? 0. : static_cast<double>(number_in) / static_cast<double>(number);
+  }
+
   /// of the present choice, if there is one.
   std::optional<Handle_surgery>& surgery() { return surgery_; }
 
@@ -216,19 +227,20 @@ private:
   // What a choice may do to the shape.
   Intended_change intended_change(const Region_choice& choice,
                                   const Handle_surgery& surgery) const {
-    constexpr double most_displacement = 0.5;
     const bool is_either = choice.takes_both_loops() || !task_->are_types_known;
     const Loop_type type = task_->choices[choice.loop].type;
     return {is_either || type == Loop_type::HANDLE, is_either || type == Loop_type::TUNNEL,
-            most_displacement * length(choice, surgery), choice.may_cross};
+            length(choice, surgery), false, choice.may_cross};
   }
 
   double length(const Region_choice& choice, const Handle_surgery& surgery) const {
     if(!choice.takes_both_loops())
       return task_->choices[choice.loop].length;
     double length = task_->choices[task_->longest_choice()].length;
-    for(const Removal_task* companion : surgery.companions)
-      length = (std::max)(length, companion->choices[companion->longest_choice()].length);
+    for(std::size_t i = 0; i < surgery.number_inside; ++i) {
+      const Removal_task& companion = *surgery.companions[i];
+      length = (std::max)(length, companion.choices[companion.longest_choice()].length);
+    }
     return length;
   }
 

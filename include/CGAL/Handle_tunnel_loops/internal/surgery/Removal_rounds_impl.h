@@ -97,6 +97,7 @@ private:
 
   void start(std::vector<Removal_task>& tasks) {
     candidates_.clear();
+    are_all_wanted_ = number_with(Removal_task::State::KEPT, tasks) == 0;
     for(Removal_task& task : tasks)
       if(!task.is_done()) {
         task.time = Removal_task::none;
@@ -173,16 +174,29 @@ private:
     return false;
   }
 
-  // Whether a region holds no other handles than those of candidates.
+  // Whether a region holds no other handles than those of candidates. If all are, those of which
+  // most lies in it are as good as the ones that it holds: their loops leave it and come back.
   bool find_companions(Removal_candidate& candidate) {
     Handle_surgery& surgery = *candidate.surgery();
     surgery.companions.clear();
     const std::size_t number = surgery.number_of_handles() - 1;
     if(number == 0)
       return true;
-    for(Removal_candidate& other : candidates_)
-      if(&other != &candidate && !other.is_done() && is_inside(other, surgery))
+    std::vector<std::pair<double, std::size_t>> others; // which are not inside, by what is not
+    for(std::size_t i = 0; i < candidates_.size(); ++i) {
+      Removal_candidate& other = candidates_[i];
+      if(&other == &candidate || other.is_done())
+        continue;
+      if(is_inside(other, surgery))
         surgery.companions.push_back(&other.task());
+      else if(const double share = other.share_in(surgery.vertices()); share > 0.)
+        others.push_back({1. - share, i});
+    }
+    surgery.number_inside = surgery.companions.size();
+    std::sort(others.begin(), others.end());
+    for(const auto& other : others)
+      if(surgery.takes_all() && are_all_wanted_ && surgery.companions.size() < number)
+        surgery.companions.push_back(&candidates_[other.second].task());
     return surgery.companions.size() == number;
   }
 
@@ -259,9 +273,7 @@ private:
     Removal_task& task = candidate.task();
     describe(candidate);
     const Index first_vertex = mesh_.vertex_bound();
-    auto originals = judge_.originals(mesh_, surgery.out());
     const Index first_face = put_in_place(mesh_, surgery.out(), surgery.patch());
-    judge_.note_originals(first_face, std::move(originals));
     task.end_of_faces = mesh_.face_bound();
     for(Removal_task* companion : surgery.companions)
       companion->become_like(task);
@@ -312,6 +324,7 @@ private:
   Separation separates_;
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
+  bool are_all_wanted_ = false;                   // no handle is to be kept
   std::vector<Box<3>> changes_;                   // what holds them, of all rounds
   // In this round.
   std::vector<Placed_patch> put_in_;

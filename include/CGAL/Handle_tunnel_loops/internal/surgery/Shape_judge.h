@@ -19,10 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
-#include <CGAL/Simple_cartesian.h>
-
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -40,8 +37,9 @@ struct Judged_change : Shape_change
 struct Intended_change
 {
   bool may_remove, may_add; ///< solid
-  double most_displacement;
-  bool may_cross = false; ///< whether caps may cross what they take the place of has crossed
+  double length;            ///< of the loop that distances are measured by
+  bool may_be_far = false;  ///< whether distances are no matter
+  bool may_cross = false;   ///< whether caps may cross what they take the place of has crossed
 };
 
 /// Measures how a patch changes the shape, and says whether that is a repair.
@@ -55,17 +53,6 @@ public:
   /// 1 if the faces point out of the solid, -1 if they point into it. Where there is a boundary,
   /// inside is behind the faces.
   double outward() const { return outward_; }
-
-  using Triangles = std::vector<Simple_cartesian<double>::Triangle_3>;
-
-  /// some faces as they were at first: those that were put in stand for what they took the place
-  /// of.
-  Triangles originals(const Surgery_mesh& mesh, const std::vector<Index>& faces) const;
-
-  /// notes what faces from a number on have taken the place of.
-  void note_originals(Index first_face, Triangles originals) {
-    replaced_.push_back({first_face, std::move(originals)});
-  }
 
   /// what happens if a patch takes the place of some faces. Distances take most of the time, and
   /// are measured where nothing else speaks against the change. Near linear in the number of faces.
@@ -84,7 +71,6 @@ private:
   double size_ = 0.; // the largest side of the box
   double outward_ = 1.;
   double volume_ = 0.;
-  std::vector<std::pair<Index, Triangles>> replaced_; // by the first faces put in, ascending
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -22,10 +22,9 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -33,21 +32,20 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// adds one that is not on a line.
-inline void add_triangle(const Simple_cartesian<double>::Triangle_3& t,
-                         Shape_judge::Triangles& all) {
-  if(!t.is_degenerate())
-    all.push_back(t);
-}
-
 /// Measures one change.
 class Shape_measure
 {
   using Kernel = Simple_cartesian<double>;
   using Point = Kernel::Point_3;
-  using Triangles = Shape_judge::Triangles;
+  using Triangles = std::vector<Kernel::Triangle_3>;
 
 public:
+  /// Distances are measured up to a tolerance; above the limit, one that is above it is enough.
+  struct Accuracy
+  {
+    double tolerance, limit;
+  };
+
   Shape_measure(const Surgery_mesh& mesh, const std::vector<Index>& out, const Patch& patch)
       : mesh_(mesh)
       , out_(out)
@@ -78,39 +76,32 @@ public:
   }
 
   /// how far caps are from the surface that they take the place of.
-  double displacement(const Triangles& old) const {
-    std::vector<Point> points;
-    for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
-      add_grid(triangle(patch_.faces[i]), points);
-    return largest_distance(points, old);
+  double displacement(const Accuracy& accuracy) const {
+    Triangles old;
+    for(Index f : out_)
+      add(triangle(f), old);
+    return largest_distance(caps(), old, accuracy);
   }
 
-  /// how far vertices that are taken out, and the faces there, are above the caps; \p outward is
-  /// which side that is. What is below is buried in the solid.
-  double burial(double outward) const {
+  /// how far faces at vertices that are taken out are above the caps; \p outward is which side that
+  /// is. What is below is buried in the solid.
+  double burial(double outward, const Accuracy& accuracy) const {
     std::vector<Index> left;
     for(const Surgery_mesh::Face& f : patch_.faces)
       for(Index v : f)
         if(v < Patch::first_own)
           left.push_back(v);
     make_set(left);
-    std::vector<Point> points;
+    Triangles gone;
     for(Index f : out_) {
-      std::size_t number = 0;
-      for(Index v : mesh_.corners(f))
-        if(!is_in(v, left)) {
-          points.push_back(point(v));
-          ++number;
-        }
-      if(number > 0)
-        points.push_back(CGAL::centroid(triangle(f)));
+      const Surgery_mesh::Face& corners = mesh_.corners(f);
+      if(!std::all_of(corners.begin(), corners.end(), [&](Index v) { return is_in(v, left); }))
+        add(triangle(f), gone);
     }
-    Triangles caps;
-    for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
-      add_triangle(triangle(patch_.faces[i]), caps);
-    return largest_distance(points, caps, [&](const Point& p, const Point& q, const Vector& n) {
-      return outward * ((p - q) * n) > 0.;
-    });
+    return largest_distance(std::move(gone), caps(), accuracy,
+                            [&](const Point& p, const Point& q, const Vector& n) {
+                              return outward * ((p - q) * n) > 0.;
+                            });
   }
 
   Box<3> box_of_caps() const {
@@ -132,35 +123,73 @@ private:
   }
   Kernel::Triangle_3 triangle(Index f) const { return triangle(mesh_.corners(f)); }
 
-  // The distance of a triangle may be largest anywhere.
-  static void add_grid(const Kernel::Triangle_3& t, std::vector<Point>& points) {
-    constexpr int n = 4;
-    for(int i = 0; i <= n; ++i)
-      for(int k = 0; k <= n - i; ++k)
-        points.push_back(CGAL::barycenter(t[0], double(i) / n, t[1], double(k) / n, t[2]));
+  // Those on a line have no normal.
+  static void add(const Kernel::Triangle_3& t, Triangles& all) {
+    if(!t.is_degenerate())
+      all.push_back(t);
+  }
+
+  Triangles caps() const {
+    Triangles caps;
+    for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
+      add(triangle(patch_.faces[i]), caps);
+    return caps;
   }
 
   static bool counts_always(const Point&, const Point&, const Vector&) { return true; }
 
-  // Of points that count, given the nearest point of the triangles, and the normal there.
+  // From some triangles to others. Points count, given the nearest point, and the normal there.
+  // What may be further away than is known is divided: where no point is further from its centre
+  // than the radius; nor any point further from one of the others than the corners, as distances
+  // from a triangle are convex.
   template <typename Predicate = bool (*)(const Point&, const Point&, const Vector&)>
-  static double largest_distance(const std::vector<Point>& points,
-                                 const Triangles& triangles,
+  static double largest_distance(Triangles from,
+                                 const Triangles& to,
+                                 const Accuracy& accuracy,
                                  const Predicate& counts = counts_always) {
     using Primitive = AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-    if(points.empty() || triangles.empty())
+    if(to.empty())
       return 0.;
-    AABB_tree<AABB_traits<Kernel, Primitive>> tree(triangles.begin(), triangles.end());
+    AABB_tree<AABB_traits<Kernel, Primitive>> tree(to.begin(), to.end());
     tree.build();
     double most = 0.;
-    auto nearest = std::make_pair(triangles.front()[0], triangles.begin());
-    for(const Point& p : points)
-      if(CGAL::squared_distance(p, nearest.first) > most) {
-        nearest = tree.closest_point_and_primitive(p, nearest);
-        if(counts(p, nearest.first, normal(*nearest.second)))
-          most = (std::max)(most, CGAL::squared_distance(p, nearest.first));
-      }
-    return std::sqrt(most);
+    auto nearest = std::make_pair(to.front()[0], to.begin());
+    while(!from.empty() && most <= accuracy.limit) {
+      const Kernel::Triangle_3 t = from.back();
+      from.pop_back();
+      const double enough = most + accuracy.tolerance;
+      if(distance_of_corners(t, *nearest.second) <= enough)
+        continue;
+      const Point center = CGAL::centroid(t);
+      nearest = tree.closest_point_and_primitive(center, nearest);
+      const double distance = std::sqrt(CGAL::squared_distance(center, nearest.first)),
+                   radius = radius_around(center, t);
+      const bool does_count = counts(center, nearest.first, normal(*nearest.second));
+      if(does_count)
+        most = (std::max)(most, distance);
+      if(radius > accuracy.tolerance && (does_count ? distance : -distance) + radius > enough &&
+         distance_of_corners(t, *nearest.second) > enough)
+        divide(t, from);
+    }
+    return most;
+  }
+
+  static double radius_around(const Point& center, const Kernel::Triangle_3& t) {
+    return std::sqrt(
+        (std::max)({CGAL::squared_distance(center, t[0]), CGAL::squared_distance(center, t[1]),
+                    CGAL::squared_distance(center, t[2])}));
+  }
+
+  static double distance_of_corners(const Kernel::Triangle_3& t, const Kernel::Triangle_3& other) {
+    return std::sqrt(
+        (std::max)({CGAL::squared_distance(t[0], other), CGAL::squared_distance(t[1], other),
+                    CGAL::squared_distance(t[2], other)}));
+  }
+
+  static void divide(const Kernel::Triangle_3& t, Triangles& parts) {
+    const Point a = CGAL::midpoint(t[1], t[2]), b = CGAL::midpoint(t[2], t[0]),
+                c = CGAL::midpoint(t[0], t[1]);
+    parts.insert(parts.end(), {{t[0], c, b}, {c, t[1], a}, {b, a, t[2]}, {a, b, c}});
   }
 
   // A side of a face of the patch.
@@ -263,6 +292,12 @@ CGAL_HTL_CORE Shape_judge::Shape_judge(const Surgery_mesh& mesh, bool force)
   volume_ = std::abs(volume_);
 }
 
+// How far the surface may move.
+inline double most_distance(const Intended_change& intended) {
+  constexpr double most = 0.5;
+  return intended.may_be_far ? (std::numeric_limits<double>::infinity)() : most * intended.length;
+}
+
 CGAL_HTL_CORE Judged_change Shape_judge::change(const Surgery_mesh& mesh,
                                                 const std::vector<Index>& out,
                                                 const Patch& patch,
@@ -276,33 +311,13 @@ CGAL_HTL_CORE Judged_change Shape_judge::change(const Surgery_mesh& mesh,
   for(std::size_t i = 0; i < 3; ++i)
     change.box_growth =
         (std::max)({change.box_growth, box_.low[i] - caps.low[i], caps.high[i] - box_.high[i]});
+  constexpr double tolerance = 0.02; // in lengths of the loop
+  const Shape_measure::Accuracy accuracy{tolerance * intended.length, most_distance(intended)};
   if(objection(change, intended).empty())
-    change.displacement = measure.displacement(originals(mesh, out));
+    change.displacement = measure.displacement(accuracy);
   if(objection(change, intended).empty())
-    change.burial = measure.burial(outward_);
+    change.burial = measure.burial(outward_, accuracy);
   return change;
-}
-
-CGAL_HTL_CORE Shape_judge::Triangles Shape_judge::originals(const Surgery_mesh& mesh,
-                                                            const std::vector<Index>& faces) const {
-  Triangles all;
-  const Triangles* last = nullptr;
-  for(Index f : faces) { // in ascending order
-    const auto next =
-        std::upper_bound(replaced_.begin(), replaced_.end(), f,
-                         [](Index g, const auto& put_in) { return g < put_in.first; });
-    if(next == replaced_.begin()) {
-      const auto& p = placed_triangle(mesh, f).points;
-      const auto point = [&](std::size_t i) {
-        return Simple_cartesian<double>::Point_3(p[i].x(), p[i].y(), p[i].z());
-      };
-      add_triangle({point(0), point(1), point(2)}, all);
-    } else if(const Triangles* those = &std::prev(next)->second; those != last) {
-      all.insert(all.end(), those->begin(), those->end());
-      last = those;
-    }
-  }
-  return all;
 }
 
 CGAL_HTL_CORE std::string Shape_judge::objection(const Judged_change& change,
@@ -328,9 +343,9 @@ CGAL_HTL_CORE std::string Shape_judge::objection(const Judged_change& change,
   else if(change.fold_at_membranes > sharpest_at_membranes)
     why << "a cap would meet the surface at an angle of " << 180. - change.fold_at_membranes
         << " degrees";
-  else if(change.displacement > intended.most_displacement)
+  else if(change.displacement > most_distance(intended))
     why << "a cap would be " << change.displacement << " away from the surface";
-  else if(change.burial > intended.most_displacement)
+  else if(change.burial > most_distance(intended))
     why << "surface would be taken away that is " << change.burial << " away from the caps";
   return why.str();
 }
