@@ -9,13 +9,17 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
+#include <CGAL/Simple_cartesian.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -457,6 +461,49 @@ TEST(Surgery, TriangulatesPolygons) {
         EXPECT_NEAR(area, 0.5 * double(n) * std::sin(2. * CGAL_PI / double(n)), 1e-9);
       }
     }
+}
+
+// A spire is exchanged for its base: the base is as far from its sides as its points are, and its
+// tip as far from the base, wherever that is.
+TEST(Surgery, MeasuresHowFarTheSurfaceMoves) {
+  using Triangle = CGAL::Simple_cartesian<double>::Triangle_3;
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  constexpr double tolerance = 0.02; // of a length of 1
+  generators::Random random(3);
+  for(int repetition = 0; repetition < 50; ++repetition) {
+    std::vector<Point> p;
+    for(double angle : {0., 2., 4.})
+      p.emplace_back(std::cos(angle + random.uniform(-0.4, 0.4)),
+                     std::sin(angle + random.uniform(-0.4, 0.4)), random.uniform(-0.2, 0.2));
+    p.emplace_back(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(0.7, 2.));
+    Mesh spire;
+    for(const Point& q : p)
+      spire.add_vertex({q.x(), q.y(), q.z()});
+    const auto v = [](Index i) { return Mesh::Vertex_index(i); };
+    for(const auto& f : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+      spire.add_face(v(f[0]), v(f[1]), v(f[2]));
+    const Surgery_mesh mesh = surgery_mesh_of(spire);
+    const impl::Patch base{{}, {{0, 1, 2}}, {}, {0}};
+    const impl::Intended_change anything{true, true, 1., true};
+    const impl::Judged_change change =
+        impl::Shape_judge(mesh, true).change(mesh, {1, 2, 3}, base, anything);
+    double most = 0.;
+    constexpr int n = 50;
+    for(int i = 0; i <= n; ++i)
+      for(int k = 0; k <= n - i; ++k) {
+        const Point q = CGAL::barycenter(p[0], double(i) / n, p[1], double(k) / n, p[2]);
+        double least = 10.;
+        for(std::size_t s = 0; s < 3; ++s)
+          least =
+              (std::min)(least, CGAL::squared_distance(q, Triangle(p[s], p[(s + 1) % 3], p[3])));
+        most = (std::max)(most, std::sqrt(least));
+      }
+    EXPECT_GE(change.displacement, most - tolerance);
+    EXPECT_LE(change.displacement, most + 2. / n);
+    const double height = std::sqrt(CGAL::squared_distance(p[3], Triangle(p[0], p[1], p[2])));
+    EXPECT_LE(change.burial, height * (1. + 1e-12));
+    EXPECT_GE(change.burial, height - tolerance);
+  }
 }
 
 } // namespace test_surgery
