@@ -36,6 +36,29 @@ template <typename T> bool is_in(const T& t, const std::vector<T>& set) {
   return std::binary_search(set.begin(), set.end(), t);
 }
 
+/// how many different indices there are: counted by bits where they are near each other, as this is
+/// faster than to sort them.
+inline std::size_t number_of_different(std::vector<Index> indices) {
+  constexpr std::size_t most_bits = 64; // for each
+  if(indices.empty())
+    return 0;
+  const auto [least, greatest] = std::minmax_element(indices.begin(), indices.end());
+  const Index first = *least;
+  const std::size_t range = std::size_t(*greatest - first) + 1;
+  if(range > most_bits * indices.size()) {
+    make_set(indices);
+    return indices.size();
+  }
+  std::vector<bool> is_there(range);
+  std::size_t number = 0;
+  for(Index i : indices)
+    if(!is_there[i - first]) {
+      is_there[i - first] = true;
+      ++number;
+    }
+  return number;
+}
+
 /// A set that is asked far more often than it has elements: a bit for each index from the least to
 /// the greatest one.
 class Index_range_set

@@ -296,12 +296,16 @@ private:
   }
 
   std::ptrdiff_t euler_characteristic(const Surgery_mesh& mesh) const {
-    const std::vector<Index> vertices = internal::vertices_of(mesh, faces_);
+    std::vector<Index> corners;
+    corners.reserve(3 * faces_.size());
+    for(Index f : faces_)
+      for(Index v : mesh.corners(f))
+        corners.push_back(v);
     std::size_t sides = 3 * faces_.size();
     for(const std::vector<Index>& border : borders_)
       sides += border.size();
     CGAL_assertion(sides % 2 == 0);
-    return static_cast<std::ptrdiff_t>(vertices.size() + faces_.size()) -
+    return static_cast<std::ptrdiff_t>(number_of_different(std::move(corners)) + faces_.size()) -
            static_cast<std::ptrdiff_t>(sides / 2);
   }
 
