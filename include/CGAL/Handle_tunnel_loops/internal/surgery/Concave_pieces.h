@@ -52,9 +52,6 @@ public:
       }
   }
 
-  /// 1 if the faces of the mesh point out of the solid, -1 if they point into it.
-  double outward() const { return outward_; }
-
   /// the number of the piece that a face was in at first; none if it has come since.
   Index piece(Index face) const { return face < piece_.size() ? piece_[face] : no_index; }
 

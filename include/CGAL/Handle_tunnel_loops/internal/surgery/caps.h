@@ -37,7 +37,8 @@ CGAL_HTL_CORE void
 for_each_cap(const Surgery_mesh& mesh, const Cut_region& region, const Patch_visitor& is_wanted);
 
 /// The same for a strip: two membranes with the same triangles, one on either side of the curve,
-/// which stand on the faces there.
+/// which stand on the faces there, or on collars of several heights. They have no vertices but
+/// those of the curve and the collar; where such are wanted, they are shown once more, refined.
 CGAL_HTL_CORE void for_each_membrane(const Surgery_mesh& mesh,
                                      const Curve_off_vertices& curve,
                                      const Divided_strip& strip,

@@ -85,12 +85,14 @@ public:
   /// the parts of the divided faces, and the membranes.
   Patch caps() const {
     Patch patch = strip_.parts();
+    std::vector<Vector> shifts; // of the vertices that are not on the curve
+    for(std::size_t i = curve_.size(); i < membrane_.number_of_vertices(); ++i)
+      shifts.push_back(shift_at(Vertex(static_cast<Index>(i))));
     for(const bool is_left : {true, false}) {
       const Index first_inner = static_cast<Index>(patch.points.size());
-      for(std::size_t i = curve_.size(); i < membrane_.number_of_vertices(); ++i) {
-        const Vertex v(static_cast<Index>(i));
-        const Vector shift = shift_at(v);
-        patch.points.push_back(membrane_.point(v) + (is_left ? shift : -shift));
+      for(std::size_t i = 0; i < shifts.size(); ++i) {
+        const Vertex v(static_cast<Index>(curve_.size() + i));
+        patch.points.push_back(membrane_.point(v) + (is_left ? shifts[i] : -shifts[i]));
       }
       patch.caps.push_back(patch.faces.size());
       for(Mesh::Face_index f : membrane_.faces())
