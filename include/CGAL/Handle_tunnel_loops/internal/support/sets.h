@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -34,6 +35,14 @@ template <typename T> void make_set(std::vector<T>& all) {
 
 template <typename T> bool is_in(const T& t, const std::vector<T>& set) {
   return std::binary_search(set.begin(), set.end(), t);
+}
+
+/// the union of two vectors of which each is in ascending order.
+template <typename T> std::vector<T> united(const std::vector<T>& a, const std::vector<T>& b) {
+  std::vector<T> all;
+  all.reserve(a.size() + b.size());
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
 }
 
 /// how many different indices there are: counted by bits where they are near each other, as this is

@@ -23,7 +23,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <limits>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -77,6 +77,7 @@ public:
 
 private:
   static constexpr std::size_t most_tried = 4000, most_mouths = 16;
+  static constexpr double most_growth = 2.5; // of the border, by a counterbore
 
   // What is reached without passing a convex edge.
   struct Flood
@@ -128,12 +129,13 @@ private:
 
   // Whether each is flush; or at least one is nearly so, and the others are narrow.
   bool are_mouths_closed_well(const Cut_region& wall, double length_of_loop) const {
-    constexpr double most_growth = 1.5;
+    constexpr double most_ratio = 1.5;
     bool is_any_flush = false;
     for(std::size_t border = 0; border < wall.number_of_borders(); ++border) {
-      const bool is_flush = is_flush_at(wall, border);
-      is_any_flush |= is_flush || is_nearly_flush(rim_of(mesh_, wall, border));
-      if(!is_flush && !(length(wall, border) <= most_growth * length_of_loop))
+      const Polygon_in_space rim = rim_of(mesh_, wall, border);
+      const bool is_flush = internal::is_flush(rim);
+      is_any_flush |= is_flush || is_nearly_flush(rim);
+      if(!is_flush && !(length(wall.border(border)) <= most_ratio * length_of_loop))
         return false;
     }
     return is_any_flush;
@@ -185,11 +187,12 @@ private:
   with_counterbore(const Cut_region& wall, std::size_t border, std::size_t most) const {
     if(!Scaled_polygon(rim_of(mesh_, wall, border)).is_flat())
       return std::nullopt;
-    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most);
+    const double most_length = most_growth * length(wall.border(border));
+    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most, most_length);
     if(!wider || wider->number_of_borders() != wall.number_of_borders())
       return std::nullopt;
     const std::vector<std::size_t> outer = new_borders(*wider, wall);
-    const bool is_ring = outer.size() == 1 && is_not_much_longer(*wider, outer[0], wall, border);
+    const bool is_ring = outer.size() == 1 && length(wider->border(outer[0])) <= most_length;
     return is_ring && is_flush_at(*wider, outer[0]) ? wider : std::nullopt;
   }
 
@@ -199,26 +202,29 @@ private:
   with_bore_that_meets(const Cut_region& wall, std::size_t border, std::size_t most) const {
     if(is_flush_at(wall, border))
       return std::nullopt;
-    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most);
+    constexpr double any_length = (std::numeric_limits<double>::infinity)();
+    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most, any_length);
     if(!wider)
       return std::nullopt;
     const std::vector<std::size_t> outer = new_borders(*wider, wall);
-    const bool is_pocket = outer.size() == 1 && !is_not_much_longer(*wider, outer[0], wall, border);
+    const bool is_pocket = outer.size() == 1 && !(length(wider->border(outer[0])) <=
+                                                  most_growth * length(wall.border(border)));
     return is_pocket ? std::nullopt : wider;
   }
 
-  std::optional<Cut_region>
-  with_faces_beyond(const Cut_region& wall, std::size_t border, std::size_t most) const {
+  // If none of them has a border that is longer.
+  std::optional<Cut_region> with_faces_beyond(const Cut_region& wall,
+                                              std::size_t border,
+                                              std::size_t most,
+                                              double most_length) const {
     std::vector<Index> beyond;
     for(Index h : wall.border(border))
       beyond.push_back(mesh_.face(mesh_.twin(h)));
     make_set(beyond);
     const auto [faces, is_bounded] = flood(beyond, most);
-    if(!is_bounded)
+    if(!is_bounded || is_any_longer(Cut_region::borders_of(mesh_, faces), most_length))
       return std::nullopt;
-    std::vector<Index> all;
-    std::set_union(wall.faces().begin(), wall.faces().end(), faces.begin(), faces.end(),
-                   std::back_inserter(all));
+    std::vector<Index> all = united(wall.faces(), faces);
     const bool leads_back = all.size() != wall.faces().size() + faces.size();
     return leads_back || all.size() > most ? std::nullopt : Cut_region::wall(mesh_, std::move(all));
   }
@@ -232,17 +238,14 @@ private:
     return borders;
   }
 
-  bool is_not_much_longer(const Cut_region& wider,
-                          std::size_t outer,
-                          const Cut_region& wall,
-                          std::size_t border) const {
-    constexpr double most_growth = 2.5;
-    return length(wider, outer) <= most_growth * length(wall, border);
+  bool is_any_longer(const std::vector<std::vector<Index>>& borders, double most_length) const {
+    return std::any_of(borders.begin(), borders.end(),
+                       [&](const auto& border) { return !(length(border) <= most_length); });
   }
 
-  double length(const Cut_region& region, std::size_t border) const {
+  double length(const std::vector<Index>& border) const {
     double sum = 0.;
-    for(Index h : region.border(border))
+    for(Index h : border)
       sum += distance(mesh_, mesh_.source(h), mesh_.target(h));
     return sum;
   }

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -45,14 +44,22 @@ public:
     return region && region->number_of_handles_ == 1 ? region : std::nullopt;
   }
 
-  /// some faces and those at some vertices, in ascending order.
-  static std::vector<Index> faces_at(const Surgery_mesh& mesh,
-                                     const std::vector<Index>& vertices,
-                                     std::vector<Index> faces = {}) {
+  /// the faces at some vertices, in ascending order.
+  static std::vector<Index> faces_at(const Surgery_mesh& mesh, const std::vector<Index>& vertices) {
+    std::vector<Index> faces;
     for(Index v : vertices)
       mesh.for_each_outgoing(v, [&](Index h) { faces.push_back(mesh.face(h)); });
     make_set(faces);
     return faces;
+  }
+
+  /// the borders of some faces, as those of a region; none if they touch each other or themselves.
+  static std::vector<std::vector<Index>> borders_of(const Surgery_mesh& mesh,
+                                                    std::vector<Index> faces) {
+    Cut_region region;
+    region.faces_ = std::move(faces);
+    const std::vector<Sourced_halfedge> border = region.border_halfedges(mesh);
+    return pinches(border).empty() ? curves(mesh, border) : std::vector<std::vector<Index>>();
   }
 
   /// the same faces and a ring around them.
@@ -62,7 +69,7 @@ public:
     std::vector<Index> border;
     for(const Sourced_halfedge& h : region.border_halfedges(mesh))
       border.push_back(h.first);
-    return faces_at(mesh, border, faces);
+    return united(faces, faces_at(mesh, border));
   }
 
   /// the given faces, and what is cut off by them but for the rest of the surface, if that holds
@@ -106,8 +113,7 @@ public:
     if(borders_.size() == 2 && ring->touches(mesh, outer, vertices_of(mesh, 1 - border)))
       return std::nullopt;
     Cut_region region;
-    std::merge(faces_.begin(), faces_.end(), ring->faces_.begin(), ring->faces_.end(),
-               std::back_inserter(region.faces_));
+    region.faces_ = united(faces_, ring->faces_);
     region.borders_ = borders_;
     region.borders_[border] = ring->borders_[outer];
     region.number_of_handles_ = number_of_handles_;
@@ -238,8 +244,8 @@ private:
       if(is_alone)
         discs.insert(discs.end(), disc.begin(), disc.end());
     }
-    faces_.insert(faces_.end(), discs.begin(), discs.end());
-    make_set(faces_);
+    make_set(discs);
+    faces_ = united(faces_, discs);
   }
 
   // Adds what makes the border touch itself, and islands. Returns what the border is then.
@@ -252,8 +258,8 @@ private:
         more = islands(mesh, border);
       if(vertices.empty() && more.empty())
         return border;
-      more.insert(more.end(), faces_.begin(), faces_.end());
-      faces_ = faces_at(mesh, vertices, std::move(more));
+      make_set(more);
+      faces_ = united(united(faces_, more), faces_at(mesh, vertices));
     }
   }
 

@@ -37,6 +37,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -161,9 +162,10 @@ public:
       wanted.is_bore_wanted = find_bores(vertex_index, face_index);
     const std::vector<Removal_task> tasks =
         wanted.tasks(tm_, vertex_index, pairs_, report_.genus_before);
-    Attempt attempt = attempt_at(tasks, vertex_index, face_index);
+    Attempt attempt = attempt_at(tasks, Removal_effort::ALL_LOOPS, vertex_index, face_index);
     if(may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
-      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), vertex_index, face_index);
+      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::ALL_LOOPS,
+                                 vertex_index, face_index);
       if(number_left(other.tasks) < number_left(attempt.tasks))
         attempt = std::move(other);
     }
@@ -235,6 +237,7 @@ private:
 
   template <typename VertexIndexMap, typename FaceIndexMap>
   Attempt attempt_at(std::vector<Removal_task> tasks,
+                     Removal_effort effort,
                      VertexIndexMap vertex_index,
                      FaceIndexMap face_index) {
     Attempt attempt;
@@ -243,7 +246,7 @@ private:
     attempt.tasks = std::move(tasks);
     for(Removal_task& task : attempt.tasks)
       task.divide_lengths(attempt.link->unit());
-    remove_handles(execution, attempt.mesh, attempt.tasks, options_.force,
+    remove_handles(execution, attempt.mesh, attempt.tasks, effort, options_.force,
                    [this](double done) { ask(0.7 + 0.2 * done); });
     return attempt;
   }
@@ -261,7 +264,7 @@ private:
     for(Removal_task& task : tasks)
       if(hindered.count(task.pair) == 0)
         task.state = Removal_task::State::KEPT;
-    tasks = attempt_at(std::move(tasks), vertex_index, face_index).tasks;
+    tasks = attempt_at(std::move(tasks), Removal_effort::OWN_LOOPS, vertex_index, face_index).tasks;
     return number_with(Removal_task::State::REMOVED, tasks) > 0;
   }
 
@@ -279,11 +282,18 @@ private:
     return pairs;
   }
 
+  // The others as it was done before.
   static std::vector<Removal_task> hindered_first(std::vector<Removal_task> tasks,
                                                   const std::vector<Removal_task>& done) {
-    const std::set<std::size_t> hindered = pairs_of(done, is_hindered);
-    for(Removal_task& task : tasks)
-      task.comes_first = hindered.count(task.pair) != 0;
+    std::map<std::size_t, const Removal_task*> done_of; // by pair
+    for(const Removal_task& task : done)
+      done_of[task.pair] = &task;
+    for(Removal_task& task : tasks) {
+      const Removal_task& other = *done_of.at(task.pair);
+      task.comes_first = is_hindered(other);
+      if(other.state == Removal_task::State::REMOVED && other.are_first_loops)
+        task.region = other.region;
+    }
     return tasks;
   }
 

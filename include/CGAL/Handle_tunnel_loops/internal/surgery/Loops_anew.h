@@ -115,7 +115,7 @@ private:
       return;
     task.state = Removal_task::State::OPEN;
     task.pair = lost.pair;
-    task.are_types_known = false;
+    task.are_types_known = task.are_first_loops = false;
   }
 
   // It may cross others, but not go along them.
@@ -365,6 +365,7 @@ private:
           return std::make_pair(!a.is_allowed, a.length) < std::make_pair(!b.is_allowed, b.length);
         });
     task.state = Removal_task::State::OPEN;
+    task.are_first_loops = false;
     task.is_settled = false;
   }
 

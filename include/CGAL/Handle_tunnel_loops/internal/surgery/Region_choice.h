@@ -12,10 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
-
 #include <cstddef>
-#include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
@@ -38,36 +35,12 @@ struct Region_choice
 
   bool takes_both_loops() const { return style == WHOLE || style == KNOB; }
   bool is_along_curve() const { return style == STRIP || style == BORE; }
-};
 
-/// all regions along the loops that are allowed, the first one first, given the order of these.
-/// What leaves most of the shape alone comes first.
-inline std::vector<Region_choice> region_choices(const Removal_task& task,
-                                                 const std::vector<std::size_t>& allowed) {
-  using Choice = Region_choice;
-  const bool are_both_allowed = task.has_both_loops() && allowed.size() == 2;
-  std::vector<Choice> all;
-  if(are_both_allowed)
-    all.push_back({Choice::KNOB, allowed.front(), 8});
-  for(std::size_t i : allowed)
-    if(!task.are_types_known || task.choices[i].type == Loop_type::TUNNEL)
-      for(int rings : {1, 0})
-        all.push_back({Choice::BORE, i, rings});
-  for(std::size_t i : allowed)
-    all.push_back({Choice::STRIP, i, 0});
-  for(std::size_t i : allowed)
-    for(int rings : {3, 0})
-      all.push_back({Choice::RINGS, i, rings});
-  if(are_both_allowed)
-    for(int rings : {0, 1, 2, 3, 4, 5, 6, 8, 10, 12})
-      all.push_back({Choice::WHOLE, allowed.front(), rings});
-  for(std::size_t i : allowed)
-    all.push_back({Choice::STRIP, i, 0, true});
-  if(are_both_allowed)
-    for(int rings : {0, 1, 2})
-      all.push_back({Choice::WHOLE, allowed.front(), rings, true});
-  return all;
-}
+  friend bool operator==(const Region_choice& a, const Region_choice& b) {
+    return a.style == b.style && a.loop == b.loop && a.rings == b.rings &&
+           a.may_cross == b.may_cross;
+  }
+};
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

@@ -23,6 +23,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/region_choices.h>
 
 #include <CGAL/assertions.h>
 
@@ -175,8 +176,9 @@ public:
     // Whether a loop separates the surface is decided anywhere.
     task_->is_far_reaching |= obstacle.kind == Obstacle::TOPOLOGY;
     const bool is_alone = !surgery_ || surgery_->number_of_handles() == 1;
-    if(choice().style == Region_choice::BORE && choice().rings > 0 && is_alone)
-      ++next_; // the next one would be the same
+    if(choice().style == Region_choice::BORE && choice().rings > 0 && is_alone &&
+       choices_[next_ + 1].style == Region_choice::BORE)
+      ++next_; // it would be the same
     drop_surgery();
     if(++next_ < choices_.size())
       return;

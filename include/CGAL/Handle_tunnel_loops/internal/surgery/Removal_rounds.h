@@ -23,13 +23,19 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// Which loops handles are removed along.
+enum class Removal_effort {
+  OWN_LOOPS, ///< those that they have, led around where others were removed
+  ALL_LOOPS  ///< at last others, which are found on the surface as it is by then
+};
+
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
-/// none is open at the end. Loops that cross where another handle was removed are led around it, or
-/// found anew on the surface as it is by then. With \p force, also where that is no repair. \p ask
-/// is told what part is done, and throws to stop.
+/// none is open at the end. With \p force, also where that is no repair. \p ask is told what part is
+/// done, and throws to stop.
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,
+                                  Removal_effort effort,
                                   bool force,
                                   const std::function<void(double)>& ask);
 

@@ -290,6 +290,7 @@ private:
     const double number = static_cast<double>(1 + surgery.companions.size());
     task.choice = candidate.loop();
     task.length = candidate.length();
+    task.region = candidate.choice();
     task.is_whole = surgery.takes_all();
     task.change = surgery.change();
     task.change.volume_removed /= number;
@@ -375,6 +376,7 @@ inline void give_up(const Removal_rounds& remove, std::vector<Removal_task>& tas
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,
+                                  Removal_effort effort,
                                   bool force,
                                   const std::function<void(double)>& ask) {
   using State = Removal_task::State;
@@ -385,6 +387,8 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
   for(;;) {
     const std::size_t before = number_with(State::REMOVED, tasks);
     remove(tasks, ask_now);
+    if(effort == Removal_effort::OWN_LOOPS)
+      break;
     remove_along_loops_nearby(execution, remove, mesh, tasks, ask_now);
     if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
       break;

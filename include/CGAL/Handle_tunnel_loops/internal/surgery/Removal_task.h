@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Region_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,10 +75,12 @@ struct Removal_task
     KEPT     ///< a handle that is not to be removed
   };
 
-  std::size_t pair = none;          ///< its number; none for a neck
-  std::vector<Loop_choice> choices; ///< in the order in which they are to be tried
-  bool are_types_known = true;      ///< or what is taken away will tell
-  bool comes_first = false;         ///< before all others that do not
+  std::size_t pair = none;             ///< its number; none for a neck
+  std::vector<Loop_choice> choices;    ///< in the order in which they are to be tried
+  bool are_types_known = true;         ///< or what is taken away will tell
+  bool are_first_loops = true;         ///< or found on the surface as it has become
+  bool comes_first = false;            ///< before all others that do not
+  std::optional<Region_choice> region; ///< that it was removed with, or was before
 
   bool is_of_neck() const { return pair == none; }
 
