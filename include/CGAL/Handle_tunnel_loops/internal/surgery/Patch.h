@@ -79,12 +79,12 @@ public:
   }
 
   bool operator()() const {
+    if(are_surely_apart())
+      return false;
     if(b_.is_degenerate())
       return meets_degenerate();
     if(a_.is_degenerate())
       return Triangle_contact(b_, a_)();
-    if(number_shared_ < 2 && (is_beside(b_, shared_in_b_, a_) || is_beside(a_, shared_in_a_, b_)))
-      return false;
     switch(number_shared_) {
     case 0:
       return CGAL::do_intersect(a_.triangle(), b_.triangle());
@@ -101,8 +101,16 @@ public:
 private:
   using Corners = std::array<std::size_t, 9>; // nine: for faces without area
 
+  // What most are. Orientations are the fastest predicates, and a triangle without area has none.
+  bool are_surely_apart() const {
+    if(number_shared_ == 2)
+      return are_bent_at_edge();
+    return number_shared_ < 2 &&
+           (is_beside(b_, shared_in_b_, a_) || is_beside(a_, shared_in_a_, b_));
+  }
+
   // Whether all corners of a triangle but the shared one are on the same side of the plane of
-  // another one. This is what most are, and orientations are the fastest predicates.
+  // another one.
   bool
   is_beside(const Placed_triangle& t, const Corners& shared, const Placed_triangle& other) const {
     Orientation side = COPLANAR;
@@ -122,12 +130,22 @@ private:
     return {t.points[(corner + 1) % 3], t.points[(corner + 2) % 3]};
   }
 
+  const Kernel::Point_3& apex_of_a() const {
+    return a_.points[3 - shared_in_a_[0] - shared_in_a_[1]];
+  }
+  const Kernel::Point_3& apex_of_b() const {
+    return b_.points[3 - shared_in_b_[0] - shared_in_b_[1]];
+  }
+
+  bool are_bent_at_edge() const {
+    return CGAL::orientation(a_.points[shared_in_a_[0]], a_.points[shared_in_a_[1]], apex_of_a(),
+                             apex_of_b()) != COPLANAR;
+  }
+
+  // In a plane.
   bool overlap_at_edge() const {
-    const auto &p = a_.points[shared_in_a_[0]], &q = a_.points[shared_in_a_[1]];
-    const auto& apex_a = a_.points[3 - shared_in_a_[0] - shared_in_a_[1]];
-    const auto& apex_b = b_.points[3 - shared_in_b_[0] - shared_in_b_[1]];
-    return CGAL::orientation(p, q, apex_a, apex_b) == COPLANAR &&
-           CGAL::coplanar_orientation(p, q, apex_a, apex_b) == POSITIVE;
+    return CGAL::coplanar_orientation(a_.points[shared_in_a_[0]], a_.points[shared_in_a_[1]],
+                                      apex_of_a(), apex_of_b()) == POSITIVE;
   }
 
   // A triangle without area is the union of its sides. Those at a corner that is shared are left
