@@ -58,14 +58,15 @@ public:
                   {"plate with slots", &Bored_part_maker::make_slots},
                   {"block with bores that meet", &Bored_part_maker::make_cross_drilled},
                   {"flange", &Bored_part_maker::make_flange},
-                  {"plate with oblique bores", &Bored_part_maker::make_oblique}}};
+                  {"plate with oblique bores", &Bored_part_maker::make_oblique},
+                  {"plate with keyways", &Bored_part_maker::make_keyways}}};
     (this->*kinds[kind_].second)();
     return {std::string(kinds[kind_].first) + (is_askew_ ? ", askew" : ""), copy_of(part_),
             copy_of(blank_), diameters_};
   }
 
 private:
-  static constexpr unsigned number_of_kinds = 6;
+  static constexpr unsigned number_of_kinds = 7;
 
   // ---- the kinds
 
@@ -134,6 +135,16 @@ private:
            [x, y, tilt, middle = thickness_ / 2.](const Vector& p) {
              return Vector(x + p.x() + tilt * (p.z() - middle), y + p.y(), p.z());
            });
+    });
+  }
+
+  // Their walls have convex edges.
+  void make_keyways() {
+    on_grid([this](double x, double y) {
+      const double radius = random_.uniform(0.1, 0.3), width = radius * random_.uniform(0.3, 0.8),
+                   depth = radius * random_.uniform(1.1, 1.4);
+      bore(polygon(radius, 24 + random_.below(40)), at(x, y));
+      bore(rectangle(depth, width), at(x, y - width / 2.));
     });
   }
 

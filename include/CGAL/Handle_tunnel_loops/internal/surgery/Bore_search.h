@@ -21,6 +21,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
+#include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -49,7 +51,6 @@ public:
   struct Walls
   {
     std::optional<Cut_region> alone, joined;
-    bool is_any() const { return alone || joined; }
   };
 
   /// of a bore that a loop goes around. Gives up where the wall is many times as
@@ -58,20 +59,17 @@ public:
     const std::vector<Index> faces = loop.faces();
     const std::size_t most = most_tried + 64 * faces.size();
     Walls walls = walls_of(flood(faces, most), loop, most);
-    // At a mouth, some of the faces are beyond it.
-    std::vector<Index> tried;
-    std::size_t number = 0; // of faces reached in vain, but for those from where there is no end
-    for(std::size_t i = 0; i < faces.size() && !walls.is_any() && number < most_tried; ++i) {
-      if(is_in(faces[i], tried))
-        continue;
-      Flood reached = flood({faces[i]}, most_tried);
-      tried.insert(tried.end(), reached.faces.begin(), reached.faces.end());
-      make_set(tried);
-      if(reached.is_bounded) {
-        number += reached.faces.size();
-        walls = walls_of(std::move(reached), loop, most_tried + 64);
+    // What is reached may lead over a mouth and around to other bores, which is the last resort.
+    std::size_t number = 0; // of faces that were tried in vain
+    if(!walls.alone)
+      for(Flood& wall : floods_without_mouths(faces, most)) {
+        number += wall.faces.size();
+        Walls others = walls_of(std::move(wall), loop, most_tried);
+        if(others.alone || !walls.joined)
+          walls = std::move(others);
+        if(walls.alone || number >= most_tried)
+          break;
       }
-    }
     return walls;
   }
 
@@ -85,6 +83,86 @@ private:
     std::vector<Index> faces; // in ascending order
     bool is_bounded;          // these are all, and none of them is in a cap
   };
+
+  // What is reached from a loop along a mouth, where some of its faces are beyond that: from one of
+  // them; and, as the wall may have convex edges of its own, that with what is beside it but for
+  // two others, which may be beyond the mouths.
+  std::vector<Flood> floods_without_mouths(const std::vector<Index>& faces,
+                                           std::size_t most) const {
+    std::vector<Flood> floods = floods_from(faces, most).floods;
+    const std::size_t number = floods.size();
+    for(std::size_t i = 0; i < number; ++i) {
+      const auto is_here = [&](Index f) { return is_in(f, floods[i].faces); };
+      if(4 * static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), is_here)) <
+         faces.size())
+        continue; // the loop hardly goes around there
+      const Floods beside = floods_from(faces_beyond(floods[i].faces), most);
+      for(Flood& wall : with_all_but_two(floods[i], beside))
+        floods.push_back(std::move(wall));
+    }
+    std::sort(floods.begin() + static_cast<std::ptrdiff_t>(number), floods.end(),
+              [](const Flood& a, const Flood& b) {
+                return std::make_pair(a.faces.size(), a.faces) <
+                       std::make_pair(b.faces.size(), b.faces);
+              });
+    return floods;
+  }
+
+  // Those that come to an end, each once, and where the others begin.
+  struct Floods
+  {
+    std::vector<Flood> floods;
+    std::vector<Index> pieces_without_end;
+  };
+
+  Floods floods_from(const std::vector<Index>& faces, std::size_t most) const {
+    Floods all;
+    std::vector<Index>& endless = all.pieces_without_end;
+    std::vector<Index> tried;
+    for(std::size_t i = 0; i < faces.size() && tried.size() < most_tried; ++i) {
+      const Index piece = pieces_.piece(faces[i]);
+      if(is_in(faces[i], tried) ||
+         std::find(endless.begin(), endless.end(), piece) != endless.end())
+        continue;
+      Flood reached = flood({faces[i]}, most);
+      tried = united(tried, reached.faces);
+      if(reached.is_bounded)
+        all.floods.push_back(std::move(reached));
+      else
+        endless.push_back(piece);
+    }
+    return all;
+  }
+
+  std::vector<Index> faces_beyond(const std::vector<Index>& faces) const {
+    std::vector<Index> beyond;
+    for(Index f : faces)
+      for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
+        if(const Index g = mesh_.face(mesh_.twin(h)); !is_in(g, faces))
+          beyond.push_back(g);
+    make_set(beyond);
+    return beyond;
+  }
+
+  // A flood with those beside it, but for two, to which those without end count.
+  static std::vector<Flood> with_all_but_two(const Flood& flood, const Floods& beside) {
+    constexpr std::size_t most_beside = 8;
+    const std::size_t n = beside.floods.size(),
+                      number_out = 2 - (std::min)(std::size_t(2), beside.pieces_without_end.size());
+    std::vector<Flood> all;
+    if(n <= number_out || n > most_beside)
+      return all;
+    for(unsigned choice = 0; choice < 1u << n; ++choice) {
+      const std::bitset<most_beside> is_out(choice);
+      if(is_out.count() != number_out)
+        continue;
+      all.push_back(flood);
+      for(std::size_t k = 0; k < n; ++k)
+        if(!is_out[k])
+          all.back().faces = united(all.back().faces, beside.floods[k].faces);
+    }
+    return all;
+  }
 
   // A counterbore may have so many faces.
   Walls walls_of(Flood reached, const Curve_off_vertices& loop, std::size_t most) const {
