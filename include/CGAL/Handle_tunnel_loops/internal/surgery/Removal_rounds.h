@@ -30,8 +30,8 @@ enum class Removal_effort {
 };
 
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
-/// none is open at the end. With \p force, also where that is no repair. \p ask is told what part is
-/// done, and throws to stop.
+/// none is open at the end. With \p force, also where that is no repair. \p ask is told what part
+/// is done, and throws to stop.
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,
