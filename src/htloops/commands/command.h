@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace htloops {
 
@@ -29,6 +30,9 @@ void add_remove_command(CLI::App& app, Command& command);
 void add_repair_command(CLI::App& app, Command& command);
 void add_check_command(CLI::App& app, Command& command);
 void add_generate_command(CLI::App& app, Command& command);
+
+/// writes the range of `--bores` out where none is given: what follows may be the name of a mesh.
+void write_out_bores(std::vector<std::string>& arguments);
 
 /// completions for shells, and the manual page.
 void add_help_commands(CLI::App& app, Command& command);

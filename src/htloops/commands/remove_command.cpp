@@ -254,17 +254,11 @@ void run(const Remove_options& options) {
 }
 
 CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
-  const auto take = [&range](const std::string& text) {
-    // What CLI11 says where there is none depends on its version.
-    range = text.empty() || text == "true" ? ":" : text;
-  };
   return command
-      .add_option_function<std::string>(
-          "--bores", take,
-          "round bores, of a diameter in a range, in the unit of the\n"
-          "coordinates: 3:8, 3: or :8; without one, all round bores")
-      ->option_text("[MIN:MAX]")
-      ->expected(0, 1);
+      .add_option("--bores", range,
+                  "round bores, of a diameter in a range, in the unit of the\n"
+                  "coordinates: 3:8, 3: or :8; without one, all round bores")
+      ->option_text("[MIN:MAX]");
 }
 
 void add_selection_options(CLI::App& command, Remove_options& options) {
@@ -346,6 +340,14 @@ constexpr char remove_examples[] = R"(Examples:
 )";
 
 } // namespace
+
+void write_out_bores(std::vector<std::string>& arguments) {
+  for(std::size_t i = 0; i < arguments.size(); ++i)
+    if(arguments[i] == "--bores" &&
+       (i + 1 == arguments.size() || arguments[i + 1].empty() ||
+        arguments[i + 1].find_first_not_of("0123456789.:eE+") != std::string::npos))
+      arguments[i] = "--bores=:";
+}
 
 void add_remove_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Remove_options>();

@@ -194,7 +194,10 @@ int run_tool(int argc, char** argv) {
     return static_cast<int>(Exit_code::WRONG_USAGE);
   }
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    write_out_bores(arguments);
+    std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
+    app.parse(std::move(arguments));
   } catch(const CLI::ParseError& error) {
     const bool is_request = app.exit(error) == static_cast<int>(CLI::ExitCodes::Success);
     if(is_request && !std::cout.flush())
