@@ -97,14 +97,23 @@ py::dict words_of(const htl::Removal_report& report) {
                   "refused_necks"_a = records_of(report.refused_necks));
 }
 
-using Origins = Mesh::Property_map<Mesh::Face_index, std::int64_t>;
+template <typename Element> using Origins = Mesh::Property_map<Element, std::int64_t>;
 
-Origins number_faces(Mesh& mesh) {
-  const Origins origins =
-      mesh.add_property_map<Mesh::Face_index, std::int64_t>("f:origin", -1).first;
-  for(const Mesh::Face_index f : mesh.faces())
-    origins[f] = f.idx();
+// Numbers the faces, or the vertices, of a mesh; -1 for what comes later.
+template <typename Element, typename Elements>
+Origins<Element> number(Mesh& mesh, const Elements& elements) {
+  const auto origins = mesh.add_property_map<Element, std::int64_t>("origin", -1).first;
+  for(const Element element : elements)
+    origins[element] = element.idx();
   return origins;
+}
+
+template <typename Element, typename Elements>
+py::array numbers(const Origins<Element>& origins, const Elements& elements) {
+  std::vector<std::int64_t> all;
+  for(const Element element : elements)
+    all.push_back(origins[element]);
+  return array_of(all);
 }
 
 py::tuple remove_handles(const py::array& points,
@@ -114,7 +123,8 @@ py::tuple remove_handles(const py::array& points,
                          int threads,
                          Watch& watch) {
   Mesh mesh = mesh_of(points, triangles);
-  const Origins origins = number_faces(mesh);
+  const auto vertex_origin = number<Mesh::Vertex_index>(mesh, mesh.vertices());
+  const auto face_origin = number<Mesh::Face_index>(mesh, mesh.faces());
   const htloops::Removal_options options = options_of(chosen);
   const htloops::Pairs pairs = pairs_of(loops, mesh);
   htl::Removal_report report;
@@ -122,11 +132,10 @@ py::tuple remove_handles(const py::array& points,
     report = htloops::remove_handles(mesh, pairs, options, watch).report;
     mesh.collect_garbage();
   });
-  std::vector<std::int64_t> origin;
-  for(const Mesh::Face_index f : mesh.faces())
-    origin.push_back(origins[f]);
   const py::tuple arrays = arrays_of(mesh);
-  return py::make_tuple(arrays[0], arrays[1], array_of(origin), words_of(report));
+  py::dict words = words_of(report);
+  words["vertex_origin"] = numbers(vertex_origin, mesh.vertices());
+  return py::make_tuple(arrays[0], arrays[1], numbers(face_origin, mesh.faces()), words);
 }
 
 py::tuple cut_to_disk(const py::array& points,

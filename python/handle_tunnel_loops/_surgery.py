@@ -64,7 +64,8 @@ def remove_handles(
         refused_necks. Each change, and that of all, says how the shape differs: volume_removed,
         volume_added, cap_area; cap_ratio, the largest area of a cap over that of a circle as long as its rim;
         displacement, the largest distance of a cap from the old surface; burial, that of what was taken
-        out with solid from the caps; sharpest_angle, at an edge of a cap, in degrees; box_growth
+        out with solid from the caps; sharpest_angle, at an edge of a cap, in degrees; box_growth. And
+        vertex_origin : (n',): for each vertex the one of the given mesh that it is, or -1 if it is new
     """
     methods = {}
     if isinstance(pairs, Mapping):

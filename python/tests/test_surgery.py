@@ -25,6 +25,9 @@ def test_all_handles(genus_3):
     new_V, new_F, face_origin, report = htl.remove_handles(V, F)
     assert euler_characteristic(new_F) == 2 and htl.loops(new_V, new_F).genus == 0
     check_origin(V, F, new_V, new_F, face_origin)
+    kept = report["vertex_origin"] >= 0
+    assert len(kept) == len(new_V) and np.array_equal(new_V[kept], V[report["vertex_origin"][kept]])
+    assert len(np.unique(report["vertex_origin"][kept])) == kept.sum() > 0.9 * len(V)
     assert report["genus_before"] == 3 and report["genus_after"] == 0
     assert [handle["pair"] for handle in report["removed"]] and report["refused"] == []
 
