@@ -246,17 +246,22 @@ private:
   }
 
   // With what is beyond the mouths, as long as `wider(wall, border)` gives that of one. None if
-  // there are too many in the end.
+  // there are too many in the end. What is not given is not given later: the wall only grows.
   template <typename Function>
   std::optional<Cut_region> widened(Cut_region wall, const Function& wider) const {
-    for(std::size_t border = 0; border < wall.number_of_borders();)
-      if(std::optional<Cut_region> next = wider(wall, border)) {
+    std::vector<Index> done; // by their first halfedges, borders beyond which there is nothing
+    for(std::size_t border = 0; border < wall.number_of_borders();) {
+      const Index first = wall.border(border).front();
+      if(std::find(done.begin(), done.end(), first) != done.end())
+        ++border;
+      else if(std::optional<Cut_region> next = wider(wall, border)) {
         wall = std::move(*next);
         if(wall.number_of_borders() > most_mouths)
           return std::nullopt;
         border = 0;
       } else
-        ++border;
+        done.push_back(first);
+    }
     return wall;
   }
 
@@ -299,12 +304,14 @@ private:
     for(Index h : wall.border(border))
       beyond.push_back(mesh_.face(mesh_.twin(h)));
     make_set(beyond);
-    const auto [faces, is_bounded] = flood(beyond, most);
+    if(wall.faces().size() >= most)
+      return std::nullopt;
+    const auto [faces, is_bounded] = flood(beyond, most - wall.faces().size());
     if(!is_bounded || is_any_longer(Cut_region::borders_of(mesh_, faces), most_length))
       return std::nullopt;
     std::vector<Index> all = united(wall.faces(), faces);
     const bool leads_back = all.size() != wall.faces().size() + faces.size();
-    return leads_back || all.size() > most ? std::nullopt : Cut_region::wall(mesh_, std::move(all));
+    return leads_back ? std::nullopt : Cut_region::wall(mesh_, std::move(all));
   }
 
   // The borders that are none of another wall.

@@ -18,7 +18,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -34,16 +36,22 @@ public:
       : mesh_(mesh)
       , outward_(outward)
       , piece_(mesh.face_bound(), no_index)
-      , size_(mesh.face_bound(), 0) {
+      , size_(mesh.face_bound(), 0)
+      , convex_sides_(mesh.face_bound(), 0) {
     Concurrent_disjoint_sets sets(execution, mesh.face_bound());
     for_each_index(execution, mesh.face_bound(), [&](std::size_t f) {
       if(mesh.is_alive(static_cast<Index>(f)))
         sets.insert(static_cast<Index>(f));
     });
-    for_each_index(execution, 3 * std::size_t(mesh.face_bound()), [&](std::size_t i) {
-      const Index h = static_cast<Index>(i);
-      if(mesh.is_alive(mesh.face(h)) && h < mesh.twin(h) && !is_convex(h))
-        sets.unite(mesh.face(h), mesh.face(mesh.twin(h)));
+    for_each_index(execution, mesh.face_bound(), [&](std::size_t i) {
+      const Index f = static_cast<Index>(i);
+      if(!mesh.is_alive(f))
+        return;
+      for(Index side : {0, 1, 2})
+        if(turns_outward(3 * f + side))
+          convex_sides_[f] |= static_cast<unsigned char>(1u << side);
+        else if(3 * f + side < mesh.twin(3 * f + side))
+          sets.unite(f, mesh.face(mesh.twin(3 * f + side)));
     });
     for(Index f = 0; f < mesh.face_bound(); ++f)
       if(mesh.is_alive(f)) {
@@ -60,6 +68,13 @@ public:
 
   /// whether the edge is convex by more than five degrees.
   bool is_convex(Index h) const {
+    const Index f = mesh_.face(h), g = mesh_.face(mesh_.twin(h));
+    return (std::max)(f, g) < convex_sides_.size() ? (convex_sides_[f] >> (h - 3 * f) & 1) != 0
+                                                   : turns_outward(h);
+  }
+
+private:
+  bool turns_outward(Index h) const {
     constexpr double cosine = 0.996;
     const Index g = mesh_.twin(h);
     const auto m = normal_of(mesh_, mesh_.face(h)), n = normal_of(mesh_, mesh_.face(g));
@@ -74,11 +89,11 @@ public:
     return outward_ * height < 0.;
   }
 
-private:
   const Surgery_mesh& mesh_;
   const double outward_;
-  std::vector<Index> piece_; // by face
-  std::vector<Index> size_;  // by piece
+  std::vector<Index> piece_;                // by face
+  std::vector<Index> size_;                 // by piece
+  std::vector<unsigned char> convex_sides_; // by face, as bits
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -33,7 +33,7 @@ inline std::vector<Region_choice> region_choices(const Removal_task& task,
   if(are_both_allowed)
     all.push_back({Choice::KNOB, allowed.front(), 8});
   for(std::size_t i : allowed)
-    if(!task.are_types_known || task.choices[i].type == Loop_type::TUNNEL)
+    if(task.are_types_known && task.choices[i].type == Loop_type::TUNNEL)
       for(int rings : {1, 0})
         all.push_back({Choice::BORE, i, rings});
   for(std::size_t i : allowed)
