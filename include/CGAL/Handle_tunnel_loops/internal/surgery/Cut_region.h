@@ -83,7 +83,8 @@ public:
     return region;
   }
 
-  /// the given faces as a wall, with the discs that it leaves out and that have less faces.
+  /// the given faces as a wall, with the discs that it leaves out and that have less faces, and but
+  /// a few for each edge of their border.
   static std::optional<Cut_region> wall(const Surgery_mesh& mesh, std::vector<Index> faces) {
     Cut_region region;
     region.faces_ = std::move(faces);
@@ -219,6 +220,8 @@ private:
     std::unordered_map<Index, std::size_t> reached; // by face, from which curve
     std::vector<Index> discs;
     for(std::size_t k = 0; k < curves.size(); ++k) {
+      constexpr std::size_t most_per_edge = 8;
+      const std::size_t most = (std::min)(faces_.size(), most_per_edge * curves[k].size());
       std::vector<Index> disc;
       bool is_alone = true;
       const auto visit = [&](Index f) {
@@ -234,7 +237,7 @@ private:
       }
       make_set(own);
       for(std::size_t i = 0; i < disc.size() && is_alone; ++i) {
-        is_alone = disc.size() < faces_.size();
+        is_alone = disc.size() < most;
         for(Index h : {3 * disc[i], 3 * disc[i] + 1, 3 * disc[i] + 2})
           if(const Index f = mesh.face(mesh.twin(h)); !contains(f))
             visit(f);
