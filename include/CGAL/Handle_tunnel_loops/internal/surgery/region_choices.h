@@ -22,8 +22,9 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// all regions along the loops that are allowed, the first one first, given the order of these.
-/// What leaves most of the shape alone comes first. The last ones, which seldom help, are for
-/// handles with the loops that they had at first. That which is known to do comes before all.
+/// What leaves most of the shape alone comes first: before things are taken out whole, strips may
+/// cross what the surface has crossed. What seldom helps is for handles with the loops that they
+/// had at first. That which is known to do comes before all.
 inline std::vector<Region_choice> region_choices(const Removal_task& task,
                                                  const std::vector<std::size_t>& allowed) {
   using Choice = Region_choice;
@@ -42,13 +43,13 @@ inline std::vector<Region_choice> region_choices(const Removal_task& task,
     for(int rings : {3, 0})
       if(rings > 0 || task.are_types_known || are_first_loops)
         all.push_back({Choice::RINGS, i, rings});
+  if(are_first_loops)
+    for(std::size_t i : allowed)
+      all.push_back({Choice::STRIP, i, 0, true});
   if(are_both_allowed)
     for(int rings : {0, 1, 2, 3, 4, 6, 10})
       if(rings <= 2 || are_first_loops)
         all.push_back({Choice::WHOLE, allowed.front(), rings});
-  if(are_first_loops)
-    for(std::size_t i : allowed)
-      all.push_back({Choice::STRIP, i, 0, true});
   if(are_first_loops && are_both_allowed)
     for(int rings : {0, 1, 2})
       all.push_back({Choice::WHOLE, allowed.front(), rings, true});
