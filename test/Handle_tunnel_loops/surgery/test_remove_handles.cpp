@@ -392,6 +392,54 @@ TEST(Handle_removal, RefusesHandlesOfRandomSurfaces) {
   EXPECT_EQ(euler_characteristic(mesh), 2 - 2 * static_cast<std::ptrdiff_t>(report.genus_after));
 }
 
+// Pairs of faces that cross each other.
+std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings(const Mesh& mesh) {
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+  PMP::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs;
+}
+
+// A ring and a copy of it that is shifted by parts of its box.
+Mesh crossing_rings(std::size_t faces, const std::array<double, 3>& parts) {
+  Mesh rings = mesh_of(recipe("torus", faces, 1)), other = rings;
+  const CGAL::Bbox_3 box = PMP::bbox(rings);
+  for(const auto v : other.vertices()) {
+    const Mesh::Point p = rings.point(v);
+    other.point(v) = {p.x() + parts[0] * (box.xmax() - box.xmin()),
+                      p.y() + parts[1] * (box.ymax() - box.ymin()),
+                      p.z() + parts[2] * (box.zmax() - box.zmin())};
+  }
+  rings += other;
+  return rings;
+}
+
+// Most discs across one of the rings meet the other one. Some of them meet only what was crossed
+// there before.
+TEST(Handle_removal, CrossesNoMoreThanWasCrossed) {
+  std::size_t number = 0; // of new faces that cross old ones
+  for(std::size_t faces : {32, 50, 72, 98, 128, 200})
+    for(const auto& parts : {std::array{0.02, 0., 0.03}, std::array{0., 0., 0.3},
+                             std::array{0., 0., 0.01}, std::array{0.1, 0., 0.}})
+    {
+      Mesh mesh = crossing_rings(faces, parts);
+      std::set<Mesh::Face_index> crossed;
+      for(const auto& [f, g] : crossings(mesh))
+        crossed.insert({f, g});
+      const Mesh::Face_index end_of_old(static_cast<std::uint32_t>(mesh.number_of_faces()));
+      const htl::Removal_report report = CGAL::remove_handles(mesh);
+      EXPECT_EQ(report.removed.size() + report.refused.size(), 2u);
+      EXPECT_EQ(euler_characteristic(mesh),
+                4 - 2 * static_cast<std::ptrdiff_t>(report.refused.size()));
+      EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+      for(const auto& [f, g] : crossings(mesh))
+        if((f < end_of_old) != (g < end_of_old)) {
+          ++number;
+          EXPECT_EQ(crossed.count((std::min)(f, g)), 1u);
+        }
+    }
+  EXPECT_GT(number, 0u);
+}
+
 TEST(Handle_removal, StopsAtTheTargetSmallestFirst) {
   for(std::size_t target : {0, 3, 4, 7, 8}) {
     Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));

@@ -3,6 +3,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Bore_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Collar.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Divided_strip.h>
@@ -461,6 +462,52 @@ TEST(Surgery, TriangulatesPolygons) {
         EXPECT_NEAR(area, 0.5 * double(n) * std::sin(2. * CGAL_PI / double(n)), 1e-9);
       }
     }
+}
+
+// A ring of bumpy faces around a cylinder.
+impl::Polygon_in_space bumpy_ring(std::size_t n, double bump, generators::Random& random) {
+  impl::Polygon_in_space ring;
+  for(std::size_t i = 0; i < n; ++i) {
+    const double angle = 2. * CGAL_PI * double(i) / double(n);
+    ring.points.emplace_back(std::cos(angle), std::sin(angle), bump * random.uniform(-0.1, 0.1));
+    const double tilt = angle + CGAL_PI / double(n) + bump * random.uniform(-1., 1.);
+    ring.normals_beyond.emplace_back(std::cos(tilt), std::sin(tilt),
+                                     bump * random.uniform(-1., 1.));
+  }
+  return ring;
+}
+
+// A band from one polygon to the other, on the side that was asked for.
+TEST(Surgery, PutsACollarOnTheSurface) {
+  generators::Random random(5);
+  for(int repetition = 0; repetition < 100; ++repetition) {
+    const std::size_t n = 8 + random.below(200);
+    impl::Polygon_in_space ring = bumpy_ring(n, random.uniform(0., 0.6), random);
+    const bool is_outside = random.below(2) == 0;
+    ring.at_sides = is_outside ? impl::Polygon_in_space::OUTSIDE : impl::Polygon_in_space::INSIDE;
+    const double height = random.uniform(0.01, 0.3);
+    const impl::Collar collar(ring, height);
+    ASSERT_TRUE(collar.is_good());
+    const std::size_t inner = collar.inner().size();
+    EXPECT_EQ(collar.triangles().size(), n + inner);
+    std::set<std::pair<std::size_t, std::size_t>> sides;
+    for(const auto& t : collar.triangles())
+      for(std::size_t k = 0; k < 3; ++k)
+        EXPECT_TRUE(sides.insert({t[k], t[(k + 1) % 3]}).second);
+    std::size_t number_open = 0;
+    for(const auto& [i, j] : sides)
+      number_open += sides.count({j, i}) == 0;
+    EXPECT_EQ(number_open, n + inner);
+    for(std::size_t i = 0; i < n; ++i)
+      EXPECT_EQ(sides.count({i, (i + 1) % n}), 1u);
+    for(std::size_t k = 0; k < inner; ++k)
+      EXPECT_EQ(sides.count({n + (k + 1) % inner, n + k}), 1u);
+    for(const Surgery_mesh::Point& p : collar.inner().points) {
+      const double radius = std::hypot(p.x(), p.y());
+      EXPECT_TRUE(is_outside ? radius > 1. : radius < 1.) << radius;
+      EXPECT_LT(std::abs(radius - 1.), 1.1 * height + 0.05);
+    }
+  }
 }
 
 // A spire is exchanged for its base: the base is as far from its sides as its points are, and its
