@@ -100,10 +100,11 @@ private:
       for(Flood& wall : with_all_but_two(floods[i], beside))
         floods.push_back(std::move(wall));
     }
+    // The walls are smaller than the plates that they lead through.
     std::sort(floods.begin() + static_cast<std::ptrdiff_t>(number), floods.end(),
               [](const Flood& a, const Flood& b) {
-                return std::make_pair(a.faces.size(), a.faces) <
-                       std::make_pair(b.faces.size(), b.faces);
+                const std::size_t m = a.faces.size(), n = b.faces.size();
+                return m != n ? m < n : a.faces < b.faces;
               });
     return floods;
   }
