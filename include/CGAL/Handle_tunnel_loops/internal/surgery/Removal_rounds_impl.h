@@ -364,12 +364,6 @@ inline void settle(const Removal_rounds& remove, std::vector<Removal_task>& task
           task.state == Removal_task::State::REFUSED && !remove.has_changed(task, task.time);
 }
 
-inline bool are_all_settled(const std::vector<Removal_task>& tasks) {
-  return std::none_of(tasks.begin(), tasks.end(), [](const Removal_task& task) {
-    return task.has_failed() && !task.is_settled;
-  });
-}
-
 /// says of those that are left that they are refused.
 inline void give_up(const Removal_rounds& remove, std::vector<Removal_task>& tasks) {
   for(Removal_task& task : tasks)
@@ -399,8 +393,6 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
     if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
       break;
     settle(remove, tasks);
-    if(are_all_settled(tasks))
-      break; // what would be found anew is known
     Loops_anew(execution, mesh).give_to(tasks);
   }
   give_up(remove, tasks);
