@@ -73,11 +73,12 @@ public:
   }
 
   /// the given faces, and what is cut off by them but for the rest of the surface, if that holds
-  /// whole handles.
-  static std::optional<Cut_region> whole(const Surgery_mesh& mesh, std::vector<Index> faces) {
+  /// whole handles and has no more than so many faces.
+  static std::optional<Cut_region>
+  whole(const Surgery_mesh& mesh, std::vector<Index> faces, std::size_t most) {
     Cut_region region;
     region.faces_ = std::move(faces);
-    const std::vector<Sourced_halfedge> border = region.fill_up(mesh);
+    const std::vector<Sourced_halfedge> border = region.fill_up(mesh, most);
     if(!region.is_of_handles(mesh, border) || region.borders_.size() != 1)
       return std::nullopt;
     return region;
@@ -251,9 +252,12 @@ private:
     faces_ = united(faces_, discs);
   }
 
-  // Adds what makes the border touch itself, and islands. Returns what the border is then.
-  std::vector<Sourced_halfedge> fill_up(const Surgery_mesh& mesh) {
+  // Adds what makes the border touch itself, and islands. Returns what the border is then; none if
+  // there are too many faces.
+  std::vector<Sourced_halfedge> fill_up(const Surgery_mesh& mesh, std::size_t most) {
     for(;;) {
+      if(faces_.size() > most)
+        return {};
       std::vector<Sourced_halfedge> border = border_halfedges(mesh);
       const std::vector<Index> vertices = pinches(border);
       std::vector<Index> more;

@@ -361,7 +361,8 @@ private:
 };
 
 /// What some faces cross. Where a surface crosses itself, what takes the place of a part of it
-/// cannot but cross what that has crossed.
+/// cannot but cross what that has crossed. Where it does so all over, nothing is said to be
+/// crossed: there are no places to look for.
 class Former_contacts
 {
 public:
@@ -373,14 +374,18 @@ public:
     for(Index f : faces)
       patch.faces.push_back(mesh.corners(f));
     const Placed_patch placed(mesh, patch);
-    placed.meets_itself([&](Index i, Index j) {
+    const std::size_t most = 1024 + 8 * faces.size();
+    const bool are_too_many = placed.meets_itself([&](Index i, Index j) {
       own_.insert(own_.end(), {faces[i], faces[j]});
-      return true;
-    });
-    contacts.meets(placed, faces, [&](Index f) {
+      return own_.size() <= most;
+    }) || contacts.meets(placed, faces, [&](Index f) {
       others_.push_back(f);
-      return true;
+      return others_.size() <= most;
     });
+    if(are_too_many) {
+      own_.clear();
+      others_.clear();
+    }
     make_set(own_);
     make_set(others_);
   }

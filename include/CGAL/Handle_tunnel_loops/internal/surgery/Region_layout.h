@@ -103,9 +103,15 @@ private:
     std::vector<Index> faces = Cut_region::faces_at(mesh_, vertices);
     if(choice.style == Region_choice::KNOB)
       return is_compact(walks) ? knob(std::move(faces), choice.rings) : std::nullopt;
-    for(int ring = 0; ring < choice.rings; ++ring)
+    const std::size_t most = most_faces_around(faces);
+    for(int ring = 0; ring < choice.rings && faces.size() <= most; ++ring)
       faces = Cut_region::with_ring(mesh_, faces);
-    return Cut_region::whole(mesh_, std::move(faces));
+    return Cut_region::whole(mesh_, std::move(faces), most);
+  }
+
+  // Where all is near, as on a random surface, a few rings would hold the whole of it.
+  static std::size_t most_faces_around(const std::vector<Index>& faces_at_loops) {
+    return 1024 + 16 * faces_at_loops.size();
   }
 
   // Whether no loop is many times as long as another one, as between two shells.
@@ -120,10 +126,11 @@ private:
   // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
   // handle if a disc takes the place of what is within.
   std::optional<Cut_region> knob(std::vector<Index> faces, int most_rings) const {
+    const std::size_t most = most_faces_around(faces);
     int number_of_misses = 0;
     for(int ring = 0; ring < most_rings && number_of_misses < 2; ++ring) {
       faces = Cut_region::with_ring(mesh_, faces);
-      std::optional<Cut_region> region = Cut_region::whole(mesh_, faces);
+      std::optional<Cut_region> region = Cut_region::whole(mesh_, faces, most);
       if(!region) { // there is more than a handle
         ++number_of_misses;
         continue;
