@@ -25,7 +25,6 @@
 #include <bitset>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -286,8 +285,7 @@ private:
   with_bore_that_meets(const Cut_region& wall, std::size_t border, std::size_t most) const {
     if(is_flush_at(wall, border))
       return std::nullopt;
-    constexpr double any_length = (std::numeric_limits<double>::infinity)();
-    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most, any_length);
+    std::optional<Cut_region> wider = with_faces_beyond(wall, border, most, std::nullopt);
     if(!wider)
       return std::nullopt;
     const std::vector<std::size_t> outer = new_borders(*wider, wall);
@@ -296,19 +294,20 @@ private:
     return is_pocket ? std::nullopt : wider;
   }
 
-  // If none of them has a border that is longer.
+  // If none of them has a border that is longer, where that counts.
   std::optional<Cut_region> with_faces_beyond(const Cut_region& wall,
                                               std::size_t border,
                                               std::size_t most,
-                                              double most_length) const {
+                                              std::optional<double> most_length) const {
+    if(wall.faces().size() >= most)
+      return std::nullopt;
     std::vector<Index> beyond;
     for(Index h : wall.border(border))
       beyond.push_back(mesh_.face(mesh_.twin(h)));
     make_set(beyond);
-    if(wall.faces().size() >= most)
-      return std::nullopt;
     const auto [faces, is_bounded] = flood(beyond, most - wall.faces().size());
-    if(!is_bounded || is_any_longer(Cut_region::borders_of(mesh_, faces), most_length))
+    if(!is_bounded ||
+       (most_length && is_any_longer(Cut_region::borders_of(mesh_, faces), *most_length)))
       return std::nullopt;
     std::vector<Index> all = united(wall.faces(), faces);
     const bool leads_back = all.size() != wall.faces().size() + faces.size();

@@ -103,8 +103,9 @@ private:
 
   // What most are. Orientations are the fastest predicates, and a triangle without area has none.
   bool are_surely_apart() const {
-    if(number_shared_ == 2)
-      return are_bent_at_edge();
+    if(number_shared_ == 2) // an edge, unless a corner counts twice
+      return shared_in_a_[0] != shared_in_a_[1] && shared_in_b_[0] != shared_in_b_[1] &&
+             are_bent_at_edge();
     return number_shared_ < 2 &&
            (is_beside(b_, shared_in_b_, a_) || is_beside(a_, shared_in_a_, b_));
   }
