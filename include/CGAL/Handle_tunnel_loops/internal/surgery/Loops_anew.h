@@ -12,27 +12,34 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/certificate.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
-#include <CGAL/Handle_tunnel_loops_solver.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
 
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -257,48 +264,90 @@ private:
   std::vector<char> is_taken_; // by vertex, by loops that were found
 };
 
-/// A mesh under surgery as a `Surface_mesh`, for what finds loops on such a one.
-class Surface_copy
+/// Finds the loops of a mesh under surgery, as it is by now.
+class Loops_under_surgery final : private Caller_mesh
 {
 public:
-  using Mesh = Surface_mesh<Surgery_mesh::Point>;
-
-  explicit Surface_copy(const Surgery_mesh& original) {
-    Mesh_link<Mesh, std::decay_t<decltype(mesh_.points())>> link(mesh_, mesh_.points());
-    link.write_back(
-        original, [this](Index number, Mesh::Vertex_index) { numbers_.push_back(number); },
-        [](Index, Mesh::Face_index) {});
-  }
-
-  const Mesh& mesh() const { return mesh_; }
-
-  /// where a loop on the copy lies on the original.
-  template <typename Loop> std::vector<Place_on_edge> places(const Loop& loop) const {
+  struct Loop
+  {
+    double length;
     std::vector<Place_on_edge> places;
-    for(const auto& step : loop.steps())
-      places.push_back({numbers_[source(step.halfedge, mesh_)],
-                        numbers_[target(step.halfedge, mesh_)], step.ratio});
-    return places;
+    std::vector<Surgery_mesh::Point> points;
+  };
+  struct Pair
+  {
+    Loop handle, tunnel;
+
+    const Loop& loop(Loop_type type) const { return type == Loop_type::HANDLE ? handle : tunnel; }
+  };
+
+  explicit Loops_under_surgery(const Surgery_mesh& mesh)
+      : mesh_(mesh)
+      , graph_(mesh) {}
+
+  std::vector<Pair> find(Execution execution) {
+    surface_.emplace(execution, graph_, Surgery_graph::Vertex_index_map(), graph_.point());
+    Loop_request wanted;
+    wanted.seeds = surface_->mesh.seeds;
+    wanted.put_swept_vertices = [](const Swept_vertices&) {};
+    wanted.make_passes = execution.is_parallel() ? &Passes_of_tag<Parallel_if_available_tag>::make
+                                                 : &Passes_of_tag<Sequential_tag>::make;
+    Statistics statistics;
+    Progress progress({}, [](Stage) {}, [](Stage) {}, statistics, Progress::stages_of_loops());
+    find_loops(execution, surface_->mesh, wanted, *this, progress, statistics);
+    return std::move(pairs_);
   }
 
 private:
-  Mesh mesh_;
-  std::vector<Index> numbers_; // by vertex
+  std::vector<Flat_surface::Point> coordinates(Execution execution) const override {
+    return surface_->coordinates(execution);
+  }
+
+  void convert(Execution, const std::vector<Flat_pair>& pairs) override { flat_pairs_ = pairs; }
+
+  Certificate certify(Execution execution,
+                      const Flat_surface& surface,
+                      const Class_options& wanted,
+                      Loop_relations relations,
+                      Progress& progress) override {
+    const std::vector<Flat_surface::Pair> pairs = surface.pairs(flat_pairs_);
+    const Naming naming = certify_and_name_flat(execution, surface, wanted.kind, wanted.offset,
+                                                pairs, std::move(relations), progress);
+    for(std::size_t k = 0; k < pairs.size(); ++k) {
+      const Flat_surface::Pair& pair = naming.is_exchanged[k] ? pairs[k].exchanged() : pairs[k];
+      pairs_.push_back({loop_on_mesh(surface, pair.handle()), loop_on_mesh(surface, pair.tunnel())});
+    }
+    return naming.certificate;
+  }
+
+  Loop loop_on_mesh(const Flat_surface& surface, const Flat_surface::Loop& flat_loop) const {
+    const Flat_graph& graph = surface.mesh();
+    Loop loop{flat_loop.length(), {}, {}};
+    for(const Flat_surface::Loop::Step& step : flat_loop.steps()) {
+      loop.places.push_back({graph.mesh().original[source(step.halfedge, graph)],
+                             graph.mesh().original[target(step.halfedge, graph)], step.ratio});
+      loop.points.push_back(point_at(mesh_, loop.places.back()));
+    }
+    return loop;
+  }
+
+  const Surgery_mesh& mesh_;
+  const Surgery_graph graph_;
+  std::optional<Prepared_surface<Surgery_graph, Surgery_graph::Point_map>> surface_;
+  std::vector<Flat_pair> flat_pairs_;
+  std::vector<Pair> pairs_;
 };
 
 /// Finds the loops of a surface from which some handles were removed, and which of them are those
 /// of handles that are still there: they lie where these had theirs.
 class Loops_anew
 {
-  using Mesh = Surface_copy::Mesh;
-  using Pair = Handle_tunnel_pair<Mesh>;
+  using Pair = Loops_under_surgery::Pair;
 
 public:
   Loops_anew(Execution execution, const Surgery_mesh& mesh)
       : mesh_(mesh)
-      , copy_(mesh) {
-    find(execution);
-  }
+      , pairs_(Loops_under_surgery(mesh).find(execution)) {}
 
   /// gives new loops to those that could not be removed, unless these are the old ones and nothing
   /// has changed there. Those that are not found stay as they are.
@@ -327,20 +376,12 @@ public:
   }
 
 private:
-  void find(Execution execution) {
-    Handle_tunnel_loops_solver<Mesh> solver(copy_.mesh());
-    if(execution.is_parallel())
-      solver.find_loops<Parallel_if_available_tag>(std::back_inserter(pairs_));
-    else
-      solver.find_loops(std::back_inserter(pairs_));
-  }
-
   // How far a loop of a pair is from where a task has one of the same kind.
   double distance(const Removal_task& task, const Pair& pair) const {
     double least = (std::numeric_limits<double>::infinity)();
     for(const Loop_choice& choice : task.choices) {
-      const Pair::Loop& loop = pair.loop(choice.type);
-      least = (std::min)(least, loop_distance(mesh_, loop.points(), loop.length(), choice));
+      const Loops_under_surgery::Loop& loop = pair.loop(choice.type);
+      least = (std::min)(least, loop_distance(mesh_, loop.points, loop.length, choice));
     }
     return least;
   }
@@ -349,16 +390,15 @@ private:
   static bool are_of(const Removal_task& task, const Pair& pair) {
     constexpr double rounding = 1e-9;
     return std::all_of(task.choices.begin(), task.choices.end(), [&](const Loop_choice& choice) {
-      const double length = pair.loop(choice.type).length();
+      const double length = pair.loop(choice.type).length;
       return std::abs(choice.length - length) <= rounding * length;
     });
   }
 
   void give(const Pair& pair, Removal_task& task) const {
     for(Loop_choice& choice : task.choices) {
-      const Pair::Loop& loop = pair.loop(choice.type);
-      choice.length = loop.length();
-      choice.places = copy_.places(loop);
+      choice.length = pair.loop(choice.type).length;
+      choice.places = pair.loop(choice.type).places;
     }
     std::stable_sort(
         task.choices.begin(), task.choices.end(), [](const Loop_choice& a, const Loop_choice& b) {
@@ -370,7 +410,6 @@ private:
   }
 
   const Surgery_mesh& mesh_;
-  Surface_copy copy_;
   std::vector<Pair> pairs_;
 };
 

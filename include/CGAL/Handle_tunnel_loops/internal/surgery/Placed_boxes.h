@@ -126,42 +126,46 @@ private:
       f(order_[i]);
   }
 
+  // One of the things, and where it is; all are moved together, which is what memory is fast at.
+  struct Place
+  {
+    std::array<double, 3> corner;
+    Index number;
+  };
+
   // Those near each other follow each other: they are halved again and again where they extend
   // farthest, so that one far away makes no neighbours of others that are none.
   template <typename Function>
   static std::vector<Index> order(Execution execution, std::size_t n, const Function& box) {
-    std::vector<Index> order(n);
-    std::vector<std::array<double, 3>> corners(n);
+    std::vector<Place> places(n);
     for_each_index(execution, n, [&](std::size_t i) {
-      order[i] = static_cast<Index>(i);
-      corners[i] = box(i).low;
+      places[i] = {box(i).low, static_cast<Index>(i)};
     });
     for(std::size_t parts = 1; parts * group_size < n; parts *= 2)
       for_each_index(
           execution, parts,
           [&](std::size_t i) {
-            const auto at = [&](std::size_t part) { return order.begin() + part * n / parts / 2; };
-            halve(at(2 * i), at(2 * i + 1), at(2 * i + 2), corners);
+            const auto at = [&](std::size_t part) { return places.begin() + part * n / parts / 2; };
+            halve(at(2 * i), at(2 * i + 1), at(2 * i + 2));
           },
           1);
+    std::vector<Index> order(n);
+    for_each_index(execution, n, [&](std::size_t i) { order[i] = places[i].number; });
     return order;
   }
 
   // What is empty has infinite corners.
-  template <typename Iterator>
-  static void halve(Iterator begin,
-                    Iterator middle,
-                    Iterator end,
-                    const std::vector<std::array<double, 3>>& corners) {
+  template <typename Iterator> static void halve(Iterator begin, Iterator middle, Iterator end) {
     Box<3> extent = Box<3>::empty();
     for(Iterator i = begin; i != end; ++i)
-      extent.extend({corners[*i], corners[*i]});
+      extent.extend({i->corner, i->corner});
     std::size_t axis = 0;
     for(std::size_t d = 1; d < 3; ++d)
       if(extent.high[d] - extent.low[d] > extent.high[axis] - extent.low[axis])
         axis = d;
-    std::nth_element(begin, middle, end,
-                     [&](Index a, Index b) { return corners[a][axis] < corners[b][axis]; });
+    std::nth_element(begin, middle, end, [&](const Place& a, const Place& b) {
+      return a.corner[axis] < b.corner[axis];
+    });
   }
 
   std::vector<Index> order_;

@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_layout.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_changes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/region_choices.h>
@@ -41,8 +42,10 @@ namespace CGAL::Handle_tunnel_loops::internal {
 class Removal_candidate
 {
 public:
-  explicit Removal_candidate(Removal_task& task)
+  /// \p changes are those of the surface, so far.
+  Removal_candidate(Removal_task& task, const Surface_changes& changes)
       : task_(&task)
+      , changes_(&changes)
       , is_damaged_(task.choices.size(), 0)
       , separates_(task.choices.size(), 0)
       , obstacles_(task.choices.size(), Obstacle{Obstacle::NO_LOOP, "there is no loop"}) {}
@@ -118,13 +121,25 @@ public:
   /// the length that the present choice is measured by: of the longest loop of what is taken out.
   double length() const { return length(choice(), *surgery_); }
 
-  /// looks for caps; of strips along both loops for those that change the volume less.
-  void
-  find_caps(const Surgery_mesh& mesh, const Mesh_contacts& contacts, const Shape_judge& judge) {
-    surgery_->find_caps(mesh, contacts, judge, intended_change(choice(), *surgery_));
+  /// what is to be looked at in this round: the surgery of the present choice, and of strips along
+  /// both loops also that along the other one.
+  struct Trial
+  {
+    Handle_surgery* surgery;
+    Intended_change intended;
+  };
+  std::vector<Trial> trials() {
+    std::vector<Trial> trials = {{&*surgery_, intended_change(choice(), *surgery_)}};
+    if(rival_)
+      trials.push_back({&*rival_, intended_change(choices_[next_ + 1], *rival_)});
+    return trials;
+  }
+
+  /// after caps were looked for: of strips along both loops, takes that which changes the volume
+  /// less.
+  void take_better_one() {
     if(!rival_)
       return;
-    rival_->find_caps(mesh, contacts, judge, intended_change(choices_[next_ + 1], *rival_));
     // As the first loop has the rounder disc, it needs no more than be about as good.
     constexpr double about = 1.1;
     if(!rival_->has_caps()) {
@@ -173,8 +188,8 @@ public:
     CGAL_precondition(!is_done());
     obstacles_[choice().loop].take(obstacle);
     note_reach();
-    // Whether a loop separates the surface is decided anywhere.
-    task_->is_far_reaching |= obstacle.kind == Obstacle::TOPOLOGY;
+    if(obstacle.kind == Obstacle::TOPOLOGY) // which is decided anywhere
+      note_far_reach();
     const bool is_alone = !surgery_ || surgery_->number_of_handles() == 1;
     if(choice().style == Region_choice::BORE && choice().rings > 0 && is_alone &&
        choices_[next_ + 1].style == Region_choice::BORE)
@@ -186,7 +201,8 @@ public:
     for(const Obstacle& worst : obstacles_)
       task_->reasons.push_back(worst.why);
     task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
-    task_->is_far_reaching |= is_any_damaged();
+    if(is_any_damaged())
+      note_far_reach();
   }
 
   /// gives the loop of the present choice up: all strips along it separate the surface.
@@ -216,10 +232,27 @@ private:
     rival_.reset();
   }
 
+  // Of what was tried in vain. How wide rings are is up to the loops of others, too, as long as
+  // these are there.
   void note_reach() {
     for(const auto* tried : {&surgery_, &rival_})
-      if(*tried)
+      if(*tried) {
         task_->reach.extend((*tried)->reach());
+        if(choice().style == Region_choice::RINGS && task_->are_first_loops)
+          task_->reach_of_rings.extend((*tried)->reach());
+        note_hindrance((*tried)->reach());
+      }
+    if(!surgery_)
+      note_hindrance(task_->reach);
+  }
+
+  void note_far_reach() {
+    task_->is_far_reaching = true;
+    task_->is_hindered |= task_->are_first_loops && changes_->size() > 0;
+  }
+
+  void note_hindrance(const Box<3>& reach) {
+    task_->is_hindered |= task_->are_first_loops && changes_->are_any_in(reach);
   }
 
   static double volume(const Handle_surgery& surgery) {
@@ -321,6 +354,7 @@ private:
   static constexpr const char* separates_the_surface = "the loop separates the surface";
 
   Removal_task* task_;
+  const Surface_changes* changes_;
   std::vector<Closed_walk> walks_;
   std::vector<double> lengths_; // of these at first
   std::vector<Region_choice> choices_;

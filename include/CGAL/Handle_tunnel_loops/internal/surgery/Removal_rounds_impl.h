@@ -24,6 +24,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_changes.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
@@ -70,9 +72,7 @@ public:
         return note_time(now);
       ask();
       meet_mesh_.update(execution_);
-      for_each_index(
-          execution_, chosen.size(),
-          [&](std::size_t i) { chosen[i]->find_caps(mesh_, meet_mesh_, judge_); }, 1);
+      find_caps(chosen);
       ask();
       find_harmless_cuts(chosen);
       put_in_.clear();
@@ -84,9 +84,12 @@ public:
 
   /// whether something was replaced within the reach of a task since some time.
   bool has_changed(const Removal_task& task, std::size_t time) const {
-    return std::any_of(
-        changes_.begin() + static_cast<std::ptrdiff_t>(time), changes_.end(),
-        [&](const Box<3>& change) { return task.is_far_reaching || change.meets(task.reach); });
+    return task.is_far_reaching ? changes_.size() > time : changes_.are_any_in(task.reach, time);
+  }
+
+  /// whether anything was not as at first where a task was tried with the loops that it had then.
+  bool was_hindered(const Removal_task& task) const {
+    return task.is_hindered || changes_.are_any_in(task.reach_of_rings);
   }
 
 private:
@@ -101,7 +104,7 @@ private:
     for(Removal_task& task : tasks)
       if(!task.is_done()) {
         task.time = Removal_task::none;
-        candidates_.emplace_back(task);
+        candidates_.emplace_back(task, changes_);
       }
     for_each_index(
         execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_loops(mesh_); },
@@ -216,6 +219,21 @@ private:
     return surgery.takes_all();
   }
 
+  void find_caps(const Candidates& chosen) {
+    std::vector<Removal_candidate::Trial> trials;
+    for(Removal_candidate* candidate : chosen)
+      for(const Removal_candidate::Trial& trial : candidate->trials())
+        trials.push_back(trial);
+    for_each_index(
+        execution_, trials.size(),
+        [&](std::size_t i) {
+          trials[i].surgery->find_caps(mesh_, meet_mesh_, judge_, trials[i].intended);
+        },
+        1);
+    for(Removal_candidate* candidate : chosen)
+      candidate->take_better_one();
+  }
+
   // Where they are few, each is looked at when its turn comes.
   void find_harmless_cuts(const Candidates& chosen) {
     constexpr std::size_t few = 4;
@@ -254,7 +272,7 @@ private:
       return candidate.fail_along_loop();
     if(!separates && candidate.task().is_of_neck())
       return candidate.fail({Obstacle::TOPOLOGY, "the loop does not separate the surface"});
-    changes_.push_back(surgery.reach());
+    changes_.add(surgery.reach());
     put_in(candidate);
     put_in_.push_back(std::move(placed));
   }
@@ -326,7 +344,7 @@ private:
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
   bool are_all_wanted_ = false;                   // no handle is to be kept
-  std::vector<Box<3>> changes_;                   // what holds them, of all rounds
+  Surface_changes changes_;                       // of all rounds
   // In this round.
   std::vector<Placed_patch> put_in_;
   bool is_any_first_ = false;     // others wait for that
@@ -369,7 +387,7 @@ inline void give_up(const Removal_rounds& remove, std::vector<Removal_task>& tas
   for(Removal_task& task : tasks)
     if(task.has_failed()) {
       task.state = Removal_task::State::REFUSED;
-      task.is_hindered = remove.has_changed(task, 0);
+      task.is_hindered = remove.was_hindered(task);
     }
 }
 
@@ -401,15 +419,18 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
 
 CGAL_HTL_CORE std::vector<Removal_task>
 remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted) {
-  const Surface_copy copy(mesh);
+  const Surgery_graph graph(mesh);
   std::vector<Removal_task> tasks;
   for(const auto& neck :
-      find_necks(execution, copy.mesh(), copy.mesh().points(), get(vertex_index, copy.mesh()),
+      find_necks(execution, graph, graph.point(), Surgery_graph::Vertex_index_map(),
                  Surgery_mesh::Kernel(), wanted.maximal_neck_length, wanted.minimal_piece_share))
   {
     tasks.emplace_back();
     tasks.back().are_types_known = false;
-    tasks.back().choices.push_back({Loop_type::HANDLE, neck.length(), copy.places(neck)});
+    tasks.back().choices.push_back({Loop_type::HANDLE, neck.length(), {}});
+    for(const auto& step : neck.steps())
+      tasks.back().choices.back().places.push_back(
+          {source(step.halfedge, graph), target(step.halfedge, graph), step.ratio});
   }
   Removal_rounds remove(execution, mesh, wanted.force);
   remove(tasks, [] {});
