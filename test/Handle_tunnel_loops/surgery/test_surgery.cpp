@@ -7,10 +7,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Divided_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -23,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <type_traits>
@@ -276,6 +279,40 @@ TEST(Surgery, TellsWhichCutsSeparate) {
     }
     EXPECT_GT(std::count(separates.begin(), separates.end(), 0), 0);
     EXPECT_GT(std::count(separates.begin(), separates.end(), 1), 0);
+  }
+}
+
+// ... and has gaps where something was taken out.
+TEST(Surgery, MakesGraphsOfWhatIsThere) {
+  for(const Recipe& recipe : surfaces()) {
+    Surface_with_walks surface(recipe);
+    Surgery_mesh& mesh = surface.mesh;
+    const Curve_off_vertices curve = curve_beside(mesh, surface.walks.front());
+    impl::put_in_place(mesh, curve.faces(), membranes_of(mesh, curve));
+    ASSERT_LT(mesh.number_of_faces(), mesh.face_bound());
+    const impl::Surgery_graph graph(mesh);
+    const auto all_vertices = vertices(graph);
+    const auto all_halfedges = halfedges(graph);
+    const auto all_faces = faces(graph);
+    EXPECT_EQ(std::size_t(std::distance(all_halfedges.begin(), all_halfedges.end())),
+              num_halfedges(graph));
+    EXPECT_EQ(std::size_t(std::distance(all_faces.begin(), all_faces.end())), num_faces(graph));
+    for(Index v : all_vertices)
+      ASSERT_EQ(target(halfedge(v, graph), graph), v);
+    for(const auto h : all_halfedges) {
+      ASSERT_EQ(source(opposite(h, graph), graph), target(h, graph));
+      ASSERT_EQ(opposite(opposite(h, graph), graph), h);
+      ASSERT_EQ(prev(next(h, graph), graph), h);
+      ASSERT_EQ(face(next(h, graph), graph), face(h, graph));
+      ASSERT_EQ(halfedge(source(h, graph), target(h, graph), graph), std::make_pair(h, true));
+    }
+    // V - E + F = 2 c - 2 g, and a handle is gone.
+    const std::size_t number_left = surface.walks.size() / 2 - 1;
+    const auto number_of_vertices = std::distance(all_vertices.begin(), all_vertices.end());
+    const std::size_t components = impl::count_surface(impl::Execution(), mesh).components;
+    EXPECT_EQ(std::size_t(number_of_vertices) + 2 * number_left,
+              2 * components + num_faces(graph) / 2);
+    EXPECT_EQ(impl::Loops_under_surgery(mesh).find(impl::Execution()).size(), number_left);
   }
 }
 

@@ -191,12 +191,11 @@ private:
 
   void make_additions(const Surgery_mesh& mesh, Additions& additions) {
     const Index begin = number_of_faces_;
-    const bool is_read = begin > 0; // and so has no hubs, whatever the copy has
     additions.halfedges.resize(3 * (mesh.face_bound() - begin));
     vertices_.resize(mesh.vertex_bound(), Graph_traits::null_vertex());
     for(Index v = 0; v < mesh.vertex_bound(); ++v)
       if(vertices_[v] == Graph_traits::null_vertex() && mesh.outgoing(v) != no_index &&
-         !(is_read && mesh.is_hub(v)))
+         !mesh.is_hub(v))
       {
         additions.vertices.push_back({v, vertices_[v] = add_vertex(tm_)});
         const Surgery_mesh::Point p = scaled(mesh.point(v), exponent_);
