@@ -392,10 +392,20 @@ TEST(Handle_removal, RefusesHandlesOfRandomSurfaces) {
   EXPECT_EQ(euler_characteristic(mesh), 2 - 2 * static_cast<std::ptrdiff_t>(report.genus_after));
 }
 
-// Pairs of faces that cross each other.
+// Pairs of faces that cross each other, by exact predicates.
 std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings(const Mesh& mesh) {
+  Exact_predicates_mesh copy;
+  std::map<Exact_predicates_mesh::Face_index, Mesh::Face_index> original;
+  std::map<Mesh::Face_index, Exact_predicates_mesh::Face_index> copies;
+  CGAL::copy_face_graph(mesh, copy,
+                        params::face_to_face_map(boost::make_assoc_property_map(copies)));
+  for(const auto& [face, face_of_copy] : copies)
+    original[face_of_copy] = face;
+  std::vector<std::pair<Exact_predicates_mesh::Face_index, Exact_predicates_mesh::Face_index>> found;
+  PMP::self_intersections(copy, std::back_inserter(found));
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-  PMP::self_intersections(mesh, std::back_inserter(pairs));
+  for(const auto& [f, g] : found)
+    pairs.emplace_back(original.at(f), original.at(g));
   return pairs;
 }
 

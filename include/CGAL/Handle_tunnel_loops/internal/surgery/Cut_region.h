@@ -79,7 +79,7 @@ public:
     Cut_region region;
     region.faces_ = std::move(faces);
     const std::vector<Sourced_halfedge> border = region.fill_up(mesh, most);
-    if(!region.is_of_handles(mesh, border) || region.borders_.size() != 1)
+    if(border.empty() || !region.is_of_handles(mesh, border) || region.borders_.size() != 1)
       return std::nullopt;
     return region;
   }
