@@ -401,7 +401,8 @@ std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings(const Mesh&
                         params::face_to_face_map(boost::make_assoc_property_map(copies)));
   for(const auto& [face, face_of_copy] : copies)
     original[face_of_copy] = face;
-  std::vector<std::pair<Exact_predicates_mesh::Face_index, Exact_predicates_mesh::Face_index>> found;
+  std::vector<std::pair<Exact_predicates_mesh::Face_index, Exact_predicates_mesh::Face_index>>
+      found;
   PMP::self_intersections(copy, std::back_inserter(found));
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   for(const auto& [f, g] : found)

@@ -293,7 +293,8 @@ public:
     wanted.make_passes = execution.is_parallel() ? &Passes_of_tag<Parallel_if_available_tag>::make
                                                  : &Passes_of_tag<Sequential_tag>::make;
     Statistics statistics;
-    Progress progress({}, [](Stage) {}, [](Stage) {}, statistics, Progress::stages_of_loops());
+    Progress progress(
+        {}, [](Stage) {}, [](Stage) {}, statistics, Progress::stages_of_loops());
     find_loops(execution, surface_->mesh, wanted, *this, progress, statistics);
     return std::move(pairs_);
   }
@@ -315,7 +316,8 @@ private:
                                                 pairs, std::move(relations), progress);
     for(std::size_t k = 0; k < pairs.size(); ++k) {
       const Flat_surface::Pair& pair = naming.is_exchanged[k] ? pairs[k].exchanged() : pairs[k];
-      pairs_.push_back({loop_on_mesh(surface, pair.handle()), loop_on_mesh(surface, pair.tunnel())});
+      pairs_.push_back(
+          {loop_on_mesh(surface, pair.handle()), loop_on_mesh(surface, pair.tunnel())});
     }
     return naming.certificate;
   }

@@ -195,8 +195,7 @@ private:
     vertices_.resize(mesh.vertex_bound(), Graph_traits::null_vertex());
     for(Index v = 0; v < mesh.vertex_bound(); ++v)
       if(vertices_[v] == Graph_traits::null_vertex() && mesh.outgoing(v) != no_index &&
-         !mesh.is_hub(v))
-      {
+         !mesh.is_hub(v)) {
         additions.vertices.push_back({v, vertices_[v] = add_vertex(tm_)});
         const Surgery_mesh::Point p = scaled(mesh.point(v), exponent_);
         put(point_, vertices_[v], Point(p.x(), p.y(), p.z()));

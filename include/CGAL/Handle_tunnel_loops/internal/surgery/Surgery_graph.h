@@ -53,9 +53,7 @@ public:
 
   friend Index source(Halfedge h, const Surgery_graph& g) { return g.mesh_->source(h.number); }
   friend Index target(Halfedge h, const Surgery_graph& g) { return g.mesh_->target(h.number); }
-  friend Halfedge opposite(Halfedge h, const Surgery_graph& g) {
-    return {g.mesh_->twin(h.number)};
-  }
+  friend Halfedge opposite(Halfedge h, const Surgery_graph& g) { return {g.mesh_->twin(h.number)}; }
   friend Halfedge next(Halfedge h, const Surgery_graph&) { return {Surgery_mesh::next(h.number)}; }
   friend Halfedge prev(Halfedge h, const Surgery_graph&) {
     return {Surgery_mesh::previous(h.number)};
