@@ -12,12 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/iterator.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Iterator_range.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/iterator/counting_iterator.hpp>
@@ -42,14 +40,11 @@ public:
 
     friend bool operator==(Halfedge a, Halfedge b) { return a.number == b.number; }
     friend bool operator!=(Halfedge a, Halfedge b) { return a.number != b.number; }
-    friend bool operator<(Halfedge a, Halfedge b) { return a.number < b.number; }
   };
 
   /// The mesh must outlive it.
   explicit Surgery_graph(const Surgery_mesh& mesh)
       : mesh_(&mesh) {}
-
-  const Surgery_mesh& mesh() const { return *mesh_; }
 
   friend Index source(Halfedge h, const Surgery_graph& g) { return g.mesh_->source(h.number); }
   friend Index target(Halfedge h, const Surgery_graph& g) { return g.mesh_->target(h.number); }
