@@ -136,6 +136,15 @@ are refined and plane otherwise.
       number as value type, that takes faces that are new}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{face_to_face_map}
+    \cgalParamDescription{is told for each face that is a part of one that the mesh had before, as
+      there are at the rims of caps, which one that was. The mesh may not have that any more: it
+      says where colours, say, come from, and its number is right as long as garbage is not
+      collected}
+    \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as keys and as
+      values}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
   \cgalParamNBegin{output_iterator}
     \cgalParamDescription{is told the loops of the handles that are left, as `handle_tunnel_loops()`
       finds them on the mesh once handles are removed, in the time that this takes and without

@@ -101,8 +101,8 @@ template <typename Element> using Origins = Mesh::Property_map<Element, std::int
 
 // Numbers the faces, or the vertices, of a mesh; -1 for what comes later.
 template <typename Element, typename Elements>
-Origins<Element> number(Mesh& mesh, const Elements& elements) {
-  const auto origins = mesh.add_property_map<Element, std::int64_t>("origin", -1).first;
+Origins<Element> number(Mesh& mesh, const Elements& elements, const std::string& name = "origin") {
+  const auto origins = mesh.add_property_map<Element, std::int64_t>(name, -1).first;
   for(const Element element : elements)
     origins[element] = element.idx();
   return origins;
@@ -127,14 +127,19 @@ py::tuple remove_handles(const py::array& points,
   const auto face_origin = number<Mesh::Face_index>(mesh, mesh.faces());
   const htloops::Removal_options options = options_of(chosen);
   const htloops::Pairs pairs = pairs_of(loops, mesh);
+  const auto face_parent = number<Mesh::Face_index>(mesh, mesh.faces(), "parent");
   htl::Removal_report report;
   compute(threads, watch, [&] {
-    report = htloops::remove_handles(mesh, pairs, options, watch).report;
+    const htloops::Removal_answer answer = htloops::remove_handles(mesh, pairs, options, watch);
+    report = answer.report;
+    for(const auto& [part, parent] : answer.parents)
+      face_parent[part] = parent.idx();
     mesh.collect_garbage();
   });
   const py::tuple arrays = arrays_of(mesh);
   py::dict words = words_of(report);
   words["vertex_origin"] = numbers(vertex_origin, mesh.vertices());
+  words["face_parent"] = numbers(face_parent, mesh.faces());
   return py::make_tuple(arrays[0], arrays[1], numbers(face_origin, mesh.faces()), words);
 }
 

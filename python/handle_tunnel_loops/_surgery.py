@@ -66,6 +66,8 @@ def remove_handles(
         displacement, the largest distance of a cap from the old surface; burial, that of what was taken
         out with solid from the caps; sharpest_angle, at an edge of a cap, in degrees; box_growth. And
         vertex_origin : (n',): for each vertex the one of the given mesh that it is, or -1 if it is new
+        face_parent : (m',): for each face the one of the given mesh that it is or is a part of, as there are
+            at the rims of caps, or -1 if it is of a cap
     """
     methods = {}
     if isinstance(pairs, Mapping):

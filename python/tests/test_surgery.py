@@ -28,6 +28,9 @@ def test_all_handles(genus_3):
     kept = report["vertex_origin"] >= 0
     assert len(kept) == len(new_V) and np.array_equal(new_V[kept], V[report["vertex_origin"][kept]])
     assert len(np.unique(report["vertex_origin"][kept])) == kept.sum() > 0.9 * len(V)
+    parent, kept = report["face_parent"], face_origin >= 0
+    assert len(parent) == len(new_F) and np.array_equal(parent[kept], face_origin[kept])
+    assert 0 < (parent >= 0).sum() - kept.sum() < (~kept).sum() and parent.max() < len(F)
     assert report["genus_before"] == 3 and report["genus_after"] == 0
     assert [handle["pair"] for handle in report["removed"]] and report["refused"] == []
 

@@ -15,6 +15,8 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/remove_handles.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -93,10 +95,10 @@ remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, P
   const Thread_limit limit(options.number_of_threads);
   progress.start("remove");
   const CGAL::Handle_tunnel_loops::Removal_options& wanted = options;
-  const auto filtered =
-      parameters::callback(progress.callback()).filter(filter_of(options, pairs.size()));
-
   Removal_answer answer;
+  const auto filtered = parameters::callback(progress.callback())
+                            .filter(filter_of(options, pairs.size()))
+                            .face_to_face_map(boost::make_assoc_property_map(answer.parents));
   answer.number_of_threads = limit.number_of_threads();
   const Stopwatch stopwatch;
   answer.report = remove_as_wanted(

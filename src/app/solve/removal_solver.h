@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -35,9 +36,13 @@ struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options
   int number_of_threads = 0;                     ///< 0: as many as the machine has
 };
 
+/// Which face, before the removal, a new face is a part of, if it is.
+using Face_parents = std::map<Mesh::Face_index, Mesh::Face_index>;
+
 struct Removal_answer
 {
   Removal_report report;
+  Face_parents parents;
   double total_seconds = 0.;
   int number_of_threads = 1;
 };

@@ -359,7 +359,8 @@ void write_removal_json(const std::string& file, const Removal_report& report) {
 void write_map_json(const std::string& target,
                     const Mesh& mesh,
                     std::size_t vertices_before,
-                    std::size_t faces_before) {
+                    std::size_t faces_before,
+                    const Face_parents& parents) {
   const auto origin_below = [](std::size_t number_before) {
     return [number_before](auto element) {
       return element.idx() < number_before ? Json(std::size_t(element.idx())) : Json();
@@ -370,7 +371,12 @@ void write_map_json(const std::string& target,
   out.member("vertices_before", vertices_before);
   out.member("faces_before", faces_before);
   out.array("vertices", mesh.vertices(), origin_below(vertices_before));
-  out.array("faces", mesh.faces(), origin_below(faces_before));
+  const auto origin_of_face = origin_below(faces_before);
+  out.array("faces", mesh.faces(), origin_of_face);
+  out.array("face_parents", mesh.faces(), [&](Mesh::Face_index f) {
+    const auto parent = parents.find(f);
+    return origin_of_face(parent == parents.end() ? f : parent->second);
+  });
   out.finish();
 }
 

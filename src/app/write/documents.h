@@ -56,11 +56,13 @@ void write_reeb_json(const std::string& target,
 void write_removal_json(const std::string& file, const Removal_report& report);
 
 /// writes in the format "htloops-map/1" which vertex and face of a mesh, as that was read, each one
-/// that it has now was, or none: those that are new come after so many.
+/// that it has now was, or none: those that are new come after so many; and of which face each face
+/// is a part.
 void write_map_json(const std::string& target,
                     const Mesh& mesh,
                     std::size_t vertices_before,
-                    std::size_t faces_before);
+                    std::size_t faces_before,
+                    const Face_parents& parents);
 
 /// writes the cuts, with the loops that they cross, as a document of format "htloops-dual/1".
 void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dual_cuts& cuts);

@@ -247,7 +247,7 @@ void run(const Remove_options& options) {
     spread_properties(mesh, properties);
     write_mesh(options.result_file, mesh, properties);
     if(!options.map_file.empty())
-      write_map_json(options.map_file, mesh, vertices_before, faces_before);
+      write_map_json(options.map_file, mesh, vertices_before, faces_before, answer.parents);
   }
   write_files(options, {options.mesh_file, before, pairs, answer.report, mesh});
   show(options, answer, loops_seconds, read_seconds);

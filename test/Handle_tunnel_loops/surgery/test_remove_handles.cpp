@@ -536,6 +536,36 @@ TEST(Handle_removal, SaysWhichHandleAFaceCloses) {
   EXPECT_LE(PMP::area(mesh) - area_before, report.change().cap_area);
 }
 
+// Parts of a face lie in it, and have no more area than it had.
+TEST(Handle_removal, SaysOfWhichFaceAFaceIsAPart) {
+  for(const char* kind : {"gyroid", "plates", "foam"}) {
+    Mesh mesh = mesh_of(recipe(kind, 10000, 5));
+    const Mesh before = mesh;
+    std::map<Mesh::Face_index, Mesh::Face_index> parents;
+    std::vector<Mesh::Face_index> faces;
+    CGAL::remove_handles(mesh,
+                         params::face_output_iterator(
+                             std::back_inserter(faces),
+                             params::face_to_face_map(boost::make_assoc_property_map(parents))));
+    const std::set<Mesh::Face_index> new_faces(faces.begin(), faces.end());
+    std::map<Mesh::Face_index, double> area; // of the parts of a face
+    for(const auto& [part, parent] : parents) {
+      EXPECT_EQ(new_faces.count(part), 1u);
+      ASSERT_LT(parent.idx(), before.number_of_faces());
+      EXPECT_TRUE(mesh.is_removed(parent));
+      area[parent] += PMP::face_area(part, mesh);
+      const auto corners = points_of(before, parent);
+      const CGAL::Kernel_traits<Mesh::Point>::Kernel::Plane_3 plane(corners[0], corners[1],
+                                                                    corners[2]);
+      for(const Mesh::Point& p : points_of(mesh, part))
+        EXPECT_LT(CGAL::squared_distance(plane, p), 1e-24);
+    }
+    for(const auto& [parent, area_of_parts] : area)
+      EXPECT_LT(area_of_parts, (1. + 1e-9) * PMP::face_area(parent, before));
+    EXPECT_EQ(parents.empty(), std::string(kind) == "plates"); // where bores are closed flush
+  }
+}
+
 TEST(Handle_removal, FindsTheLoopsThatAreLeft) {
   for(const std::size_t genus : {0, 3, 8}) {
     Mesh mesh = mesh_of(recipe("gyroid", 10000, 8));

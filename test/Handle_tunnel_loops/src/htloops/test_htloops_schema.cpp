@@ -193,16 +193,25 @@ TEST(Map_schema, fits_what_is_written) {
   Progress told;
   const Mesh before = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
   Mesh mesh = before;
-  remove_handles(mesh, find_loops(mesh), {}, told);
-  write_map_json(folder.path("a.json"), mesh, before.number_of_vertices(),
-                 before.number_of_faces());
+  const Removal_answer answer = remove_handles(mesh, find_loops(mesh), {}, told);
+  write_map_json(folder.path("a.json"), mesh, before.number_of_vertices(), before.number_of_faces(),
+                 answer.parents);
   const json document = json::parse(folder.read("a.json"));
   schema.expect_fits(document);
   schema.expect_refuses(document, {[](json& d) { d["vertices"][0] = -1; },
                                    [](json& d) { d["faces"][0] = "new"; },
+                                   [](json& d) { d["face_parents"][0] = -1; },
                                    [](json& d) { d.erase("faces_before"); }});
   ASSERT_EQ(document["vertices"].size(), mesh.number_of_vertices());
   ASSERT_EQ(document["faces"].size(), mesh.number_of_faces());
+  ASSERT_EQ(document["face_parents"].size(), mesh.number_of_faces());
+  std::size_t number_of_parts = 0;
+  for(std::size_t k = 0; k < document["faces"].size(); ++k)
+    if(document["faces"][k].is_null())
+      number_of_parts += !document["face_parents"][k].is_null();
+    else
+      EXPECT_EQ(document["face_parents"][k], document["faces"][k]);
+  EXPECT_EQ(number_of_parts, answer.parents.size());
   std::size_t i = 0, number_kept = 0;
   for(const Mesh::Vertex_index v : mesh.vertices())
     if(const json& origin = document["vertices"][i++]; !origin.is_null()) {

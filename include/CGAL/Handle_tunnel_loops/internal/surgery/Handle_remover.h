@@ -407,6 +407,10 @@ private:
           *faces++ = f;
           if constexpr(is_given<internal_np::face_patch_t>)
             put(parameters::get_parameter(np_, internal_np::face_patch), f, patch_of(number));
+          if constexpr(is_given<internal_np::face_to_face_map_t>)
+            if(const Index origin = mesh.origin(number); origin != no_index)
+              put(parameters::get_parameter(np_, internal_np::face_to_face_map), f,
+                  link.face_read(origin));
         });
   }
 

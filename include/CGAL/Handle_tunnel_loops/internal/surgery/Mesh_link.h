@@ -104,6 +104,9 @@ public:
     return mesh;
   }
 
+  /// a face by its number, as it was read.
+  face_descriptor face_read(Index number) const { return faces_[number]; }
+
   /// calls `f` with the faces and `v` with the vertices that are added, numbers first. Leaves the
   /// mesh as it is if there is no memory for what is to be added.
   template <typename OnVertex, typename OnFace>

@@ -215,7 +215,7 @@ inline Index put_in_place(Surgery_mesh& mesh, const std::vector<Index>& faces, c
     for(Index& v : f)
       if(v >= Patch::first_own)
         v = v - Patch::first_own + shift;
-  return mesh.replace(faces, in);
+  return mesh.replace(faces, in, patch.parents);
 }
 
 /// The faces of a patch where they lie. Parts of faces of the mesh may meet what these meet.

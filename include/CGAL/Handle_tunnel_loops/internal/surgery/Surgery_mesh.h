@@ -147,9 +147,16 @@ public:
     return vertex_bound() - 1;
   }
 
-  /// takes out faces and puts others in their place, which have the same boundary. Returns the
-  /// number of the first of these; they follow each other.
-  Index replace(const std::vector<Index>& out, const std::vector<Face>& in) {
+  /// the face that there was before any surgery, which a face is, or is a part of; none of one that
+  /// is no part of any.
+  Index origin(Index f) const { return f < first_put_in_ ? f : origins_[f - first_put_in_]; }
+
+  /// takes out faces and puts others in their place, which have the same boundary; the first of
+  /// these are parts of \p parents, each of one. Returns the number of the first of these; they
+  /// follow each other.
+  Index replace(const std::vector<Index>& out,
+                const std::vector<Face>& in,
+                const std::vector<Index>& parents = {}) {
     CGAL_precondition(std::is_sorted(out.begin(), out.end()));
     const Index_range_set is_out(out);
     std::vector<Open_side> open;
@@ -158,8 +165,11 @@ public:
     for(Index f : out)
       take_out(f);
     const Index first_face = face_bound();
-    for(const Face& f : in)
-      put_in(f, open);
+    first_put_in_ = (std::min)(first_put_in_, first_face);
+    for(std::size_t i = 0; i < in.size(); ++i) {
+      origins_.push_back(i < parents.size() ? origin(parents[i]) : no_index);
+      put_in(in[i], open);
+    }
     glue(open);
     for(const Open_side& side : open)
       first_[source(side.halfedge)] = side.halfedge;
@@ -241,6 +251,8 @@ private:
   std::vector<Face> faces_;  // corners, or no_index
   std::vector<Index> twins_; // by halfedge
   std::vector<Index> first_; // a halfedge from each vertex
+  Index first_put_in_ = no_index;
+  std::vector<Index> origins_; // of faces that were put in
   std::size_t number_of_faces_ = 0;
   Index first_hub_ = 0, number_of_hubs_ = 0;
 };
