@@ -10,6 +10,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
@@ -17,7 +18,10 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Object.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/intersections.h>
 
 #include <gtest/gtest.h>
 
@@ -314,6 +318,57 @@ TEST(Surgery, MakesGraphsOfWhatIsThere) {
               2 * components + num_faces(graph) / 2);
     EXPECT_EQ(impl::Loops_under_surgery(mesh).find(impl::Execution()).size(), number_left);
   }
+}
+
+// The same by exact constructions: whether triangles with an area have more in common than the
+// corners that they share, and the side between two of these.
+bool meet_elsewhere(const impl::Placed_triangle& a, const impl::Placed_triangle& b) {
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  const auto exact = [](const Surgery_mesh::Point& p) {
+    return Exact::Point_3(p.x(), p.y(), p.z());
+  };
+  const auto triangle = [&](const impl::Placed_triangle& t) {
+    return Exact::Triangle_3(exact(t.points[0]), exact(t.points[1]), exact(t.points[2]));
+  };
+  std::vector<Exact::Point_3> shared;
+  for(std::size_t i = 0; i < 3; ++i)
+    if(std::count(b.vertices.begin(), b.vertices.end(), a.vertices[i]) > 0)
+      shared.push_back(exact(a.points[i]));
+  const CGAL::Object common = CGAL::intersection(triangle(a), triangle(b));
+  if(common.empty())
+    return false;
+  if(const auto* point = CGAL::object_cast<Exact::Point_3>(&common))
+    return shared.size() != 1 || *point != shared[0];
+  if(const auto* side = CGAL::object_cast<Exact::Segment_3>(&common))
+    return shared.size() != 2 || (*side != Exact::Segment_3(shared[0], shared[1]) &&
+                                  *side != Exact::Segment_3(shared[1], shared[0]));
+  return true;
+}
+
+// On a small grid, where all cases come up: in a plane, at a corner, along a side.
+TEST(Surgery, FindsContactsOfTriangles) {
+  generators::Random random(3);
+  const auto triangle = [&] {
+    impl::Placed_triangle t;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::array<std::size_t, 3> at = {random.below(3), random.below(3), random.below(3)};
+      t.vertices[i] = static_cast<Index>(at[0] + 3 * at[1] + 9 * at[2]);
+      t.points[i] = {double(at[0]), double(at[1]), double(at[2])};
+    }
+    return t;
+  };
+  std::array<std::size_t, 2> number = {0, 0};
+  for(int k = 0; k < 20000; ++k) {
+    const impl::Placed_triangle a = triangle(), b = triangle();
+    const bool meet = impl::are_in_contact(a, b);
+    ASSERT_EQ(meet, impl::are_in_contact(b, a)); // also if corners are named twice
+    if(a.is_degenerate() || b.is_degenerate())
+      continue;
+    ASSERT_EQ(meet, meet_elsewhere(a, b)) << k;
+    ++number[meet];
+  }
+  EXPECT_GT(number[0], 1000u);
+  EXPECT_GT(number[1], 1000u);
 }
 
 // Pieces of memory, so that what is allocated later is in an order of its own.
