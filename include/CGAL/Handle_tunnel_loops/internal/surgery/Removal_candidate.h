@@ -21,7 +21,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_layout.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_changes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/region_choices.h>
@@ -42,10 +41,8 @@ namespace CGAL::Handle_tunnel_loops::internal {
 class Removal_candidate
 {
 public:
-  /// \p changes are those of the surface, so far.
-  Removal_candidate(Removal_task& task, const Surface_changes& changes)
+  explicit Removal_candidate(Removal_task& task)
       : task_(&task)
-      , changes_(&changes)
       , is_damaged_(task.choices.size(), 0)
       , separates_(task.choices.size(), 0)
       , obstacles_(task.choices.size(), Obstacle{Obstacle::NO_LOOP, "there is no loop"}) {}
@@ -188,8 +185,8 @@ public:
     CGAL_precondition(!is_done());
     obstacles_[choice().loop].take(obstacle);
     note_reach();
-    if(obstacle.kind == Obstacle::TOPOLOGY) // which is decided anywhere
-      note_far_reach();
+    // Whether a loop separates the surface is decided anywhere.
+    task_->is_far_reaching |= obstacle.kind == Obstacle::TOPOLOGY;
     const bool is_alone = !surgery_ || surgery_->number_of_handles() == 1;
     if(choice().style == Region_choice::BORE && choice().rings > 0 && is_alone &&
        choices_[next_ + 1].style == Region_choice::BORE)
@@ -201,8 +198,7 @@ public:
     for(const Obstacle& worst : obstacles_)
       task_->reasons.push_back(worst.why);
     task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
-    if(is_any_damaged())
-      note_far_reach();
+    task_->is_far_reaching |= is_any_damaged();
   }
 
   /// gives the loop of the present choice up: all strips along it separate the surface.
@@ -232,27 +228,10 @@ private:
     rival_.reset();
   }
 
-  // Of what was tried in vain. How wide rings are is up to the loops of others, too, as long as
-  // these are there.
   void note_reach() {
     for(const auto* tried : {&surgery_, &rival_})
-      if(*tried) {
+      if(*tried)
         task_->reach.extend((*tried)->reach());
-        if(choice().style == Region_choice::RINGS && task_->are_first_loops)
-          task_->reach_of_rings.extend((*tried)->reach());
-        note_hindrance((*tried)->reach());
-      }
-    if(!surgery_)
-      note_hindrance(task_->reach);
-  }
-
-  void note_far_reach() {
-    task_->is_far_reaching = true;
-    task_->is_hindered |= task_->are_first_loops && changes_->size() > 0;
-  }
-
-  void note_hindrance(const Box<3>& reach) {
-    task_->is_hindered |= task_->are_first_loops && changes_->are_any_in(reach);
   }
 
   static double volume(const Handle_surgery& surgery) {
@@ -354,7 +333,6 @@ private:
   static constexpr const char* separates_the_surface = "the loop separates the surface";
 
   Removal_task* task_;
-  const Surface_changes* changes_;
   std::vector<Closed_walk> walks_;
   std::vector<double> lengths_; // of these at first
   std::vector<Region_choice> choices_;

@@ -24,7 +24,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Surface_changes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -84,12 +83,9 @@ public:
 
   /// whether something was replaced within the reach of a task since some time.
   bool has_changed(const Removal_task& task, std::size_t time) const {
-    return task.is_far_reaching ? changes_.size() > time : changes_.are_any_in(task.reach, time);
-  }
-
-  /// whether anything was not as at first where a task was tried with the loops that it had then.
-  bool was_hindered(const Removal_task& task) const {
-    return task.is_hindered || changes_.are_any_in(task.reach_of_rings);
+    return std::any_of(
+        changes_.begin() + static_cast<std::ptrdiff_t>(time), changes_.end(),
+        [&](const Box<3>& change) { return task.is_far_reaching || change.meets(task.reach); });
   }
 
 private:
@@ -104,7 +100,7 @@ private:
     for(Removal_task& task : tasks)
       if(!task.is_done()) {
         task.time = Removal_task::none;
-        candidates_.emplace_back(task, changes_);
+        candidates_.emplace_back(task);
       }
     for_each_index(
         execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_loops(mesh_); },
@@ -272,7 +268,7 @@ private:
       return candidate.fail_along_loop();
     if(!separates && candidate.task().is_of_neck())
       return candidate.fail({Obstacle::TOPOLOGY, "the loop does not separate the surface"});
-    changes_.add(surgery.reach());
+    changes_.push_back(surgery.reach());
     put_in(candidate);
     put_in_.push_back(std::move(placed));
   }
@@ -344,7 +340,7 @@ private:
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
   bool are_all_wanted_ = false;                   // no handle is to be kept
-  Surface_changes changes_;                       // of all rounds
+  std::vector<Box<3>> changes_;                   // what holds them, of all rounds
   // In this round.
   std::vector<Placed_patch> put_in_;
   bool is_any_first_ = false;     // others wait for that
@@ -387,7 +383,7 @@ inline void give_up(const Removal_rounds& remove, std::vector<Removal_task>& tas
   for(Removal_task& task : tasks)
     if(task.has_failed()) {
       task.state = Removal_task::State::REFUSED;
-      task.is_hindered = remove.was_hindered(task);
+      task.is_hindered = remove.has_changed(task, 0);
     }
 }
 

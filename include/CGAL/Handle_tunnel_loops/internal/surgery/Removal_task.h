@@ -99,13 +99,12 @@ struct Removal_task
   bool has_failed() const { return state == State::REFUSED || state == State::DAMAGED; }
 
   // Of a handle that could not be removed.
-  std::vector<std::string> reasons;        ///< by choice, why not along this one
-  Box<3> reach = Box<3>::empty();          ///< holds its loops, and all that it was tried with
-  Box<3> reach_of_rings = Box<3>::empty(); ///< of that, rings of whole faces
-  bool is_far_reaching = false;            ///< what is elsewhere has a say, too
-  std::size_t time = none;  ///< of the last try, by the number of changes of the surface
-  bool is_settled = false;  ///< nothing has changed there since
-  bool is_hindered = false; ///< something there was not as at first
+  std::vector<std::string> reasons; ///< by choice, why not along this one
+  Box<3> reach = Box<3>::empty();   ///< holds its loops, and all that it was tried with
+  bool is_far_reaching = false;     ///< what is elsewhere has a say, too
+  std::size_t time = none;          ///< of the last try, by the number of changes of the surface
+  bool is_settled = false;          ///< nothing has changed there since
+  bool is_hindered = false;         ///< something there is not as it was at first
 
   /// the handle was tried as another task.
   void note_tries(const Removal_task& other) {
