@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Closed_graph_traits.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -191,33 +192,11 @@ private:
 
 namespace boost {
 
-template <> struct graph_traits<CGAL::Handle_tunnel_loops::internal::Flat_graph>
-{
-private:
-  using Graph = CGAL::Handle_tunnel_loops::internal::Flat_graph;
-  struct Traversal_category : vertex_list_graph_tag
-  {};
-
-public:
-  using vertex_descriptor = CGAL::Handle_tunnel_loops::internal::Index;
-  using halfedge_descriptor = Graph::Halfedge;
-  using face_descriptor = Graph::Halfedge;
-  using edge_descriptor = Graph::Halfedge;
-  using vertex_iterator = Graph::Vertex_iterator;
-  using halfedge_iterator = Graph::Halfedge_iterator;
-  using face_iterator = Graph::Face_iterator;
-  using vertices_size_type = std::size_t;
-  using halfedges_size_type = std::size_t;
-  using faces_size_type = std::size_t;
-  using degree_size_type = std::size_t;
-  using directed_category = undirected_tag;
-  using edge_parallel_category = disallow_parallel_edge_tag;
-  using traversal_category = Traversal_category;
-
-  static vertex_descriptor null_vertex() { return CGAL::Handle_tunnel_loops::internal::no_index; }
-  static halfedge_descriptor null_halfedge() { return {}; }
-  static face_descriptor null_face() { return {}; }
-};
+template <>
+struct graph_traits<CGAL::Handle_tunnel_loops::internal::Flat_graph>
+    : CGAL::Handle_tunnel_loops::internal::Closed_graph_traits<
+          CGAL::Handle_tunnel_loops::internal::Flat_graph>
+{};
 
 } // namespace boost
 

@@ -74,8 +74,8 @@ template <typename Pair> struct Handle_selection : Removal_options
       const Loop& first = pairs[i].loop(first_type(i, pairs[i]));
       Removal_task task;
       task.pair = i;
-      task.choices = {choice(first, tm, vertex_index),
-                      choice(pairs[i].partner(first), tm, vertex_index)};
+      task.choices = {loop_choice(first, tm, vertex_index),
+                      loop_choice(pairs[i].partner(first), tm, vertex_index)};
       task.choices.back().is_allowed = method_of(i) == Removal_method::SMALLEST_CHANGE;
       (is_wanted(i, pairs[i], first) ? selected : kept).push_back(std::move(task));
     }
@@ -122,16 +122,6 @@ private:
       return box->xmin() <= b.xmin() && b.xmax() <= box->xmax() && box->ymin() <= b.ymin() &&
              b.ymax() <= box->ymax() && box->zmin() <= b.zmin() && b.zmax() <= box->zmax();
     });
-  }
-
-  template <typename TriangleMesh, typename VertexIndexMap>
-  static Loop_choice choice(const Loop& loop, const TriangleMesh& tm, VertexIndexMap vertex_index) {
-    Loop_choice choice{loop.type(), loop.length(), {}};
-    for(const typename Loop::Step& step : loop.steps())
-      choice.places.push_back({static_cast<Index>(get(vertex_index, source(step.halfedge, tm))),
-                               static_cast<Index>(get(vertex_index, target(step.halfedge, tm))),
-                               step.ratio});
-    return choice;
   }
 };
 

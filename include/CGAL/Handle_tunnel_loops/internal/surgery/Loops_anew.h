@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
@@ -268,10 +267,8 @@ private:
 class Loops_under_surgery final : private Caller_mesh
 {
 public:
-  struct Loop
+  struct Loop : Loop_choice
   {
-    double length;
-    std::vector<Place_on_edge> places;
     std::vector<Surgery_mesh::Point> points;
   };
   struct Pair
@@ -323,13 +320,9 @@ private:
   }
 
   Loop loop_on_mesh(const Flat_surface& surface, const Flat_surface::Loop& flat_loop) const {
-    const Flat_graph& graph = surface.mesh();
-    Loop loop{flat_loop.length(), {}, {}};
-    for(const Flat_surface::Loop::Step& step : flat_loop.steps()) {
-      loop.places.push_back({graph.mesh().original[source(step.halfedge, graph)],
-                             graph.mesh().original[target(step.halfedge, graph)], step.ratio});
-      loop.points.push_back(point_at(mesh_, loop.places.back()));
-    }
+    Loop loop{loop_choice(flat_loop, surface.mesh(), surface.vertex_index()), {}};
+    for(const Place_on_edge& place : loop.places)
+      loop.points.push_back(point_at(mesh_, place));
     return loop;
   }
 

@@ -423,10 +423,7 @@ remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wan
   {
     tasks.emplace_back();
     tasks.back().are_types_known = false;
-    tasks.back().choices.push_back({Loop_type::HANDLE, neck.length(), {}});
-    for(const auto& step : neck.steps())
-      tasks.back().choices.back().places.push_back(
-          {source(step.halfedge, graph), target(step.halfedge, graph), step.ratio});
+    tasks.back().choices.push_back(loop_choice(neck, graph, Surgery_graph::Vertex_index_map()));
   }
   Removal_rounds remove(execution, mesh, wanted.force);
   remove(tasks, [] {});

@@ -41,6 +41,17 @@ struct Loop_choice
   bool is_allowed = true; ///< or only here because it crosses the other one once
 };
 
+/// a loop on a mesh of any kind; its vertices have these numbers here.
+template <typename Loop, typename TriangleMesh, typename VertexIndexMap>
+Loop_choice loop_choice(const Loop& loop, const TriangleMesh& tm, VertexIndexMap number) {
+  Loop_choice choice{loop.type(), loop.length(), {}};
+  for(const auto& step : loop.steps())
+    choice.places.push_back({static_cast<Index>(get(number, source(step.halfedge, tm))),
+                             static_cast<Index>(get(number, target(step.halfedge, tm))),
+                             step.ratio});
+  return choice;
+}
+
 /// how far a loop, given by its points, is from the nearest of others: the mean distance, against a
 /// quarter of its length.
 inline double loop_distance(const Surgery_mesh& mesh,
