@@ -165,7 +165,7 @@ public:
         [&](Stage stage) { unwrapped(visitor).end_stage(stage); }, statistics_,
         impl::Progress::stages_of_loops());
     impl::Loop_request wanted = request(np);
-    wanted.make_passes = &impl::Passes_of_tag<ConcurrencyTag>::make;
+    wanted.make_passes = &impl::make_passes<ConcurrencyTag>;
     const auto loops = make_loops_();
     certificate_ = impl::find_loops(impl::execution_of<ConcurrencyTag>(), surface_->mesh, wanted,
                                     *loops, progress, statistics_);
@@ -202,10 +202,12 @@ private:
     Handle_tunnel_loops::internal::Loop_request request;
     request.passes = {options, is_given<NamedParameters, internal_np::vertex_layer_map_t>,
                       is_given<NamedParameters, internal_np::vertex_value_map_t>};
+    request.passes.do_coarsen = options.do_coarsen && options.do_tighten;
     request.classes.kind =
         choose_parameter(get_parameter(np, internal_np::basis_kind), Basis_kind::PURE);
     request.classes.do_link = options.do_compute_linking;
     request.classes.do_shorten = options.do_tighten;
+    request.classes.search_effort = options.search_effort;
     request.seeds = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
     request.put_swept_vertices = [this, &np](const auto& swept) {

@@ -180,12 +180,13 @@ reeb_graph(const TriangleMesh& tm,
     options.field_constants = given.field_constants;
     options.literal_rules = given.literal_rules;
     options.device = given.device;
+    options.do_coarsen = given.do_coarsen;
     options.do_tighten = false; // a front forgets where exactly it started
     const auto nothing = [](Stage) {};
     impl::Progress progress(
         choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
         nothing, nothing, statistics, impl::Progress::stages_of_diffusion());
-    const auto passes = impl::Passes_of_tag<ConcurrencyTag>::make(mesh, mesh.seeds, options);
+    const auto passes = impl::make_passes<ConcurrencyTag>(mesh, mesh.seeds, options);
     return impl::diffusion_times(*passes, options, mesh, computation.sources(), progress,
                                  statistics);
   };

@@ -68,6 +68,8 @@ namespace internal {
 #ifdef CGAL_EIGEN3_ENABLED
 template <> struct Passes_of_tag<Reference_tag> : Passes_of_tag<Sequential_tag>
 {
+  static constexpr bool may_coarsen = false; // the paper has one mesh
+
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return std::make_unique<reference::Reference_passes>(mesh, std::move(seeds), options);

@@ -122,7 +122,7 @@ struct Device_options
   /// null for a stream of its own.
   void* stream = nullptr;
   /// a mesh with fewer vertices is left to the processor by `Cuda_if_available_tag`; `Cuda_tag`
-  /// does not look at it.
+  /// does not look at it. What counts is the mesh that the fields are on: a coarse one, if there is.
   std::size_t least_vertices = least_vertices_for_device;
 };
 
@@ -150,6 +150,14 @@ struct Solver_options
 
   /// whether to tighten the loops in their homotopy classes, and to look for shorter ones.
   bool do_tighten = true;
+
+  /// whether loops are found on a coarse mesh of the same topology where that is as good, and made
+  /// short on the mesh itself. `do_tighten` is needed for it, and `Reference_tag` does not.
+  bool do_coarsen = true;
+
+  /// how long to look for shorter loops in other classes: as a multiple of the number of vertices
+  /// that are visited by default. The answer depends on it, but on no clock.
+  double search_effort = 1.;
 
   /// whether linking numbers tell handles from tunnels; otherwise the growth along the normals
   /// does, it is not known which loops bound inside and outside, and none are replaced by others

@@ -77,6 +77,15 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
                    "keep the handles of the first pass: faster");
   command.add_flag("--no-tighten", options.do_not_tighten,
                    "do not tighten the loops, nor look for shorter ones: faster");
+  command.add_flag("--no-coarsen", options.do_not_coarsen,
+                   "find the loops on the mesh itself, not on a coarse one of the same topology\n"
+                   "where that is as good: slower");
+  command
+      .add_option("--search-effort", options.search_effort,
+                  "how long to look for shorter loops in other classes, as a multiple of the\n"
+                  "vertices that are visited by default: 0 to 1000; default: 1")
+      ->option_text("FACTOR")
+      ->check(CLI::Range(0., 1000.));
   add_choice(command, "--classify", "HOW", options.classifier,
              "what tells handles from tunnels: linking (numbers, exact; the default)\n"
              "or offset (change of length: faster, but no loop is made to bound)",
@@ -150,6 +159,8 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   if(options.is_literal)
     solve_options.literal_rules = CGAL::Handle_tunnel_loops::Literal_rules::all();
   solve_options.do_tighten = !options.do_not_tighten && !options.is_literal;
+  solve_options.do_coarsen = !options.do_not_coarsen;
+  solve_options.search_effort = options.search_effort;
   solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
   solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
   solve_options.do_log_fronts = !options.events_file.empty() || options.moment;
@@ -207,6 +218,8 @@ Json json_of(const Loops_options& options) {
                {"seed", options.seed ? Json(*options.seed) : Json()},
                {"refine", !options.do_not_refine},
                {"tighten", !options.do_not_tighten && !options.is_literal},
+               {"coarsen", !options.do_not_coarsen},
+               {"search_effort", options.search_effort},
                {"waists", options.do_find_waists},
                {"triangulate", options.remedies.do_triangulate},
                {"repair", options.remedies.do_repair}};

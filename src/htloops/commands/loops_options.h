@@ -48,6 +48,8 @@ struct Loops_options : Common_options
   bool is_literal = false;
   bool do_not_refine = false;
   bool do_not_tighten = false;
+  bool do_not_coarsen = false;
+  double search_effort = 1.;
   bool do_find_waists = false;
   std::string basis = "pure";
   std::string classifier = "linking";

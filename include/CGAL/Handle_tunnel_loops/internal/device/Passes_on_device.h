@@ -188,6 +188,8 @@ namespace device {
 /// The passes with fields on a CUDA device; see `Passes_of_tag`.
 struct Passes_on_device
 {
+  static constexpr bool may_coarsen = true;
+
   static std::future<void> head_start(const Device_options& options, std::size_t) {
     return start_device(options);
   }
@@ -203,6 +205,8 @@ struct Passes_on_device
 /// The same where there is a device and the mesh is worth starting it.
 struct Passes_if_there_is_a_device
 {
+  static constexpr bool may_coarsen = true;
+
   static std::future<void> head_start(const Device_options& options,
                                       std::size_t number_of_vertices) {
     return number_of_vertices < options.least_vertices ? std::future<void>()

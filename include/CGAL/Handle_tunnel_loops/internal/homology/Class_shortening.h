@@ -12,8 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -21,9 +22,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -42,11 +45,21 @@ coordinates other than 1 and -1.
 class Class_shortening
 {
 public:
-  Class_shortening(Execution execution, const Flat_mesh& mesh, Progress& progress)
+  /// Long loops are searched for on a coarse mesh, if there is one. \p effort multiplies the visits
+  /// of vertices that are allowed.
+  Class_shortening(Execution execution,
+                   const Flat_mesh& mesh,
+                   const Coarse_mesh* coarse,
+                   double effort,
+                   Progress& progress)
       : execution_(execution)
       , mesh_(mesh)
-      , search_mesh_(mesh)
-      , progress_(progress) {}
+      , effort_(effort)
+      , fine_ground_(mesh)
+      , progress_(progress) {
+    if(coarse != nullptr)
+      coarse_ground_.emplace(*coarse);
+  }
 
   /// from now on the loops of pairs need not cross once.
   void forget_pairs() { are_pairs_kept_ = false; }
@@ -69,7 +82,7 @@ public:
     const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
     if(!is_small()) {
       is_open_ = is_new;
-      repeat((std::max)(visits(), most_on_large_mesh * number_of_new / (number_of_new + 8.)));
+      repeat((std::max)(visits(), visits_for_new() * number_of_new / (number_of_new + 8.)));
     }
     if(visits() > least_visits * double(loops.size())) {
       // Where it is not known what bounds, no class is better than another.
@@ -96,81 +109,62 @@ private:
   static constexpr double gain_worth_having = 1. - 1e-7, much_shorter = 0.99;
 
   static constexpr double most_visits = 2e6, most_on_large_mesh = 1.6e6;
-  static constexpr double most_overestimate = 4.; // that is made use of
-  static constexpr double least_visits = 200.;    // of a loop, that could find anything
-  static constexpr double larger_part = 3.;       // of a part before
-  static constexpr double small = 40000.;         // vertices
-  static constexpr std::size_t even = 5000;       // vertices
-
-  // Of a larger mesh, with fewer visits, coarser ones would take too many of them.
-  static constexpr double visits_worth_levels = 4.;
-  static constexpr double steps_around = 24.; // a loop, at least
-  static constexpr double largest_level = 20.;
-  static constexpr double nodes_by_square = 0.7; // of the spacing
-  static constexpr double most_patience = 8.;    // visits over those that are expected
+  static constexpr double most_overestimate = 4.;          // that is made use of
+  static constexpr double least_visits = 200.;             // of a loop, that could find anything
+  static constexpr double larger_part = 3.;                // of a part before
+  static constexpr double part_on_coarse = 0.5;            // of visits
+  static constexpr double small = 40000., large = 250000.; // vertices
+  static constexpr double short_loop = 48.;                // edge lengths
+  static constexpr double most_patience = 8.;              // visits over those that are expected
 
   bool is_small() const { return double(mesh_.number_of_vertices()) <= small; }
 
-  // On a large mesh, less: its loops have cost more before, and are not to wait as long again.
+  // On a large mesh, less: its loops have cost more before, and are not to wait as long again. On a
+  // coarse one visits go farther.
   double visits() const {
-    const double part = (std::min)(1., small / double(mesh_.number_of_vertices()));
-    return (std::min)(most_visits, 2. * most_visits * part * std::sqrt(part));
+    const double part = part_of_vertices(small);
+    return effort_ * (coarse_ground_ ? part_on_coarse : 1.) *
+           (std::min)(most_visits, 2. * most_visits * part * std::sqrt(part));
+  }
+
+  double visits_for_new() const {
+    return effort_ * most_on_large_mesh *
+           (coarse_ground_ ? part_on_coarse * part_of_vertices(large) : 1.);
+  }
+
+  double part_of_vertices(double number) const {
+    return (std::min)(1., number / double(mesh_.number_of_vertices()));
   }
 
   void prepare_search() {
     if(is_prepared_)
       return;
     is_prepared_ = true;
-    if(is_small())
-      search_mesh_.refine((std::min)(even, 16 * mesh_.number_of_vertices()));
-    if(visits() > double(mesh_.number_of_vertices())) {
-      search_mesh_.measure();
-      if(search_mesh_.area() > 0.)
-        density_ = double(search_mesh_.number_of_vertices()) / search_mesh_.area();
+    fine_ground_.levels().prepare(visits(), is_small() && !coarse_ground_);
+    if(coarse_ground_) {
+      coarse_ground_->levels().prepare(std::numeric_limits<double>::infinity(), false);
+      longest_on_fine_ground_ = short_loop * mean_edge_length(mesh_);
     }
-    if(visits() > visits_worth_levels * double(search_mesh_.number_of_vertices()) && density_ > 0.)
-      spacing_ = std::sqrt(1.15 / density_);
   }
 
-  // ---- coarser meshes, for longer loops
+  // Where to look for loops of some length.
+  struct Scale
+  {
+    Search_ground* ground;
+    int level;
+  };
 
-  // On a level, places to search from are 2^level times as far apart as the vertices are.
-  int level(double length) const {
-    if(spacing_ == 0.)
-      return 0;
-    const double steps = length / (steps_around * spacing_);
-    return steps < 2. ? 0 : static_cast<int>((std::min)(std::log2(steps), largest_level));
-  }
-
-  const Search_mesh& mesh_of_level(int k) const { return k == 0 ? search_mesh_ : *levels_.at(k); }
-
-  double density_of_level(int k) const {
-    return k == 0 ? density_ : nodes_by_square / std::pow(std::ldexp(spacing_, k), 2);
-  }
-
-  // Makes those that are not there, of all that are to be used, and counts.
-  void prepare_levels(const std::set<int>& levels, const Edge_classes& edge_classes) {
-    search_mesh_.count(edge_classes);
-    std::vector<std::pair<int, std::unique_ptr<Search_mesh>*>> wanted;
-    for(int k : levels)
-      if(k > 0)
-        wanted.emplace_back(k, &levels_[k]);
-    for_each_index(
-        execution_, wanted.size(),
-        [&](std::size_t i) {
-          const auto& [k, mesh] = wanted[i];
-          if(*mesh == nullptr)
-            *mesh = std::make_unique<Search_mesh>(search_mesh_, std::ldexp(spacing_, k));
-          (*mesh)->count(edge_classes);
-        },
-        1);
+  Scale scale(double length) {
+    Search_ground& ground =
+        coarse_ground_ && length >= longest_on_fine_ground_ ? *coarse_ground_ : fine_ground_;
+    return {&ground, ground.levels().level(length)};
   }
 
   // Looks for the open loops, and for those that are opened by it, as long as there are visits.
   void repeat(double visits) {
     part_ = 0.;
     overestimate_ = 1.;
-    double spare = (std::max)(0., most_on_large_mesh - visits);
+    double spare = (std::max)(0., visits_for_new() - visits);
     for(int round = 0; round < most_rounds && visits > 0.; ++round) {
       const double before = total_length(), share = visits;
       visits -= double(size_of_loops());
@@ -194,16 +188,10 @@ private:
 
   double total_length() const { return std::accumulate(lengths_.begin(), lengths_.end(), 0.); }
 
-  // About the vertices within half the length of a loop: by how densely they lie, or because a
-  // geodesic crosses two edges on an edge length.
-  double vertices_around(Index i) const {
-    const int k = level(part_ * lengths_[i]);
-    const double by_density = density_of_level(k) * lengths_[i] * lengths_[i];
-    if(k > 0)
-      return by_density;
-    const double size = double((*loops_)[i].size());
-    return (std::min)((std::max)(by_density, 0.3 * size * size),
-                      double(search_mesh_.number_of_vertices()));
+  // About the vertices within half the length of a loop.
+  double vertices_around(Index i) {
+    const auto [ground, level] = scale(part_ * lengths_[i]);
+    return ground->vertices_around(level, lengths_[i], (*loops_)[i]);
   }
 
   void measure() {
@@ -268,7 +256,7 @@ private:
     }
   }
 
-  Search_plan plan_of_part(const std::vector<Task>& tasks, double visits, double part) const {
+  Search_plan plan_of_part(const std::vector<Task>& tasks, double visits, double part) {
     std::vector<double> discs, places;
     for(const Task& task : tasks) {
       double disc = 0.;
@@ -287,15 +275,7 @@ private:
     classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
     const std::vector<Class_vector> duals = dual_classes();
     std::vector<Task> tasks = tasks_within(visits, duals);
-    const Edge_classes edge_classes(mesh_, classes_->index(), *is_pure_);
-    std::set<int> levels;
-    for(const Task& task : tasks)
-      levels.insert(level(part_ * task.length));
-    prepare_levels(levels, edge_classes);
-    std::map<int, Workspace_pool<Partner_search>> searches;
-    for(int k : levels)
-      searches.try_emplace(
-          k, [this, k] { return std::make_unique<Partner_search>(mesh_, mesh_of_level(k)); });
+    prepare_grounds(tasks);
     std::vector<std::vector<Candidate>> found(tasks.size());
     const std::size_t patience = patience_within(visits, tasks);
     for_each_index(
@@ -304,7 +284,7 @@ private:
           Task& task = tasks[n];
           task.left = patience * task.effort.visits;
           if(task.left > 0 && progress_.goes_on())
-            found[n] = candidates(task, duals, *searches.at(level(part_ * task.length)).borrow());
+            found[n] = candidates(task, duals);
         },
         1);
     progress_.throw_if_interrupted();
@@ -314,6 +294,17 @@ private:
       std::move(part.begin(), part.end(), std::back_inserter(candidates_));
     return std::any_of(tasks.begin(), tasks.end(),
                        [](const Task& task) { return task.effort.visits > 0; });
+  }
+
+  void prepare_grounds(const std::vector<Task>& tasks) {
+    std::map<Search_ground*, std::set<int>> levels;
+    for(const Task& task : tasks)
+      if(task.effort.visits > 0) {
+        const auto [own, level] = scale(part_ * task.length);
+        levels[own].insert(level);
+      }
+    for(const auto& [ground, used] : levels)
+      ground->prepare(execution_, used, *loops_, classes_->index(), *is_pure_);
   }
 
   // By how much more is allowed than expected, which may be too little: a search that has to be
@@ -362,24 +353,27 @@ private:
     return duals;
   }
 
-  std::vector<Candidate>
-  candidates(Task& task, const std::vector<Class_vector>& duals, Partner_search& search) const {
+  std::vector<Candidate> candidates(Task& task, const std::vector<Class_vector>& duals) {
     const bool is_pure = (*is_pure_)[task.partner / 2], is_tunnel = task.partner % 2 == 0;
     std::vector<Search_targets::Target> wanted;
     for(Index i : task.targets)
       wanted.push_back({part_ * poor_edges * lengths_[i], &duals[i]});
     Search_targets targets(std::move(wanted));
-    search.run((*loops_)[task.partner], task.partner, is_pure && is_tunnel, task.effort.spacing,
-               targets, task.left);
+    const auto [ground, level] = scale(part_ * task.length);
+    ground->search(level, task.partner, is_pure && is_tunnel, task.effort.spacing, targets,
+                   task.left);
     std::vector<Candidate> candidates;
     for(const Search_targets::Found& found : targets.take_found()) {
       if(found.walk.size() < 3)
         continue;
-      Candidate c;
-      c.loop = search_mesh_.loop_along(found.walk);
-      if(c.loop.empty())
+      double limit = 0.;
+      for(Index t : found.targets)
+        limit = (std::max)(limit, lengths_[task.targets[t]]);
+      std::optional<Crossing_loop> loop = ground->tightened(execution_, found.walk, limit);
+      if(!loop)
         continue;
-      Loop_tightening(execution_, mesh_).tighten(c.loop);
+      Candidate c;
+      c.loop = std::move(*loop);
       c.length = length(mesh_, c.loop);
       c.numbers = classes_->numbers(c.loop);
       if(is_pure && !is_of_kind(c.numbers, is_tunnel))
@@ -484,9 +478,10 @@ private:
 
   Execution execution_;
   const Flat_mesh& mesh_;
-  Search_mesh search_mesh_;
-  std::map<int, std::unique_ptr<Search_mesh>> levels_;
-  double spacing_ = 0.; // of the vertices, if there are levels
+  double effort_;
+  Search_ground fine_ground_;
+  std::optional<Search_ground> coarse_ground_;
+  double longest_on_fine_ground_ = 0.; // if there is a coarse one
   Progress& progress_;
   std::vector<Crossing_loop>* loops_ = nullptr;
   const std::vector<char>* is_pure_ = nullptr;
@@ -494,7 +489,6 @@ private:
   bool are_pairs_kept_ = true;
   double part_ = 0.;         // of the length of the loops, to look for
   double overestimate_ = 1.; // visits planned over visits needed, in the last round
-  double density_ = 0.;      // vertices by area, if many of them are visited
   std::vector<double> lengths_;
   std::vector<Index> sources_;
   std::vector<char> is_open_;    // by loop, whether to look for candidates

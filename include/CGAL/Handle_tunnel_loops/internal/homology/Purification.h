@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
@@ -188,9 +189,15 @@ which unimodularity alone does not exclude, the tunnels become the dual basis of
 class Purification
 {
 public:
-  Purification(Execution execution, const Flat_mesh& mesh, bool do_tighten, Progress& progress)
+  /// Loops are put together on a coarse mesh, if there is one.
+  Purification(Execution execution,
+               const Flat_mesh& mesh,
+               bool do_tighten,
+               Progress& progress,
+               const Coarse_mesh* coarse = nullptr)
       : execution_(execution)
       , mesh_(mesh)
+      , coarse_(coarse)
       , do_tighten_(do_tighten)
       , progress_(progress) {}
 
@@ -248,7 +255,11 @@ private:
         is_pure_[k] = 0;
       return;
     }
-    Workspace_pool<Loop_sum> sums([this] { return std::make_unique<Loop_sum>(mesh_, loops_); });
+    const std::vector<Crossing_loop> projected = projected_loops();
+    Workspace_pool<Loop_sum> sums([&] {
+      return coarse_ == nullptr ? std::make_unique<Loop_sum>(mesh_, loops_)
+                                : std::make_unique<Loop_sum>(coarse_->mesh, projected);
+    });
     for_each_index(
         execution_, numbers.size(),
         [&](std::size_t n) {
@@ -365,10 +376,24 @@ private:
     return can_be_made(tunnels);
   }
 
+  std::vector<Crossing_loop> projected_loops() const {
+    std::vector<Crossing_loop> projected(coarse_ == nullptr ? 0 : loops_.size());
+    for_each_index(
+        execution_, projected.size(),
+        [&](std::size_t i) { projected[i] = coarse_->projected(loops_[i]); }, 16);
+    return projected;
+  }
+
   Crossing_loop loop_of(const Member& m, Workspace_pool<Loop_sum>& sums) const {
     if(m.loop != no_index)
       return loops_[m.loop];
-    Crossing_loop loop = pushed_left(mesh_, sums.borrow()->walk(m.coordinates));
+    const std::vector<Index> walk = sums.borrow()->walk(m.coordinates);
+    Crossing_loop loop = pushed_left(coarse_ == nullptr ? mesh_ : coarse_->mesh, walk);
+    if(coarse_ != nullptr) {
+      if(do_tighten_)
+        Loop_tightening(execution_, coarse_->mesh).tighten(loop);
+      loop = coarse_->lifted(loop);
+    }
     if(do_tighten_)
       Loop_tightening(execution_, mesh_).tighten(loop);
     return loop;
@@ -376,6 +401,7 @@ private:
 
   Execution execution_;
   const Flat_mesh& mesh_;
+  const Coarse_mesh* coarse_;
   bool do_tighten_;
   Progress& progress_;
   std::vector<Crossing_loop> loops_; // before

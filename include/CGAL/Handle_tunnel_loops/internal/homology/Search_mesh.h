@@ -352,6 +352,8 @@ public:
   void count(const Edge_classes& classes) {
     classes_ = &classes;
     sums_.assign(own_heads_.size(), {});
+    terms_begin_.assign(own_heads_.size() + 1, 0);
+    terms_.clear();
     steps_across_.clear();
     for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
@@ -359,19 +361,20 @@ public:
           sums_[s] = sums_[s] + classes.sums(corner(from), corner(to));
         });
         if(!sums_[s].is_zero())
-          for_each_edge(v, s, [&](Index from, Index to) {
-            for_each_term(from, to,
-                          [&](Index loop, int) { steps_across_[loop].emplace_back(v, s); });
-          });
+          add_terms(v, s);
+        terms_begin_[s + 1] = static_cast<Index>(terms_.size());
       }
   }
 
   /// how often a step from `v` crosses a loop, in net numbers.
   int number(Index v, Index step, Index loop) const {
     int sum = 0;
-    for_each_edge(v, step, [&](Index from, Index to) {
-      for_each_term(from, to, [&](Index other, int number) { sum += other == loop ? number : 0; });
-    });
+    const auto add = [&](Index other, int number) { sum += other == loop ? number : 0; };
+    if(has_walks())
+      for(Index i = terms_begin_[step]; i != terms_begin_[step + 1]; ++i)
+        add(terms_[i].first, terms_[i].second);
+    else
+      for_each_term(v, head(step), add);
     return sum;
   }
 
@@ -512,6 +515,26 @@ private:
     return dot(to, to);
   }
 
+  // Of a step that crosses loops.
+  void add_terms(Index v, Index step) {
+    const auto first = static_cast<std::ptrdiff_t>(terms_.size());
+    for_each_edge(v, step, [&](Index from, Index to) {
+      for_each_term(from, to, [&](Index loop, int number) {
+        const auto same = std::find_if(terms_.begin() + first, terms_.end(),
+                                       [&](const auto& term) { return term.first == loop; });
+        if(same != terms_.end())
+          same->second += number;
+        else
+          terms_.emplace_back(loop, number);
+      });
+    });
+    terms_.erase(std::remove_if(terms_.begin() + first, terms_.end(),
+                                [](const auto& term) { return term.second == 0; }),
+                 terms_.end());
+    for(auto term = terms_.begin() + first; term != terms_.end(); ++term)
+      steps_across_[term->first].emplace_back(v, step);
+  }
+
   // ---- steps with walks
 
   // The steps that are added next are from the next vertex.
@@ -565,7 +588,10 @@ private:
   std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
   std::vector<float> lengths_;            // by step, of the mesh as well if measured
   const Edge_classes* classes_ = nullptr; // that were last counted
-  std::vector<Class_sums> sums_;          // by step, these two only if steps have walks:
+  // Only if steps have walks: by step, what it crosses, and how often.
+  std::vector<Class_sums> sums_;
+  std::vector<Index> terms_begin_;
+  std::vector<std::pair<Index, int>> terms_;                           // loops and numbers
   std::map<Index, std::vector<std::pair<Index, Index>>> steps_across_; // and vertices, by loop
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
@@ -34,18 +35,20 @@ struct Class_options
   Basis_kind kind = Basis_kind::PURE;
   bool do_link = true; ///< without, nothing is known of sides
   bool do_shorten = true;
-  double offset = 0.; ///< by which loops are moved that linking numbers do not name
+  double search_effort = 1.; ///< by how much more to search than by default
+  double offset = 0.;        ///< by which loops are moved that linking numbers do not name
 };
 
 /// changes pairs, which are a basis, to pairs of the kind that is wanted: makes them pure where
 /// their linking numbers allow, and as short as it can. Returns the relations of the pairs, if it
-/// has come to know them.
+/// has come to know them. Long loops are searched for on the coarse mesh, if there is one.
 CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution execution,
                                                                const Flat_mesh& mesh,
                                                                const Class_options& options,
                                                                const Relate_pairs& relate,
                                                                std::vector<Flat_pair>& pairs,
-                                                               Progress& progress);
+                                                               Progress& progress,
+                                                               const Coarse_mesh* coarse = nullptr);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

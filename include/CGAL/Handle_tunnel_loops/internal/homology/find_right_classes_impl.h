@@ -74,16 +74,17 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
                                                                const Class_options& options,
                                                                const Relate_pairs& relate,
                                                                std::vector<Flat_pair>& pairs,
-                                                               Progress& progress) {
+                                                               Progress& progress,
+                                                               const Coarse_mesh* coarse) {
   // Parts of the time, about, when they begin or end.
   constexpr double first_linking = 0.25, second_linking = 0.75;
   std::optional<Loop_relations> relations;
-  Class_shortening shortening(execution, mesh, progress);
+  Class_shortening shortening(execution, mesh, coarse, options.search_effort, progress);
   if(options.do_link) {
     relations = relate(pairs);
     const std::vector<Flat_pair> first = pairs;
     progress.advance(first_linking);
-    Purification purification(execution, mesh, options.do_shorten, progress);
+    Purification purification(execution, mesh, options.do_shorten, progress, coarse);
     std::vector<Index> before = purification.run(pairs, *relations);
     if(options.do_shorten)
       right_classes::shorten(shortening, pairs, purification.is_pure(), before);

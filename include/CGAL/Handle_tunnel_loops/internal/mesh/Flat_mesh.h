@@ -123,6 +123,20 @@ struct Flat_mesh
     return rounded_length(to[0], to[1], to[2]);
   }
 
+  /// makes positions at hubs known, whose rings are there.
+  void find_places_at_hubs() {
+    for(Index hub = first_hub; hub < number_of_vertices(); ++hub)
+      for(Index p = 0; p < ring(hub).size(); ++p)
+        places_at_hubs.emplace_back(ring(hub)[p], p);
+    std::sort(places_at_hubs.begin(), places_at_hubs.end());
+  }
+
+  /// sets the genus, once the components are known.
+  void count_handles() {
+    // V - E + F = 2 c - 2 g, with 2 E = 3 F halfedges.
+    genus = (2 * seeds.size() + number_of_faces() / 2 - number_of_vertices()) / 2;
+  }
+
   /// a length, or a vector, as the caller measures it: what is in the range of doubles stays so.
   template <typename Length> Length in_units_of_caller(const Length& length) const {
     return 2. * (half_scale * length);
@@ -169,14 +183,36 @@ inline Mesh_view view_of(const Flat_mesh& mesh) {
           {}};
 }
 
-/// the mean length of some of the edges, spread over the mesh.
-inline double mean_edge_length(const Flat_mesh& mesh) {
+/// calls `f(length)` for some of the edges, spread over the mesh.
+template <typename Function>
+void for_each_sampled_edge_length(const Flat_mesh& mesh, const Function& f) {
   const std::size_t n = mesh.number_of_vertices(), stride = n / 10000 + 1;
+  for(std::size_t v = 0; v < n; v += stride)
+    f(mesh.edge_length(static_cast<Index>(v), mesh.ring(static_cast<Index>(v))[0]));
+}
+
+/// the mean length of some of the edges.
+inline double mean_edge_length(const Flat_mesh& mesh) {
   double sum = 0.;
   std::size_t count = 0;
-  for(std::size_t v = 0; v < n; v += stride, ++count)
-    sum += mesh.edge_length(static_cast<Index>(v), mesh.ring(static_cast<Index>(v))[0]);
+  for_each_sampled_edge_length(mesh, [&](double length) {
+    sum += length;
+    ++count;
+  });
   return sum / double(count);
+}
+
+/// the mean square of the lengths of some of the edges, over the square of their mean: one if all
+/// are as long.
+inline double unevenness(const Flat_mesh& mesh) {
+  const double mean = mean_edge_length(mesh);
+  double sum = 0.;
+  std::size_t count = 0;
+  for_each_sampled_edge_length(mesh, [&](double length) {
+    sum += length * length;
+    ++count;
+  });
+  return mean > 0. ? sum / (double(count) * mean * mean) : 1.;
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -408,10 +408,7 @@ private:
           mesh_.original[hub] = static_cast<Index>(index_bound_ + i);
         },
         1);
-    for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
-      for(Index p = 0; p < mesh_.ring(hub).size(); ++p)
-        mesh_.places_at_hubs.emplace_back(mesh_.ring(hub)[p], p);
-    std::sort(mesh_.places_at_hubs.begin(), mesh_.places_at_hubs.end());
+    mesh_.find_places_at_hubs();
   }
 
   static bool is_permutation(std::vector<Index> numbers) {
@@ -460,12 +457,8 @@ private:
     for_each_index(execution_, n, [&](std::size_t v) {
       mesh_.component[v] = number[rank(static_cast<Index>(v))];
     });
-
-    // V - E + F = 2 c - 2 g, with 2 E = 3 F halfedges.
-    const std::size_t handles_twice = 2 * mesh_.seeds.size() + mesh_.number_of_faces() / 2 - n;
-    CGAL_assertion_msg(handles_twice % 2 == 0 && handles_twice / 2 <= mesh_.number_of_faces(),
-                       "an orientable surface has a genus");
-    mesh_.genus = handles_twice / 2;
+    mesh_.count_handles();
+    CGAL_assertion_msg(mesh_.genus <= mesh_.number_of_faces(), "a surface has a genus");
   }
 
   Execution execution_;

@@ -15,10 +15,12 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
+#include <memory>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -63,7 +65,15 @@ public:
   /// in components without one. May be called at any time, and more than once.
   virtual std::vector<Time>
   diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
+
+  /// the coarse mesh on which loops were found, if it was one; to be asked after the initial pass.
+  virtual std::shared_ptr<const Coarse_mesh> coarse_mesh() const { return nullptr; }
 };
+
+/// makes passes on a mesh, from seeds, one in each component.
+using Make_passes = std::unique_ptr<Passes> (*)(const Flat_mesh& mesh,
+                                                std::vector<Index> seeds,
+                                                const Pass_options& options);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

@@ -32,8 +32,8 @@ struct Loop_request
   std::vector<Index> seeds; ///< one in each component
   std::function<void(const Swept_vertices&)> put_swept_vertices;
 
-  /// who does the passes, see `Passes_of_tag`.
-  std::unique_ptr<Passes> (*make_passes)(const Flat_mesh&, std::vector<Index>, const Pass_options&);
+  /// who does the passes: `internal::make_passes()` of a tag.
+  Make_passes make_passes;
 };
 
 /// The mesh of a caller, for what knows no type of mesh: it holds pairs of loops on it, and

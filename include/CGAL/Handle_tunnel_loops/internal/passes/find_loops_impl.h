@@ -16,27 +16,36 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// the passes, as far as there is anything to do for them.
-inline std::vector<Flat_pair> pairs_of_passes(const Flat_mesh& mesh,
-                                              const Loop_request& request,
-                                              Progress& progress,
-                                              Statistics& statistics) {
+/// What the passes find, and the coarse mesh that they found it on, if it was one.
+struct Found_pairs
+{
   std::vector<Flat_pair> pairs;
+  std::shared_ptr<const Coarse_mesh> coarse;
+};
+
+/// the passes, as far as there is anything to do for them.
+inline Found_pairs pairs_of_passes(const Flat_mesh& mesh,
+                                   const Loop_request& request,
+                                   Progress& progress,
+                                   Statistics& statistics) {
+  Found_pairs found;
   if(mesh.genus == 0 && !request.passes.asks_for_fronts())
-    return pairs;
+    return found;
   const auto passes = request.make_passes(mesh, request.seeds, request.passes);
   if(mesh.genus == 0)
     run_initial_pass(*passes, progress, statistics);
   else
-    pairs = run_passes(*passes, request.passes, progress, statistics);
+    found.pairs = run_passes(*passes, request.passes, progress, statistics);
   request.put_swept_vertices(passes->take_swept_vertices());
-  return pairs;
+  found.coarse = passes->coarse_mesh();
+  return found;
 }
 
 /// the relations of the loops of pairs; without linking numbers unless \p do_link.
@@ -74,7 +83,7 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
   if(request.passes.literal_rules.finite_offset)
     classes.offset =
         request.passes.literal_rules.offset * mesh.in_units_of_caller(mean_edge_length(mesh));
-  std::vector<Flat_pair> pairs = pairs_of_passes(mesh, request, progress, statistics);
+  auto [pairs, coarse] = pairs_of_passes(mesh, request, progress, statistics);
   execution = execution.watched_by(progress);
   if(mesh.genus == 0 && mesh.number_of_hubs > 0) { // there is nothing to certify
     progress.run(Stage::CONVERT, [] {});
@@ -84,13 +93,13 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
   const Flat_surface surface(mesh, caller.coordinates(execution));
   std::optional<Loop_relations> relations;
   if(!pairs.empty())
-    progress.run(Stage::CLASSES, [&] {
+    progress.run(Stage::CLASSES, [&, &pairs = pairs, &coarse = coarse] {
       relations = find_right_classes(
           execution, mesh, classes,
           [&](const std::vector<Flat_pair>& now) { return relate(execution, surface, now, true); },
-          pairs, progress);
+          pairs, progress, coarse.get());
     });
-  progress.run(Stage::CONVERT, [&] { caller.convert(execution, pairs); });
+  progress.run(Stage::CONVERT, [&, &pairs = pairs] { caller.convert(execution, pairs); });
   if(!relations)
     relations = relate(execution, surface, pairs, classes.do_link);
   Certificate certificate =

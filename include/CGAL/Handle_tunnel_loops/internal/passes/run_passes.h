@@ -34,10 +34,20 @@ CGAL_HTL_CORE std::unique_ptr<Passes> host_passes(Execution execution,
                                                   const Pass_options& options,
                                                   std::string fallback = {});
 
+/// the passes on a coarse mesh, those on the fine one where that does not pay; see `Coarse_passes`.
+CGAL_HTL_CORE std::unique_ptr<Passes> coarse_passes(Execution execution,
+                                                    const Flat_mesh& mesh,
+                                                    std::vector<Index> seeds,
+                                                    const Pass_options& options,
+                                                    Make_passes make);
+
 /// What a concurrency tag stands for: who does the passes. Specialised for the tags of other
 /// solvers, which take part in the tests of agreement.
 template <typename ConcurrencyTag> struct Passes_of_tag
 {
+  /// whether these may be passes on a coarse mesh in place of the one that is given.
+  static constexpr bool may_coarsen = true;
+
   /// makes ready what can be while the mesh is prepared, after which it is waited for.
   static std::future<void> head_start(const Device_options&, std::size_t /* number_of_vertices */) {
     return {};
@@ -49,6 +59,17 @@ template <typename ConcurrencyTag> struct Passes_of_tag
     return host_passes(execution_of<ConcurrencyTag>(), mesh, std::move(seeds), options);
   }
 };
+
+/// the passes of a tag, on a coarse mesh if that is allowed.
+template <typename ConcurrencyTag>
+std::unique_ptr<Passes>
+make_passes(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
+  using Tag = Passes_of_tag<ConcurrencyTag>;
+  if(Tag::may_coarsen && options.do_coarsen)
+    return coarse_passes(execution_of<ConcurrencyTag>(), mesh, std::move(seeds), options,
+                         &Tag::make);
+  return Tag::make(mesh, std::move(seeds), options);
+}
 
 /// the passes one after the other, from a mesh with handles to pairs of loops.
 CGAL_HTL_CORE std::vector<Flat_pair>

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Coarse_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
@@ -33,6 +34,16 @@ CGAL_HTL_CORE std::unique_ptr<Passes> host_passes(Execution execution,
       execution, mesh, std::move(seeds), options, [execution, &mesh, fallback] {
         return std::make_unique<Host_backend>(execution, mesh, fallback);
       });
+}
+
+CGAL_HTL_CORE std::unique_ptr<Passes> coarse_passes(Execution execution,
+                                                    const Flat_mesh& mesh,
+                                                    std::vector<Index> seeds,
+                                                    const Pass_options& options,
+                                                    Make_passes make) {
+  if(!Coarse_passes::do_pay(mesh))
+    return make(mesh, std::move(seeds), options);
+  return std::make_unique<Coarse_passes>(execution, mesh, std::move(seeds), options, make);
 }
 
 CGAL_HTL_CORE void run_initial_pass(Passes& passes, Progress& progress, Statistics& statistics) {

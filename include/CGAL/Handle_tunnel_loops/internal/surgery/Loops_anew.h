@@ -287,8 +287,8 @@ public:
     Loop_request wanted;
     wanted.seeds = surface_->mesh.seeds;
     wanted.put_swept_vertices = [](const Swept_vertices&) {};
-    wanted.make_passes = execution.is_parallel() ? &Passes_of_tag<Parallel_if_available_tag>::make
-                                                 : &Passes_of_tag<Sequential_tag>::make;
+    wanted.make_passes = execution.is_parallel() ? &make_passes<Parallel_if_available_tag>
+                                                 : &make_passes<Sequential_tag>;
     Statistics statistics;
     Progress progress(
         {}, [](Stage) {}, [](Stage) {}, statistics, Progress::stages_of_loops());

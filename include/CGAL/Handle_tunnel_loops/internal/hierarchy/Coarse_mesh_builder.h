@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HIERARCHY_COARSE_MESH_BUILDER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HIERARCHY_COARSE_MESH_BUILDER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_ring.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cells.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/*!
+Builds a coarse mesh: cells grow from vertices spread over the fine one, and those that are not fit
+(see `Cell_ring`) are divided until all are.
+
+What is not fit gets more centres, and is labelled again together with what is beside it. What is
+still not fit after some rounds falls apart into its vertices; so there always is an answer, in the
+end the fine mesh itself. Nothing depends on the number of threads.
+
+Linear, but for cells with many neighbours, which are sorted.
+*/
+class Coarse_mesh_builder
+{
+public:
+  Coarse_mesh_builder(Execution execution, const Flat_mesh& mesh)
+      : execution_(execution)
+      , mesh_(mesh)
+      , cells_(mesh)
+      , rings_([this] { return std::make_unique<Cell_ring>(mesh_, cells_); }) {}
+
+  /// a coarse mesh with a vertex for each `spacing` vertices of the fine one, about. The seeds, of
+  /// which there is one in each component, are centres of cells.
+  Coarse_mesh build(Index spacing, const std::vector<Index>& seeds) {
+    CGAL_precondition(spacing > 0);
+    start(spacing, seeds);
+    divide_unfit_cells();
+    Coarse_mesh coarse;
+    coarse.fine = &mesh_;
+    coarse.centre = centres();
+    number_of_cell_.resize(mesh_.number_of_vertices());
+    for_each_index(execution_, coarse.centre.size(), [&](std::size_t i) {
+      number_of_cell_[coarse.centre[i]] = static_cast<Index>(i);
+    });
+    set_rings(coarse);
+    set_vertices(coarse, seeds);
+    coarse.parent.resize(mesh_.number_of_vertices());
+    for_each_index(execution_, coarse.parent.size(),
+                   [&](std::size_t v) { coarse.parent[v] = cells_.parent(static_cast<Index>(v)); });
+    return coarse;
+  }
+
+private:
+  static constexpr int rounds_of_new_centres = 3;
+  static constexpr std::size_t parts_of_unfit_cell = 4;
+  static constexpr std::size_t grain = 1024; // cells
+
+  void start(Index spacing, const std::vector<Index>& seeds) {
+    for(Index v = 0; v < mesh_.first_hub; v += spacing)
+      cells_.add_cell(v);
+    for(Index seed : seeds)
+      cells_.add_cell(seed);
+    for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
+      cells_.add_vertex(hub);
+    const std::vector<Index> open = vertices_with([&](Index v) { return !cells_.is_centre(v); });
+    cells_.grow(execution_, open, [](Index) { return true; });
+  }
+
+  template <typename Predicate> std::vector<Index> vertices_with(const Predicate& predicate) const {
+    return collect<Index>(execution_, mesh_.number_of_vertices(),
+                          [&](std::size_t begin, std::size_t end) {
+                            std::vector<Index> own;
+                            for(Index v = static_cast<Index>(begin); v < end; ++v)
+                              if(predicate(v))
+                                own.push_back(v);
+                            return own;
+                          });
+  }
+
+  std::vector<Index> centres() const {
+    return vertices_with([&](Index v) { return cells_.is_centre(v); });
+  }
+
+  // ---- until all cells are fit
+
+  void divide_unfit_cells() {
+    std::vector<Index> unfit = unfit_among(centres());
+    for(int round = 0; !unfit.empty(); ++round) {
+      const std::vector<Index> cells = divisible(unfit);
+      const std::vector<Index> vertices =
+          round < rounds_of_new_centres ? divide(cells) : dissolve(cells);
+      unfit = unfit_among(with_neighbors(cells_of(vertices)));
+    }
+  }
+
+  std::vector<Index> unfit_among(const std::vector<Index>& cells) {
+    return collect<Index>(
+        execution_, cells.size(),
+        [&](std::size_t begin, std::size_t end) {
+          const auto ring = rings_.borrow();
+          std::vector<Index> unfit;
+          for(std::size_t i = begin; i < end; ++i)
+            if(!ring->look(cells[i]))
+              unfit.push_back(cells[i]);
+          return unfit;
+        },
+        grain);
+  }
+
+  std::vector<Index> vertices_of(const std::vector<Index>& cells) const {
+    std::vector<Index> all, own;
+    for(Index cell : cells) {
+      cells_.list(cell, own);
+      all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
+  }
+
+  static std::vector<Index> sorted(std::vector<Index> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+  }
+
+  std::vector<Index> cells_of(std::vector<Index> vertices) const {
+    for(Index& v : vertices)
+      v = cells_.cell(v);
+    return sorted(std::move(vertices));
+  }
+
+  // The cells, and those beside them.
+  std::vector<Index> with_neighbors(const std::vector<Index>& cells) const {
+    std::vector<Index> all = cells;
+    for(Index v : vertices_of(cells))
+      for(Index u : mesh_.ring(v))
+        if(cells_.cell(u) != cells_.cell(v))
+          all.push_back(cells_.cell(u));
+    return sorted(std::move(all));
+  }
+
+  // Of cells that are not fit those that can be divided: in place of a vertex, those beside it.
+  std::vector<Index> divisible(const std::vector<Index>& unfit) const {
+    std::vector<Index> cells;
+    for(Index cell : unfit)
+      if(!cells_.is_alone(cell))
+        cells.push_back(cell);
+      else
+        for(Index u : mesh_.ring(cell))
+          cells.push_back(cells_.cell(u));
+    return sorted(std::move(cells));
+  }
+
+  // Gives cells more centres, and labels them again with those beside them. Returns the vertices.
+  std::vector<Index> divide(const std::vector<Index>& cells) {
+    const std::vector<Index> region = with_neighbors(cells);
+    const std::vector<Index> vertices = vertices_of(region);
+    std::vector<Index> added = region, own;
+    for(Index cell : cells) {
+      cells_.list(cell, own);
+      for(std::size_t k = 1; k < parts_of_unfit_cell; ++k)
+        added.push_back(own[k * own.size() / parts_of_unfit_cell]);
+    }
+    added = sorted(std::move(added));
+    std::vector<Index> open;
+    for(Index v : vertices)
+      if(!cells_.is_alone(v))
+        cells_.open(v);
+    for(Index v : added)
+      if(!cells_.is_alone(v))
+        cells_.add_cell(v);
+    for(Index v : vertices)
+      if(!cells_.is_centre(v))
+        open.push_back(v);
+    cells_.grow(execution_, std::move(open),
+                [&](Index cell) { return std::binary_search(added.begin(), added.end(), cell); });
+    return vertices;
+  }
+
+  // Takes cells apart into their vertices, which it returns.
+  std::vector<Index> dissolve(const std::vector<Index>& cells) {
+    std::vector<Index> vertices = vertices_of(cells);
+    for(Index v : vertices)
+      cells_.add_vertex(v);
+    return vertices;
+  }
+
+  // ---- their mesh
+
+  void set_rings(Coarse_mesh& coarse) {
+    const std::size_t n = coarse.centre.size();
+    coarse.mesh.row_begin.assign(n + 1, 0);
+    std::vector<std::vector<Index>> neighbors((n + grain - 1) / grain);
+    std::vector<std::vector<Gate>> gates(neighbors.size());
+    std::vector<Stretch> stretches(neighbors.size());
+    execution_.for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
+      const auto ring = rings_.borrow();
+      for(std::size_t i = begin; i < end; ++i) {
+        const bool is_fit = ring->look(coarse.centre[i]);
+        CGAL_assertion_msg(is_fit, "cells are divided until all are fit");
+        CGAL_USE(is_fit);
+        coarse.mesh.row_begin[i] = static_cast<Index>(ring->size());
+        for(std::size_t k = 0; k < ring->size(); ++k) {
+          neighbors[begin / grain].push_back(number_of_cell_[ring->neighbor(k)]);
+          const auto [gate, length] = shorter(ring->gates(k));
+          gates[begin / grain].push_back(gate);
+          stretches[begin / grain].add(length,
+                                       mesh_.edge_length(coarse.centre[i], ring->neighbor(k)));
+        }
+      }
+    });
+    const std::size_t size = sum_before_each(execution_, coarse.mesh.row_begin);
+    coarse.mesh.neighbor.resize(size);
+    coarse.gate.resize(size);
+    for_each_index(
+        execution_, neighbors.size(),
+        [&](std::size_t r) {
+          const Index begin = coarse.mesh.row_begin[r * grain];
+          std::copy(neighbors[r].begin(), neighbors[r].end(), coarse.mesh.neighbor.begin() + begin);
+          std::copy(gates[r].begin(), gates[r].end(), coarse.gate.begin() + begin);
+        },
+        1);
+    coarse.stretch = std::accumulate(stretches.begin(), stretches.end(), Stretch()).ratio();
+  }
+
+  // Of ways, over the distances of their ends.
+  struct Stretch
+  {
+    double ways = 0., distances = 0.;
+
+    void add(double way, double distance) {
+      ways += way;
+      distances += distance;
+    }
+    friend Stretch operator+(Stretch a, const Stretch& b) {
+      a.add(b.ways, b.distances);
+      return a;
+    }
+    double ratio() const { return distances > 0. ? ways / distances : 1.; }
+  };
+
+  // The gate with the shorter way, and that.
+  std::pair<Gate, double> shorter(const std::pair<Gate, Gate>& gates) const {
+    const double first = length(gates.first), second = length(gates.second);
+    return first <= second ? std::make_pair(gates.first, first)
+                           : std::make_pair(gates.second, second);
+  }
+
+  // Of the way from centre to centre.
+  double length(const Gate& gate) const {
+    double sum = mesh_.edge_length(gate.from, gate.to);
+    for(Index v : {gate.from, gate.to})
+      for(; cells_.parent(v) != no_index; v = cells_.parent(v))
+        sum += mesh_.edge_length(v, cells_.parent(v));
+    return sum;
+  }
+
+  void set_vertices(Coarse_mesh& coarse, const std::vector<Index>& seeds) const {
+    Flat_mesh& mesh = coarse.mesh;
+    const std::size_t n = coarse.centre.size();
+    mesh.points.resize(n);
+    mesh.original.resize(n);
+    mesh.component.resize(n);
+    for_each_index(execution_, n, [&](std::size_t i) {
+      mesh.points[i] = mesh_.points[coarse.centre[i]];
+      mesh.original[i] = mesh_.original[coarse.centre[i]];
+      mesh.component[i] = mesh_.component[coarse.centre[i]];
+    });
+    for(Index seed : seeds)
+      mesh.seeds.push_back(number_of_cell_[seed]);
+    mesh.half_scale = mesh_.half_scale;
+    mesh.number_of_hubs = mesh_.number_of_hubs;
+    mesh.first_hub = static_cast<Index>(n - mesh.number_of_hubs);
+    mesh.find_places_at_hubs();
+    mesh.count_handles();
+    CGAL_postcondition_msg(mesh.genus == mesh_.genus, "a coarse mesh is of the same topology");
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  Cells cells_;
+  Workspace_pool<Cell_ring> rings_;
+  Uninitialized_vector<Index> number_of_cell_; // by its centre
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_HIERARCHY_COARSE_MESH_BUILDER_H

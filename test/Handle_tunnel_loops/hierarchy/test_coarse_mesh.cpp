@@ -1,0 +1,239 @@
+// Coarse meshes of the same topology: that they are meshes, that cells are what they are said to
+// be, and that loops keep their classes on the way there and back.
+
+#include "Crossing_loops.h"
+#include "Meshes_of_soups.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace test_coarse_mesh {
+
+using namespace CGAL::Handle_tunnel_loops::internal;
+
+// The arrays of any mesh, with caps on its holes.
+class Surface
+{
+public:
+  explicit Surface(Mesh mesh)
+      : mesh_(std::move(mesh))
+      , surface_(
+            Execution(), mesh_, get(boost::vertex_index, mesh_), get(CGAL::vertex_point, mesh_)) {}
+
+  const Flat_mesh& flat() const { return surface_.mesh; }
+
+private:
+  using Point_map = boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
+
+  const Mesh mesh_;
+  const Prepared_surface<Mesh, Point_map> surface_;
+};
+
+// Removes vertices here and there, each with the faces around it, where no hole is near.
+Mesh with_holes(Mesh mesh, std::size_t number) {
+  const auto is_near_hole = [&](Mesh::Vertex_index v) {
+    for(const auto u : vertices_around_target(mesh.halfedge(v), mesh))
+      if(mesh.is_border(u))
+        return true;
+    return mesh.is_border(v);
+  };
+  const std::size_t n = mesh.number_of_vertices();
+  for(std::size_t i = 0; i < number; ++i) {
+    const Mesh::Vertex_index v(static_cast<Index>(i * n / number));
+    if(!is_near_hole(v)) {
+      const auto h = CGAL::Euler::remove_center_vertex(mesh.halfedge(v), mesh);
+      CGAL::Euler::remove_face(h, mesh);
+    }
+  }
+  mesh.collect_garbage();
+  return mesh;
+}
+
+std::vector<Flat_mesh> meshes() {
+  std::vector<Flat_mesh> all;
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3, 10}, 1))
+    all.push_back(Surface(mesh_of(recipe)).flat());
+  all.push_back(Surface(mesh_of({"lattice", {20000, 20, 0}})).flat());
+  all.push_back(Surface(mesh_of({"shell", {4000, 4, 0}})).flat()); // two components
+  all.push_back(Surface(mesh_of({"bars", {2000, 5, 0}})).flat());  // vertices with many neighbours
+  all.push_back(Surface(mesh_of(smallest_torus())).flat());
+  all.push_back(Surface(with_holes(mesh_of({"torus", {6000, 1, 0}}), 5)).flat());
+  all.push_back(Surface(with_holes(mesh_of({"gyroid", {4000, 10, 0}}), 40)).flat());
+  return all;
+}
+
+const Index spacings[] = {1, 4, 16, 64};
+
+Coarse_mesh coarse_mesh_of(const Flat_mesh& mesh, Index spacing, Execution execution = {}) {
+  return Coarse_mesh_builder(execution, mesh).build(spacing, mesh.seeds);
+}
+
+// Of vertices that are the mesh itself little is asked: two may have no third neighbour.
+void expect_closed_manifold(const Flat_mesh& mesh) {
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Ring ring = mesh.ring(v);
+    EXPECT_EQ(std::set<Index>(ring.begin(), ring.end()).size(), ring.size());
+    for(Index p = 0; p < ring.size(); ++p) {
+      const Index a = ring[p], b = ring[ring.next(p)];
+      ASSERT_NE(a, v);
+      ASSERT_LT(mesh.ring(a).position(b), mesh.ring(a).size());
+      ASSERT_EQ(mesh.ring(a).after(b), v);
+      ASSERT_EQ(mesh.ring(b).after(v), a);
+    }
+  }
+}
+
+std::size_t number_of_components(const Flat_mesh& mesh) {
+  std::vector<char> is_seen(mesh.number_of_vertices(), 0);
+  std::size_t number = 0;
+  for(Index first = 0; first < is_seen.size(); ++first) {
+    number += !is_seen[first];
+    std::vector<Index> open(1, first);
+    for(std::size_t i = 0; i < open.size(); ++i)
+      if(!std::exchange(is_seen[open[i]], 1))
+        open.insert(open.end(), mesh.ring(open[i]).begin(), mesh.ring(open[i]).end());
+  }
+  return number;
+}
+
+TEST(Coarse_mesh, IsAMeshOfTheSameTopology) {
+  for(const Flat_mesh& mesh : meshes())
+    for(const Index spacing : spacings) {
+      SCOPED_TRACE(testing::Message() << mesh.number_of_vertices() << " / " << spacing);
+      const Coarse_mesh coarse = coarse_mesh_of(mesh, spacing);
+      expect_closed_manifold(coarse.mesh);
+      const long euler_characteristic =
+          long(coarse.mesh.number_of_vertices()) - long(coarse.mesh.neighbor.size() / 6);
+      EXPECT_EQ(euler_characteristic, 2 * long(mesh.seeds.size()) - 2 * long(mesh.genus));
+      EXPECT_EQ(number_of_components(coarse.mesh), mesh.seeds.size());
+      EXPECT_EQ(coarse.mesh.number_of_hubs, mesh.number_of_hubs);
+    }
+}
+
+// Fine meshes of even triangles lose nearly all that they can.
+TEST(Coarse_mesh, HasAFractionOfTheVertices) {
+  for(const char* kind : {"torus", "lattice", "gyroid"}) {
+    const Surface surface(mesh_of({kind, {60000, kind == std::string("torus") ? 1u : 5u, 0}}));
+    const Coarse_mesh coarse = coarse_mesh_of(surface.flat(), 16);
+    EXPECT_LE(14 * coarse.mesh.number_of_vertices(), surface.flat().number_of_vertices());
+    EXPECT_LE(coarse.stretch, 1.4);
+    EXPECT_GE(coarse.stretch, 1.);
+  }
+}
+
+TEST(Coarse_mesh, IsTheMeshItselfIfEachVertexIsACell) {
+  for(const Flat_mesh& mesh : meshes()) {
+    const Coarse_mesh coarse = coarse_mesh_of(mesh, 1);
+    ASSERT_EQ(coarse.mesh.number_of_vertices(), mesh.number_of_vertices());
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+      const Ring ring = mesh.ring(v), own = coarse.mesh.ring(v);
+      ASSERT_EQ(own.size(), ring.size());
+      for(Index p = 0; p < own.size(); ++p)
+        EXPECT_EQ(own[own.next(p)], ring.after(own[p]));
+    }
+  }
+}
+
+// A tree of edges leads from each vertex to the centre of its cell, without a hub but that alone in
+// its cell, and gates lead from cell to cell.
+TEST(Coarse_mesh, KnowsTheWaysBetweenItsCentres) {
+  for(const Flat_mesh& mesh : meshes())
+    for(const Index spacing : spacings) {
+      const Coarse_mesh coarse = coarse_mesh_of(mesh, spacing);
+      EXPECT_TRUE(std::is_sorted(coarse.centre.begin(), coarse.centre.end()));
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+        if(const Index parent = coarse.parent[v]; parent != no_index) {
+          EXPECT_LT(mesh.ring(v).position(parent), mesh.ring(v).size());
+          EXPECT_FALSE(mesh.is_spoke(v, parent));
+          EXPECT_EQ(coarse.vertex_of(v), coarse.vertex_of(parent));
+        } else
+          EXPECT_EQ(coarse.centre[coarse.vertex_of(v)], v);
+      for(Index v = 0; v < coarse.mesh.number_of_vertices(); ++v)
+        for(Index i = coarse.mesh.row_begin[v]; i < coarse.mesh.row_begin[v + 1]; ++i) {
+          const auto [from, to] = coarse.gate[i];
+          EXPECT_LT(mesh.ring(from).position(to), mesh.ring(from).size());
+          EXPECT_EQ(coarse.vertex_of(from), v);
+          EXPECT_EQ(coarse.vertex_of(to), coarse.mesh.neighbor[i]);
+        }
+      for(std::size_t i = 0; i < mesh.seeds.size(); ++i)
+        EXPECT_EQ(coarse.centre[coarse.mesh.seeds[i]], mesh.seeds[i]);
+    }
+}
+
+TEST(Coarse_mesh, IsTheSameForAllNumbersOfThreads) {
+  for(const Flat_mesh& mesh : meshes()) {
+    const Coarse_mesh one = coarse_mesh_of(mesh, 16),
+                      many = coarse_mesh_of(mesh, 16, Execution::parallel());
+    EXPECT_EQ(one.centre, many.centre);
+    EXPECT_EQ(one.parent, many.parent);
+    EXPECT_EQ(one.mesh.neighbor, many.mesh.neighbor);
+    EXPECT_EQ(one.mesh.row_begin, many.mesh.row_begin);
+    EXPECT_EQ(one.stretch, many.stretch);
+  }
+}
+
+// ---- loops
+
+std::vector<Crossing_loop> lifted(const Coarse_mesh& coarse, std::vector<Crossing_loop> loops) {
+  for(Crossing_loop& loop : loops)
+    loop = coarse.lifted(loop);
+  return loops;
+}
+
+std::vector<Crossing_loop> projected(const Coarse_mesh& coarse, std::vector<Crossing_loop> loops) {
+  for(Crossing_loop& loop : loops)
+    loop = coarse.projected(loop);
+  return loops;
+}
+
+Integer_matrix intersections(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops) {
+  return intersection_matrix(loops, Crossing_index(mesh, loops), loops.size());
+}
+
+TEST(Coarse_mesh, KeepsIntersectionNumbersOfLoops) {
+  Random random(1);
+  for(const Flat_mesh& mesh : meshes())
+    if(mesh.seeds.size() == 1)
+      for(const Index spacing : spacings) {
+        SCOPED_TRACE(testing::Message() << mesh.number_of_vertices() << " / " << spacing);
+        const Coarse_mesh coarse = coarse_mesh_of(mesh, spacing);
+        const std::vector<Crossing_loop> loops = random_loops(coarse.mesh, random, 8),
+                                         fine = random_loops(mesh, random, 8);
+        const std::vector<Crossing_loop> up = lifted(coarse, loops), down = projected(coarse, fine);
+        for(const Crossing_loop& loop : up)
+          expect_crossing_loop(mesh, loop);
+        for(const Crossing_loop& loop : down)
+          expect_crossing_loop(coarse.mesh, loop);
+        EXPECT_EQ(intersections(mesh, up), intersections(coarse.mesh, loops));
+        EXPECT_EQ(intersections(coarse.mesh, down), intersections(mesh, fine));
+        // ... also there and back, with those that stayed.
+        EXPECT_EQ(intersection_matrix(lifted(coarse, down), Crossing_index(mesh, up), up.size()),
+                  intersection_matrix(fine, Crossing_index(mesh, up), up.size()));
+      }
+}
+
+// They are walks on the surface, pushed aside.
+TEST(Coarse_mesh, LiftsLoopsThroughNoHub) {
+  Random random(2);
+  std::size_t number = 0;
+  for(const Flat_mesh& mesh : meshes())
+    if(mesh.number_of_hubs > 0)
+      for(const Index spacing : spacings) {
+        const Coarse_mesh coarse = coarse_mesh_of(mesh, spacing);
+        for(const Crossing_loop& loop : lifted(coarse, random_loops(coarse.mesh, random, 20)))
+          for(const Crossing& c : loop) {
+            ++number;
+            EXPECT_FALSE(mesh.is_hub(c.right));
+          }
+      }
+  EXPECT_GT(number, 1000u);
+}
+
+} // namespace test_coarse_mesh
