@@ -104,9 +104,10 @@ private:
 
   static constexpr int most_rounds = 10;
   // So much longer, at most, is a walk on the edges than the loop that it is pulled to.
-  static constexpr double poor_edges = 1.4;
+  static constexpr double refined_edges = 1.3, poor_edges = 1.4;
 
-  static constexpr double gain_worth_having = 1. - 1e-7, much_shorter = 0.99;
+  static constexpr double gain_worth_having = 1. - 1e-7, much_shorter = 0.99,
+                          hardly_shorter = 0.997;
 
   static constexpr double most_visits = 2e6, most_on_large_mesh = 1.6e6;
   static constexpr double most_overestimate = 4.;          // that is made use of
@@ -118,6 +119,8 @@ private:
   static constexpr double most_patience = 8.;              // visits over those that are expected
 
   bool is_small() const { return double(mesh_.number_of_vertices()) <= small; }
+
+  bool is_refined() const { return is_small() && !coarse_ground_; } // to be searched through
 
   // On a large mesh, less: its loops have cost more before, and are not to wait as long again. On a
   // coarse one visits go farther.
@@ -140,9 +143,11 @@ private:
     if(is_prepared_)
       return;
     is_prepared_ = true;
-    fine_ground_.levels().prepare(visits(), is_small() && !coarse_ground_);
+    if(is_refined())
+      fine_ground_.levels().refine(*std::min_element(lengths_.begin(), lengths_.end()));
+    fine_ground_.levels().prepare(visits());
     if(coarse_ground_) {
-      coarse_ground_->levels().prepare(std::numeric_limits<double>::infinity(), false);
+      coarse_ground_->levels().prepare(std::numeric_limits<double>::infinity());
       longest_on_fine_ground_ = short_loop * mean_edge_length(mesh_);
     }
   }
@@ -172,6 +177,8 @@ private:
         break;
       exchange();
       // It goes on as long as it pays.
+      if(are_all_searched_ && total_length() > hardly_shorter * before)
+        break;
       if(total_length() < 0.995 * before) {
         const double more = (std::max)(0., (std::min)(spare, share - visits));
         visits += more;
@@ -332,7 +339,9 @@ private:
     }
     visits -= spent;
     overestimate_ = (std::min)(most_overestimate, planned_for_all / (std::max)(1., spent));
+    are_all_searched_ = part_ == 1.;
     for(Index i = 0; i < is_open_.size(); ++i) {
+      are_all_searched_ = are_all_searched_ && !is_exhausted[i] && !is_left_out[i];
       patience_[i] *= is_exhausted[i] ? 4. : 1.;
       is_open_[i] = is_exhausted[i] || is_left_out[i] || (is_open_[i] && part_ < 1.);
     }
@@ -357,7 +366,8 @@ private:
     const bool is_pure = (*is_pure_)[task.partner / 2], is_tunnel = task.partner % 2 == 0;
     std::vector<Search_targets::Target> wanted;
     for(Index i : task.targets)
-      wanted.push_back({part_ * poor_edges * lengths_[i], &duals[i]});
+      wanted.push_back(
+          {part_ * (is_refined() ? refined_edges : poor_edges) * lengths_[i], &duals[i]});
     Search_targets targets(std::move(wanted));
     const auto [ground, level] = scale(part_ * task.length);
     ground->search(level, task.partner, is_pure && is_tunnel, task.effort.spacing, targets,
@@ -487,8 +497,9 @@ private:
   const std::vector<char>* is_pure_ = nullptr;
   bool is_prepared_ = false; // the mesh to search on
   bool are_pairs_kept_ = true;
-  double part_ = 0.;         // of the length of the loops, to look for
-  double overestimate_ = 1.; // visits planned over visits needed, in the last round
+  bool are_all_searched_ = false; // to their end, in the last round
+  double part_ = 0.;              // of the length of the loops, to look for
+  double overestimate_ = 1.;      // visits planned over visits needed, in the last round
   std::vector<double> lengths_;
   std::vector<Index> sources_;
   std::vector<char> is_open_;    // by loop, whether to look for candidates

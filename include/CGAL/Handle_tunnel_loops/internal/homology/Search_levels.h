@@ -36,11 +36,15 @@ public:
       : mesh_(mesh)
       , base_(mesh) {}
 
-  /// makes ready for so many visits of vertices in all; first by splitting long edges, if
-  /// \p do_refine.
-  void prepare(double visits, bool do_refine) {
-    if(do_refine)
-      base_.refine((std::min)(even, 16 * mesh_.number_of_vertices()));
+  /// divides edges until they are short beside all loops that are to be searched for.
+  void refine(double shortest_loop) {
+    base_.refine((std::min)(even, 16 * mesh_.number_of_vertices()),
+                 shortest_loop / steps_around_shortest);
+    steps_around_ = refined_steps_around;
+  }
+
+  /// makes ready for so many visits of vertices in all.
+  void prepare(double visits) {
     if(visits > double(mesh_.number_of_vertices())) {
       base_.measure();
       const double area = base_.area();
@@ -55,7 +59,7 @@ public:
   int level(double length) const {
     if(spacing_ == 0.)
       return 0;
-    const double steps = length / (steps_around * spacing_);
+    const double steps = length / (steps_around_ * spacing_);
     return steps < 2. ? 0 : static_cast<int>((std::min)(std::log2(steps), largest_level));
   }
 
@@ -95,7 +99,9 @@ private:
 
   // Of a larger mesh, with fewer visits, coarser ones would take too many of them.
   static constexpr double visits_worth_levels = 4.;
-  static constexpr double steps_around = 24.; // a loop, at least
+  // A loop, at least; ways along the edges of a finer triangulation are better.
+  static constexpr double steps_around = 24., refined_steps_around = 20.;
+  static constexpr double steps_around_shortest = 10.;
   static constexpr double largest_level = 20.;
   static constexpr double nodes_by_square = 0.7; // of the spacing
 
@@ -108,6 +114,7 @@ private:
   std::map<int, std::unique_ptr<Search_mesh>> coarser_;
   double density_ = 0.; // vertices by area, if many of them are visited
   double spacing_ = 0.; // of the vertices, if there are levels
+  double steps_around_ = steps_around;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

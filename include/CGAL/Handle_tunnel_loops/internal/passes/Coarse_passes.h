@@ -92,10 +92,6 @@ public:
       return;
     const Execution execution = execution_.watched_by(progress);
     lift(execution);
-    for(std::vector<Crossing_loop>* loops : {&handles_, &tunnels_})
-      for_each_index(
-          execution, loops->size(),
-          [&](std::size_t k) { Loop_tightening(execution, mesh_).tighten((*loops)[k]); }, 1);
     Dual_loop_improvement(execution, mesh_, progress).improve(handles_, tunnels_);
   }
 
@@ -145,15 +141,19 @@ private:
     return *fine_passes_;
   }
 
+  // Loops on the way from centre to centre have no direction to speak of: they are tightened,
+  // whatever is asked for.
   void lift(Execution execution) {
     const std::vector<Flat_pair> pairs = passes_->take_pairs();
     handles_.resize(pairs.size());
     tunnels_.resize(pairs.size());
     for_each_index(
-        execution, pairs.size(),
-        [&](std::size_t k) {
-          handles_[k] = coarse_->lifted(pairs[k].handle);
-          tunnels_[k] = coarse_->lifted(pairs[k].tunnel);
+        execution, 2 * pairs.size(),
+        [&](std::size_t i) {
+          const Flat_pair& pair = pairs[i / 2];
+          Crossing_loop& loop = i % 2 == 0 ? handles_[i / 2] : tunnels_[i / 2];
+          loop = coarse_->lifted(i % 2 == 0 ? pair.handle : pair.tunnel);
+          Loop_tightening(execution, mesh_).tighten(loop);
         },
         1);
   }
