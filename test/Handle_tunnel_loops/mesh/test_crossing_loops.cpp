@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>
@@ -168,6 +170,46 @@ TEST(Circles_of_torus, CrossOnce) {
   const Integer_matrix matrix = intersection_matrix(loops, Crossing_index(torus, loops), 2);
   EXPECT_EQ(abs(matrix[0][1]), 1);
   EXPECT_EQ(determinant(matrix), 1);
+}
+
+// By trying all pairs of crossings.
+double
+least_way(const Crossing_loop& loop, const std::vector<double>& along, Index from, Index to) {
+  double least = 2. * along.back() + 1.;
+  for(std::size_t i = 0; i < loop.size(); ++i)
+    for(std::size_t j = 0; j < loop.size(); ++j)
+      if(loop[i].left == from && loop[j].right == to) {
+        const double one_way = std::abs(along[i] - along[j]);
+        least = (std::min)(least, (std::min)(one_way, along.back() - one_way));
+      }
+  return least;
+}
+
+TEST_P(Crossing_loops, HaveAShorterArcBetweenEnds) {
+  using CGAL::Handle_tunnel_loops::internal::Shorter_arc;
+  for(const Crossing_loop& loop : random_loops(mesh, random, 20)) {
+    if(loop.empty())
+      continue;
+    std::vector<double> along;
+    CGAL::Handle_tunnel_loops::internal::measure_left_side(mesh, loop, along);
+    Shorter_arc arc(loop.data(), static_cast<Index>(loop.size()), along.data());
+    EXPECT_FALSE(arc.find(&Crossing::left, Index(-2), &Crossing::right, loop[0].right));
+    for(int i = 0; i < 20; ++i) {
+      const Index from = loop[random.below(loop.size())].left,
+                  to = loop[random.below(loop.size())].right;
+      ASSERT_TRUE(arc.find(&Crossing::left, from, &Crossing::right, to));
+      double way = 0.;
+      const Crossing *first = nullptr, *last = nullptr;
+      arc.for_each([&](const Crossing& c) {
+        way += last == nullptr || last->left == c.left ? 0. : mesh.edge_length(last->left, c.left);
+        first = first == nullptr ? &c : first;
+        last = &c;
+      });
+      EXPECT_EQ(first->left, from);
+      EXPECT_EQ(last->right, to);
+      EXPECT_NEAR(way, least_way(loop, along, from, to), 1e-12 * along.back());
+    }
+  }
 }
 
 TEST(Empty_loop, MeetsNothing) {

@@ -78,16 +78,17 @@ public:
 
   /// the sums of a way from `u` along an edge to `v`, or on the spot.
   Class_sums sums(Index u, Index v) const {
-    return has_crossing(u) && u != v ? edge(u, mesh_.ring(u).position(v)).sums : Class_sums();
+    Class_sums result;
+    if(const auto [e, sign] = edge_between(u, v); e != nullptr)
+      result.add(sign, e->sums);
+    return result;
   }
 
   /// calls `f(loop, number)` for the loops that cross such a way.
   template <typename Function> void for_each_term(Index u, Index v, const Function& f) const {
-    if(!has_crossing(u) || u == v)
-      return;
-    const Edge* e = &edge(u, mesh_.ring(u).position(v));
-    for(Index i = e->first; i != (e + 1)->first; ++i)
-      f(terms_[i].loop, terms_[i].number);
+    if(const auto [e, sign] = edge_between(u, v); e != nullptr)
+      for(Index i = e->first; i != (e + 1)->first; ++i)
+        f(terms_[i].loop, sign * terms_[i].number);
   }
 
 private:
@@ -108,6 +109,16 @@ private:
   // whether any loop crosses an edge at `v`; of edges only there anything is known.
   bool has_crossing(Index v) const { return first_[v] != no_index; }
   const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
+
+  // The edge from `u` to `v` and 1, or the way back and -1: looked up where there are fewer
+  // neighbours. None if nothing crosses it for all that is known.
+  std::pair<const Edge*, int> edge_between(Index u, Index v) const {
+    if(u == v || !has_crossing(u) || !has_crossing(v))
+      return {nullptr, 0};
+    const Ring at_u = mesh_.ring(u), at_v = mesh_.ring(v);
+    return at_u.size() <= at_v.size() ? std::make_pair(&edge(u, at_u.position(v)), 1)
+                                      : std::make_pair(&edge(v, at_v.position(u)), -1);
+  }
 
   static std::vector<Class_sums> random_weights(const std::vector<char>& is_pure) {
     std::mt19937_64 random;
@@ -389,8 +400,9 @@ public:
   void for_each_step_across(const Crossing_loop& loop, Index number, const Function& f) const {
     if(!has_walks()) {
       for(const Crossing& c : loop) {
-        const Index v = mesh_.is_hub(c.left) ? c.right : c.left;
-        f(v, begin(v) + mesh_.ring(v).position(v == c.left ? c.right : c.left));
+        const bool is_at_left = mesh_.ring(c.left).size() <= mesh_.ring(c.right).size();
+        const Index v = is_at_left ? c.left : c.right;
+        f(v, begin(v) + mesh_.ring(v).position(is_at_left ? c.right : c.left));
       }
       return;
     }

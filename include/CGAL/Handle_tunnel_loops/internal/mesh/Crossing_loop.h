@@ -196,20 +196,21 @@ public:
       , along_(along) {}
 
   /// sets out from the crossing of which `from` is the end `from_end` to that of which `to` is the
-  /// end `to_end`. An end that occurs several times is taken where the way is shortest. Returns
-  /// false where there are no such crossings.
+  /// end `to_end`. An end that occurs several times is taken where the way is shortest: on that way
+  /// neither end occurs again, so they are found in two rounds of the loop. Returns false where
+  /// there are no such crossings.
   CGAL_HTL_HOST_DEVICE bool find(Crossing_end from_end, Index from, Crossing_end to_end, Index to) {
     first_ = last_ = no_index;
-    CGAL_HTL_NO_UNROLL
-    for(Index i = 0; i < size_; ++i)
-      if(loop_[i].*from_end == from)
-        CGAL_HTL_NO_UNROLL
-    for(Index j = 0; j < size_; ++j)
-      if(loop_[j].*to_end == to && (first_ == no_index || distance(i, j) < distance(first_, last_)))
-      {
-        first_ = i;
-        last_ = j;
-      }
+    Index begin = no_index, end = no_index; // where the ends occurred last
+    for(int round = 0; round < 2; ++round)
+      CGAL_HTL_NO_UNROLL
+    for(Index i = 0; i < size_; ++i) {
+      const bool begins = loop_[i].*from_end == from, ends = loop_[i].*to_end == to;
+      begin = begins ? i : begin;
+      end = ends ? i : end;
+      if((begins || ends) && begin != no_index && end != no_index)
+        take_if_shorter(begin, end);
+    }
     if(first_ == no_index)
       return false;
     const double forward = along_[last_] - along_[first_] + (last_ < first_ ? along_[size_] : 0.);
@@ -229,6 +230,13 @@ public:
   }
 
 private:
+  CGAL_HTL_HOST_DEVICE void take_if_shorter(Index i, Index j) {
+    if(first_ != no_index && distance(i, j) >= distance(first_, last_))
+      return;
+    first_ = i;
+    last_ = j;
+  }
+
   CGAL_HTL_HOST_DEVICE double distance(Index i, Index j) const {
     const double d = along_[i] - along_[j], one_way = d < 0. ? -d : d;
     return one_way < along_[size_] - one_way ? one_way : along_[size_] - one_way;
