@@ -15,12 +15,14 @@ namespace counting_allocation {
 
 inline std::atomic<bool> is_counting{false};
 inline std::atomic<std::ptrdiff_t> in_use{0}, peak{0};
+inline std::atomic<std::size_t> number{0};
 
 inline void* allocate(std::size_t size) {
   void* p = std::malloc(size);
   if(p == nullptr)
     throw std::bad_alloc();
   if(is_counting.load(std::memory_order_relaxed)) {
+    ++number;
     const std::ptrdiff_t now = in_use += static_cast<std::ptrdiff_t>(malloc_usable_size(p));
     std::ptrdiff_t seen = peak.load();
     while(now > seen && !peak.compare_exchange_weak(seen, now))
@@ -43,6 +45,13 @@ template <typename Function> std::size_t peak_bytes(const Function& f) {
   f();
   is_counting = false;
   return static_cast<std::size_t>(peak);
+}
+
+/// how often memory is allocated while `f()` runs.
+template <typename Function> std::size_t number_of_allocations(const Function& f) {
+  number = 0;
+  peak_bytes(f);
+  return number;
 }
 
 } // namespace counting_allocation

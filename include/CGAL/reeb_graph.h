@@ -135,8 +135,8 @@ returning `false`}
   \cgalParamNEnd
   \cgalParamNBegin{solver_options}
     \cgalParamDescription{how the fields are computed: of the options, the constants of the field,
-the device and the literal rules are looked at, of which those of the Laplacian and of its
-      coefficient are followed in the diffusion, too}
+the device, whether to use a coarse mesh, and the literal rules are looked at, of which those of the
+Laplacian and of its coefficient are followed in the diffusion, too}
     \cgalParamType{`Handle_tunnel_loops::Solver_options`}
     \cgalParamDefault{as that says}
   \cgalParamNEnd

@@ -122,7 +122,8 @@ struct Device_options
   /// null for a stream of its own.
   void* stream = nullptr;
   /// a mesh with fewer vertices is left to the processor by `Cuda_if_available_tag`; `Cuda_tag`
-  /// does not look at it. What counts is the mesh that the fields are on: a coarse one, if there is.
+  /// does not look at it. What counts is the mesh that the fields are on: a coarse one, if there
+  /// is.
   std::size_t least_vertices = least_vertices_for_device;
 };
 
@@ -152,7 +153,8 @@ struct Solver_options
   bool do_tighten = true;
 
   /// whether loops are found on a coarse mesh of the same topology where that is as good, and made
-  /// short on the mesh itself. `do_tighten` is needed for it, and `Reference_tag` does not.
+  /// short on the mesh itself. Without `do_tighten` loops are found on the mesh itself, but for
+  /// those that a Reeb graph starts from; with `Reference_tag` always.
   bool do_coarsen = true;
 
   /// how long to look for shorter loops in other classes: as a multiple of the number of vertices

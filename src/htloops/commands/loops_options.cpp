@@ -211,18 +211,19 @@ Json names_of(const Repair_steps& steps) {
 }
 
 Json json_of(const Loops_options& options) {
-  Json json = {{"basis", options.basis},
-               {"classify", options.is_literal ? "offset" : options.classifier},
-               {"backend", options.backend},
-               {"literal", options.is_literal},
-               {"seed", options.seed ? Json(*options.seed) : Json()},
-               {"refine", !options.do_not_refine},
-               {"tighten", !options.do_not_tighten && !options.is_literal},
-               {"coarsen", !options.do_not_coarsen},
-               {"search_effort", options.search_effort},
-               {"waists", options.do_find_waists},
-               {"triangulate", options.remedies.do_triangulate},
-               {"repair", options.remedies.do_repair}};
+  Json json = {
+      {"basis", options.basis},
+      {"classify", options.is_literal ? "offset" : options.classifier},
+      {"backend", options.backend},
+      {"literal", options.is_literal},
+      {"seed", options.seed ? Json(*options.seed) : Json()},
+      {"refine", !options.do_not_refine},
+      {"tighten", !options.do_not_tighten && !options.is_literal},
+      {"coarsen", !options.do_not_coarsen && !options.do_not_tighten && !options.is_literal},
+      {"search_effort", options.search_effort},
+      {"waists", options.do_find_waists},
+      {"triangulate", options.remedies.do_triangulate},
+      {"repair", options.remedies.do_repair}};
   if(options.remedies.do_repair && !options.remedies.steps.all())
     json["repair_steps"] = names_of(options.remedies.steps);
   return json;

@@ -241,6 +241,26 @@ TEST(Intrinsic_triangulation, LeadsAroundNothing) {
   EXPECT_GT(flipped, 100u);
 }
 
+// No vertex comes where edges are short enough already; the shorter they are to be, the more come.
+TEST(Search_mesh, IsAsFineAsItIsToBe) {
+  for(const Recipe& recipe : recipes()) {
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const double longest = longest_edge(mesh);
+    std::size_t before = mesh.number_of_vertices();
+    for(const double fine_enough : {1.001 * longest, 0.5 * longest, 0.1 * longest}) {
+      Search_mesh search_mesh(mesh);
+      search_mesh.refine(5000, fine_enough);
+      if(fine_enough > longest) {
+        EXPECT_EQ(search_mesh.number_of_vertices(), before);
+      }
+      EXPECT_GE(search_mesh.number_of_vertices(), before);
+      EXPECT_LE(search_mesh.number_of_vertices(), 5000 + (std::max)(std::size_t(5000), before));
+      before = search_mesh.number_of_vertices();
+    }
+    EXPECT_GT(before, mesh.number_of_vertices());
+  }
+}
+
 TEST(Search_mesh, HandsOnLoopsOfTheSameClass) {
   Random random(6);
   for(const Recipe& recipe : recipes()) {

@@ -16,8 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <CGAL/assertions.h>
-
 #include <cstddef>
 #include <tuple>
 #include <vector>

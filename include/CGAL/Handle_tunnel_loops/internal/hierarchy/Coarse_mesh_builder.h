@@ -34,11 +34,11 @@ namespace CGAL::Handle_tunnel_loops::internal {
 Builds a coarse mesh: cells grow from vertices spread over the fine one, and those that are not fit
 (see `Cell_ring`) are divided until all are.
 
-What is not fit gets more centres, and is labelled again together with what is beside it. What is
-still not fit after some rounds falls apart into its vertices; so there always is an answer, in the
-end the fine mesh itself. Nothing depends on the number of threads.
+What is not fit gets more centres, and is labelled again together with what is beside it; what is
+not fit and small falls apart into its vertices. Each time there are more cells, so there always is
+an answer, in the end the fine mesh itself. Nothing depends on the number of threads.
 
-Linear, but for cells with many neighbours, which are sorted.
+Linear, as long as few cells have to be divided.
 */
 class Coarse_mesh_builder
 {
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  static constexpr int rounds_of_new_centres = 3;
+  static constexpr std::size_t small = 8; // vertices
   static constexpr std::size_t parts_of_unfit_cell = 4;
   static constexpr std::size_t grain = 1024; // cells
 
@@ -104,12 +104,18 @@ private:
   // ---- until all cells are fit
 
   void divide_unfit_cells() {
-    std::vector<Index> unfit = unfit_among(centres());
-    for(int round = 0; !unfit.empty(); ++round) {
-      const std::vector<Index> cells = divisible(unfit);
-      const std::vector<Index> vertices =
-          round < rounds_of_new_centres ? divide(cells) : dissolve(cells);
-      unfit = unfit_among(with_neighbors(cells_of(vertices)));
+    for(std::vector<Index> unfit = unfit_among(centres()); !unfit.empty();) {
+      std::vector<Index> small_cells, large_cells, own;
+      for(Index cell : divisible(unfit)) {
+        cells_.list(cell, own);
+        (own.size() < small ? small_cells : large_cells).push_back(cell);
+      }
+      std::vector<Index> changed = dissolve(small_cells);
+      if(!large_cells.empty()) {
+        const std::vector<Index> vertices = divide(large_cells);
+        changed.insert(changed.end(), vertices.begin(), vertices.end());
+      }
+      unfit = unfit_among(with_neighbors(centres_among(std::move(changed))));
     }
   }
 
@@ -142,9 +148,10 @@ private:
     return numbers;
   }
 
-  std::vector<Index> cells_of(std::vector<Index> vertices) const {
-    for(Index& v : vertices)
-      v = cells_.cell(v);
+  std::vector<Index> centres_among(std::vector<Index> vertices) const {
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
+                                  [&](Index v) { return !cells_.is_centre(v); }),
+                   vertices.end());
     return sorted(std::move(vertices));
   }
 
@@ -153,7 +160,7 @@ private:
     std::vector<Index> all = cells;
     for(Index v : vertices_of(cells))
       for(Index u : mesh_.ring(v))
-        if(cells_.cell(u) != cells_.cell(v))
+        if(cells_.cell(u) != cells_.cell(v) && cells_.cell(u) != all.back())
           all.push_back(cells_.cell(u));
     return sorted(std::move(all));
   }
@@ -165,9 +172,26 @@ private:
       if(!cells_.is_alone(cell))
         cells.push_back(cell);
       else
-        for(Index u : mesh_.ring(cell))
-          cells.push_back(cells_.cell(u));
+        append_beside(cell, cells);
     return sorted(std::move(cells));
+  }
+
+  // Appends the cells that lie beside a vertex more than once; or all, if there are none.
+  void append_beside(Index v, std::vector<Index>& cells) const {
+    const Ring ring = mesh_.ring(v);
+    std::vector<Index> around;
+    for(Index p = 0; p < ring.size(); ++p)
+      if(const Index cell = cells_.cell(ring[p]); cell != cells_.cell(ring[ring.next(p)]))
+        around.push_back(cell);
+    std::sort(around.begin(), around.end());
+    const std::size_t before = cells.size();
+    for(std::size_t i = 1; i < around.size(); ++i)
+      if(around[i] == around[i - 1] && !cells_.is_alone(around[i]))
+        cells.push_back(around[i]);
+    if(cells.size() == before)
+      for(Index u : ring)
+        if(!cells_.is_alone(cells_.cell(u)))
+          cells.push_back(cells_.cell(u));
   }
 
   // Gives cells more centres, and labels them again with those beside them. Returns the vertices.
@@ -180,19 +204,25 @@ private:
       for(std::size_t k = 1; k < parts_of_unfit_cell; ++k)
         added.push_back(own[k * own.size() / parts_of_unfit_cell]);
     }
-    added = sorted(std::move(added));
     std::vector<Index> open;
+    grows_.resize(mesh_.number_of_vertices(), 0);
     for(Index v : vertices)
       if(!cells_.is_alone(v))
         cells_.open(v);
     for(Index v : added)
-      if(!cells_.is_alone(v))
+      if(!cells_.is_alone(v)) {
         cells_.add_cell(v);
+        grows_[v] = 1;
+      }
     for(Index v : vertices)
       if(!cells_.is_centre(v))
         open.push_back(v);
-    cells_.grow(execution_, std::move(open),
-                [&](Index cell) { return std::binary_search(added.begin(), added.end(), cell); });
+    cells_.grow(execution_, std::move(open), [this](Index cell) { return grows_[cell] != 0; });
+    for(Index v : added)
+      grows_[v] = 0;
+    CGAL_assertion_msg(std::all_of(vertices.begin(), vertices.end(),
+                                   [this](Index v) { return cells_.cell(v) != no_index; }),
+                       "what was opened is connected with a centre");
     return vertices;
   }
 
@@ -299,7 +329,8 @@ private:
   const Flat_mesh& mesh_;
   Cells cells_;
   Workspace_pool<Cell_ring> rings_;
-  Uninitialized_vector<Index> number_of_cell_; // by its centre
+  std::vector<char> grows_;                    // by centre, in a region that is labelled again
+  Uninitialized_vector<Index> number_of_cell_; // by centre
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -75,7 +75,7 @@ public:
     measure();
     sources_.resize(loops.size());
     std::iota(sources_.begin(), sources_.end(), Index(0));
-    prepare_search();
+    prepare_search(is_new);
     patience_.assign(loops.size(), 1.);
     // Loops that have just been put together have been seen by nothing, the others by a field. On a
     // small mesh there is enough for all of them at once.
@@ -139,12 +139,14 @@ private:
     return (std::min)(1., number / double(mesh_.number_of_vertices()));
   }
 
-  void prepare_search() {
-    if(is_prepared_)
+  // Loops that have just been put together do not tell how short they will be.
+  void prepare_search(const std::vector<char>& is_new) {
+    if(std::exchange(is_prepared_, true))
       return;
-    is_prepared_ = true;
+    const bool is_any_new = std::find(is_new.begin(), is_new.end(), 1) != is_new.end();
     if(is_refined())
-      fine_ground_.levels().refine(*std::min_element(lengths_.begin(), lengths_.end()));
+      fine_ground_.levels().refine(
+          is_any_new ? 0. : *std::min_element(lengths_.begin(), lengths_.end()));
     fine_ground_.levels().prepare(visits());
     if(coarse_ground_) {
       coarse_ground_->levels().prepare(std::numeric_limits<double>::infinity());
@@ -495,7 +497,7 @@ private:
   Progress& progress_;
   std::vector<Crossing_loop>* loops_ = nullptr;
   const std::vector<char>* is_pure_ = nullptr;
-  bool is_prepared_ = false; // the mesh to search on
+  bool is_prepared_ = false; // the grounds to search on
   bool are_pairs_kept_ = true;
   bool are_all_searched_ = false; // to their end, in the last round
   double part_ = 0.;              // of the length of the loops, to look for

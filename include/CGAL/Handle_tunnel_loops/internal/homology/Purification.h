@@ -255,10 +255,14 @@ private:
         is_pure_[k] = 0;
       return;
     }
-    const std::vector<Crossing_loop> projected = projected_loops();
-    Workspace_pool<Loop_sum> sums([&] {
+    const auto is_made = [](const Member& m) { return m.loop == no_index; };
+    if(coarse_ != nullptr && projected_.empty() &&
+       (std::any_of(handles->begin(), handles->end(), is_made) ||
+        std::any_of(tunnels->begin(), tunnels->end(), is_made)))
+      project_loops();
+    Workspace_pool<Loop_sum> sums([this] {
       return coarse_ == nullptr ? std::make_unique<Loop_sum>(mesh_, loops_)
-                                : std::make_unique<Loop_sum>(coarse_->mesh, projected);
+                                : std::make_unique<Loop_sum>(coarse_->mesh, projected_);
     });
     for_each_index(
         execution_, numbers.size(),
@@ -376,12 +380,11 @@ private:
     return can_be_made(tunnels);
   }
 
-  std::vector<Crossing_loop> projected_loops() const {
-    std::vector<Crossing_loop> projected(coarse_ == nullptr ? 0 : loops_.size());
+  void project_loops() {
+    projected_.resize(loops_.size());
     for_each_index(
-        execution_, projected.size(),
-        [&](std::size_t i) { projected[i] = coarse_->projected(loops_[i]); }, 16);
-    return projected;
+        execution_, projected_.size(),
+        [&](std::size_t i) { projected_[i] = coarse_->projected(loops_[i]); }, 16);
   }
 
   Crossing_loop loop_of(const Member& m, Workspace_pool<Loop_sum>& sums) const {
@@ -404,7 +407,8 @@ private:
   const Coarse_mesh* coarse_;
   bool do_tighten_;
   Progress& progress_;
-  std::vector<Crossing_loop> loops_; // before
+  std::vector<Crossing_loop> loops_;     // before
+  std::vector<Crossing_loop> projected_; // on the coarse mesh, once one is to be made there
   std::unique_ptr<Loop_classes> classes_;
   std::vector<char> is_pure_;
 };

@@ -335,7 +335,7 @@ public:
   /// replaces the edges of the mesh by those of a triangulation with up to so many more vertices,
   /// or about twice as many in all if the mesh has few: ways along edges are poor where triangles
   /// are long and thin. Edges are divided that are longer than \p fine_enough.
-  void refine(std::size_t number_of_vertices, double fine_enough) {
+  void refine(std::size_t number_of_vertices, double fine_enough = 0.) {
     const std::size_t n = (std::max)(number_of_vertices, mesh_.number_of_vertices());
     // An even mesh of n vertices has 2n triangles of area s^2 sqrt(3) / 4.
     const double longest = (std::max)(fine_enough, std::sqrt(1.5 * 2.31 * area() / double(2 * n)));

@@ -186,7 +186,7 @@ inline Mesh_view view_of(const Flat_mesh& mesh) {
 /// calls `f(length)` for some of the edges, spread over the mesh.
 template <typename Function>
 void for_each_sampled_edge_length(const Flat_mesh& mesh, const Function& f) {
-  const std::size_t n = mesh.number_of_vertices(), stride = n / 10000 + 1;
+  const std::size_t n = mesh.first_hub, stride = n / 10000 + 1;
   for(std::size_t v = 0; v < n; v += stride)
     f(mesh.edge_length(static_cast<Index>(v), mesh.ring(static_cast<Index>(v))[0]));
 }

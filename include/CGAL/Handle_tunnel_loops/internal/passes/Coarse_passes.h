@@ -22,6 +22,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -58,20 +59,20 @@ public:
   }
 
   void initial_pass(Progress& progress, Statistics& statistics) override {
-    if(options_.asks_for_fronts())
-      fine_passes().initial_pass(progress, statistics);
+    execution_ = execution_.watched_by(progress);
     coarse_ = std::make_shared<Coarse_mesh>(
-        Coarse_mesh_builder(execution_.watched_by(progress), mesh_).build(spacing, seeds_));
+        Coarse_mesh_builder(execution_, mesh_).build(spacing, seeds_));
     if(!is_good_for_fields(*coarse_)) {
-      if(mesh_.number_of_vertices() < least_vertices_for_searches)
+      if(!is_good_for_searches(*coarse_))
         coarse_.reset();
     } else {
       Pass_options options = options_;
       options.do_log_fronts = options.do_keep_layers = options.do_keep_times = false;
       passes_ = make_(coarse_->mesh, coarse_->mesh.seeds, options);
     }
-    if(passes_ || !options_.asks_for_fronts())
-      passes().initial_pass(progress, statistics);
+    passes().initial_pass(progress, statistics);
+    if(passes_ && options_.asks_for_fronts())
+      fine_passes().initial_pass(progress, statistics);
   }
 
   Swept_vertices take_swept_vertices() override {
@@ -90,16 +91,15 @@ public:
     passes().shorten(progress);
     if(!passes_)
       return;
-    const Execution execution = execution_.watched_by(progress);
-    lift(execution);
-    Dual_loop_improvement(execution, mesh_, progress).improve(handles_, tunnels_);
+    lift();
+    Dual_loop_improvement(execution_, mesh_, progress).improve(handles_, tunnels_);
   }
 
   std::vector<Flat_pair> take_pairs() override {
     if(!passes_)
       return passes().take_pairs();
     if(handles_.empty())
-      lift(execution_);
+      lift();
     std::vector<Flat_pair> pairs(handles_.size());
     for(std::size_t k = 0; k < pairs.size(); ++k)
       pairs[k] = {std::move(handles_[k]), std::move(tunnels_[k])};
@@ -119,8 +119,10 @@ private:
   static constexpr std::size_t least_vertices = 10000;
   static constexpr Index spacing = 16;
 
-  // A mesh of fewer is searched through itself, if its fields are.
+  // A mesh of fewer is searched through itself, if its fields are; and so is one of which more are
+  // left.
   static constexpr std::size_t least_vertices_for_searches = 40000;
+  static constexpr double largest_part_for_searches = 0.25;
 
   // Where triangles are of very different sizes, cells are, too, and a field that counts them sees
   // little of the lengths; so it does where the ways between them are crooked, or where many cells
@@ -133,6 +135,12 @@ private:
                most_divided * double(mesh_.number_of_vertices());
   }
 
+  bool is_good_for_searches(const Coarse_mesh& coarse) const {
+    const double n = double(mesh_.number_of_vertices());
+    return n >= double(least_vertices_for_searches) &&
+           double(coarse.mesh.number_of_vertices()) <= largest_part_for_searches * n;
+  }
+
   Passes& passes() { return passes_ ? *passes_ : fine_passes(); }
 
   Passes& fine_passes() {
@@ -143,22 +151,22 @@ private:
 
   // Loops on the way from centre to centre have no direction to speak of: they are tightened,
   // whatever is asked for.
-  void lift(Execution execution) {
+  void lift() {
     const std::vector<Flat_pair> pairs = passes_->take_pairs();
     handles_.resize(pairs.size());
     tunnels_.resize(pairs.size());
     for_each_index(
-        execution, 2 * pairs.size(),
+        execution_, 2 * pairs.size(),
         [&](std::size_t i) {
           const Flat_pair& pair = pairs[i / 2];
           Crossing_loop& loop = i % 2 == 0 ? handles_[i / 2] : tunnels_[i / 2];
           loop = coarse_->lifted(i % 2 == 0 ? pair.handle : pair.tunnel);
-          Loop_tightening(execution, mesh_).tighten(loop);
+          Loop_tightening(execution_, mesh_).tighten(loop);
         },
         1);
   }
 
-  Execution execution_;
+  Execution execution_; // watched by the progress of the initial pass
   const Flat_mesh& mesh_;
   std::vector<Index> seeds_;
   Pass_options options_;

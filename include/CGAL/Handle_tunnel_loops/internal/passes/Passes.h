@@ -66,7 +66,7 @@ public:
   virtual std::vector<Time>
   diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
 
-  /// the coarse mesh on which loops were found, if it was one; to be asked after the initial pass.
+  /// a coarse mesh, if one was made that is good for searches; to be asked after the initial pass.
   virtual std::shared_ptr<const Coarse_mesh> coarse_mesh() const { return nullptr; }
 };
 
