@@ -113,8 +113,8 @@ private:
   static constexpr double most_overestimate = 4.;          // that is made use of
   static constexpr double least_visits = 200.;             // of a loop, that could find anything
   static constexpr double larger_part = 3.;                // of a part before
-  static constexpr double part_on_coarse = 0.5;            // of visits
-  static constexpr double small = 40000., large = 250000.; // vertices
+  static constexpr double part_on_coarse = 0.6;            // of visits
+  static constexpr double small = 40000., large = 200000.; // vertices
   static constexpr double short_loop = 48.;                // edge lengths
   static constexpr double most_patience = 8.;              // visits over those that are expected
 
