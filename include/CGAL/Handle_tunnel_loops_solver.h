@@ -94,8 +94,7 @@ public:
     using namespace Handle_tunnel_loops;
     namespace impl = Handle_tunnel_loops::internal;
     const auto began = std::chrono::steady_clock::now();
-    const auto head_start = impl::Passes_of_tag<ConcurrencyTag>::head_start(
-        solver_options(np).device, num_vertices(tm));
+    const auto head_start = impl::head_start<ConcurrencyTag>(solver_options(np), num_vertices(tm));
     const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
     const Vertex_point_map point =
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),

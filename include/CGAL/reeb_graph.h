@@ -170,8 +170,7 @@ reeb_graph(const TriangleMesh& tm,
   const auto given =
       choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options());
   auto computation = [&] {
-    const auto head_start =
-        impl::Passes_of_tag<ConcurrencyTag>::head_start(given.device, num_vertices(tm));
+    const auto head_start = impl::head_start<ConcurrencyTag>(given, num_vertices(tm));
     return impl::Reeb_computation<TriangleMesh, NamedParameters>(
         impl::execution_of<ConcurrencyTag>(), tm, np);
   }();

@@ -72,7 +72,7 @@ std::vector<Flat_mesh> meshes() {
 const Index spacings[] = {1, 4, 16, 64};
 
 Coarse_mesh coarse_mesh_of(const Flat_mesh& mesh, Index spacing, Execution execution = {}) {
-  return Coarse_mesh_builder(execution, mesh).build(spacing, mesh.seeds);
+  return *Coarse_mesh_builder(execution, mesh, spacing, mesh.seeds).build();
 }
 
 // Of vertices that are the mesh itself little is asked: two may have no third neighbour.
@@ -125,6 +125,41 @@ TEST(Coarse_mesh, HasAFractionOfTheVertices) {
     EXPECT_LE(14 * coarse.mesh.number_of_vertices(), surface.flat().number_of_vertices());
     EXPECT_LE(coarse.stretch, 1.4);
     EXPECT_GE(coarse.stretch, 1.);
+  }
+}
+
+// One that is not coarse is not made, with little work; it can be asked for again.
+TEST(Coarse_mesh, IsMadeWithinLimits) {
+  const Surface surface(mesh_of({"plates", {20000, 10, 0}}));
+  const Flat_mesh& mesh = surface.flat();
+  Coarse_mesh_builder builder(Execution(), mesh, 16, mesh.seeds);
+  EXPECT_GE(builder.expected_number_of_vertices(), mesh.number_of_vertices() / 4);
+  EXPECT_FALSE(builder.build(mesh.number_of_vertices() / 4));
+  const std::size_t all = coarse_mesh_of(mesh, 16).mesh.number_of_vertices();
+  EXPECT_GE(all, mesh.number_of_vertices() / 4);
+  EXPECT_FALSE(builder.build(all, 0));
+  EXPECT_FALSE(builder.build(all - 1));
+  const auto coarse = builder.build(all);
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->mesh.number_of_vertices(), all);
+  EXPECT_EQ(coarse->mesh.genus, mesh.genus);
+  expect_closed_manifold(coarse->mesh);
+}
+
+// So its lengths are about those of the mesh, and no triangle is folded over another.
+TEST(Coarse_mesh, HasItsVerticesInTheMiddleOfCells) {
+  const Surface surface(mesh_of({"torus", {60000, 1, 0}}));
+  const Flat_mesh& mesh = surface.flat();
+  const Coarse_mesh coarse = coarse_mesh_of(mesh, 16);
+  std::vector<Vector> sum(coarse.centre.size(), Vector{0., 0., 0.});
+  std::vector<double> number(sum.size(), 0.);
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    sum[coarse.vertex_of(v)] = sum[coarse.vertex_of(v)] + mesh.points[v];
+    number[coarse.vertex_of(v)] += 1.;
+  }
+  for(std::size_t i = 0; i < sum.size(); ++i) {
+    const Vector aside = coarse.mesh.points[i] - 1. / number[i] * sum[i];
+    EXPECT_LE(dot(aside, aside), 1e-28);
   }
 }
 

@@ -44,8 +44,11 @@ TEST_P(Loops, AreAsShortFromACoarseMesh) {
   solver.find_loops(std::back_inserter(fine), params::solver_options(fine_options()));
   ASSERT_EQ(coarse.size(), fine.size());
   EXPECT_TRUE(certificate);
-  EXPECT_EQ(certificate.handles_bound_inside, solver.certificate().handles_bound_inside);
-  EXPECT_EQ(certificate.tunnels_bound_outside, solver.certificate().tunnels_bound_outside);
+  // Which loops of one component go around another is chance.
+  EXPECT_EQ(certificate.handles_bound_inside_alone,
+            solver.certificate().handles_bound_inside_alone);
+  EXPECT_EQ(certificate.tunnels_bound_outside_alone,
+            solver.certificate().tunnels_bound_outside_alone);
   EXPECT_LE(total_length(coarse), 1.02 * total_length(fine));
 }
 

@@ -56,15 +56,27 @@ public:
     return euler_characteristic == 1 && corners_.size() >= 3 && link_by_neighbors();
   }
 
+  /// the mean of the vertices of the cell.
+  Vector centre_of_mass() const {
+    Vector sum = {0., 0., 0.};
+    for(Index v : vertices_)
+      sum = sum + mesh_.points[v];
+    return 1. / double(vertices_.size()) * sum;
+  }
+
   std::size_t size() const { return corners_.size(); }
   /// the i-th neighbour, if the cell is fit.
   Index neighbor(std::size_t i) const { return corners_[i].neighbor; }
 
-  /// The edges to the i-th neighbour in the first and in the last of the faces where these two
-  /// cells meet a third. The neighbour has the same two.
-  std::pair<Gate, Gate> gates(std::size_t i) const {
+  /// The shorter way to the i-th neighbour, and how long it is from centre to centre: by an edge
+  /// in the first or in the last of the faces where these two cells meet a third. The neighbour has
+  /// the same two.
+  std::pair<Gate, double> way(std::size_t i) const {
     const Corner &first = corners_[i == 0 ? size() - 1 : i - 1], &last = corners_[i];
-    return {{first.vertex, first.in_next}, {last.vertex, last.in_neighbor}};
+    const Gate a = {first.vertex, first.in_next}, b = {last.vertex, last.in_neighbor};
+    const double length_of_a = length(a), length_of_b = length(b);
+    return length_of_a <= length_of_b ? std::make_pair(a, length_of_a)
+                                      : std::make_pair(b, length_of_b);
   }
 
 private:
@@ -98,6 +110,14 @@ private:
       }
     }
     return static_cast<long>(vertices_.size()) - edges / 2 + faces / 3;
+  }
+
+  double length(const Gate& gate) const {
+    double sum = mesh_.edge_length(gate.from, gate.to);
+    for(Index v : {gate.from, gate.to})
+      for(; cells_.parent(v) != no_index; v = cells_.parent(v))
+        sum += mesh_.edge_length(v, cells_.parent(v));
+    return sum;
   }
 
   bool are_alone() const {

@@ -23,6 +23,13 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// As many vertices of the fine mesh are in a cell, about, where passes are on a coarse one.
+constexpr Index vertices_of_cell = 16;
+
+/// Loops of so many edge lengths of the fine mesh are long enough to be searched for on a coarse
+/// one.
+constexpr double longest_on_fine_mesh = 48.;
+
 /*!
 A mesh of the same topology as a finer one, of which its vertices are the centres of cells; made by
 `Coarse_mesh_builder`. Its faces are where three cells meet.

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_ring.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_rings.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
@@ -23,8 +24,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,23 +41,61 @@ What is not fit gets more centres, and is labelled again together with what is b
 not fit and small falls apart into its vertices. Each time there are more cells, so there always is
 an answer, in the end the fine mesh itself. Nothing depends on the number of threads.
 
-Linear, as long as few cells have to be divided.
+Linear, as long as few cells have to be divided. Where many have, as at noise or on long thin
+triangles, the mesh is not coarse: it can be asked for within limits.
 */
 class Coarse_mesh_builder
 {
 public:
-  Coarse_mesh_builder(Execution execution, const Flat_mesh& mesh)
+  /// lets cells grow from each `spacing`-th vertex, about. The seeds, of which there is one in each
+  /// component, are centres of cells.
+  Coarse_mesh_builder(Execution execution,
+                      const Flat_mesh& mesh,
+                      Index spacing,
+                      std::vector<Index> seeds)
       : execution_(execution)
       , mesh_(mesh)
+      , seeds_(std::move(seeds))
       , cells_(mesh)
-      , rings_([this] { return std::make_unique<Cell_ring>(mesh_, cells_); }) {}
-
-  /// a coarse mesh with a vertex for each `spacing` vertices of the fine one, about. The seeds, of
-  /// which there is one in each component, are centres of cells.
-  Coarse_mesh build(Index spacing, const std::vector<Index>& seeds) {
+      , rings_([this] { return std::make_unique<Cell_ring>(mesh_, cells_); }) {
     CGAL_precondition(spacing > 0);
-    start(spacing, seeds);
-    divide_unfit_cells();
+    start(spacing);
+    first_ = Cell_rings(centres());
+    look(first_);
+    number_of_cells_ = first_.size();
+    for(std::size_t i = 0; i < first_.size(); ++i)
+      if(first_.number_of_neighbors(i) == 0)
+        unfit_.push_back(first_.cell(i));
+  }
+
+  /// about as many vertices as a coarse mesh will have.
+  std::size_t expected_number_of_vertices() const {
+    return number_of_cells_ + cells_for_unfit_cell * unfit_.size();
+  }
+
+  /// a coarse mesh. There is none if it would have more vertices than \p most_vertices, or if the
+  /// work, in edges looked at to divide cells, is more than \p most_work; then it can be asked for
+  /// again with larger limits, and what has been done is not lost.
+  std::optional<Coarse_mesh> build(std::size_t most_vertices = unlimited,
+                                   std::size_t most_work = unlimited) {
+    while(!unfit_.empty()) {
+      if(number_of_cells_ + unfit_.size() > most_vertices || work_ > most_work)
+        return std::nullopt;
+      divide_unfit_cells();
+    }
+    if(number_of_cells_ > most_vertices)
+      return std::nullopt;
+    return coarse_mesh();
+  }
+
+private:
+  static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t small = 8; // vertices
+  static constexpr std::size_t parts_of_unfit_cell = 4;
+  // So many more there are in the end, on scans.
+  static constexpr std::size_t cells_for_unfit_cell = 6;
+
+  Coarse_mesh coarse_mesh() {
     Coarse_mesh coarse;
     coarse.fine = &mesh_;
     coarse.centre = centres();
@@ -62,23 +103,19 @@ public:
     for_each_index(execution_, coarse.centre.size(), [&](std::size_t i) {
       number_of_cell_[coarse.centre[i]] = static_cast<Index>(i);
     });
-    set_rings(coarse);
-    set_vertices(coarse, seeds);
+    const Cell_rings all = rings_of(coarse.centre);
+    set_rings(all, coarse);
+    set_vertices(all, coarse);
     coarse.parent.resize(mesh_.number_of_vertices());
     for_each_index(execution_, coarse.parent.size(),
                    [&](std::size_t v) { coarse.parent[v] = cells_.parent(static_cast<Index>(v)); });
     return coarse;
   }
 
-private:
-  static constexpr std::size_t small = 8; // vertices
-  static constexpr std::size_t parts_of_unfit_cell = 4;
-  static constexpr std::size_t grain = 1024; // cells
-
-  void start(Index spacing, const std::vector<Index>& seeds) {
+  void start(Index spacing) {
     for(Index v = 0; v < mesh_.first_hub; v += spacing)
       cells_.add_cell(v);
-    for(Index seed : seeds)
+    for(Index seed : seeds_)
       cells_.add_cell(seed);
     for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
       cells_.add_vertex(hub);
@@ -104,19 +141,21 @@ private:
   // ---- until all cells are fit
 
   void divide_unfit_cells() {
-    for(std::vector<Index> unfit = unfit_among(centres()); !unfit.empty();) {
-      std::vector<Index> small_cells, large_cells, own;
-      for(Index cell : divisible(unfit)) {
-        cells_.list(cell, own);
-        (own.size() < small ? small_cells : large_cells).push_back(cell);
-      }
-      std::vector<Index> changed = dissolve(small_cells);
-      if(!large_cells.empty()) {
-        const std::vector<Index> vertices = divide(large_cells);
-        changed.insert(changed.end(), vertices.begin(), vertices.end());
-      }
-      unfit = unfit_among(with_neighbors(centres_among(std::move(changed))));
+    std::vector<Index> small_cells, large_cells, own;
+    for(Index cell : divisible(unfit_)) {
+      cells_.list(cell, own);
+      (own.size() < small ? small_cells : large_cells).push_back(cell);
     }
+    std::vector<Index> changed = dissolve(small_cells);
+    if(!large_cells.empty()) {
+      const std::vector<Index> vertices = divide(large_cells);
+      changed.insert(changed.end(), vertices.begin(), vertices.end());
+    }
+    const std::vector<Index> cells = with_neighbors(centres_among(std::move(changed)));
+    is_changed_.resize(mesh_.number_of_vertices(), 0);
+    for(Index cell : cells)
+      is_changed_[cell] = 1;
+    unfit_ = unfit_among(cells);
   }
 
   std::vector<Index> unfit_among(const std::vector<Index>& cells) {
@@ -130,7 +169,7 @@ private:
               unfit.push_back(cells[i]);
           return unfit;
         },
-        grain);
+        Cell_rings::grain);
   }
 
   std::vector<Index> vertices_of(const std::vector<Index>& cells) const {
@@ -156,12 +195,14 @@ private:
   }
 
   // The cells, and those beside them.
-  std::vector<Index> with_neighbors(const std::vector<Index>& cells) const {
+  std::vector<Index> with_neighbors(const std::vector<Index>& cells) {
     std::vector<Index> all = cells;
-    for(Index v : vertices_of(cells))
+    for(Index v : vertices_of(cells)) {
+      work_ += mesh_.ring(v).size();
       for(Index u : mesh_.ring(v))
         if(cells_.cell(u) != cells_.cell(v) && cells_.cell(u) != all.back())
           all.push_back(cells_.cell(u));
+    }
     return sorted(std::move(all));
   }
 
@@ -203,6 +244,7 @@ private:
       cells_.list(cell, own);
       for(std::size_t k = 1; k < parts_of_unfit_cell; ++k)
         added.push_back(own[k * own.size() / parts_of_unfit_cell]);
+      number_of_cells_ += parts_of_unfit_cell - 1;
     }
     std::vector<Index> open;
     grows_.resize(mesh_.number_of_vertices(), 0);
@@ -229,6 +271,7 @@ private:
   // Takes cells apart into their vertices, which it returns.
   std::vector<Index> dissolve(const std::vector<Index>& cells) {
     std::vector<Index> vertices = vertices_of(cells);
+    number_of_cells_ += vertices.size() - cells.size();
     for(Index v : vertices)
       cells_.add_vertex(v);
     return vertices;
@@ -236,37 +279,52 @@ private:
 
   // ---- their mesh
 
-  void set_rings(Coarse_mesh& coarse) {
-    const std::size_t n = coarse.centre.size();
-    coarse.mesh.row_begin.assign(n + 1, 0);
-    std::vector<std::vector<Index>> neighbors((n + grain - 1) / grain);
-    std::vector<std::vector<Gate>> gates(neighbors.size());
-    std::vector<Stretch> stretches(neighbors.size());
-    execution_.for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
+  void look(Cell_rings& all) {
+    execution_.for_ranges(all.size(), Cell_rings::grain, [&](std::size_t begin, std::size_t end) {
       const auto ring = rings_.borrow();
+      for(std::size_t i = begin; i < end; ++i)
+        if(ring->look(all.cell(i)))
+          all.set(i, *ring);
+    });
+  }
+
+  // Most cells are as they were at first.
+  Cell_rings rings_of(const std::vector<Index>& centres) {
+    Cell_rings all(centres);
+    execution_.for_ranges(all.size(), Cell_rings::grain, [&](std::size_t begin, std::size_t end) {
+      const auto ring = rings_.borrow();
+      Cell_rings::Place old(first_, all.cell(begin));
       for(std::size_t i = begin; i < end; ++i) {
-        const bool is_fit = ring->look(coarse.centre[i]);
-        CGAL_assertion_msg(is_fit, "cells are divided until all are fit");
-        CGAL_USE(is_fit);
-        coarse.mesh.row_begin[i] = static_cast<Index>(ring->size());
-        for(std::size_t k = 0; k < ring->size(); ++k) {
-          neighbors[begin / grain].push_back(number_of_cell_[ring->neighbor(k)]);
-          const auto [gate, length] = shorter(ring->gates(k));
-          gates[begin / grain].push_back(gate);
-          stretches[begin / grain].add(length,
-                                       mesh_.edge_length(coarse.centre[i], ring->neighbor(k)));
-        }
+        const bool is_old = old.is_at(all.cell(i));
+        if(is_old && (is_changed_.empty() || !is_changed_[all.cell(i)]))
+          all.set(i, old);
+        else if(ring->look(all.cell(i)))
+          all.set(i, *ring);
+        CGAL_assertion_msg(all.number_of_neighbors(i) > 0, "cells are divided until all are fit");
+        if(is_old)
+          old.advance();
       }
     });
+    return all;
+  }
+
+  void set_rings(const Cell_rings& all, Coarse_mesh& coarse) const {
+    coarse.mesh.row_begin.assign(all.size() + 1, 0);
+    for_each_index(execution_, all.size(),
+                   [&](std::size_t i) { coarse.mesh.row_begin[i] = all.number_of_neighbors(i); });
     const std::size_t size = sum_before_each(execution_, coarse.mesh.row_begin);
     coarse.mesh.neighbor.resize(size);
     coarse.gate.resize(size);
+    std::vector<Stretch> stretches(all.number_of_ranges());
     for_each_index(
-        execution_, neighbors.size(),
-        [&](std::size_t r) {
-          const Index begin = coarse.mesh.row_begin[r * grain];
-          std::copy(neighbors[r].begin(), neighbors[r].end(), coarse.mesh.neighbor.begin() + begin);
-          std::copy(gates[r].begin(), gates[r].end(), coarse.gate.begin() + begin);
+        execution_, stretches.size(),
+        [&](std::size_t range) {
+          Index place = coarse.mesh.row_begin[range * Cell_rings::grain];
+          all.for_each_neighbor(range, [&](Index cell, const Cell_rings::Neighbor& neighbor) {
+            coarse.mesh.neighbor[place] = number_of_cell_[neighbor.cell];
+            coarse.gate[place++] = neighbor.gate;
+            stretches[range].add(neighbor.way, mesh_.edge_length(cell, neighbor.cell));
+          });
         },
         1);
     coarse.stretch = std::accumulate(stretches.begin(), stretches.end(), Stretch()).ratio();
@@ -288,34 +346,18 @@ private:
     double ratio() const { return distances > 0. ? ways / distances : 1.; }
   };
 
-  // The gate with the shorter way, and that.
-  std::pair<Gate, double> shorter(const std::pair<Gate, Gate>& gates) const {
-    const double first = length(gates.first), second = length(gates.second);
-    return first <= second ? std::make_pair(gates.first, first)
-                           : std::make_pair(gates.second, second);
-  }
-
-  // Of the way from centre to centre.
-  double length(const Gate& gate) const {
-    double sum = mesh_.edge_length(gate.from, gate.to);
-    for(Index v : {gate.from, gate.to})
-      for(; cells_.parent(v) != no_index; v = cells_.parent(v))
-        sum += mesh_.edge_length(v, cells_.parent(v));
-    return sum;
-  }
-
-  void set_vertices(Coarse_mesh& coarse, const std::vector<Index>& seeds) const {
+  void set_vertices(const Cell_rings& all, Coarse_mesh& coarse) const {
     Flat_mesh& mesh = coarse.mesh;
     const std::size_t n = coarse.centre.size();
     mesh.points.resize(n);
     mesh.original.resize(n);
     mesh.component.resize(n);
     for_each_index(execution_, n, [&](std::size_t i) {
-      mesh.points[i] = mesh_.points[coarse.centre[i]];
+      mesh.points[i] = all.point(i);
       mesh.original[i] = mesh_.original[coarse.centre[i]];
       mesh.component[i] = mesh_.component[coarse.centre[i]];
     });
-    for(Index seed : seeds)
+    for(Index seed : seeds_)
       mesh.seeds.push_back(number_of_cell_[seed]);
     mesh.half_scale = mesh_.half_scale;
     mesh.number_of_hubs = mesh_.number_of_hubs;
@@ -327,8 +369,13 @@ private:
 
   Execution execution_;
   const Flat_mesh& mesh_;
+  std::vector<Index> seeds_;
   Cells cells_;
   Workspace_pool<Cell_ring> rings_;
+  Cell_rings first_;             // before any cell was divided
+  std::vector<char> is_changed_; // by cell, since then
+  std::vector<Index> unfit_;     // cells
+  std::size_t number_of_cells_ = 0, work_ = 0;
   std::vector<char> grows_;                    // by centre, in a region that is labelled again
   Uninitialized_vector<Index> number_of_cell_; // by centre
 };

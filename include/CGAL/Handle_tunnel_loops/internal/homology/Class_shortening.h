@@ -55,6 +55,7 @@ public:
       : execution_(execution)
       , mesh_(mesh)
       , effort_(effort)
+      , vertices_of_coarse_mesh_(coarse == nullptr ? 0. : double(coarse->mesh.number_of_vertices()))
       , fine_ground_(mesh)
       , progress_(progress) {
     if(coarse != nullptr)
@@ -115,7 +116,6 @@ private:
   static constexpr double larger_part = 3.;                // of a part before
   static constexpr double part_on_coarse = 0.6;            // of visits
   static constexpr double small = 40000., large = 200000.; // vertices
-  static constexpr double short_loop = 48.;                // edge lengths
   static constexpr double most_patience = 8.;              // visits over those that are expected
 
   bool is_small() const { return double(mesh_.number_of_vertices()) <= small; }
@@ -130,9 +130,12 @@ private:
            (std::min)(most_visits, 2. * most_visits * part * std::sqrt(part));
   }
 
+  // As many, at least, as to go over a coarse mesh once.
   double visits_for_new() const {
-    return effort_ * most_on_large_mesh *
-           (coarse_ground_ ? part_on_coarse * part_of_vertices(large) : 1.);
+    if(!coarse_ground_)
+      return effort_ * most_on_large_mesh;
+    return effort_ * (std::max)(part_on_coarse * most_on_large_mesh * part_of_vertices(large),
+                                vertices_of_coarse_mesh_);
   }
 
   double part_of_vertices(double number) const {
@@ -150,7 +153,7 @@ private:
     fine_ground_.levels().prepare(visits());
     if(coarse_ground_) {
       coarse_ground_->levels().prepare(std::numeric_limits<double>::infinity());
-      longest_on_fine_ground_ = short_loop * mean_edge_length(mesh_);
+      longest_on_fine_ground_ = longest_on_fine_mesh * mean_edge_length(mesh_);
     }
   }
 
@@ -490,7 +493,7 @@ private:
 
   Execution execution_;
   const Flat_mesh& mesh_;
-  double effort_;
+  double effort_, vertices_of_coarse_mesh_;
   Search_ground fine_ground_;
   std::optional<Search_ground> coarse_ground_;
   double longest_on_fine_ground_ = 0.; // if there is a coarse one

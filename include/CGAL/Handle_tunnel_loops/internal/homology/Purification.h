@@ -391,14 +391,14 @@ private:
     if(m.loop != no_index)
       return loops_[m.loop];
     const std::vector<Index> walk = sums.borrow()->walk(m.coordinates);
-    Crossing_loop loop = pushed_left(coarse_ == nullptr ? mesh_ : coarse_->mesh, walk);
-    if(coarse_ != nullptr) {
-      if(do_tighten_)
-        Loop_tightening(execution_, coarse_->mesh).tighten(loop);
-      loop = coarse_->lifted(loop);
-    }
+    const Flat_mesh& mesh = coarse_ == nullptr ? mesh_ : coarse_->mesh;
+    Crossing_loop loop = pushed_left(mesh, walk);
     if(do_tighten_)
-      Loop_tightening(execution_, mesh_).tighten(loop);
+      Loop_tightening(execution_, mesh).tighten(loop);
+    if(coarse_ != nullptr) {
+      loop = coarse_->lifted(loop);
+      Loop_tightening(execution_, mesh_).straighten(loop);
+    }
     return loop;
   }
 

@@ -89,20 +89,20 @@ public:
                                       targets, visits);
   }
 
-  /// the loop on the mesh along a walk that was found, tightened; nothing if it would not be
-  /// shorter than \p limit.
+  /// the loop on the mesh along a walk that was found, tightened, or straight if there is a coarse
+  /// one; nothing if it would not be shorter than \p limit.
   std::optional<Crossing_loop>
   tightened(Execution execution, const std::vector<Index>& walk, double limit) const {
     Crossing_loop loop = levels_[0].loop_along(walk);
-    if(coarse_ != nullptr && !loop.empty()) {
-      Loop_tightening(execution, mesh_).tighten(loop);
-      if(length(mesh_, loop) > coarse_lengths * limit)
-        return std::nullopt;
-      loop = coarse_->lifted(loop);
-    }
     if(loop.empty())
       return std::nullopt;
-    Loop_tightening(execution, fine_).tighten(loop);
+    Loop_tightening(execution, mesh_).tighten(loop);
+    if(coarse_ == nullptr)
+      return loop;
+    if(length(mesh_, loop) > coarse_lengths * limit)
+      return std::nullopt;
+    loop = coarse_->lifted(loop);
+    Loop_tightening(execution, fine_).straighten(loop);
     return loop;
   }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -67,6 +68,17 @@ inline bool take_back(const std::vector<Flat_pair>& first,
   return !components.empty();
 }
 
+// Loops that come from a coarse mesh are straight, but no geodesics yet.
+inline void tighten(Execution execution, const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
+  for_each_index(
+      execution, 2 * pairs.size(),
+      [&](std::size_t i) {
+        Loop_tightening(execution, mesh)
+            .tighten(i % 2 == 0 ? pairs[i / 2].handle : pairs[i / 2].tunnel);
+      },
+      1);
+}
+
 } // namespace right_classes
 
 CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution execution,
@@ -105,6 +117,8 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     match_loops(mesh, pairs);
     relations.reset();
   }
+  if(coarse != nullptr && options.do_shorten)
+    right_classes::tighten(execution, mesh, pairs);
   return relations;
 }
 

@@ -22,8 +22,10 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,8 +36,9 @@ Passes on a coarse mesh, whose loops are lifted to the fine one and made short t
 on the coarse mesh are no good, and of what is asked about fronts, they are those of the fine mesh.
 
 The fields go over a sixteenth of the vertices, and a loop that has a long way to go is tightened in
-steps four times as long. What is lost is that coarse lengths are not fine ones: so it is asked once
-more on the fine mesh, among the neighbours of what was found, which is shorter.
+steps four times as long. Coarse lengths are not fine ones: so it is asked once more on the fine
+mesh, among the neighbours of what was found, which is shorter; but for large meshes, where searches
+through more classes find the same.
 */
 class Coarse_passes final : public Passes
 {
@@ -60,12 +63,10 @@ public:
 
   void initial_pass(Progress& progress, Statistics& statistics) override {
     execution_ = execution_.watched_by(progress);
-    coarse_ = std::make_shared<Coarse_mesh>(
-        Coarse_mesh_builder(execution_, mesh_).build(spacing, seeds_));
-    if(!is_good_for_fields(*coarse_)) {
-      if(!is_good_for_searches(*coarse_))
-        coarse_.reset();
-    } else {
+    builder_ = std::make_unique<Coarse_mesh_builder>(execution_, mesh_, vertices_of_cell, seeds_);
+    if(has_coarse_mesh(most_divided * double(mesh_.number_of_vertices() / vertices_of_cell)) &&
+       coarse_->stretch <= most_stretch)
+    {
       Pass_options options = options_;
       options.do_log_fronts = options.do_keep_layers = options.do_keep_times = false;
       passes_ = make_(coarse_->mesh, coarse_->mesh.seeds, options);
@@ -92,7 +93,8 @@ public:
     if(!passes_)
       return;
     lift();
-    Dual_loop_improvement(execution_, mesh_, progress).improve(handles_, tunnels_);
+    if(mesh_.number_of_vertices() < least_vertices_for_searches)
+      Dual_loop_improvement(execution_, mesh_, progress).improve(handles_, tunnels_);
   }
 
   std::vector<Flat_pair> take_pairs() override {
@@ -112,12 +114,18 @@ public:
     return fine_passes().diffusion(vertices, progress, statistics);
   }
 
-  std::shared_ptr<const Coarse_mesh> coarse_mesh() const override { return coarse_; }
+  std::shared_ptr<const Coarse_mesh>
+  coarse_mesh_for_searches(const std::vector<Flat_pair>& pairs) override {
+    const std::size_t n = mesh_.number_of_vertices();
+    if(!passes_ && (n < least_vertices_for_searches || !is_any_long(pairs) ||
+                    !has_coarse_mesh(largest_part_for_searches * double(n))))
+      return nullptr;
+    return coarse_;
+  }
 
 private:
   // On meshes of fewer vertices the passes take less time than what comes after them.
   static constexpr std::size_t least_vertices = 10000;
-  static constexpr Index spacing = 16;
 
   // A mesh of fewer is searched through itself, if its fields are; and so is one of which more are
   // left.
@@ -128,17 +136,24 @@ private:
   // little of the lengths; so it does where the ways between them are crooked, or where many cells
   // had to be divided beside whole ones, as at the noise of a scan.
   static constexpr double most_uneven = 3., most_stretch = 1.45, most_divided = 1.2;
+  static constexpr std::size_t most_work = 4; // times the edges of the mesh, each looked at twice
 
-  bool is_good_for_fields(const Coarse_mesh& coarse) const {
-    return coarse.stretch <= most_stretch &&
-           double(spacing) * double(coarse.mesh.number_of_vertices()) <=
-               most_divided * double(mesh_.number_of_vertices());
+  // Makes the coarse mesh, if it has no more vertices.
+  bool has_coarse_mesh(double most_vertices) {
+    if(!coarse_ && double(builder_->expected_number_of_vertices()) <= most_vertices)
+      if(std::optional<Coarse_mesh> coarse = builder_->build(
+             static_cast<std::size_t>(most_vertices), most_work * mesh_.neighbor.size()))
+        coarse_ = std::make_shared<Coarse_mesh>(*std::move(coarse));
+    if(coarse_)
+      builder_.reset();
+    return coarse_ && double(coarse_->mesh.number_of_vertices()) <= most_vertices;
   }
 
-  bool is_good_for_searches(const Coarse_mesh& coarse) const {
-    const double n = double(mesh_.number_of_vertices());
-    return n >= double(least_vertices_for_searches) &&
-           double(coarse.mesh.number_of_vertices()) <= largest_part_for_searches * n;
+  bool is_any_long(const std::vector<Flat_pair>& pairs) const {
+    const double least = longest_on_fine_mesh * mean_edge_length(mesh_);
+    return std::any_of(pairs.begin(), pairs.end(), [&](const Flat_pair& pair) {
+      return length(mesh_, pair.handle) >= least || length(mesh_, pair.tunnel) >= least;
+    });
   }
 
   Passes& passes() { return passes_ ? *passes_ : fine_passes(); }
@@ -149,7 +164,7 @@ private:
     return *fine_passes_;
   }
 
-  // Loops on the way from centre to centre have no direction to speak of: they are tightened,
+  // Loops on the way from centre to centre have no direction to speak of: they are straightened,
   // whatever is asked for.
   void lift() {
     const std::vector<Flat_pair> pairs = passes_->take_pairs();
@@ -161,7 +176,7 @@ private:
           const Flat_pair& pair = pairs[i / 2];
           Crossing_loop& loop = i % 2 == 0 ? handles_[i / 2] : tunnels_[i / 2];
           loop = coarse_->lifted(i % 2 == 0 ? pair.handle : pair.tunnel);
-          Loop_tightening(execution_, mesh_).tighten(loop);
+          Loop_tightening(execution_, mesh_).straighten(loop);
         },
         1);
   }
@@ -171,7 +186,8 @@ private:
   std::vector<Index> seeds_;
   Pass_options options_;
   Make_passes make_;
-  std::shared_ptr<Coarse_mesh> coarse_;
+  std::unique_ptr<Coarse_mesh_builder> builder_; // after the initial pass
+  std::shared_ptr<Coarse_mesh> coarse_;          // if there is one
   std::unique_ptr<Passes> passes_,
       fine_passes_; // on the coarse mesh, if it is good, and on the mesh
   std::vector<Crossing_loop> handles_, tunnels_; // lifted

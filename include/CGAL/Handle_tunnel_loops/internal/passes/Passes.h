@@ -66,8 +66,12 @@ public:
   virtual std::vector<Time>
   diffusion(const std::vector<Index>& vertices, Progress& progress, Statistics& statistics) = 0;
 
-  /// a coarse mesh, if one was made that is good for searches; to be asked after the initial pass.
-  virtual std::shared_ptr<const Coarse_mesh> coarse_mesh() const { return nullptr; }
+  /// a coarse mesh, where there is one that is good to search for shorter loops than those of the
+  /// pairs; to be asked last.
+  virtual std::shared_ptr<const Coarse_mesh>
+  coarse_mesh_for_searches(const std::vector<Flat_pair>& /* pairs */) {
+    return nullptr;
+  }
 };
 
 /// makes passes on a mesh, from seeds, one in each component.

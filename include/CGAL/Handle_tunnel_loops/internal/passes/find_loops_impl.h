@@ -23,7 +23,7 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// What the passes find, and the coarse mesh that they found it on, if it was one.
+/// What the passes find, and a coarse mesh for searches, if there is one.
 struct Found_pairs
 {
   std::vector<Flat_pair> pairs;
@@ -44,7 +44,7 @@ inline Found_pairs pairs_of_passes(const Flat_mesh& mesh,
   else
     found.pairs = run_passes(*passes, request.passes, progress, statistics);
   request.put_swept_vertices(passes->take_swept_vertices());
-  found.coarse = passes->coarse_mesh();
+  found.coarse = passes->coarse_mesh_for_searches(found.pairs);
   return found;
 }
 

@@ -60,6 +60,15 @@ template <typename ConcurrencyTag> struct Passes_of_tag
   }
 };
 
+/// makes ready what the passes of a tag need, for a mesh of so many vertices: what counts is the
+/// mesh that the fields are on.
+template <typename ConcurrencyTag>
+std::future<void> head_start(const Solver_options& options, std::size_t number_of_vertices) {
+  using Tag = Passes_of_tag<ConcurrencyTag>;
+  const bool is_coarse = Tag::may_coarsen && options.do_coarsen;
+  return Tag::head_start(options.device, number_of_vertices / (is_coarse ? vertices_of_cell : 1));
+}
+
 /// the passes of a tag, on a coarse mesh if that is allowed.
 template <typename ConcurrencyTag>
 std::unique_ptr<Passes>

@@ -194,6 +194,10 @@ public:
     tighten(loop, (std::max)(least_work(loop) / (loop.size() + 1), rounds));
   }
 
+  /// takes out what is crooked, in a few rounds. To become a geodesic a loop may have a long way to
+  /// go, which is to be done once, when it has been chosen.
+  void straighten(Crossing_loop& loop) { tighten(loop, rounds_to_straighten); }
+
   /// Crossings times rounds. On a mesh of n faces a loop crosses about as many edges as the square
   /// root of n; only on ugly ones there are loops that need more than the share.
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
@@ -261,6 +265,8 @@ public:
 private:
   using Bend = Funnel::Bend;
   using Portal = Strip::Portal;
+
+  static constexpr std::size_t rounds_to_straighten = 16;
 
   // At the ends exactly: the funnel has to tell whether the path is held at a corner.
   static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {

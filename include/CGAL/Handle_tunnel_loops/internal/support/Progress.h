@@ -57,18 +57,18 @@ public:
 
   /// the stages on the way to loops.
   static std::vector<Weighted_stage> stages_of_loops() {
-    return {{Stage::ADAPTOR, 0.09}, {Stage::INITIAL, 0.18},     {Stage::TUNNEL, 0.28},
-            {Stage::REFINE, 0.25},  {Stage::SHORTEN, 0.06},     {Stage::CLASSES, 0.09},
-            {Stage::CONVERT, 0.01}, {Stage::CERTIFICATE, 0.03}, {Stage::CLASSIFY, 0.01}};
+    return {{Stage::ADAPTOR, 0.13}, {Stage::INITIAL, 0.20},     {Stage::TUNNEL, 0.06},
+            {Stage::REFINE, 0.04},  {Stage::SHORTEN, 0.22},     {Stage::CLASSES, 0.29},
+            {Stage::CONVERT, 0.01}, {Stage::CERTIFICATE, 0.04}, {Stage::CLASSIFY, 0.01}};
   }
 
   /// the stages on the way to a diffusion that starts from loops.
   static std::vector<Weighted_stage> stages_of_diffusion() {
-    return {{Stage::ADAPTOR, 0.11},
-            {Stage::INITIAL, 0.15},
-            {Stage::TUNNEL, 0.33},
-            {Stage::REFINE, 0.24},
-            {Stage::DIFFUSION, 0.18}};
+    return {{Stage::ADAPTOR, 0.21},
+            {Stage::INITIAL, 0.28},
+            {Stage::TUNNEL, 0.09},
+            {Stage::REFINE, 0.08},
+            {Stage::DIFFUSION, 0.34}};
   }
 
   void start(Stage stage) {
