@@ -55,6 +55,14 @@ const Kind own_kinds[] = {
      "a comb of bars with straight bores through them in two directions, of few, long and thin "
      "triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for each part",
      make_bars, GENUS | PARTS},
+    {"hubs",
+     "a drum with bores in a circle, and a vertex in the middle of either end that has a quarter as "
+     "many neighbours as there are faces; any genus g from 3, from 40 g faces",
+     make_hubs, GENUS, 10000, 20},
+    {"fan",
+     "two fans on a rim whose heights are random, between which is the middle of one of them; "
+     "genus 0, from 6 faces",
+     make_fan, GENUS, 10000, 0},
     {"chain",
      "rings, each linked with the next, one for each handle; any genus g from 1, from 72 g faces",
      make_chain},

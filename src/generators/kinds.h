@@ -26,6 +26,8 @@ Soup make_gyroid(const Request& request);
 Soup make_sponge(const Request& request);
 Soup make_plates(const Request& request);
 Soup make_bars(const Request& request);
+Soup make_hubs(const Request& request);
+Soup make_fan(const Request& request);
 Soup make_chain(const Request& request);
 Soup make_torus_link(const Request& request);
 Soup make_ladder(const Request& request);

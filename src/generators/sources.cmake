@@ -4,6 +4,7 @@ set(HTL_GENERATOR_SOURCES
   generators.cpp
   grids.cpp
   holes.cpp
+  hubs.cpp
   implicit_surfaces.cpp
   isosurface.cpp
   mesh_of_field.cpp
