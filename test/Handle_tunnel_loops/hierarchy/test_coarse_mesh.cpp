@@ -63,6 +63,8 @@ std::vector<Flat_mesh> meshes() {
   all.push_back(Surface(mesh_of({"lattice", {20000, 20, 0}})).flat());
   all.push_back(Surface(mesh_of({"shell", {4000, 4, 0}})).flat()); // two components
   all.push_back(Surface(mesh_of({"bars", {2000, 5, 0}})).flat());  // vertices with many neighbours
+  all.push_back(Surface(mesh_of({"hubs", {4000, 10, 0}})).flat());
+  all.push_back(Surface(mesh_of({"fan", {200, 0, 0}})).flat());
   all.push_back(Surface(mesh_of(smallest_torus())).flat());
   all.push_back(Surface(with_holes(mesh_of({"torus", {6000, 1, 0}}), 5)).flat());
   all.push_back(Surface(with_holes(mesh_of({"gyroid", {4000, 10, 0}}), 40)).flat());
@@ -161,6 +163,13 @@ TEST(Coarse_mesh, HasItsVerticesInTheMiddleOfCells) {
     const Vector aside = coarse.mesh.points[i] - 1. / number[i] * sum[i];
     EXPECT_LE(dot(aside, aside), 1e-28);
   }
+}
+
+// A cell that is beside all others is not divided again and again.
+TEST(Coarse_mesh, HasAFractionOfTheVerticesBesideHubs) {
+  const Surface surface(mesh_of({"hubs", {20000, 20, 0}}));
+  const Coarse_mesh coarse = coarse_mesh_of(surface.flat(), 16);
+  EXPECT_LE(8 * coarse.mesh.number_of_vertices(), surface.flat().number_of_vertices());
 }
 
 TEST(Coarse_mesh, IsTheMeshItselfIfEachVertexIsACell) {

@@ -92,6 +92,8 @@ private:
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
   static constexpr std::size_t small = 8; // vertices
   static constexpr std::size_t parts_of_unfit_cell = 4;
+  // A cell around a vertex of more neighbours would take them all, and be beside everything.
+  static constexpr Index most_neighbors = 64;
   // So many more there are in the end, on scans.
   static constexpr std::size_t cells_for_unfit_cell = 6;
 
@@ -117,10 +119,14 @@ private:
       cells_.add_cell(v);
     for(Index seed : seeds_)
       cells_.add_cell(seed);
-    for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
-      cells_.add_vertex(hub);
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(mesh_.is_hub(v) || mesh_.ring(v).size() > most_neighbors)
+        cells_.add_vertex(v);
     const std::vector<Index> open = vertices_with([&](Index v) { return !cells_.is_centre(v); });
     cells_.grow(execution_, open, [](Index) { return true; });
+    for(Index v : open) // in a small component, of which all centres have many neighbours
+      if(cells_.cell(v) == no_index)
+        cells_.add_vertex(v);
   }
 
   template <typename Predicate> std::vector<Index> vertices_with(const Predicate& predicate) const {
