@@ -24,6 +24,7 @@
 
 #include <array>
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -137,8 +138,11 @@ public:
   explicit Offset_growth(const Flat_mesh& mesh)
       : mesh_(mesh)
       , volume_(mesh.seeds.size(), 0.) {
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
       volume_[mesh.component[v]] += volume_at(v);
+      if(mesh.ring(v).size() > many)
+        normal_of_busy_[v] = normal_at(v);
+    }
   }
 
   /// the derivative of the length by the way along the normals.
@@ -173,6 +177,10 @@ private:
   }
 
   Vector normal(Index v) const {
+    return mesh_.ring(v).size() > many ? normal_of_busy_.at(v) : normal_at(v);
+  }
+
+  Vector normal_at(Index v) const {
     const Ring ring = mesh_.ring(v);
     Vector sum = {0., 0., 0.};
     for(Index i = 0; i < ring.size(); ++i)
@@ -190,8 +198,12 @@ private:
     return length > 0. ? (1. / length) * a : a;
   }
 
+  static constexpr Index many = 64; // neighbours
+
   const Flat_mesh& mesh_;
   std::vector<double> volume_; // by component; negative if the faces look inwards
+  // Of vertices with many neighbours: a loop may cross the edges of all of them.
+  std::unordered_map<Index, Vector> normal_of_busy_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
