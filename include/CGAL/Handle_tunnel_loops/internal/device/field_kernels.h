@@ -268,19 +268,26 @@ public:
       return stencil_mean(1.f / static_cast<float>(ring_.size()),
                           [&](Index i) { return value_of(first_.cells[i]); });
     float sum = 0.f;
+    std::uint64_t whole_sum = 0;
     Index number = 0;
+    const bool is_long = ring_.size() > most_summed_as_they_are;
     for_each_eight([&](const Some& some) {
       float values[stencil_width];
       CGAL_HTL_UNROLL
       for(Index i = 0; i < stencil_width; ++i)
         values[i] = value_of(some.cells[i]);
+      if(is_long) {
+        CGAL_HTL_UNROLL
+        for(Index i = 0; i < stencil_width; ++i)
+          whole_sum += whole_value(values[i]);
+      }
       CGAL_HTL_UNROLL
       for(Index i = 0; i < stencil_width; ++i) {
         sum += values[i];
         number += some.vertices[i] != no_index ? 1 : 0;
       }
     });
-    return sum / static_cast<float>(number);
+    return is_long ? mean_of_whole_values(whole_sum, number) : sum / static_cast<float>(number);
   }
 
   /// Where a front comes from.

@@ -22,6 +22,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,8 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// The rows of the Laplacian with room for eight neighbours each, so that the inner loop has a
 /// fixed length: valences vary at random, and a mispredicted branch costs as much as the sum
 /// itself. Short rows are filled up with a vertex that does not exist, `n`, whose value is zero;
-/// vertices with longer rows are left to the ring.
+/// vertices with longer rows are left to the ring. Of those with long rows, whose neighbours know
+/// them, sums are kept (see `most_summed_as_they_are`).
 class Stencils
 {
 public:
@@ -46,6 +48,7 @@ public:
         std::copy(ring.begin(), ring.end(), row.neighbors.begin());
       row.weight = 1.f / static_cast<float>(ring.size());
     });
+    find_long_rows(mesh);
   }
 
   float mean(Index v, const float* values) const {
@@ -56,7 +59,38 @@ public:
   /// the neighbours of a vertex with a short row, filled up.
   const std::array<Index, width>& neighbors(Index v) const { return rows_[v].neighbors; }
 
+  std::size_t number_of_long_rows() const { return long_rows_.size(); }
+  Index vertex_of_long_row(Index number) const { return long_rows_[number]; }
+  /// the number of the long row of a vertex, `no_index` if it is not long.
+  Index long_row(Index v) const {
+    const auto it = std::lower_bound(long_rows_.begin(), long_rows_.end(), v);
+    return it == long_rows_.end() || *it != v ? no_index
+                                              : static_cast<Index>(it - long_rows_.begin());
+  }
+  /// calls `f(number)` for the long rows in which a vertex is, if there is any.
+  template <typename Function> void for_each_long_row_with(Index v, const Function& f) const {
+    for(Index i = long_begin_[v]; i < long_begin_[v + 1]; ++i)
+      f(long_beside_[i]);
+  }
+
 private:
+  void find_long_rows(const Flat_mesh& mesh) {
+    for(Index v = 0; v < rows_.size(); ++v)
+      if(mesh.ring(v).size() > most_summed_as_they_are)
+        long_rows_.push_back(v);
+    if(long_rows_.empty())
+      return;
+    long_begin_.assign(rows_.size() + 2, 0);
+    for(Index v : long_rows_)
+      for(Index u : mesh.ring(v))
+        ++long_begin_[u + 2];
+    std::partial_sum(long_begin_.begin(), long_begin_.end(), long_begin_.begin());
+    long_beside_.resize(long_begin_.back());
+    for(Index i = 0; i < long_rows_.size(); ++i)
+      for(Index u : mesh.ring(long_rows_[i]))
+        long_beside_[long_begin_[u + 1]++] = i;
+  }
+
   struct Row
   {
     std::array<Index, width> neighbors;
@@ -64,6 +98,9 @@ private:
   };
 
   std::vector<Row> rows_;
+  std::vector<Index> long_rows_;   // their vertices, ascending
+  std::vector<Index> long_begin_;  // by vertex, in
+  std::vector<Index> long_beside_; // numbers of long rows
 };
 
 /// No wall anywhere.
@@ -99,7 +136,8 @@ public:
       , band_(new Index[mesh.number_of_vertices() + 1])
       , touched_(new Index[mesh.number_of_vertices() + 1])
       , next_(new float[mesh.number_of_vertices()])
-      , noted_(new Index[mesh.number_of_vertices() + 1]) {
+      , noted_(new Index[mesh.number_of_vertices() + 1])
+      , sum_(stencils.number_of_long_rows(), 0) {
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
       if(mesh.ring(v).size() > Stencils::width)
         state_[v] = special;
@@ -233,6 +271,7 @@ private:
   struct Special_row
   {
     Index vertex, length;
+    Index long_row; // its number, if it is one
     std::size_t begin;
     const std::vector<Index>* rows;
 
@@ -255,7 +294,12 @@ private:
     for(Index u : mesh_.ring(v))
       if(!is_wall(v, u, walls))
         special_rows_.push_back(u);
-    return {v, static_cast<Index>(special_rows_.size() - begin), begin, &special_rows_};
+    const Index long_row = stencils_.long_row(v);
+    if(long_row != no_index)
+      sum_[long_row] = std::accumulate(
+          special_rows_.begin() + begin, special_rows_.end(), std::uint64_t(0),
+          [this](std::uint64_t sum, Index u) { return sum + whole_value(value_[u]); });
+    return {v, static_cast<Index>(special_rows_.size() - begin), long_row, begin, &special_rows_};
   }
 
   template <typename Row, typename Walls>
@@ -278,6 +322,8 @@ private:
   }
 
   float mean(const Special_row& row) const {
+    if(row.long_row != no_index)
+      return mean_of_whole_values(sum_[row.long_row], row.size());
     float sum = 0.f;
     for(Index i = 0; i < row.size(); ++i)
       sum += value_[row[i]];
@@ -324,7 +370,30 @@ private:
       if(is_noted(value_[row.vertex], next_special_[i], spark_))
         next_special_[i] = settled_value(row, next_special_[i], walls, reached);
     }
+    if(std::any_of(special_band_.begin(), special_band_.end(),
+                   [](const Special_row& row) { return row.long_row != no_index; }))
+      change_sums(size, special_size, walls);
     set_values(size, special_size);
+  }
+
+  template <typename Walls>
+  void change_sums(std::size_t size, std::size_t special_size, const Walls& walls) {
+    for(std::size_t i = 0; i < size; ++i)
+      change_sums(band_[i], next_[i], walls);
+    for(std::size_t i = 0; i < special_size; ++i)
+      change_sums(special_band_[i].vertex, next_special_[i], walls);
+  }
+
+  // Those of long rows in which a vertex is that is about to have another value.
+  template <typename Walls> void change_sums(Index v, float after, const Walls& walls) {
+    const std::uint64_t change = whole_value(after) - whole_value(value_[v]); // modulo 2^64
+    if(change == 0 || sum_.empty())
+      return;
+    stencils_.for_each_long_row_with(v, [&](Index row) {
+      const Index u = stencils_.vertex_of_long_row(row);
+      if((state_[u] & active) != 0 && !is_wall(u, v, walls))
+        sum_[row] += change;
+    });
   }
 
   /// the new value of a vertex of which the front takes notice. No vertex passes the threshold
@@ -408,6 +477,7 @@ private:
     CGAL_assertion(time(earlier) < time(v));
     if(value_[v] <= spark_)
       activate_neighbors(row, walls);
+    change_sums(v, 1.f, walls);
     value_[v] = 1.f;
     reached(v);
   }
@@ -440,6 +510,7 @@ private:
   std::vector<Index> special_rows_;
   std::vector<Index> special_now_;
   std::vector<float> next_special_;
+  std::vector<std::uint64_t> sum_; // by long row that is active: of its values
   std::vector<Index> sources_;
   Time step_ = 0;
   Time last_progress_ = 0;

@@ -82,6 +82,19 @@ CGAL_HTL_HOST_DEVICE float stencil_mean(float weight, const Value& value) {
                                      ((value(4) + value(5)) + (value(6) + value(7))));
 }
 
+/// What is summed of vertices with more neighbours than this: values as whole numbers, whose sum is
+/// the same in any order. So it can be kept, and changed where a value changes.
+constexpr Index most_summed_as_they_are = 64;
+
+CGAL_HTL_HOST_DEVICE inline std::uint64_t whole_value(float value) {
+  return static_cast<std::uint64_t>(value * 0x1p32f);
+}
+
+/// the mean of so many values, from their sum.
+CGAL_HTL_HOST_DEVICE inline float mean_of_whole_values(std::uint64_t sum, Index number) {
+  return static_cast<float>(static_cast<double>(sum) / (static_cast<double>(number) * 0x1p32));
+}
+
 /// the value after one step.
 CGAL_HTL_HOST_DEVICE inline float
 stepped_value(float phi, float mean_of_neighbors, const Step_coefficients& k) {
