@@ -16,7 +16,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Oriented_box.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
 
 #include <algorithm>
 #include <array>
@@ -164,12 +163,34 @@ private:
     return {(p[0] + q[0] + r[0]) / 3., (p[1] + q[1] + r[1]) / 3., (p[2] + q[2] + r[2]) / 3.};
   }
 
-  // Along the axis on which their centers spread: of a stack, across the triangles, not along.
+  // Along the longest axis on which their centers spread farther than they extend themselves, so
+  // that the boxes of the halves have little in common: of a stack, across the triangles.
+  Point axis_to_halve(std::size_t begin, std::size_t end) const {
+    const Oriented_box box([&](const auto& f) {
+      for(std::size_t i = begin; i < end; ++i)
+        f(center(order_[i]));
+    });
+    std::array<std::pair<bool, double>, 3> rank;
+    for(std::size_t k = 0; k < 3; ++k) {
+      double mean = 1e-9; // more than rounding makes of what is flat
+      for(std::size_t i = begin; i < end; ++i)
+        mean += extent(order_[i], box.axis(k)) / double(end - begin);
+      const double spread = box.half_length(k);
+      rank[k] = {spread > mean, spread > mean ? spread : spread / mean};
+    }
+    return box.axis(
+        static_cast<std::size_t>(std::max_element(rank.begin(), rank.end()) - rank.begin()));
+  }
+
+  double extent(Index triangle, const Point& axis) const {
+    const auto& [p, q, r] = triangles_[triangle].points;
+    const auto [low, high] = std::minmax(
+        {Oriented_box::dot(p, axis), Oriented_box::dot(q, axis), Oriented_box::dot(r, axis)});
+    return high - low;
+  }
+
   std::size_t halve(std::size_t begin, std::size_t end) {
-    const Point axis = Oriented_box([&](const auto& f) {
-                         for(std::size_t i = begin; i < end; ++i)
-                           f(center(order_[i]));
-                       }).longest_axis();
+    const Point axis = axis_to_halve(begin, end);
     const auto position = [&](Index i) {
       return std::make_pair(Oriented_box::dot(center(i), axis), i);
     };
@@ -331,50 +352,66 @@ private:
         f(order_[i], order_[j]);
   }
 
-  // Those that are seen from their hub near each other.
+  // Those that are seen from their hub near each other: on a cube around it a triangle is an arc of
+  // some segments, which are searched as triangles are.
   template <typename Function>
   void compare_directions(Execution execution, std::size_t hub, const Function& f) const {
-    const std::vector<Index>& triangles = hubs_[hub];
-    std::vector<Box<3>> boxes;
-    boxes.reserve(triangles.size());
-    for(const Index i : triangles)
-      boxes.push_back(box_of_directions(triangles_[i], vertices_of_hubs_[hub]));
-    const auto box = [&boxes](std::size_t i) -> const Box<3>& { return boxes[i]; };
-    const Placed_boxes near(execution, boxes.size(), box);
-    near.for_each_meeting(
-        near, box, box,
-        [&](Index i, Index j) {
-          if(i < j)
-            f(triangles[i], triangles[j]);
-        },
-        execution);
+    std::vector<Triangle> segments;
+    std::vector<Index> triangle_of;
+    for(const Index i : hubs_[hub]) {
+      append_arc(triangles_[i], vertices_of_hubs_[hub], segments);
+      triangle_of.resize(segments.size(), i);
+    }
+    for(std::size_t i = 0; i < segments.size(); ++i) // none shares a vertex with many
+      segments[i].vertices.fill(static_cast<Index>(i));
+    const Contact_search search(std::move(segments));
+    search.compare_parts(execution, [&](Index i, Index j) {
+      if(triangle_of[i] != triangle_of[j])
+        f(triangle_of[i], triangle_of[j]);
+    });
+    work_ += search.work();
   }
 
-  // Of all unit vectors from a corner to where the triangle is. An arc of the unit circle is no
-  // farther from its chord than a quarter of the square of that.
-  static Box<3> box_of_directions(const Triangle& t, Index corner) {
+  // Where the triangle is as seen from a corner, on the surface of the cube between -1 and 1. What
+  // is between two directions changes to another face of the cube only where coordinates are equal,
+  // or opposite. Where the two are all but opposite themselves that is anywhere.
+  static void append_arc(const Triangle& t, Index corner, std::vector<Triangle>& segments) {
     const auto k = static_cast<std::size_t>(
         std::find(t.vertices.begin(), t.vertices.end(), corner) - t.vertices.begin());
     const Point a = direction(t.points[k], t.points[(k + 1) % 3]);
     const Point b = direction(t.points[k], t.points[(k + 2) % 3]);
-    Box<3> box{a, a};
-    box.extend({b, b});
-    const Point chord = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const double rim = 0.25 * Oriented_box::dot(chord, chord) + 1e-12;
-    for(std::size_t i = 0; i < 3; ++i) {
-      box.low[i] -= rim;
-      box.high[i] += rim;
+    std::vector<double> places = {0., 1.};
+    for(std::size_t i = 0; i < 3; ++i)
+      for(const double sign : {1., -1.}) {
+        const double at_a = a[i] + sign * a[(i + 1) % 3], at_b = b[i] + sign * b[(i + 1) % 3];
+        if((at_a < 0. && at_b > 0.) || (at_a > 0. && at_b < 0.))
+          places.push_back(at_a / (at_a - at_b));
+      }
+    std::sort(places.begin(), places.end());
+    const Point origin = {0., 0., 0.};
+    constexpr double least = 1e-3;
+    std::array<Point, 8> ends;
+    for(std::size_t i = 0; i < places.size(); ++i) {
+      const double u = 1. - places[i], v = places[i];
+      const Point p = {u * a[0] + v * b[0], u * a[1] + v * b[1], u * a[2] + v * b[2]};
+      if(largest(p) < least) {
+        segments.push_back({{}, {{{-1., -1., -1.}, {1., 1., 1.}, {1., -1., 1.}}}});
+        return;
+      }
+      ends[i] = direction(origin, p);
     }
-    return box;
+    for(std::size_t i = 1; i < places.size(); ++i)
+      segments.push_back({{}, {ends[i - 1], ends[i], ends[i]}});
+  }
+
+  static double largest(const Point& d) {
+    return (std::max)({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
   }
 
   // Differences are right to the last digits, and so is this, unless points are denormally close.
   static Point direction(const Point& from, const Point& to) {
     Point d = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-    const double largest = (std::max)({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-    for(double& x : d)
-      x /= largest;
-    const double length = std::sqrt(Oriented_box::dot(d, d));
+    const double length = largest(d);
     for(double& x : d)
       x /= length;
     return d;

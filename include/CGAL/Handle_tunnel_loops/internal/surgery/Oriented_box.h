@@ -52,11 +52,8 @@ public:
     }
   }
 
-  /// a direction in which it is longest.
-  const Vector& longest_axis() const {
-    return axes_[static_cast<std::size_t>(std::max_element(half_.begin(), half_.end()) -
-                                          half_.begin())];
-  }
+  const Vector& axis(std::size_t k) const { return axes_[k]; }
+  double half_length(std::size_t k) const { return half_[k]; }
 
   /// 0 for a point between the two faces of the box that are nearest to each other, or about there;
   /// else 1 or -1, which tells the one side of both from the other.
