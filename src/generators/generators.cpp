@@ -56,7 +56,8 @@ const Kind own_kinds[] = {
      "triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for each part",
      make_bars, GENUS | PARTS},
     {"hubs",
-     "a drum with bores in a circle, and a vertex in the middle of either end that has a quarter as "
+     "a drum with bores in a circle, and a vertex in the middle of either end that has a quarter "
+     "as "
      "many neighbours as there are faces; any genus g from 3, from 40 g faces",
      make_hubs, GENUS, 10000, 20},
     {"fan",
