@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/use.h>
 
 #include <algorithm>
 #include <cstddef>
