@@ -210,6 +210,14 @@ TEST(Placed_boxes, ends_soon_after_what_is_looked_for) {
   EXPECT_GT(internal::Placed_boxes({}, n, everywhere).crowding(everywhere, 10.), 10.);
 }
 
+TEST(Contact_search, ends_soon_after_what_is_looked_for) {
+  const internal::Contact_search contacts = contact_search(sphere_with_hubs(2000, 2));
+  EXPECT_TRUE(contacts.any_candidate({}, [](internal::Index, internal::Index) { return true; }));
+  const std::size_t work = contacts.work();
+  EXPECT_FALSE(contacts.any_candidate({}, [](internal::Index, internal::Index) { return false; }));
+  EXPECT_LT(2 * work, contacts.work());
+}
+
 // By the number of boxes that are compared, not by a clock.
 TEST(Contact_search, takes_near_linear_time) {
   const auto hubs = [](std::uint32_t n) { return sphere_with_hubs(n, 2); };

@@ -58,10 +58,17 @@ public:
   /// calls `f(i, j)` for pairs of triangles that may meet, some of them several times.
   template <typename Function>
   void for_each_candidate(Execution execution, const Function& f) const {
-    if(!nodes_.empty())
-      compare_parts(execution, f);
-    for(std::size_t hub = 0; hub < hubs_.size(); ++hub)
-      compare_directions(execution, hub, f);
+    visit(execution, std::atomic<bool>(false), f);
+  }
+
+  /// whether `f(i, j)` holds for any of those; ends soon after the first.
+  template <typename Predicate> bool any_candidate(Execution execution, const Predicate& f) const {
+    std::atomic<bool> is_found(false);
+    visit(execution, is_found, [&](Index i, Index j) {
+      if(!is_found && f(i, j))
+        is_found = true;
+    });
+    return is_found;
   }
 
   /// how many pairs of boxes were compared.
@@ -86,6 +93,14 @@ private:
   };
 
   using Node_pair = std::pair<Index, Index>;
+
+  template <typename Function>
+  void visit(Execution execution, const std::atomic<bool>& is_over, const Function& f) const {
+    if(!nodes_.empty())
+      compare_parts(execution, is_over, f);
+    for(std::size_t hub = 0; hub < hubs_.size() && !is_over; ++hub)
+      compare_directions(execution, is_over, hub, f);
+  }
 
   // By a power of two, to be between -1 and 1.
   void scale_points() {
@@ -308,7 +323,9 @@ private:
   }
 
   // So many pairs that all threads have something to do, then each of them to its end.
-  template <typename Function> void compare_parts(Execution execution, const Function& f) const {
+  template <typename Function>
+  void
+  compare_parts(Execution execution, const std::atomic<bool>& is_over, const Function& f) const {
     constexpr std::size_t enough = 4096;
     std::vector<Node_pair> pairs = {{0, 0}};
     for(bool is_changed = true; is_changed && pairs.size() < enough;) {
@@ -325,14 +342,17 @@ private:
       pairs = std::move(next);
     }
     for_each_index(
-        execution, pairs.size(), [&](std::size_t i) { compare_to_the_end(pairs[i], f); }, 16);
+        execution, pairs.size(), [&](std::size_t i) { compare_to_the_end(pairs[i], is_over, f); },
+        16);
   }
 
   template <typename Function>
-  void compare_to_the_end(const Node_pair& pair, const Function& f) const {
+  void compare_to_the_end(const Node_pair& pair,
+                          const std::atomic<bool>& is_over,
+                          const Function& f) const {
     std::vector<Node_pair> open = {pair};
     std::size_t number = 0;
-    for(; !open.empty(); ++number) {
+    for(; !open.empty() && !is_over; ++number) {
       const Node_pair next = open.back();
       open.pop_back();
       if(!may_meet(next))
@@ -355,7 +375,10 @@ private:
   // Those that are seen from their hub near each other: on a cube around it a triangle is an arc of
   // some segments, which are searched as triangles are.
   template <typename Function>
-  void compare_directions(Execution execution, std::size_t hub, const Function& f) const {
+  void compare_directions(Execution execution,
+                          const std::atomic<bool>& is_over,
+                          std::size_t hub,
+                          const Function& f) const {
     std::vector<Triangle> segments;
     std::vector<Index> triangle_of;
     for(const Index i : hubs_[hub]) {
@@ -365,7 +388,7 @@ private:
     for(std::size_t i = 0; i < segments.size(); ++i) // none shares a vertex with many
       segments[i].vertices.fill(static_cast<Index>(i));
     const Contact_search search(std::move(segments));
-    search.compare_parts(execution, [&](Index i, Index j) {
+    search.compare_parts(execution, is_over, [&](Index i, Index j) {
       if(triangle_of[i] != triangle_of[j])
         f(triangle_of[i], triangle_of[j]);
     });

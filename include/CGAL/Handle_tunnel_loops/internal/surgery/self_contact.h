@@ -84,12 +84,7 @@ bool touches_itself(Execution execution,
   if(near.crowding(box, largest_crowding) <= largest_crowding)
     return near.any_meeting(
         near, box, box, [&](Index i, Index j) { return i < j && are_touching(i, j); }, execution);
-  contact_search(execution, all.size(), triangle)
-      .for_each_candidate(execution, [&](Index i, Index j) {
-        if(!is_found && are_touching(i, j))
-          is_found = true;
-      });
-  return is_found;
+  return contact_search(execution, all.size(), triangle).any_candidate(execution, are_touching);
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal
