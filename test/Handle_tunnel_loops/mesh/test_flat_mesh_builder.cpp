@@ -189,6 +189,21 @@ TEST(Flat_mesh_builder, MakesLargeMeshes) {
   expect_flat_mesh_of(mesh_of(transformed(generators::permute_vertices(soup, 7), 0., 1.)), 4);
 }
 
+// Of vertices with many neighbours by a table, however they are asked for.
+TEST(Flat_mesh_builder, KnowsThePositionsOfNeighbors) {
+  const Flat_mesh mesh = flat_mesh_of(Execution(), mesh_of({"hubs", {4000, 5, 0}}));
+  std::size_t in_long_rings = 0;
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Ring ring = mesh.ring(v);
+    for(Index p = 0; p < ring.size(); ++p)
+      EXPECT_EQ(mesh.position(v, ring[p]), p);
+    EXPECT_EQ(mesh.position(v, v), ring.size());
+    in_long_rings += ring.size() > Flat_mesh::longest_searched_ring ? ring.size() : 0;
+  }
+  EXPECT_GT(in_long_rings, mesh.neighbor.size() / 8);
+  EXPECT_EQ(mesh.places_in_long_rings.size(), in_long_rings);
+}
+
 TEST(Flat_mesh_builder, LeavesOutWhatIsRemovedOrIsolated) {
   Soup soup = soup_of({"multi-torus", {2000, 3, 0}});
   soup.points.insert(soup.points.begin() + 100, {5., 5., 5.});

@@ -369,7 +369,7 @@ private:
     mesh.half_scale = mesh_.half_scale;
     mesh.number_of_hubs = mesh_.number_of_hubs;
     mesh.first_hub = static_cast<Index>(n - mesh.number_of_hubs);
-    mesh.find_places_at_hubs();
+    mesh.find_places_in_long_rings();
     mesh.count_handles();
     CGAL_postcondition_msg(mesh.genus == mesh_.genus, "a coarse mesh is of the same topology");
   }

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,18 @@ before(const Ring& ring_of_u, const Ring& ring_of_v, Index u, Index v) {
 /// curve on the surface crosses an edge to a hub at its other end.
 struct Flat_mesh
 {
+  static constexpr Index longest_searched_ring = 64;
+
+  /// The position of a neighbour in the ring of a vertex.
+  struct Place_in_ring
+  {
+    Index vertex, neighbor, position;
+
+    bool operator<(const Place_in_ring& other) const {
+      return std::tie(vertex, neighbor) < std::tie(other.vertex, other.neighbor);
+    }
+  };
+
   Uninitialized_vector<Vector> points;
   Uninitialized_vector<Index> row_begin; ///< size n + 1
   Uninitialized_vector<Index> neighbor;  ///< the rings, one after the other
@@ -88,7 +101,7 @@ struct Flat_mesh
   std::size_t genus = 0;                 ///< summed over the components
   Index first_hub = 0;                   ///< the hubs come after all other vertices
   Index number_of_hubs = 0;              ///< of the boundary curves
-  std::vector<std::pair<Index, Index>> places_at_hubs; ///< vertices, and positions; sorted
+  std::vector<Place_in_ring> places_in_long_rings; ///< sorted
 
   bool is_hub(Index v) const { return v - first_hub < number_of_hubs; }
 
@@ -109,13 +122,18 @@ struct Flat_mesh
     return number_of_hubs == 0 ? 0 : row_begin[first_hub + number_of_hubs] - row_begin[first_hub];
   }
 
-  /// the position of a neighbour in the ring of a vertex.
+  /// the position of a neighbour in the ring of a vertex, as `Ring::position()` says, which asks
+  /// one after the other.
   Index position(Index v, Index neighbor_of_v) const {
-    if(!is_hub(v))
-      return ring(v).position(neighbor_of_v);
-    return std::lower_bound(places_at_hubs.begin(), places_at_hubs.end(),
-                            std::make_pair(neighbor_of_v, Index(0)))
-        ->second;
+    const Ring around = ring(v);
+    if(around.size() <= longest_searched_ring || places_in_long_rings.empty())
+      return around.position(neighbor_of_v);
+    const auto place = std::lower_bound(places_in_long_rings.begin(), places_in_long_rings.end(),
+                                        Place_in_ring{v, neighbor_of_v, 0});
+    return place != places_in_long_rings.end() && place->vertex == v &&
+                   place->neighbor == neighbor_of_v
+               ? place->position
+               : around.size();
   }
 
   double edge_length(Index u, Index v) const {
@@ -123,12 +141,13 @@ struct Flat_mesh
     return rounded_length(to[0], to[1], to[2]);
   }
 
-  /// makes positions at hubs known, whose rings are there.
-  void find_places_at_hubs() {
-    for(Index hub = first_hub; hub < number_of_vertices(); ++hub)
-      for(Index p = 0; p < ring(hub).size(); ++p)
-        places_at_hubs.emplace_back(ring(hub)[p], p);
-    std::sort(places_at_hubs.begin(), places_at_hubs.end());
+  /// makes positions in long rings known, once all rings are there.
+  void find_places_in_long_rings() {
+    for(Index v = 0; v < number_of_vertices(); ++v)
+      if(const Ring around = ring(v); around.size() > longest_searched_ring)
+        for(Index p = 0; p < around.size(); ++p)
+          places_in_long_rings.push_back({v, around[p], p});
+    std::sort(places_in_long_rings.begin(), places_in_long_rings.end());
   }
 
   /// sets the genus, once the components are known.

@@ -408,7 +408,7 @@ private:
           mesh_.original[hub] = static_cast<Index>(index_bound_ + i);
         },
         1);
-    mesh_.find_places_at_hubs();
+    mesh_.find_places_in_long_rings();
   }
 
   static bool is_permutation(std::vector<Index> numbers) {
