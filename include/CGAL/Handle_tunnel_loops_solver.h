@@ -207,6 +207,8 @@ private:
     request.classes.do_link = options.do_compute_linking;
     request.classes.do_shorten = options.do_tighten;
     request.classes.search_effort = options.search_effort;
+    request.classes.maximum_running_time = choose_parameter(
+        get_parameter(np, internal_np::maximum_running_time), request.classes.maximum_running_time);
     request.seeds = seeds(
         choose_parameter(get_parameter(np, internal_np::seed_vertex), Graph_traits::null_vertex()));
     request.put_swept_vertices = [this, &np](const auto& swept) {

@@ -106,6 +106,18 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
     \cgalParamDefault{an empty function}
     \cgalParamExtra{After a stop, nothing has been written to `out`.}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{the time after which no more shorter loops are looked for in other
+      classes, in seconds of the wall clock, at least 0. What else there is to do is done, so that
+      the answer is certified, and bounds on its sides, as ever: of the passes none is cut short,
+      and a basis is ready at any time of the search after them}
+    \cgalParamType{`double`}
+    \cgalParamDefault{infinity}
+    \cgalParamExtra{The time is that of `Handle_tunnel_loops::Statistics::total_seconds()`, with the
+      preparation of the mesh. Once it has ended a search, as
+      `Handle_tunnel_loops::Statistics::was_ended_by_time` says, the answer may differ from run to
+      run, and with the number of threads.}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told when a stage begins and ends; copied, unless passed by
       `std::ref()`}
@@ -160,8 +172,8 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
   is a defect of the package, and nothing has been written
 \throws Handle_tunnel_loops::Literal_failure_exception if a literal rule leads nowhere
 \throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
-\throws std::invalid_argument if the seed vertex, the constants of the field or those of literal
-  rules are not valid
+\throws std::invalid_argument if the seed vertex, the constants of the field, those of literal
+  rules, the effort of the search or its time are not valid
 
 \sa `Handle_tunnel_loops_solver`
 \sa `certify_handle_tunnel_loops()`

@@ -179,6 +179,7 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
       "bounds_alone"_a = sides_alone, "linking"_a = matrix_of(answer.certificate.linking),
       "certificate"_a = certificate_of(answer.certificate),
       "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
+      "ended_by_time"_a = answer.statistics.was_ended_by_time,
       "number_of_vertices"_a = answer.statistics.number_of_vertices,
       "number_of_faces"_a = answer.statistics.number_of_faces,
       "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),

@@ -35,6 +35,7 @@ py::dict find_loops(const py::array& points,
                     std::optional<py::ssize_t> seed,
                     bool waists,
                     bool layers,
+                    std::optional<double> time_budget,
                     Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Solve_options options;
@@ -42,6 +43,8 @@ py::dict find_loops(const py::array& points,
   if(seed)
     options.seed = vertex_of(mesh, *seed);
   options.do_find_layers = layers;
+  if(time_budget)
+    options.maximum_running_time = *time_budget;
   return record_of(mesh, compute(threads, watch, [&] {
                      htloops::Answer answer =
                          htloops::choose_backend("auto").solve(mesh, options, watch);

@@ -34,6 +34,7 @@ def loops(
     seed: Optional[int],
     waists: bool,
     layers: bool,
+    time_budget: Optional[float],
     watch: Watch,
 ) -> _Record: ...
 def certify(

@@ -9,7 +9,7 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from . import _core
-from ._arguments import threads_of, vertex_or_none, word
+from ._arguments import real_or_none, threads_of, vertex_or_none, word
 from ._meshes import arrays
 from ._waiting import computed
 
@@ -111,6 +111,8 @@ class Loops:
         #: (n,): when it came, in steps of the field; -1 where there is no face
         self.layer_times: Optional[np.ndarray] = record.get("layer_times")
         self.certificate = Certificate(**record["certificate"])
+        #: whether the time budget has ended the search for shorter loops
+        self.ended_by_time: bool = record["ended_by_time"]
         self.number_of_components: int = record["number_of_components"]
         self.seconds: Dict[str, float] = record["seconds"]  #: by stage of the computation
 
@@ -186,6 +188,7 @@ def loops(
     *,
     waists: bool = False,
     layers: bool = False,
+    time_budget: Optional[float] = None,
 ) -> Loops:
     """The handle and tunnel loops of a mesh.
 
@@ -198,9 +201,11 @@ def loops(
     seed : the vertex that the computation begins at; chosen if not given
     waists : whether to look for the shortest loops that go around what boundary curves go around
     layers : whether to keep what each front of the first pass covered, and when
+    time_budget : seconds after which no more shorter loops are looked for in other classes; what else
+        there is to do is done
     progress : True for a bar, or a callable that is told a number from 0 to 1
 
-    The answer is certified, and the same for any number of threads. The time is about linear in m;
+    The answer is certified, and the same for any number of threads unless its time budget has ended it. The time is about linear in m;
     memory is about 150 bytes a face besides the arrays.
     """
     points, triangles = arrays(V, F)
@@ -216,6 +221,7 @@ def loops(
             vertex_or_none("seed", seed),
             bool(waists),
             bool(layers),
+            real_or_none("time_budget", time_budget),
         )
     )
 

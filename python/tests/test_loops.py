@@ -55,6 +55,13 @@ def test_definitions(genus_3, basis):
     assert htl.certify(V, F, L)
 
 
+def test_time_budget(genus_3):
+    L = htl.loops(*genus_3, time_budget=0)
+    assert L.certificate and L.ended_by_time
+    assert not htl.loops(*genus_3, time_budget=1e6).ended_by_time
+    assert not htl.loops(*genus_3).ended_by_time
+
+
 def test_linking(genus_3):
     sparse = pytest.importorskip("scipy.sparse")
     matrix = htl.loops(*genus_3).linking

@@ -157,8 +157,8 @@ struct Solver_options
   /// those that a Reeb graph starts from; with `Reference_tag` always.
   bool do_coarsen = true;
 
-  /// how long to look for shorter loops in other classes: as a multiple of the number of vertices
-  /// that are visited by default. The answer depends on it, but on no clock.
+  /// how long to look for shorter loops in other classes, in [0, 1000]: as a multiple of the number
+  /// of vertices that are visited by default. The answer depends on it, but on no clock.
   double search_effort = 1.;
 
   /// whether linking numbers tell handles from tunnels; otherwise the growth along the normals

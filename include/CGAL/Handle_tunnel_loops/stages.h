@@ -79,6 +79,8 @@ struct Statistics
   std::size_t swept_handles = 0;
   std::size_t traced_tunnels = 0;  ///< tunnels that the tunnel pass found
   std::size_t refined_handles = 0; ///< handles that the refinement pass replaced
+  /// whether the parameter `maximum_running_time` has ended the search for shorter loops.
+  bool was_ended_by_time = false;
   /// of the initial pass, if `Solver_options::do_log_fronts` asks for them; always by
   /// `Reference_tag`, where there are handles.
   std::vector<Front_event> front_events;

@@ -17,6 +17,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct Solve_options : CGAL::Handle_tunnel_loops::Solver_options
   std::optional<Mesh::Vertex_index> seed;
   bool do_find_layers = false; ///< and arrival times
   Basis_kind basis_kind = Basis_kind::PURE;
+  double maximum_running_time = (std::numeric_limits<double>::infinity)(); ///< seconds
   int number_of_threads = 0; ///< 0: as many as the machine has
 };
 

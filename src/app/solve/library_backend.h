@@ -46,7 +46,9 @@ template <typename ConcurrencyTag>
 Answer solve_with_library(const Mesh& mesh, const Solve_options& options, Progress& progress) {
   namespace parameters = CGAL::parameters;
   Show_stages visitor(progress);
-  const auto watched = parameters::callback(progress.callback()).visitor(std::ref(visitor));
+  const auto watched = parameters::callback(progress.callback())
+                           .visitor(std::ref(visitor))
+                           .maximum_running_time(options.maximum_running_time);
   const auto kind = parameters::basis_kind(options.basis_kind, watched);
   const CGAL::Handle_tunnel_loops::Solver_options& how = options;
   const auto np = parameters::solver_options(how, kind);

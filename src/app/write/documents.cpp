@@ -297,6 +297,7 @@ void write_loops_json(const std::string& target,
   out.member("basis", CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind));
   out.member("timings", timings(answer, run.read_seconds));
   out.member("certificate", json_of(answer.certificate));
+  out.member("ended_by_time", answer.statistics.was_ended_by_time);
   if(!linking.empty())
     out.member("linking", json_of(linking));
   if(!answer.statistics.fallback.empty())

@@ -58,6 +58,7 @@ Json json_of(const Mesh_line& line) {
   json["boundary_lengths"] = Json::array();
   for(const Loop& curve : line.answer.boundaries.curves)
     json["boundary_lengths"].push_back(curve.length());
+  json["ended_by_time"] = line.answer.statistics.was_ended_by_time;
   json["seconds"] = {{"read", line.read_seconds}, {"total", line.answer.total_seconds}};
   return json;
 }

@@ -289,6 +289,8 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
   const std::string sides = summary_of_sides(answer.certificate);
   if(!sides.empty())
     text += sides + "\n" + reasons(answer, options.show_all);
+  if(statistics.was_ended_by_time)
+    text += "the search for shorter loops was ended by its time budget\n";
   return text + remarks(statistics.resolution) +
          formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
                    read_seconds, answer.backend.c_str()) +

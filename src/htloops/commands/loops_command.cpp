@@ -49,7 +49,7 @@ std::string summary_of(const Loops_options& options, const Mesh_line& line) {
 bool has_usual_numbers(const Loops_options& options) {
   return !options.seed && options.basis == "pure" && options.classifier == "linking" &&
          !options.is_literal && !options.do_not_refine && !options.do_not_tighten &&
-         !options.do_not_coarsen && options.search_effort == 1. &&
+         !options.do_not_coarsen && options.search_effort == 1. && !options.time_budget &&
          (options.backend == "auto" || options.backend == "host");
 }
 

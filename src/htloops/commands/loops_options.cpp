@@ -85,7 +85,14 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
                   "how long to look for shorter loops in other classes, as a multiple of the\n"
                   "vertices that are visited by default: 0 to 1000; default: 1")
       ->option_text("FACTOR")
-      ->check(CLI::Range(0., 1000.));
+      ->check(CLI::Range(0., 1000.))
+      ->check(why_not_finite);
+  command
+      .add_option("--time-budget", options.time_budget,
+                  "seconds after which no more shorter loops are looked for in other classes;\n"
+                  "what else there is to do is done: the loops are certified as ever")
+      ->option_text("SECONDS")
+      ->check(why_not_finite);
   add_choice(command, "--classify", "HOW", options.classifier,
              "what tells handles from tunnels: linking (numbers, exact; the default)\n"
              "or offset (change of length: faster, but no loop is made to bound)",
@@ -161,6 +168,8 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   solve_options.do_tighten = !options.do_not_tighten && !options.is_literal;
   solve_options.do_coarsen = !options.do_not_coarsen;
   solve_options.search_effort = options.search_effort;
+  if(options.time_budget)
+    solve_options.maximum_running_time = *options.time_budget;
   solve_options.do_compute_linking = options.classifier == "linking" && !options.is_literal;
   solve_options.basis_kind = options.basis == "pure" ? Basis_kind::PURE : Basis_kind::SHORTEST;
   solve_options.do_log_fronts = !options.events_file.empty() || options.moment;
@@ -191,6 +200,8 @@ void check_loops_options(const Loops_options& options) {
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
     throw wrong_usage("--literal goes with --backend reference");
+  if(options.time_budget && *options.time_budget < 0.)
+    throw wrong_usage("--time-budget is a number of seconds, 0 or more");
   check_suffix(options.layers_file, ".ply");
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
     throw wrong_usage(std::string("--moment says when to look at the layers: it needs ") +
@@ -221,6 +232,7 @@ Json json_of(const Loops_options& options) {
       {"tighten", !options.do_not_tighten && !options.is_literal},
       {"coarsen", !options.do_not_coarsen && !options.do_not_tighten && !options.is_literal},
       {"search_effort", options.search_effort},
+      {"time_budget", options.time_budget ? Json(*options.time_budget) : Json()},
       {"waists", options.do_find_waists},
       {"triangulate", options.remedies.do_triangulate},
       {"repair", options.remedies.do_repair}};

@@ -50,6 +50,7 @@ struct Loops_options : Common_options
   bool do_not_tighten = false;
   bool do_not_coarsen = false;
   double search_effort = 1.;
+  std::optional<double> time_budget; ///< seconds
   bool do_find_waists = false;
   std::string basis = "pure";
   std::string classifier = "linking";

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -354,6 +356,90 @@ TEST(Index_maps, AreThoseGivenToTheSolver) {
   EXPECT_GE(*vertex_index.count, mesh.number_of_vertices());
   EXPECT_GE(*face_index.count, mesh.number_of_faces());
   expect_handle_tunnel_pairs(mesh, pairs, small_genus);
+}
+
+// ---- how long to search
+
+// Of many handles, so that there is something to search for.
+const Recipe long_search = {"gyroid", {12000, 15, 0}};
+
+template <typename ConcurrencyTag> void expect_certified_in_no_time(const Mesh& mesh) {
+  Solver solver(mesh);
+  for(const auto kind : {HTL::Basis_kind::PURE, HTL::Basis_kind::SHORTEST}) {
+    Pairs pairs;
+    solver.find_loops<ConcurrencyTag>(std::back_inserter(pairs),
+                                      params::basis_kind(kind, params::maximum_running_time(0.)));
+    EXPECT_TRUE(solver.certificate());
+    EXPECT_TRUE(solver.statistics().was_ended_by_time);
+    if(kind == HTL::Basis_kind::PURE) {
+      expect_handle_tunnel_pairs(mesh, pairs, long_search.request.genus);
+      EXPECT_EQ(solver.certificate().handles_bound_inside, long_search.request.genus);
+      EXPECT_EQ(solver.certificate().tunnels_bound_outside, long_search.request.genus);
+    }
+  }
+}
+
+TEST(Maximum_running_time, MayBeNone) {
+  const Mesh mesh = mesh_of(long_search);
+  expect_certified_in_no_time<CGAL::Sequential_tag>(mesh);
+  expect_certified_in_no_time<CGAL::Parallel_if_available_tag>(mesh);
+}
+
+// Wherever the search ends there is a basis, no longer than the one that it began with.
+TEST(Maximum_running_time, EndsTheSearchAnywhere) {
+  const Mesh mesh = mesh_of(long_search);
+  Solver solver(mesh);
+  const auto length_after = [&](double seconds) {
+    Pairs pairs;
+    solver.find_loops(std::back_inserter(pairs), params::maximum_running_time(seconds));
+    EXPECT_TRUE(solver.certificate()) << seconds;
+    EXPECT_EQ(solver.certificate().handles_bound_inside, pairs.size()) << seconds;
+    return total_length(pairs);
+  };
+  const double longest = length_after(0.);
+  const double begin = solver.statistics().total_seconds();
+  const double shortest = length_after(1e9);
+  EXPECT_LT(shortest, longest);
+  EXPECT_FALSE(solver.statistics().was_ended_by_time);
+  const double end = solver.statistics().total_seconds();
+  for(int i = 1; i < 8; ++i)
+    EXPECT_LE(length_after(begin + (end - begin) * i / 8.), longest * (1. + 1e-9));
+}
+
+TEST(Maximum_running_time, ChangesNothingIfItIsLong) {
+  const Mesh mesh = mesh_of(long_search);
+  const Pairs expected = find_loops(mesh);
+  for(const double seconds : {1e9, std::numeric_limits<double>::infinity()})
+    expect_same(find_loops(mesh, params::maximum_running_time(seconds)), expected);
+  expect_same(find_loops(mesh, params::maximum_running_time(1000000)), expected); // no double
+}
+
+TEST(Maximum_running_time, IsNotAskedForWhereThereIsNothingToSearch) {
+  const Mesh mesh = mesh_of({"sphere", {100, 0, 0}});
+  Solver solver(mesh);
+  solver.find_loops(CGAL::Emptyset_iterator(), params::maximum_running_time(0.));
+  EXPECT_FALSE(solver.statistics().was_ended_by_time);
+}
+
+TEST(Maximum_running_time, IsRefusedIfItIsNegative) {
+  const Mesh mesh = mesh_of({"torus", {200, 1, 0}});
+  for(const double seconds : {-1., -1e-300, std::nan(""), -std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(find_loops(mesh, params::maximum_running_time(seconds)), std::invalid_argument)
+        << seconds;
+}
+
+TEST(Search_effort, IsRefusedIfThereIsNoSuch) {
+  const Mesh mesh = mesh_of({"torus", {200, 1, 0}});
+  Options options;
+  const auto find = [&](double effort) {
+    options.search_effort = effort;
+    return find_loops(mesh, params::solver_options(options)).size();
+  };
+  for(const double effort :
+      {-1., -1e-300, 1000.1, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(find(effort), std::invalid_argument) << effort;
+  for(const double effort : {0., 1e-300, 1000.})
+    EXPECT_EQ(find(effort), 1u) << effort;
 }
 
 // ---- statistics

@@ -103,6 +103,11 @@ TEST_F(Loops_schema, fits_what_is_written) {
   const json document = written(open, solved(open));
   EXPECT_EQ(document["boundaries"].size(), 3u);
   schema_.expect_fits(document);
+  Solve_options hasty;
+  hasty.maximum_running_time = 0.;
+  const json ended = written(closed, solved(closed, hasty));
+  EXPECT_TRUE(ended["ended_by_time"].get<bool>());
+  schema_.expect_fits(ended);
   const Mesh sphere = mesh_of(Recipe{"sphere", {320, 0, 0}});
   schema_.expect_fits(written(sphere, solved(sphere)));
 }
@@ -121,19 +126,19 @@ TEST_F(Loops_schema, fits_what_is_not_known) {
 
 TEST_F(Loops_schema, refuses_what_is_something_else) {
   const Mesh mesh = small_mesh();
-  schema_.expect_refuses(written(mesh, small_answer(mesh)),
-                         {[](json& d) { d["format"] = "htloops/2"; }, //
-                          [](json& d) { d.erase("certificate"); },
-                          [](json& d) { d["mesh"]["genus"] = -1; },
-                          [](json& d) { d["mesh"].erase("file"); },
-                          [](json& d) { d["pairs"][0]["handle"].erase("points"); },
-                          [](json& d) { d["pairs"][0]["handle"].erase("component"); },
-                          [](json& d) {
-                            d["pairs"][1]["tunnel"]["locations"][0] = {0, 1};
-                          },
-                          [](json& d) { d["pairs"][0]["handle"]["bounds"] = "both"; },
-                          [](json& d) { d["pairs"][0]["box"].erase(0); },
-                          [](json& d) { d["timings"]["total"] = "long"; }});
+  schema_.expect_refuses(
+      written(mesh, small_answer(mesh)),
+      {[](json& d) { d["format"] = "htloops/2"; }, //
+       [](json& d) { d.erase("certificate"); }, [](json& d) { d["ended_by_time"] = 1; },
+       [](json& d) { d["mesh"]["genus"] = -1; }, [](json& d) { d["mesh"].erase("file"); },
+       [](json& d) { d["pairs"][0]["handle"].erase("points"); },
+       [](json& d) { d["pairs"][0]["handle"].erase("component"); },
+       [](json& d) {
+         d["pairs"][1]["tunnel"]["locations"][0] = {0, 1};
+       },
+       [](json& d) { d["pairs"][0]["handle"]["bounds"] = "both"; },
+       [](json& d) { d["pairs"][0]["box"].erase(0); },
+       [](json& d) { d["timings"]["total"] = "long"; }});
 }
 
 TEST(Reeb_schema, fits_what_is_written) {

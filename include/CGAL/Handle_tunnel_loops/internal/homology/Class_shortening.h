@@ -41,6 +41,8 @@ loop of its own kind but for a net number of zero: so they are of the same subgr
 tightened; then, the shortest first, each takes the place of the longest loop that can be replaced
 by it. That is the greedy algorithm for the lightest basis, but for what is not found, and for
 coordinates other than 1 and -1.
+
+The loops are a basis after each exchange, so that it can end at any time.
 */
 class Class_shortening
 {
@@ -73,9 +75,11 @@ public:
                          const std::vector<char>& is_new) {
     loops_ = &loops;
     is_pure_ = &is_pure;
-    measure();
     sources_.resize(loops.size());
     std::iota(sources_.begin(), sources_.end(), Index(0));
+    if(!progress_.time().is_any_left())
+      return std::move(sources_);
+    measure();
     prepare_search(is_new);
     patience_.assign(loops.size(), 1.);
     // Loops that have just been put together have been seen by nothing, the others by a field. On a
@@ -178,7 +182,8 @@ private:
     for(int round = 0; round < most_rounds && visits > 0.; ++round) {
       const double before = total_length(), share = visits;
       visits -= double(size_of_loops());
-      if(visits <= 0. || !find_candidates(visits))
+      if(visits <= 0. || !is_any_open() || !progress_.time().is_any_left() ||
+         !find_candidates(visits))
         break;
       exchange();
       // It goes on as long as it pays.
@@ -190,6 +195,10 @@ private:
         spare -= more;
       }
     }
+  }
+
+  bool is_any_open() const {
+    return std::find(is_open_.begin(), is_open_.end(), 1) != is_open_.end();
   }
 
   // What it takes to find out about classes, before anything is visited.
@@ -282,8 +291,6 @@ private:
 
   // Returns whether anything was looked for.
   bool find_candidates(double& visits) {
-    if(std::find(is_open_.begin(), is_open_.end(), 1) == is_open_.end())
-      return false;
     classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
     const std::vector<Class_vector> duals = dual_classes();
     std::vector<Task> tasks = tasks_within(visits, duals);
@@ -295,7 +302,7 @@ private:
         [&](std::size_t n) {
           Task& task = tasks[n];
           task.left = patience * task.effort.visits;
-          if(task.left > 0 && progress_.goes_on())
+          if(task.left > 0 && progress_.goes_on() && progress_.time().is_any_left())
             found[n] = candidates(task, duals);
         },
         1);

@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,12 +37,14 @@ struct Class_options
   bool do_link = true; ///< without, nothing is known of sides
   bool do_shorten = true;
   double search_effort = 1.; ///< by how much more to search than by default
-  double offset = 0.;        ///< by which loops are moved that linking numbers do not name
+  double maximum_running_time = (std::numeric_limits<double>::infinity)(); ///< seconds
+  double offset = 0.; ///< by which loops are moved that linking numbers do not name
 };
 
 /// changes pairs, which are a basis, to pairs of the kind that is wanted: makes them pure where
 /// their linking numbers allow, and as short as it can. Returns the relations of the pairs, if it
-/// has come to know them. Long loops are searched for on the coarse mesh, if there is one.
+/// has come to know them. Long loops are searched for on the coarse mesh, if there is one. It looks
+/// for shorter loops while there is time.
 CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution execution,
                                                                const Flat_mesh& mesh,
                                                                const Class_options& options,

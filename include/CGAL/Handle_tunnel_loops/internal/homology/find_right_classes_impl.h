@@ -93,7 +93,9 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
   std::optional<Loop_relations> relations;
   Class_shortening shortening(execution, mesh, coarse, options.search_effort, progress);
   if(options.do_link) {
+    const double began = progress.time().seconds_spent();
     relations = relate(pairs);
+    progress.time().keep_back(progress.time().seconds_spent() - began); // for the second time
     const std::vector<Flat_pair> first = pairs;
     progress.advance(first_linking);
     Purification purification(execution, mesh, options.do_shorten, progress, coarse);

@@ -72,6 +72,15 @@ inline Loop_relations relate(Execution execution,
   return linker.take_relations();
 }
 
+/// throws `std::invalid_argument` if there is no such search.
+inline void check_search(const Class_options& options) {
+  constexpr double most_effort = 1000.;
+  if(!(options.search_effort >= 0. && options.search_effort <= most_effort))
+    throw std::invalid_argument("the search effort must be in [0, 1000]");
+  if(!(options.maximum_running_time >= 0.))
+    throw std::invalid_argument("the maximum running time must not be negative");
+}
+
 CGAL_HTL_CORE Certificate find_loops(Execution execution,
                                      const Flat_mesh& mesh,
                                      const Loop_request& request,
@@ -79,6 +88,9 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
                                      Progress& progress,
                                      Statistics& statistics) {
   check_constants(request.passes.field_constants);
+  check_search(request.classes);
+  progress.time().limit(request.classes.maximum_running_time -
+                        statistics.seconds_of(Stage::ADAPTOR));
   Class_options classes = request.classes;
   if(request.passes.literal_rules.finite_offset)
     classes.offset =
@@ -99,6 +111,7 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
           [&](const std::vector<Flat_pair>& now) { return relate(execution, surface, now, true); },
           pairs, progress, coarse.get());
     });
+  statistics.was_ended_by_time = progress.time().has_been_refused();
   progress.run(Stage::CONVERT, [&, &pairs = pairs] { caller.convert(execution, pairs); });
   if(!relations)
     relations = relate(execution, surface, pairs, classes.do_link);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Time_budget.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -28,7 +29,8 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Tells the visitor of the stages and the callback of the progress, measures the stages, and
-/// remembers a wish to stop. The callback is never called by two threads at once.
+/// remembers a wish to stop, and how much time there is. The callback is never called by two
+/// threads at once.
 class Progress final : public Watch
 {
 public:
@@ -125,6 +127,9 @@ public:
 
   bool is_interrupted() const { return is_interrupted_; }
 
+  /// which began with this.
+  Time_budget& time() { return time_; }
+
   void throw_if_interrupted() const {
     if(is_interrupted_)
       throw Interrupted_exception();
@@ -158,6 +163,7 @@ private:
   Stage_function start_stage_, end_stage_;
   Statistics& statistics_;
   std::vector<Weighted_stage> stages_;
+  Time_budget time_;
   Stage stage_ = Stage::ADAPTOR;
   Clock::time_point began_;
   std::atomic<std::size_t> done_{0};
