@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <mutex>
 #include <random>
@@ -48,13 +49,17 @@ the copy passes over the pushed walk, by the sense in which they cross.
   one face seen from either side, the pushed edge lies beyond the silhouette if the edge is convex,
   and is not crossed; if it is reflex the pushed edge lies between the two faces, and the copy
   passes over it once and under it once.
+- A copy and a walk whose boxes are apart are not linked: nothing is counted of them.
 
 No number is compared with a tolerance. The lines that may cross are found by a tree of boxes: near
-linear in the number of lines and of places where one passes over another.
+linear in the number of lines and of places where one passes over another of a loop close by.
 */
 class Linking_numbers
 {
-  using Rectangle = Box<2>;
+  using Extent = Box<3>;
+
+  // Around a line in the projection, and around the whole loops that it is of in space.
+  using Seen_box = Box<5>;
 
 public:
   Linking_numbers(Execution execution, const Surface_curves& curves)
@@ -185,43 +190,78 @@ private:
     });
   }
 
-  Rectangle box(Index p, Index q) const {
+  // By loop, around the walk and around the copy.
+  void find_extents() {
+    extents_of_walks_.assign(curves_.outward.size(), Extent::empty());
+    extents_of_copies_ = extents_of_walks_;
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      for(const Matrix_entry& walk : curves_.walks.of(e))
+        for(Index v : {curves_.edges[e].source, curves_.edges[e].target})
+          extents_of_walks_[walk.column].extend(place(v));
+    for(const Corner& corner : curves_.corners)
+      for(Index v : {corner.apex, corner.from, corner.to})
+        extents_of_copies_[corner.loop].extend(place(v));
+  }
+
+  Extent place(Index v) const { return {curves_.vertices[v], curves_.vertices[v]}; }
+
+  // Of all loops whose walks run along an edge: nothing, if they cancel each other.
+  Extent extent_at(std::size_t e) const {
+    Extent all = Extent::empty();
+    for(const Matrix_entry& walk : curves_.walks.of(e))
+      all.extend(extents_of_walks_[walk.column]);
+    return all;
+  }
+
+  Seen_box box(Index p, Index q, const Extent& of_loops) const {
     const auto [x1, y1] = points_.position(p);
     const auto [x2, y2] = points_.position(q);
     const double e = (std::max)(points_.position_error(p), points_.position_error(q));
-    return {{(std::min)(x1, x2) - e, (std::min)(y1, y2) - e},
-            {(std::max)(x1, x2) + e, (std::max)(y1, y2) + e}};
+    const auto& [low, high] = of_loops;
+    return {{(std::min)(x1, x2) - e, (std::min)(y1, y2) - e, low[0], low[1], low[2]},
+            {(std::max)(x1, x2) + e, (std::max)(y1, y2) + e, high[0], high[1], high[2]}};
   }
 
-  // The order of rectangles along a space-filling curve.
-  static std::vector<Index> order(Execution execution, const std::vector<Rectangle>& boxes) {
-    Rectangle all = boxes.empty() ? Rectangle{{0., 0.}, {0., 0.}} : boxes.front();
-    for(const Rectangle& b : boxes)
-      all.extend(b);
-    const auto relative = [&all](const Rectangle& b, std::size_t i) {
-      const double size = all.high[i] - all.low[i];
-      return size > 0. ? (b.low[i] - all.low[i]) / size : 0.;
+  // The order of lines along a space-filling curve, in slabs: what is seen at one place may be of
+  // loops that are far apart. `vertex_of` gives a vertex of each.
+  template <typename Vertex_of>
+  std::vector<Index>
+  order(Execution execution, const std::vector<Seen_box>& boxes, const Vertex_of& vertex_of) const {
+    constexpr double slabs = 8.;
+    const auto height = [&](std::size_t i) { return curves_.vertices[vertex_of(i)][2] / 2.; };
+    Seen_box all = Seen_box::empty();
+    double low = 0., high = 0.;
+    for(std::size_t i = 0; i < boxes.size(); ++i) {
+      all.extend(boxes[i]);
+      low = i == 0 ? height(i) : (std::min)(low, height(i));
+      high = i == 0 ? height(i) : (std::max)(high, height(i));
+    }
+    const auto part = [](double x, double from, double to) {
+      return to > from ? (x - from) / (to - from) : 0.;
     };
     return space_filling_order(execution, boxes.size(), [&](std::size_t i) {
-      return Vector{relative(boxes[i], 0), relative(boxes[i], 1), 0.};
+      const Seen_box& b = boxes[i];
+      return Vector{part(b.low[0], all.low[0], all.high[0]),
+                    part(b.low[1], all.low[1], all.high[1]),
+                    std::floor(slabs * part(height(i), low, high)) / slabs};
     });
   }
 
-  // Rectangles with the numbers of what they are around, those that are near each other together.
+  // Boxes with the numbers of what they are around, those that are near each other together.
   struct Sorted_boxes
   {
     std::vector<Index> numbers;
-    std::vector<Rectangle> boxes;
+    std::vector<Seen_box> boxes;
   };
 
-  template <typename Ends>
-  Sorted_boxes sorted_boxes(Execution execution, std::size_t n, const Ends& ends) const {
-    std::vector<Rectangle> boxes(n);
-    for_each_index(execution, n, [&](std::size_t i) {
-      const auto [p, q] = ends(i);
-      boxes[i] = box(p, q);
-    });
-    Sorted_boxes sorted{order(execution, boxes), std::vector<Rectangle>(n)};
+  template <typename Box_of, typename Vertex_of>
+  Sorted_boxes sorted_boxes(Execution execution,
+                            std::size_t n,
+                            const Box_of& box_of,
+                            const Vertex_of& vertex_of) const {
+    std::vector<Seen_box> boxes(n);
+    for_each_index(execution, n, [&](std::size_t i) { boxes[i] = box_of(i); });
+    Sorted_boxes sorted{order(execution, boxes, vertex_of), std::vector<Seen_box>(n)};
     for_each_index(execution, n,
                    [&](std::size_t i) { sorted.boxes[i] = boxes[sorted.numbers[i]]; });
     return sorted;
@@ -229,14 +269,20 @@ private:
 
   void add_crossings(Execution execution) {
     add_ends(execution);
-    using Ends = std::pair<Index, Index>;
-    Sorted_boxes edges = sorted_boxes(execution, curves_.edges.size(), [this](std::size_t e) {
-      return Ends(curves_.edges[e].source, curves_.edges[e].target);
-    });
-    const Sorted_boxes corners =
-        sorted_boxes(execution, curves_.corners.size(),
-                     [this](std::size_t c) { return Ends(first_end(c), first_end(c) + 1); });
-    const Box_tree<2> tree(std::move(edges.boxes));
+    find_extents();
+    const auto& all_edges = curves_.edges;
+    const auto& all_corners = curves_.corners;
+    Sorted_boxes edges = sorted_boxes(
+        execution, all_edges.size(),
+        [&](std::size_t e) { return box(all_edges[e].source, all_edges[e].target, extent_at(e)); },
+        [&](std::size_t e) { return all_edges[e].source; });
+    const Sorted_boxes corners = sorted_boxes(
+        execution, all_corners.size(),
+        [&](std::size_t c) {
+          return box(first_end(c), first_end(c) + 1, extents_of_copies_[all_corners[c].loop]);
+        },
+        [&](std::size_t c) { return all_corners[c].apex; });
+    const Box_tree<5> tree(std::move(edges.boxes));
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
         execution, corners.boxes.size(),
         [&](std::size_t begin, std::size_t end) {
@@ -254,16 +300,16 @@ private:
   }
 
   // Of corners that follow each other in their order, hence lie near each other.
-  void add_crossings(const Box_tree<2>& tree,
+  void add_crossings(const Box_tree<5>& tree,
                      const std::vector<Index>& edges,
                      const Sorted_boxes& corners,
                      std::size_t begin,
                      std::size_t end,
                      std::vector<Matrix_entry>& entries) {
-    Rectangle all = corners.boxes[begin];
+    Seen_box all = corners.boxes[begin];
     for(std::size_t i = begin; i < end; ++i)
       all.extend(corners.boxes[i]);
-    tree.for_each_meeting(all, [&](Index i, const Rectangle& box_of_edge) {
+    tree.for_each_meeting(all, [&](Index i, const Seen_box& box_of_edge) {
       for(std::size_t j = begin; j < end; ++j)
         if(corners.boxes[j].meets(box_of_edge))
           add_terms(corners.numbers[j], edges[i], entries);
@@ -277,7 +323,8 @@ private:
     const int sign = crossing(c, e);
     if(sign != 0)
       for(const Matrix_entry& walk : curves_.walks.of(e))
-        entries.push_back({corner.loop, walk.column, sign * walk.value});
+        if(extents_of_copies_[corner.loop].meets(extents_of_walks_[walk.column]))
+          entries.push_back({corner.loop, walk.column, sign * walk.value});
   }
 
   static bool touches(const Corner& c, const Edge& edge) {
@@ -311,7 +358,8 @@ private:
   Projected_points points_;
   Sparse_matrix linking_, intersections_, defect_; // see `Linking`
   int number_of_attempts_ = 0;
-  std::mutex mutex_; // for contacts_
+  std::vector<Extent> extents_of_walks_, extents_of_copies_; // by loop
+  std::mutex mutex_;                                         // for contacts_
   std::vector<Contact> contacts_;
   std::atomic<bool> has_too_many_contacts_{false};
 };
