@@ -135,8 +135,8 @@ TEST(Coarse_mesh, IsMadeWithinLimits) {
   const Surface surface(mesh_of({"plates", {20000, 10, 0}}));
   const Flat_mesh& mesh = surface.flat();
   Coarse_mesh_builder builder(Execution(), mesh, 16, mesh.seeds);
-  EXPECT_GE(builder.expected_number_of_vertices(), mesh.number_of_vertices() / 4);
-  EXPECT_FALSE(builder.build(mesh.number_of_vertices() / 4));
+  EXPECT_GE(builder.expected_number_of_vertices(), mesh.number_of_vertices() / 8);
+  EXPECT_FALSE(builder.build(mesh.number_of_vertices() / 8));
   const std::size_t all = coarse_mesh_of(mesh, 16).mesh.number_of_vertices();
   EXPECT_GE(all, mesh.number_of_vertices() / 4);
   EXPECT_FALSE(builder.build(all, 0));

@@ -79,12 +79,9 @@ public:
   /// again with larger limits, and what has been done is not lost.
   std::optional<Coarse_mesh> build(std::size_t most_vertices = unlimited,
                                    std::size_t most_work = unlimited) {
-    while(!unfit_.empty()) {
-      if(number_of_cells_ + unfit_.size() > most_vertices || work_ > most_work)
-        return std::nullopt;
+    while(!unfit_.empty() && number_of_cells_ <= most_vertices && work_ <= most_work)
       divide_unfit_cells();
-    }
-    if(number_of_cells_ > most_vertices)
+    if(!unfit_.empty() || number_of_cells_ > most_vertices)
       return std::nullopt;
     return coarse_mesh();
   }
