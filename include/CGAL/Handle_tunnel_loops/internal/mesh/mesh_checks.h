@@ -42,14 +42,23 @@ private:
   std::atomic<std::size_t> first_{none};
 };
 
-inline void throw_vertex_defect(Mesh_defect defect, std::size_t v, const std::string& what) {
+[[noreturn]] inline void
+throw_vertex_defect(Mesh_defect defect, std::size_t v, const std::string& what) {
   throw Invalid_mesh_exception(defect, {v}, what + ": vertex " + std::to_string(v));
 }
 
-inline void
+[[noreturn]] inline void
 throw_edge_defect(Mesh_defect defect, std::size_t u, std::size_t v, const std::string& what) {
   throw Invalid_mesh_exception(defect, {u, v},
                                what + ": edge " + std::to_string(u) + " - " + std::to_string(v));
+}
+
+/// throws `Invalid_mesh_exception` where indices of triangles and their corners are not enough.
+inline void check_size(std::size_t number_of_triangles, std::size_t number_of_vertices) {
+  if(number_of_vertices >= no_index / 2)
+    throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many vertices");
+  if(number_of_triangles > (std::size_t(1) << 31) / 3)
+    throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
 }
 
 /// throws `Invalid_mesh_exception`, naming an edge, unless all faces are triangles. Returns whether
