@@ -75,9 +75,10 @@ void solve(const Mesh& mesh) {
 }
 
 void solve_if_sound(const Soup& soup) {
-  const Diagnosis diagnosis = diagnose(soup);
-  if(diagnosis.defects.empty())
-    solve(build_mesh(soup, diagnosis));
+  const Built_mesh built = build_mesh(soup);
+  require(built.defects.size() == diagnose(soup).size(), "what is built is sound");
+  if(built.defects.empty())
+    solve(built.mesh);
 }
 
 } // namespace

@@ -17,25 +17,25 @@
 #include "read/loops_reader.h"
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
-#include <CGAL/boost/graph/generators.h>
+
+#include <array>
+#include <utility>
+#include <vector>
 
 namespace {
 
 // A torus of 4 times 4 squares; the seeds are about it.
 htloops::Mesh make_torus() {
-  htloops::Mesh mesh;
-  std::vector<htloops::Mesh::Vertex_index> v;
-  for(int i = 0; i < 4; ++i)
-    for(int j = 0; j < 4; ++j)
-      v.push_back(mesh.add_vertex(htloops::Point(i, j, i * j)));
+  std::vector<htloops::Point> points;
+  std::vector<std::array<int, 3>> triangles;
   for(int i = 0; i < 4; ++i)
     for(int j = 0; j < 4; ++j) {
-      const auto a = v[4 * i + j], b = v[4 * ((i + 1) % 4) + j], c = v[4 * i + (j + 1) % 4],
-                 d = v[4 * ((i + 1) % 4) + (j + 1) % 4];
-      mesh.add_face(a, b, d);
-      mesh.add_face(a, d, c);
+      points.emplace_back(i, j, i * j);
+      const int a = 4 * i + j, b = 4 * ((i + 1) % 4) + j, c = 4 * i + (j + 1) % 4,
+                d = 4 * ((i + 1) % 4) + (j + 1) % 4;
+      triangles.insert(triangles.end(), {{a, b, d}, {a, d, c}});
     }
-  return mesh;
+  return {std::move(points), triangles};
 }
 
 } // namespace

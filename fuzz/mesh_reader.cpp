@@ -17,14 +17,17 @@
 #include "read/soup.h"
 #include "read/soup_diagnosis.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
 namespace {
 
 using namespace htloops;
 
 void build_if_sound(const Soup& soup) {
-  const Diagnosis diagnosis = diagnose(soup);
-  if(diagnosis.defects.empty())
-    require(build_mesh(soup, diagnosis).is_valid(), "a sound soup is a valid mesh");
+  const Built_mesh built = build_mesh(soup);
+  require(built.defects.size() == diagnose(soup).size(), "what is built is sound");
+  if(built.defects.empty())
+    require(CGAL::is_valid_face_graph(built.mesh), "a sound soup is a valid mesh");
 }
 
 } // namespace

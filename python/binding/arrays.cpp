@@ -50,7 +50,7 @@ void add_faces(const py::array& array, Soup& soup) {
 
 const char* advice_on(const Soup& soup) {
   const Soup mended = htloops::mend(soup, {true, true}).soup;
-  return htloops::diagnose(mended).defects.empty() ? "\nrepair() mends it" : "";
+  return htloops::diagnose(mended).empty() ? "\nrepair() mends it" : "";
 }
 
 } // namespace
@@ -69,9 +69,9 @@ Soup soup_of(const py::array& points, const std::vector<py::array>& faces) {
   return soup;
 }
 
-void throw_if_no_surface(const htloops::Diagnosis& diagnosis, const char* advice) {
+void throw_if_no_surface(const std::vector<htloops::Defect>& defects, const char* advice) {
   std::string message;
-  for(const htloops::Defect& defect : diagnosis.defects)
+  for(const htloops::Defect& defect : defects)
     message += (message.empty() ? "" : "\n") + defect.message;
   if(!message.empty())
     throw Mesh_error(message + advice);
@@ -80,10 +80,10 @@ void throw_if_no_surface(const htloops::Diagnosis& diagnosis, const char* advice
 htloops::Mesh mesh_of(const py::array& points, const py::array& triangles) {
   const Soup soup = soup_of(points, {triangles});
   const py::gil_scoped_release others_may_run;
-  const htloops::Diagnosis diagnosis = htloops::diagnose(soup);
-  if(!diagnosis.defects.empty())
-    throw_if_no_surface(diagnosis, advice_on(soup));
-  return htloops::build_mesh(soup, diagnosis);
+  htloops::Built_mesh built = htloops::build_mesh(soup);
+  if(!built.defects.empty())
+    throw_if_no_surface(built.defects, advice_on(soup));
+  return std::move(built.mesh);
 }
 
 htloops::Mesh::Vertex_index vertex_of(const htloops::Mesh& mesh, py::ssize_t number) {
@@ -111,8 +111,7 @@ py::tuple arrays_of(const htloops::Mesh& mesh) {
   for(const htloops::Mesh::Face_index f : mesh.faces())
     for(const htloops::Mesh::Halfedge_index h : halfedges_around_face(mesh.halfedge(f), mesh))
       corners.push_back(mesh.source(h).idx()); // so that corners stay in their order
-  std::vector<htloops::Point> points(mesh.points().begin(), mesh.points().end());
-  return py::make_tuple(rows_of<double>(points), array_of(corners, 3));
+  return py::make_tuple(rows_of<double>(mesh.points()), array_of(corners, 3));
 }
 
 } // namespace htl_python

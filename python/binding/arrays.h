@@ -38,7 +38,7 @@ public:
 htloops::Soup soup_of(const py::array& points, const std::vector<py::array>& faces);
 
 /// throws `Mesh_error` with all that is wrong, if anything is, and with advice.
-void throw_if_no_surface(const htloops::Diagnosis& diagnosis, const char* advice = "");
+void throw_if_no_surface(const std::vector<htloops::Defect>& defects, const char* advice = "");
 
 /// the mesh of such arrays, of triangles. Vertices and faces keep their numbers. Throws
 /// `Mesh_error` with all that is wrong.
@@ -69,7 +69,7 @@ template <typename Number, typename Triples> py::array_t<Number> rows_of(const T
   return array;
 }
 
-/// the points and the faces of a mesh without holes in its numbering.
+/// the points and the faces of a mesh.
 py::tuple arrays_of(const htloops::Mesh& mesh);
 
 } // namespace htl_python

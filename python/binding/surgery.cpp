@@ -97,50 +97,22 @@ py::dict words_of(const htl::Removal_report& report) {
                   "refused_necks"_a = records_of(report.refused_necks));
 }
 
-template <typename Element> using Origins = Mesh::Property_map<Element, std::int64_t>;
-
-// Numbers the faces, or the vertices, of a mesh; -1 for what comes later.
-template <typename Element, typename Elements>
-Origins<Element> number(Mesh& mesh, const Elements& elements, const std::string& name = "origin") {
-  const auto origins = mesh.add_property_map<Element, std::int64_t>(name, -1).first;
-  for(const Element element : elements)
-    origins[element] = element.idx();
-  return origins;
-}
-
-template <typename Element, typename Elements>
-py::array numbers(const Origins<Element>& origins, const Elements& elements) {
-  std::vector<std::int64_t> all;
-  for(const Element element : elements)
-    all.push_back(origins[element]);
-  return array_of(all);
-}
-
 py::tuple remove_handles(const py::array& points,
                          const py::array& triangles,
                          const py::dict& loops,
                          const py::dict& chosen,
                          int threads,
                          Watch& watch) {
-  Mesh mesh = mesh_of(points, triangles);
-  const auto vertex_origin = number<Mesh::Vertex_index>(mesh, mesh.vertices());
-  const auto face_origin = number<Mesh::Face_index>(mesh, mesh.faces());
+  const Mesh mesh = mesh_of(points, triangles);
   const htloops::Removal_options options = options_of(chosen);
   const htloops::Pairs pairs = pairs_of(loops, mesh);
-  const auto face_parent = number<Mesh::Face_index>(mesh, mesh.faces(), "parent");
-  htl::Removal_report report;
-  compute(threads, watch, [&] {
-    const htloops::Removal_answer answer = htloops::remove_handles(mesh, pairs, options, watch);
-    report = answer.report;
-    for(const auto& [part, parent] : answer.parents)
-      face_parent[part] = parent.idx();
-    mesh.collect_garbage();
-  });
-  const py::tuple arrays = arrays_of(mesh);
-  py::dict words = words_of(report);
-  words["vertex_origin"] = numbers(vertex_origin, mesh.vertices());
-  words["face_parent"] = numbers(face_parent, mesh.faces());
-  return py::make_tuple(arrays[0], arrays[1], numbers(face_origin, mesh.faces()), words);
+  const htloops::Removal_answer answer =
+      compute(threads, watch, [&] { return htloops::remove_handles(mesh, pairs, options, watch); });
+  const py::tuple arrays = arrays_of(answer.mesh);
+  py::dict words = words_of(answer.report);
+  words["vertex_origin"] = array_of(answer.vertex_origins);
+  words["face_parent"] = array_of(answer.face_parents);
+  return py::make_tuple(arrays[0], arrays[1], array_of(answer.face_origins), words);
 }
 
 py::tuple cut_to_disk(const py::array& points,

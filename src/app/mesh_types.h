@@ -12,14 +12,13 @@
 
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
+#include <CGAL/Handle_tunnel_loops/Triangle_arrays.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,7 +29,7 @@ using CGAL::Loop_type;
 using CGAL::Handle_tunnel_loops::Basis_kind;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using Mesh = CGAL::Handle_tunnel_loops::Triangle_arrays<Point>;
 
 /// whether a point is somewhere.
 inline bool is_finite(const Point& p) {
@@ -66,24 +65,9 @@ inline const char* name_of(Loop_type type) {
   return type == Loop_type::HANDLE ? "handle" : type == Loop_type::TUNNEL ? "tunnel" : "boundary";
 }
 
-/// Whether an edge lies across a face of the file, which was cut into triangles.
-using Face_cuts = Mesh::Property_map<Mesh::Edge_index, bool>;
-
-/// They go with the mesh.
-inline Face_cuts add_face_cuts(Mesh& mesh) {
-  return mesh.add_property_map<Mesh::Edge_index, bool>("e:cuts_face", false).first;
-}
-
-// What CGAL 5 and CGAL 6 return for a map that may not be there.
-inline std::optional<Face_cuts> if_found(const std::pair<Face_cuts, bool>& map) {
-  return map.second ? std::optional<Face_cuts>(map.first) : std::nullopt;
-}
-inline std::optional<Face_cuts> if_found(const std::optional<Face_cuts>& map) { return map; }
-
-/// nothing for a mesh whose faces all were triangles.
-inline std::optional<Face_cuts> cuts_of_faces(const Mesh& mesh) {
-  return if_found(mesh.property_map<Mesh::Edge_index, bool>("e:cuts_face"));
-}
+/// Whether an edge, by its number, lies across a face of the file, which was cut into triangles;
+/// empty if all were triangles.
+using Face_cuts = std::vector<char>;
 
 /// Red, green and blue.
 using Colour = std::array<unsigned char, 3>;

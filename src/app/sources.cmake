@@ -15,6 +15,7 @@ if(TARGET Handle_tunnel_loops_cuda)
   list(APPEND HTLOOPS_APP_SOURCES solve/cuda_backend.cpp)
 endif()
 list(APPEND HTLOOPS_APP_SOURCES
+  solve/changeable_mesh.cpp
   version.cpp
   interrupt.cpp
   draw/gltf.cpp

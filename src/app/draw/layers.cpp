@@ -145,7 +145,7 @@ public:
   std::vector<Exported_line> walk() {
     for(const bool from_border : {true, false})
       for(const Mesh::Halfedge_index h : mesh_.halfedges())
-        if(rises(h) && is_walked_[h] == 0 && !mesh_.is_border(h) &&
+        if(rises(h) && is_walked_[h.idx()] == 0 && !mesh_.is_border(h) &&
            (!from_border || mesh_.is_border(mesh_.opposite(h))))
           lines_.push_back(line_from(h));
     return std::move(lines_);
@@ -164,8 +164,8 @@ private:
     line.colour = colour_of_front;
     line.is_outlined = true;
     line.index = lines_.size();
-    while(is_walked_[h] == 0) {
-      is_walked_[h] = 1;
+    while(is_walked_[h.idx()] == 0) {
+      is_walked_[h.idx()] = 1;
       line.points.push_back(point_on(h));
       if(mesh_.is_border(h))
         return line;

@@ -32,7 +32,7 @@ void number_copies(const Mesh& mesh,
   const Mesh::Halfedge_index some = mesh.halfedge(v);
   Mesh::Halfedge_index first = some;
   while(!begins_corner(mesh, first, is_cut)) {
-    first = mesh.next_around_target(first);
+    first = mesh.opposite(mesh.next(first));
     if(first == some)
       break; // there is one corner only
   }
@@ -44,7 +44,7 @@ void number_copies(const Mesh& mesh,
       soup.points.push_back(soup.points[v.idx()]);
     }
     copy[h.idx()] = number;
-    h = mesh.next_around_target(h);
+    h = mesh.opposite(mesh.next(h));
   } while(h != first);
 }
 
@@ -121,7 +121,7 @@ void check_opened_mesh_format(const std::string& file) {
 }
 
 generators::Soup opened_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
-  std::vector<char> is_cut(mesh.number_of_edges(), 0);
+  std::vector<char> is_cut(mesh.number_of_halfedges(), 0);
   for(const Mesh::Edge_index e : cut)
     is_cut[e.idx()] = 1;
   generators::Soup soup;

@@ -125,7 +125,7 @@ private:
   // Where the three sides of a face do not tell the same, each has a third of it.
   template <typename Parts> void cut_to_fan(Mesh::Face_index f, Parts& parts) {
     const std::uint32_t middle = add_middle(f);
-    for(Mesh::Halfedge_index side : mesh_.halfedges_around_face(mesh_.halfedge(f)))
+    for(Mesh::Halfedge_index side : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_))
       cut_side(side, middle, parts);
   }
 

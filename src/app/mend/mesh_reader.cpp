@@ -49,14 +49,18 @@ std::string words_on_changes(const std::vector<Change>& changes) {
                 message(file.name(), defects) + remedy + words_on_changes(changes));
 }
 
-void mark_cuts(Mesh& mesh, const Mended_soup& mended) {
-  const Face_cuts cuts = add_face_cuts(mesh);
+Face_cuts cuts_of(const Mesh& mesh, const Mended_soup& mended) {
+  if(mended.diagonals.empty())
+    return {};
+  Face_cuts cuts(mesh.number_of_halfedges(), 0);
   for(const Mesh::Edge_index e : mesh.edges()) {
     const std::uint32_t u = mended.in_file(mesh.vertex(e, 0).idx());
     const std::uint32_t v = mended.in_file(mesh.vertex(e, 1).idx());
-    cuts[e] = std::binary_search(mended.diagonals.begin(), mended.diagonals.end(),
-                                 std::array<std::uint32_t, 2>{(std::min)(u, v), (std::max)(u, v)});
+    cuts[e.idx()] =
+        std::binary_search(mended.diagonals.begin(), mended.diagonals.end(),
+                           std::array<std::uint32_t, 2>{(std::min)(u, v), (std::max)(u, v)});
   }
+  return cuts;
 }
 
 // Whether all that would be done is of a kind, and to as many elements as were found.
@@ -98,14 +102,13 @@ Mended_mesh read_mesh(const Input_file& file, const Remedies& remedies) {
   else
     mended.soup = read_soup(file);
   throw_if_interrupted();
-  const Diagnosis diagnosis = diagnose(mended.soup);
+  Built_mesh built = build_mesh(mended.soup);
   throw_if_interrupted();
-  if(!diagnosis.defects.empty())
-    refuse(file, diagnosis.defects, remedies, mended.changes);
-  Mesh mesh = build_mesh(mended.soup, diagnosis);
-  if(!mended.diagonals.empty())
-    mark_cuts(mesh, mended);
-  return {std::move(mesh), std::move(mended.changes), std::move(mended.origins)};
+  if(!built.defects.empty())
+    refuse(file, built.defects, remedies, mended.changes);
+  Face_cuts cuts = cuts_of(built.mesh, mended);
+  return {std::move(built.mesh), std::move(mended.changes), std::move(mended.origins),
+          std::move(cuts)};
 }
 
 Mesh read_mesh(const Input_file& file) { return read_mesh(file, Remedies()).mesh; }
@@ -120,7 +123,7 @@ words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Reme
     const Remedies remedies = {do_triangulate, do_repair};
     const Mended_soup mended = mend(soup, remedies);
     is_one_sided = mended.is_one_sided;
-    if(!are_all_given && diagnose(mended.soup).defects.empty())
+    if(!are_all_given && diagnose(mended.soup).empty())
       return words_for(remedies, defects, mended.changes);
   }
   if(is_one_sided)

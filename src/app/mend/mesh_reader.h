@@ -27,12 +27,12 @@ struct Mended_mesh
   Mesh mesh;
   std::vector<Change> changes;
   std::vector<std::uint32_t> origins; ///< of each vertex that is not in the file, one that is
+  Face_cuts cuts;
 };
 
 /// reads a mesh and applies remedies; its vertices keep the numbers that they have in the file, new
-/// ones come after them. Where faces were cut, edges that are in none of the file are marked: see
-/// `cuts_of_faces()`. Throws `Failure` if the file cannot be read, or with all that is wrong with
-/// the mesh and the option that helps.
+/// ones come after them. Throws `Failure` if the file cannot be read, or with all that is wrong
+/// with the mesh and the option that helps.
 Mended_mesh read_mesh(const Input_file& file, const Remedies& remedies);
 
 /// the same of a mesh that is to be fit as it is.

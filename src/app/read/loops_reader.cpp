@@ -278,7 +278,7 @@ private:
       position_ = i;
       const Location_record& location = record.locations[i];
       const Mesh::Halfedge_index halfedge = bind_location(location);
-      if(halfedge == Mesh::null_halfedge())
+      if(halfedge == Mesh::Halfedge_index())
         continue;
       steps.push_back({halfedge, location.ratio});
       points.push_back(point_at(steps.back()));
@@ -307,11 +307,11 @@ private:
       is_sound = false;
     }
     if(!is_sound)
-      return Mesh::null_halfedge();
+      return Mesh::Halfedge_index();
     const Mesh::Halfedge_index halfedge =
         mesh_.halfedge(Mesh::Vertex_index(static_cast<std::uint32_t>(location.source)),
                        Mesh::Vertex_index(static_cast<std::uint32_t>(location.target)));
-    if(halfedge == Mesh::null_halfedge())
+    if(halfedge == Mesh::Halfedge_index())
       add_problem_here("no edge joins the vertices " + std::to_string(location.source) + " and " +
                        std::to_string(location.target));
     return halfedge;

@@ -41,7 +41,7 @@ public:
   explicit Diagnostician(const Soup& soup)
       : soup_(soup) {}
 
-  Diagnosis run() {
+  std::vector<Defect> run() {
     check_size();
     check_points();
     check_faces();
@@ -51,32 +51,28 @@ public:
       check_edges();
       check_vertices();
     }
-    if(!diagnosis_.defects.empty())
-      diagnosis_.edges.clear();
-    return std::move(diagnosis_);
+    return std::move(defects_);
   }
 
 private:
-  std::vector<Defect>& defects() { return diagnosis_.defects; }
-
   void report(const Finding& finding,
               Mesh_defect kind,
               const std::string& one,
               const std::string& many,
               const std::string& remark = "") {
     if(finding.count() != 0)
-      defects().push_back(
+      defects_.push_back(
           {kind, finding.count(),
            std::to_string(finding.count()) + " " + finding.words(one + remark, many + remark)});
   }
 
   void check_size() {
     if(soup_.faces.empty())
-      defects().push_back({Mesh_defect::EMPTY, 1, "the mesh has no face"});
+      defects_.push_back({Mesh_defect::EMPTY, 1, "the mesh has no face"});
     if(3 * soup_.faces.size() > Soup::largest_number_of_halfedges ||
        soup_.points.size() > Soup::largest_number_of_halfedges)
-      defects().push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^31 halfedges"});
-    are_faces_sound_ = defects().empty();
+      defects_.push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^31 halfedges"});
+    are_faces_sound_ = defects_.empty();
   }
 
   void check_points() {
@@ -112,14 +108,12 @@ private:
   }
 
   void check_edges() {
-    diagnosis_.edges.reserve(3 * soup_.faces.size() / 2);
     Finding boundary, crowded, disoriented;
     edges_->for_each_edge([&](const Edge_table::Edge& edge) {
       const std::uint32_t h = edge.halfedge(0);
       const std::uint32_t g = edge.halfedge(edge.size() - 1);
       if(edge.size() == 1) {
         boundary.add([&] { return edge.name() + " of " + name_of_face(h / 3); });
-        diagnosis_.edges.push_back({h, Diagnosis::no_halfedge});
       } else if(edge.size() > 2) {
         crowded.add([&] { return edge.name_with_faces(); });
       } else if(have_same_direction(h, g)) {
@@ -127,8 +121,6 @@ private:
           return edge.name() + " between faces " + std::to_string(h / 3) + " and " +
                  std::to_string(g / 3);
         });
-      } else {
-        diagnosis_.edges.push_back({h, g});
       }
     });
     if(crowded.count() + disoriented.count() > 0)
@@ -258,18 +250,15 @@ private:
   }
 
   const Soup& soup_;
-  Diagnosis diagnosis_;
+  std::vector<Defect> defects_;
   bool are_faces_sound_ = true;
   std::optional<Edge_table> edges_;
 };
 
-// Links the halfedges without a face; one begins at each vertex of the boundary, and one ends
-// there.
-void close_borders(Mesh& mesh, const std::vector<Mesh::Halfedge_index>& borders) {
-  for(const Mesh::Halfedge_index h : borders)
-    mesh.set_halfedge(mesh.target(h), h);
-  for(const Mesh::Halfedge_index h : borders)
-    mesh.set_next(mesh.halfedge(mesh.source(h)), h);
+// Faces that share no edge may be those of a file without common vertices.
+bool is_suspicious(const Soup& soup, const Mesh& mesh) {
+  return mesh.number_of_edges() == 3 * mesh.number_of_faces() ||
+         !std::all_of(soup.points.begin(), soup.points.end(), is_finite);
 }
 
 } // namespace
@@ -311,46 +300,20 @@ std::vector<Corners_of_face> suspicious_faces(const Soup& soup, const Edge_table
   return suspects;
 }
 
-Diagnosis diagnose(const Soup& soup) { return Diagnostician(soup).run(); }
+std::vector<Defect> diagnose(const Soup& soup) { return Diagnostician(soup).run(); }
 
-Mesh build_mesh(const Soup& soup, const Diagnosis& diagnosis) {
-  using Vertex = Mesh::Vertex_index;
-  using Face = Mesh::Face_index;
-  using Halfedge = Mesh::Halfedge_index;
-
-  const auto number_of_faces = static_cast<std::uint32_t>(soup.faces.size());
-  Mesh mesh;
-  mesh.reserve(static_cast<Mesh::size_type>(soup.points.size()),
-               static_cast<Mesh::size_type>(diagnosis.edges.size()), number_of_faces);
-  for(const Point& point : soup.points)
-    mesh.add_vertex(point);
-
-  std::vector<Halfedge> halfedges(3 * soup.faces.size());
-  std::vector<Halfedge> borders;
-  for(const auto& [h, g] : diagnosis.edges) {
-    halfedges[h] = mesh.add_edge();
-    const Halfedge opposite = mesh.opposite(halfedges[h]);
-    if(g != Diagnosis::no_halfedge)
-      halfedges[g] = opposite;
-    else {
-      mesh.set_target(opposite, Vertex(soup.source(h)));
-      borders.push_back(opposite);
-    }
+Built_mesh build_mesh(const Soup& soup) {
+  Built_mesh built;
+  try {
+    built.mesh = Mesh(soup.points, soup.faces);
+    if(is_suspicious(soup, built.mesh))
+      built.defects = diagnose(soup);
+  } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception&) {
+    built.defects = diagnose(soup); // all of them
+    if(built.defects.empty())
+      throw;
   }
-  for(std::uint32_t f = 0; f < number_of_faces; ++f) {
-    const Face face = mesh.add_face();
-    const std::uint32_t first = 3 * f;
-    mesh.set_halfedge(face, halfedges[first]);
-    for(std::uint32_t h = first; h < first + 3; ++h) {
-      const Vertex target(soup.source(next_in_triangle(h)));
-      mesh.set_target(halfedges[h], target);
-      mesh.set_halfedge(target, halfedges[h]);
-      mesh.set_face(halfedges[h], face);
-      mesh.set_next(halfedges[h], halfedges[next_in_triangle(h)]);
-    }
-  }
-  close_borders(mesh, borders);
-  return mesh;
+  return built;
 }
 
 } // namespace htloops

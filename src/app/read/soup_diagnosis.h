@@ -90,23 +90,20 @@ struct Defect
   std::string message; ///< says it in words and names the first element that has it
 };
 
-/// The defects of a soup, and its edges if there is none.
-struct Diagnosis
-{
-  std::vector<Defect> defects;
-  std::vector<std::array<std::uint32_t, 2>> edges; ///< the two halfedges of each, or one
-
-  static constexpr std::uint32_t no_halfedge = static_cast<std::uint32_t>(-1); ///< the other one
-};
-
 /// finds all defects, of every kind. Vertices that no face uses are none, nor is a face without
 /// area.
-Diagnosis diagnose(const Soup& soup);
+std::vector<Defect> diagnose(const Soup& soup);
 
-/// makes a mesh of a soup without defects, given its diagnosis; vertices and faces keep their
-/// numbers. As all neighbours are known, nothing has to be searched: this is
-/// several times faster than `polygon_soup_to_polygon_mesh()`.
-Mesh build_mesh(const Soup& soup, const Diagnosis& diagnosis);
+/// A mesh, if there are no defects.
+struct Built_mesh
+{
+  Mesh mesh;
+  std::vector<Defect> defects;
+};
+
+/// makes a mesh of a soup, or says what is wrong with it; vertices and faces keep their numbers.
+/// Only a soup that is suspicious is diagnosed, which takes several times as long.
+Built_mesh build_mesh(const Soup& soup);
 
 } // namespace htloops
 

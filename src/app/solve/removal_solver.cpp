@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -35,19 +36,23 @@ void check_numbers(const std::vector<std::size_t>& numbers, std::size_t count) {
                         counted(count, "pair", "pairs") + " (they count from 0)");
 }
 
+using Changeable_pair = Changeable_pairs::value_type;
+using Changeable_face = Changeable_mesh::Face_index;
+
 // Which pairs may be looked at, by number.
-std::function<bool(const Pair&)> filter_of(const Removal_options& options, std::size_t count) {
+std::function<bool(const Changeable_pair&)> filter_of(const Removal_options& options,
+                                                      std::size_t count) {
   if(!options.pairs)
-    return [](const Pair&) { return true; };
+    return [](const Changeable_pair&) { return true; };
   check_numbers(*options.pairs, count);
-  return [&numbers = *options.pairs](const Pair& pair) {
+  return [&numbers = *options.pairs](const Changeable_pair& pair) {
     return std::count(numbers.begin(), numbers.end(), pair.handle().pair_index()) > 0;
   };
 }
 
 // What is wrong with the wish, and not with the mesh, is wrong usage.
 template <typename NamedParameters>
-Removal_report remove_as_wanted(Mesh& mesh, const NamedParameters& np) {
+Removal_report remove_as_wanted(Changeable_mesh& mesh, const NamedParameters& np) {
   try {
     return CGAL::remove_handles<CGAL::Parallel_if_available_tag>(mesh, np);
   } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception&) {
@@ -90,38 +95,51 @@ take_next(const Mesh& mesh, const std::vector<bool>& is_known, std::vector<Verte
 
 } // namespace
 
-Removal_answer
-remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress& progress) {
+Removal_answer remove_handles(const Mesh& mesh,
+                              const Pairs& pairs,
+                              const Removal_options& options,
+                              Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
   progress.start("remove");
   const CGAL::Handle_tunnel_loops::Removal_options& wanted = options;
-  Removal_answer answer;
+  Changeable_copy copy(mesh);
+  const Changeable_pairs loops = copy.pairs(pairs);
+  std::map<Changeable_face, Changeable_face> parents;
   const auto filtered = parameters::callback(progress.callback())
                             .filter(filter_of(options, pairs.size()))
-                            .face_to_face_map(boost::make_assoc_property_map(answer.parents));
+                            .face_to_face_map(boost::make_assoc_property_map(parents));
+  Removal_answer answer;
   answer.number_of_threads = limit.number_of_threads();
   const Stopwatch stopwatch;
   answer.report = remove_as_wanted(
-      mesh, parameters::removal_options(wanted, parameters::known_loops(pairs, filtered)));
+      copy.mesh, parameters::removal_options(wanted, parameters::known_loops(loops, filtered)));
   answer.total_seconds = stopwatch.seconds();
   progress.end();
+  static_cast<Changed_mesh&>(answer) = changed_mesh(copy.mesh, mesh);
+  answer.face_parents = answer.face_origins;
+  for(std::size_t f = 0; f < answer.faces.size(); ++f)
+    if(const auto parent = parents.find(Changeable_face(answer.faces[f])); parent != parents.end())
+      answer.face_parents[f] = parent->second.idx();
   return answer;
 }
 
-void spread_properties(const Mesh& mesh, Vertex_properties& properties) {
+void spread_properties(const Changed_mesh& changed, Vertex_properties& properties) {
   if(properties.empty())
     return;
-  const std::size_t known = properties.front().values.size();
-  const std::size_t count = mesh.number_of_vertices() + mesh.number_of_removed_vertices();
-  std::vector<bool> is_known(count);
+  const Mesh& mesh = changed.mesh;
+  std::vector<bool> is_known;
   std::vector<Vertex> unknown;
+  for(const std::int64_t origin : changed.vertex_origins)
+    is_known.push_back(origin != nothing_before);
   for(const Vertex v : mesh.vertices())
-    if(v.idx() < known)
-      is_known[v.idx()] = true;
-    else if(!mesh.is_isolated(v))
+    if(!is_known[v.idx()] && !mesh.is_isolated(v))
       unknown.push_back(v);
-  for(Vertex_property& property : properties)
-    property.values.resize(count);
+  for(Vertex_property& property : properties) {
+    const std::vector<double> before = std::move(property.values);
+    property.values.clear();
+    for(const std::int64_t origin : changed.vertex_origins)
+      property.values.push_back(origin == nothing_before ? 0. : before[std::size_t(origin)]);
+  }
   for(std::vector<Vertex> next; !(next = take_next(mesh, is_known, unknown)).empty();) {
     for(Vertex_property& property : properties)
       for(const Vertex v : next) {

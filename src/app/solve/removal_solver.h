@@ -11,12 +11,12 @@
 #define HTLOOPS_REMOVAL_SOLVER_H
 
 #include "mesh_types.h"
+#include "solve/changeable_mesh.h"
 #include "solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -36,25 +36,24 @@ struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options
   int number_of_threads = 0;                     ///< 0: as many as the machine has
 };
 
-/// Which face, before the removal, a new face is a part of, if it is.
-using Face_parents = std::map<Mesh::Face_index, Mesh::Face_index>;
-
-struct Removal_answer
+struct Removal_answer : Changed_mesh
 {
   Removal_report report;
-  Face_parents parents;
+  Origins face_parents; ///< of which face before each face is a part, or which one it was
   double total_seconds = 0.;
   int number_of_threads = 1;
 };
 
-/// removes handles, given the pairs of loops of a mesh. Untouched vertices keep their order. Throws
-/// `Failure` if there is nothing that the options could mean.
-Removal_answer
-remove_handles(Mesh& mesh, const Pairs& pairs, const Removal_options& options, Progress& progress);
+/// removes handles, given the pairs of loops of a mesh. Throws `Failure` if there is nothing that
+/// the options could mean.
+Removal_answer remove_handles(const Mesh& mesh,
+                              const Pairs& pairs,
+                              const Removal_options& options,
+                              Progress& progress);
 
-/// completes properties that are known for the first vertices: each further one gets the mean of
-/// its neighbours that have a value, in turn from those beside the known ones.
-void spread_properties(const Mesh& mesh, Vertex_properties& properties);
+/// turns properties of the vertices before into some of those afterwards: each new one gets the
+/// mean of its neighbours that have a value, in turn from those beside the known ones.
+void spread_properties(const Changed_mesh& changed, Vertex_properties& properties);
 
 } // namespace htloops
 

@@ -109,36 +109,41 @@ Json json_of(const std::vector<Loop_linking>& linking) {
   return array;
 }
 
+// What loops lie on.
+struct Ground
+{
+  const Mesh& mesh;
+  const Face_cuts& cuts;
+  std::vector<std::size_t> components; // of vertices
+};
+
 // The positions of the locations on edges that are in no face of the file.
-Json positions_across_faces(const Loop& loop, const Mesh& mesh, const Face_cuts& cuts) {
+Json positions_across_faces(const Loop& loop, const Ground& on) {
   Json positions = Json::array();
   for(std::size_t i = 0; i < loop.steps().size(); ++i)
-    if(cuts[mesh.edge(loop.steps()[i].halfedge)])
+    if(on.cuts[on.mesh.edge(loop.steps()[i].halfedge).idx()])
       positions.push_back(i);
   return positions;
 }
 
-Json json_of_line(const Loop& loop, const Mesh& mesh, Json json = Json()) {
-  json["locations"] = array_of(loop.steps(), [&mesh](const Loop::Step& step) {
+Json json_of_line(const Loop& loop, const Ground& on, Json json) {
+  json["locations"] = array_of(loop.steps(), [&mesh = on.mesh](const Loop::Step& step) {
     return Json::array(
         {mesh.source(step.halfedge).idx(), mesh.target(step.halfedge).idx(), step.ratio});
   });
-  if(const auto cuts = cuts_of_faces(mesh))
-    json["across_faces"] = positions_across_faces(loop, mesh, *cuts);
+  if(!on.cuts.empty())
+    json["across_faces"] = positions_across_faces(loop, on);
   json["points"] = array_of(loop.points(), json_of_point);
   return json;
 }
 
 // Its length and the component of the surface that it is on, what else is told of it, and where it
 // runs.
-Json json_of(const Loop& loop,
-             const Mesh& mesh,
-             const std::vector<std::size_t>& components,
-             const Json& more) {
-  const Mesh::Vertex_index v = mesh.source(loop.steps().front().halfedge);
-  Json json = {{"length", loop.length()}, {"component", components[v.idx()]}};
+Json json_of(const Loop& loop, const Ground& on, const Json& more) {
+  const Mesh::Vertex_index v = on.mesh.source(loop.steps().front().halfedge);
+  Json json = {{"length", loop.length()}, {"component", on.components[v.idx()]}};
   json.update(more);
-  return json_of_line(loop, mesh, std::move(json));
+  return json_of_line(loop, on, std::move(json));
 }
 
 Json json_of(const Loop_linking& linking) {
@@ -149,11 +154,11 @@ Json json_of(const Loop_linking& linking) {
 }
 
 // Of a boundary curve, if it has one, and that was looked for.
-Json json_of_waist(const Loop& curve, const Boundaries& boundaries, const Mesh& mesh) {
+Json json_of_waist(const Loop& curve, const Boundaries& boundaries, const Ground& on) {
   const Loop* waist = boundaries.waist(curve.pair_index());
   if(!waist)
     return Json::object();
-  return {{"waist", json_of_line(*waist, mesh, {{"length", waist->length()}})}};
+  return {{"waist", json_of_line(*waist, on, {{"length", waist->length()}})}};
 }
 
 // How small a pair is, and where its shorter loop lies.
@@ -283,8 +288,8 @@ void write_loops_json(const std::string& target,
                       const Answer& answer,
                       const Run_record& run) {
   const auto& linking = answer.certificate.linking;
-  const std::vector<std::size_t> components =
-      components_of_vertices(mesh, answer.statistics.number_of_components);
+  const Ground on = {mesh, run.cuts,
+                     components_of_vertices(mesh, answer.statistics.number_of_components)};
   Json_writer out(target);
   out.member("format", "htloops/1");
   out.member("tool", version());
@@ -307,14 +312,14 @@ void write_loops_json(const std::string& target,
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
     Json json = json_of_place(listed_pair(pair, index / 2, box));
     for(const Loop_type type : loop_types) {
-      json[name_of(type)] = json_of(pair.loop(type), mesh, components,
-                                    linking.empty() ? Json::object() : json_of(linking[index]));
+      json[name_of(type)] =
+          json_of(pair.loop(type), on, linking.empty() ? Json::object() : json_of(linking[index]));
       ++index;
     }
     return json;
   });
   out.array("boundaries", answer.boundaries.curves, [&](const Loop& curve) {
-    return json_of(curve, mesh, components, json_of_waist(curve, answer.boundaries, mesh));
+    return json_of(curve, on, json_of_waist(curve, answer.boundaries, on));
   });
   out.finish();
 }
@@ -357,27 +362,17 @@ void write_removal_json(const std::string& file, const Removal_report& report) {
   document.finish();
 }
 
-void write_map_json(const std::string& target,
-                    const Mesh& mesh,
-                    std::size_t vertices_before,
-                    std::size_t faces_before,
-                    const Face_parents& parents) {
-  const auto origin_below = [](std::size_t number_before) {
-    return [number_before](auto element) {
-      return element.idx() < number_before ? Json(std::size_t(element.idx())) : Json();
-    };
+void write_map_json(const std::string& target, const Mesh& before, const Removal_answer& answer) {
+  const auto json_of_origin = [](std::int64_t origin) {
+    return origin == nothing_before ? Json() : Json(origin);
   };
   Json_writer out(target);
   out.member("format", "htloops-map/1");
-  out.member("vertices_before", vertices_before);
-  out.member("faces_before", faces_before);
-  out.array("vertices", mesh.vertices(), origin_below(vertices_before));
-  const auto origin_of_face = origin_below(faces_before);
-  out.array("faces", mesh.faces(), origin_of_face);
-  out.array("face_parents", mesh.faces(), [&](Mesh::Face_index f) {
-    const auto parent = parents.find(f);
-    return origin_of_face(parent == parents.end() ? f : parent->second);
-  });
+  out.member("vertices_before", before.number_of_vertices());
+  out.member("faces_before", before.number_of_faces());
+  out.array("vertices", answer.vertex_origins, json_of_origin);
+  out.array("faces", answer.face_origins, json_of_origin);
+  out.array("face_parents", answer.face_parents, json_of_origin);
   out.finish();
 }
 

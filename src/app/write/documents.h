@@ -35,6 +35,7 @@ struct Run_record
   std::string mesh_file;
   Json options; ///< an object
   double read_seconds = 0.;
+  Face_cuts cuts;
 };
 
 /// writes an answer in the format "htloops/1", of which
@@ -55,14 +56,9 @@ void write_reeb_json(const std::string& target,
 /// the standard output.
 void write_removal_json(const std::string& file, const Removal_report& report);
 
-/// writes in the format "htloops-map/1" which vertex and face of a mesh, as that was read, each one
-/// that it has now was, or none: those that are new come after so many; and of which face each face
-/// is a part.
-void write_map_json(const std::string& target,
-                    const Mesh& mesh,
-                    std::size_t vertices_before,
-                    std::size_t faces_before,
-                    const Face_parents& parents);
+/// writes in the format "htloops-map/1" which vertex and face each one of the result was before, or
+/// none, and of which face each face is a part.
+void write_map_json(const std::string& target, const Mesh& before, const Removal_answer& answer);
 
 /// writes the cuts, with the loops that they cross, as a document of format "htloops-dual/1".
 void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dual_cuts& cuts);

@@ -108,32 +108,16 @@ const auto& format_of(const std::string& file) {
   return format_of(name_with_format(file), mesh_formats);
 }
 
-// Without the vertices that were removed.
-Vertex_properties compact(const Mesh& mesh, const Vertex_properties& properties) {
-  Vertex_properties compacted;
-  for(const Vertex_property& property : properties) {
-    compacted.push_back({property.name, property.type, {}});
-    for(const Mesh::Vertex_index v : mesh.vertices())
-      compacted.back().values.push_back(property.values[v.idx()]);
-  }
-  return compacted;
-}
-
-// Without the elements that were removed.
-generators::Soup compact(const Mesh& mesh) {
+generators::Soup soup_of(const Mesh& mesh) {
   generators::Soup soup;
   soup.points.reserve(mesh.number_of_vertices());
   soup.triangles.reserve(mesh.number_of_faces());
-  std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const Point& p = mesh.point(v);
-    number[v.idx()] = static_cast<std::uint32_t>(soup.points.size());
+  for(const Point& p : mesh.points())
     soup.points.push_back({p.x(), p.y(), p.z()});
-  }
   for(const Mesh::Face_index f : mesh.faces()) {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
-    soup.triangles.push_back({number[mesh.source(h).idx()], number[mesh.target(h).idx()],
-                              number[mesh.target(mesh.next(h)).idx()]});
+    soup.triangles.push_back(
+        {mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
   }
   return soup;
 }
@@ -171,7 +155,7 @@ void write_mesh(const std::string& file,
                 const Mesh& mesh,
                 const Vertex_properties& properties,
                 const std::string& comment) {
-  write(file, {compact(mesh), compact(mesh, properties), comment});
+  write(file, {soup_of(mesh), properties, comment});
 }
 
 } // namespace htloops

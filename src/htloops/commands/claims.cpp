@@ -40,7 +40,7 @@ struct Surface_counts
 };
 
 Surface_counts counts_of(const Mesh& mesh) {
-  boost::disjoint_sets_with_storage<> joined(mesh.num_vertices());
+  boost::disjoint_sets_with_storage<> joined(mesh.number_of_vertices());
   for(const Mesh::Edge_index e : mesh.edges())
     joined.union_set(mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx());
   Surface_counts counts;

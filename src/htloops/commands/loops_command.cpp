@@ -111,11 +111,12 @@ void draw(const Loops_options& options, const View& view, const Mesh& mesh, cons
     export_gltf(options.gltf_file, surface, lines);
 }
 
-void write_files(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
+void write_files(const Loops_options& options, const Mended_mesh& mended, const Mesh_line& line) {
+  const Mesh& mesh = mended.mesh;
   const Answer& answer = line.answer;
   if(!options.json_file.empty())
     write_loops_json(options.json_file, mesh, answer,
-                     {options.mesh_file, json_of(options), line.read_seconds});
+                     {options.mesh_file, json_of(options), line.read_seconds, mended.cuts});
   if(!options.events_file.empty())
     write_events(options.events_file, answer);
   if(!options.csv_file.empty())
@@ -155,8 +156,8 @@ void show(const Loops_options& options, const Mesh_line& line) {
 }
 
 Mesh_line solve_and_tell(const Loops_options& options) {
-  auto [mesh, line] = read_and_solve(options, !options.is_quiet && is_terminal(stderr));
-  write_files(options, mesh, line);
+  auto [mended, line] = read_and_solve(options, !options.is_quiet && is_terminal(stderr));
+  write_files(options, mended, line);
   show(options, line);
   return std::move(line);
 }

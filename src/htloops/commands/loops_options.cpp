@@ -241,9 +241,10 @@ Json json_of(const Loops_options& options) {
   return json;
 }
 
-std::pair<Mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress) {
+std::pair<Mended_mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress) {
   const Stopwatch stopwatch;
-  Mesh mesh = read_mesh(options);
+  Mended_mesh mended = read_mended_mesh(options, input_of(options));
+  const Mesh& mesh = mended.mesh;
   Mesh_line line = {options.mesh_file};
   line.number_of_vertices = mesh.number_of_vertices();
   line.number_of_faces = mesh.number_of_faces();
@@ -251,7 +252,7 @@ std::pair<Mesh, Mesh_line> read_and_solve(const Loops_options& options, bool sho
   write_read_mesh(options, mesh);
   line.answer = solve(mesh, options, show_progress);
   line.listing = list_pairs(mesh, line.answer.pairs, listing_options(options.listing, mesh));
-  return {std::move(mesh), std::move(line)};
+  return {std::move(mended), std::move(line)};
 }
 
 Mesh_line line_of(const std::string& mesh_file, const std::function<Mesh_line()>& solve) {

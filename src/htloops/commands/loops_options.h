@@ -71,7 +71,7 @@ void check_loops_options(const Loops_options& options);
 Json json_of(const Loops_options& options);
 
 /// reads a mesh and finds its loops, with boundary curves, if it has some.
-std::pair<Mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress);
+std::pair<Mended_mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress);
 
 /// what is told of a mesh: what `solve()` returns, or why it threw.
 Mesh_line line_of(const std::string& mesh_file, const std::function<Mesh_line()>& solve);

@@ -237,19 +237,15 @@ void run(const Remove_options& options) {
   const Stopwatch loops_stopwatch;
   const Pairs pairs = pairs_of(mesh, options, show_progress);
   const double loops_seconds = loops_stopwatch.seconds();
-  const bool is_drawn = !options.picture.file.empty() || !options.page_file.empty();
-  const Mesh before = is_drawn ? mesh : Mesh();
   Progress_bar bar(show_progress);
-  const std::size_t vertices_before = mesh.number_of_vertices(),
-                    faces_before = mesh.number_of_faces();
   const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, options), bar);
   if(!options.is_dry_run) {
-    spread_properties(mesh, properties);
-    write_mesh(options.result_file, mesh, properties);
+    spread_properties(answer, properties);
+    write_mesh(options.result_file, answer.mesh, properties);
     if(!options.map_file.empty())
-      write_map_json(options.map_file, mesh, vertices_before, faces_before, answer.parents);
+      write_map_json(options.map_file, mesh, answer);
   }
-  write_files(options, {options.mesh_file, before, pairs, answer.report, mesh});
+  write_files(options, {options.mesh_file, mesh, pairs, answer.report, answer.mesh});
   show(options, answer, loops_seconds, read_seconds);
 }
 

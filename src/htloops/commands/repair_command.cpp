@@ -57,7 +57,7 @@ void run(const Repair_options& options) {
   check_mesh_format(options.written_mesh_file);
   const Input_file file = input_of(options);
   const Mended_soup mended = mend(read_soup(file), options.remedies);
-  const std::vector<Defect> defects = diagnose(mended.soup).defects;
+  const std::vector<Defect> defects = diagnose(mended.soup);
   throw_if_interrupted();
   if(!options.is_quiet && !(mended.changes.empty() && !defects.empty()))
     std::fputs(table_of_changes(file.name(), mended.changes, options.is_dry_run).c_str(), stderr);

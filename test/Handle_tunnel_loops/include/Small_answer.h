@@ -3,17 +3,19 @@
 
 #include "app/solve/answer.h"
 
-#include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/iterator.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 // A tetrahedron and two pairs of closed lines on it, for tests of what is done with an answer. They
 // are no handles and tunnels, as a tetrahedron has none.
 inline htloops::Mesh small_mesh() {
-  using htloops::Point;
-  htloops::Mesh mesh;
-  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
-  return mesh;
+  using Triangle = std::array<std::uint32_t, 3>;
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
 }
 
 // The line around a face that crosses its edges at `ratio`.
@@ -23,6 +25,7 @@ inline htloops::Loop small_loop(const htloops::Mesh& mesh,
                                 CGAL::Loop_type type,
                                 std::size_t pair) {
   using namespace htloops;
+  using htloops::Mesh;
   std::vector<Loop::Step> steps;
   std::vector<Point> points;
   for(const Mesh::Halfedge_index h :

@@ -21,6 +21,7 @@
 namespace test_htloops_browser {
 
 using htl_window::Colour;
+using htloops::Mesh;
 using Json = Browser::Json;
 
 constexpr int width = 1200, height = 800;
@@ -160,7 +161,7 @@ class Pages : public Page, public testing::WithParamInterface<Recipe>
 {};
 
 TEST_P(Pages, ShowLoopsWhereTheyAre) {
-  const Mesh mesh = mesh_of(GetParam());
+  const Mesh mesh = mesh_of<Mesh>(GetParam());
   open(mesh);
   expect_quiet();
   const Decoded_png picture = browser().screenshot();
@@ -192,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"plates", {3000, 5, 0}}));
 
 TEST_F(Page, loops_that_are_seen_have_no_gaps) {
-  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
   const Decoded_png picture = browser().screenshot();
   for(std::size_t line = 0; line < 6; ++line)
     EXPECT_LE(number_of_ends(picture, line, line % 2 == 0 ? handle_colour : tunnel_colour), 5)
@@ -200,7 +201,7 @@ TEST_F(Page, loops_that_are_seen_have_no_gaps) {
 }
 
 TEST_F(Page, a_click_on_a_row_centres_and_lights_its_loops) {
-  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
   click(row(1));
   EXPECT_EQ(lit_row(), 1);
   EXPECT_EQ(browser().evaluate(row(1) + ".classList.contains('lit')"), true);
@@ -223,7 +224,7 @@ TEST_F(Page, a_click_on_a_row_centres_and_lights_its_loops) {
 
 // Insides are brownish; a loop that is behind the surface is paler than it is on the list.
 TEST_F(Page, a_row_is_looked_at_from_where_its_loops_are_seen) {
-  open(mesh_of(Recipe{"gyroid", {20000, 6, 0}}));
+  open(mesh_of<Mesh>(Recipe{"gyroid", {20000, 6, 0}}));
   for(std::size_t i = 0; i < listing_.size(); ++i) {
     browser().evaluate("htloops.page.light(" + std::to_string(i) + ", true)");
     const Decoded_png picture = browser().screenshot();
@@ -239,7 +240,7 @@ TEST_F(Page, a_row_is_looked_at_from_where_its_loops_are_seen) {
 }
 
 TEST_F(Page, a_click_on_a_loop_lights_its_row_and_one_beside_none) {
-  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
   const Decoded_png picture = browser().screenshot();
   std::size_t tried = 0;
   for(std::size_t line = 0; line < 6; ++line)
@@ -257,7 +258,7 @@ TEST_F(Page, a_click_on_a_loop_lights_its_row_and_one_beside_none) {
 }
 
 TEST_F(Page, sliders_and_switches_hide_and_show) {
-  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
   const auto shown_rows = [] {
     return browser().evaluate(
         "[...document.querySelectorAll('#rows tr')].filter(r => !r.hidden).length");
@@ -283,7 +284,7 @@ TEST_F(Page, sliders_and_switches_hide_and_show) {
 }
 
 TEST_F(Page, the_surface_is_cut_and_made_transparent) {
-  open(mesh_of(Recipe{"torus", {2000, 1, 0}}));
+  open(mesh_of<Mesh>(Recipe{"torus", {2000, 1, 0}}));
   const auto white = [] {
     return browser().screenshot().count([](const Colour& c) { return c == Colour{255, 255, 255}; });
   };
@@ -298,7 +299,7 @@ TEST_F(Page, the_surface_is_cut_and_made_transparent) {
 }
 
 TEST_F(Page, turns_and_moves_with_the_mouse_and_by_keys) {
-  open(mesh_of(Recipe{"torus", {2000, 1, 0}}));
+  open(mesh_of<Mesh>(Recipe{"torus", {2000, 1, 0}}));
   const auto view = [] { return browser().evaluate("[...htloops.viewer.camera.back]"); };
   const Json at_first = view();
   browser().move_mouse(300., 300., false);
@@ -322,7 +323,7 @@ TEST_F(Page, turns_and_moves_with_the_mouse_and_by_keys) {
 }
 
 TEST_F(Page, turns_and_zooms_with_fingers) {
-  open(mesh_of(Recipe{"torus", {2000, 1, 0}}));
+  open(mesh_of<Mesh>(Recipe{"torus", {2000, 1, 0}}));
   const auto view = [] { return browser().evaluate("[...htloops.viewer.camera.back]"); };
   const auto distance = [] { return double(browser().evaluate("htloops.viewer.camera.distance")); };
   const Json at_first = view();
@@ -345,7 +346,7 @@ TEST_F(Page, turns_and_zooms_with_fingers) {
 }
 
 TEST_F(Page, chosen_rows_become_an_argument_of_remove) {
-  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
   const auto choice = [] { return browser().evaluate("document.getElementById('choice').value"); };
   EXPECT_EQ(choice(), "");
   click(row(2) + ".querySelector('input')");
@@ -359,7 +360,7 @@ TEST_F(Page, chosen_rows_become_an_argument_of_remove) {
 }
 
 TEST_F(Page, it_is_told_that_chosen_rows_are_hidden) {
-  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
   const auto count = [] {
     return browser().evaluate("document.getElementById('count').textContent");
   };
@@ -371,7 +372,7 @@ TEST_F(Page, it_is_told_that_chosen_rows_are_hidden) {
 }
 
 TEST_F(Page, keys_work_after_a_switch_or_a_slider_was_used) {
-  open(mesh_of(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
   click("document.getElementById('group0')");
   browser().key("n");
   EXPECT_EQ(lit_row(), 0);
@@ -385,7 +386,7 @@ TEST_F(Page, keys_work_after_a_switch_or_a_slider_was_used) {
 }
 
 TEST_F(Page, places_are_sorted_by_their_first_number) {
-  open(mesh_of(Recipe{"lattice", {6000, 5, 1}}));
+  open(mesh_of<Mesh>(Recipe{"lattice", {6000, 5, 1}}));
   click("document.querySelectorAll('#head button')[4]");
   std::vector<double> numbers;
   for(const Json& text : browser().evaluate(
@@ -396,7 +397,7 @@ TEST_F(Page, places_are_sorted_by_their_first_number) {
 }
 
 TEST_F(Page, the_table_is_sorted_by_a_column) {
-  open(mesh_of(Recipe{"lattice", {6000, 5, 1}}));
+  open(mesh_of<Mesh>(Recipe{"lattice", {6000, 5, 1}}));
   const auto column = [](int i) {
     std::vector<double> numbers;
     for(const Json& text : browser().evaluate("[...document.querySelectorAll('#rows tr')].map(r => "

@@ -32,6 +32,8 @@
 namespace test_htloops_check {
 
 using namespace htloops;
+using htloops::Mesh;
+using htloops::Pairs;
 
 bool touches_itself_by_cgal(const Soup& soup) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -52,8 +54,8 @@ std::vector<std::size_t> pairs_of_different_class(const Mesh& mesh, const Loop_p
 }
 
 Mesh mesh_with_holes(std::size_t genus, std::size_t holes, unsigned seed) {
-  return ::mesh_of(generators::with_holes(soup_of(Recipe{"multi-torus", {2000, genus, seed}}),
-                                          {holes, 12, seed % 2 == 0}));
+  return ::mesh_of<Mesh>(generators::with_holes(soup_of(Recipe{"multi-torus", {2000, genus, seed}}),
+                                                {holes, 12, seed % 2 == 0}));
 }
 
 TEST(Self_contact, is_what_cgal_says) {
@@ -68,7 +70,7 @@ TEST(Self_contact, is_what_cgal_says) {
     else if(seed % 4 == 2)
       deform(soup, random);
     const bool touches = touches_itself_by_cgal(soup);
-    EXPECT_EQ(touches_itself(::mesh_of(soup)), touches) << "seed " << seed;
+    EXPECT_EQ(touches_itself(::mesh_of<Mesh>(soup)), touches) << "seed " << seed;
     number_that_touch += touches ? 1 : 0;
   }
   EXPECT_GT(number_that_touch, number / 10);
@@ -169,7 +171,7 @@ TEST(Contact_search, is_what_cgal_says) {
         x += random.uniform(-0.05, 0.05);
     const bool touches = touches_itself_by_cgal(soup);
     EXPECT_EQ(search(soup).has_contact, touches) << "seed " << seed;
-    EXPECT_EQ(touches_itself(::mesh_of(soup)), touches) << "seed " << seed;
+    EXPECT_EQ(touches_itself(::mesh_of<Mesh>(soup)), touches) << "seed " << seed;
     number_that_touch += touches ? 1 : 0;
   }
   EXPECT_GT(number_that_touch, number / 10);
@@ -240,10 +242,10 @@ TEST(Self_contact, is_found_beside_a_vertex_far_away) {
   generators::Random random(1);
   for(std::size_t i = soup.triangles.size(); i > 1; --i)
     std::swap(soup.triangles[i - 1], soup.triangles[random.below(i)]);
-  EXPECT_FALSE(touches_itself(::mesh_of(soup)));
+  EXPECT_FALSE(touches_itself(::mesh_of<Mesh>(soup)));
   for(double& x : soup.points.front())
     x *= 1e200;
-  EXPECT_EQ(touches_itself(::mesh_of(soup)), touches_itself_by_cgal(soup));
+  EXPECT_EQ(touches_itself(::mesh_of<Mesh>(soup)), touches_itself_by_cgal(soup));
 }
 
 TEST(Boundaries_to_check, are_right_as_they_are_found) {

@@ -33,6 +33,7 @@ namespace test_htloops_drawing {
 using htloops::Arc_surface;
 using htloops::cross;
 using htloops::dot;
+using htloops::Mesh;
 using htloops::Reeb_answer;
 using htloops::Vector;
 
@@ -113,7 +114,7 @@ Borders borders_of(const Arc_surface& surface) {
 class Arc_surfaces : public testing::TestWithParam<Recipe>
 {
 protected:
-  const Mesh mesh_ = mesh_of(GetParam());
+  const Mesh mesh_ = mesh_of<Mesh>(GetParam());
 };
 
 TEST_P(Arc_surfaces, are_the_surface_itself_cut) {
@@ -174,7 +175,7 @@ protected:
     return number;
   }
 
-  const Mesh mesh_ = mesh_of(GetParam());
+  const Mesh mesh_ = mesh_of<Mesh>(GetParam());
   const htloops::Answer answer_ = solved();
 };
 
@@ -300,7 +301,7 @@ TEST(Tube, of_points_at_one_place_is_that_of_one_of_them) {
 
 const htloops::Drawn_surface& sphere() {
   static const htloops::Drawn_surface surface =
-      htloops::drawn_surface(mesh_of(Recipe{"sphere", {5000, 0, 0}}));
+      htloops::drawn_surface(mesh_of<Mesh>(Recipe{"sphere", {5000, 0, 0}}));
   return surface;
 }
 

@@ -16,6 +16,7 @@
 namespace test_htloops_exports {
 
 using namespace htloops;
+using htloops::Mesh;
 using htloops::Soup;
 
 std::size_t count_of(const std::string& text, const std::string& part) {

@@ -21,6 +21,7 @@
 namespace test_htloops_loops_json {
 
 using namespace htloops;
+using htloops::Mesh;
 using nlohmann::json;
 
 class Loops_json : public testing::Test

@@ -87,13 +87,13 @@ std::string words(const Mended_soup& mended) {
 }
 
 void expect_sound(const Soup& soup) {
-  for(const Defect& defect : diagnose(soup).defects)
+  for(const Defect& defect : diagnose(soup))
     ADD_FAILURE() << defect.message;
 }
 
 // Sound but for boundary.
 void expect_manifold(const Soup& soup) {
-  for(const Defect& defect : diagnose(soup).defects)
+  for(const Defect& defect : diagnose(soup))
     EXPECT_EQ(defect.kind, Mesh_defect::BOUNDARY_EDGE) << defect.message;
 }
 
@@ -398,7 +398,7 @@ TEST(Repair, leaves_what_has_one_side_only) {
   }
   const Mended_soup mended = mend(soup_of(points, faces), repair);
   EXPECT_TRUE(mended.changes.empty()) << words(mended);
-  const auto defects = diagnose(mended.soup).defects;
+  const auto defects = diagnose(mended.soup);
   ASSERT_FALSE(defects.empty());
   EXPECT_NE(defects.back().message.find("not orientable"), std::string::npos);
   EXPECT_EQ(words_on_remedy(soup_of(points, faces), defects, {}),
@@ -515,7 +515,7 @@ TEST(Repair, drops_a_component_that_is_not_orientable) {
                                    std::to_string(sound.size()) + ", the box is 19."),
       0u)
       << words(mended);
-  const auto defects = diagnose(soup).defects;
+  const auto defects = diagnose(soup);
   EXPECT_EQ(words_on_remedy(soup, defects, {}).find("--repair mends this:\n  18 faces dropped"),
             0u);
 }
@@ -693,7 +693,7 @@ TEST(Repair, does_nothing_about_points_that_are_nowhere) {
   soup.points[3] = Point(0., std::numeric_limits<double>::quiet_NaN(), 0.);
   const Mended_soup mended = mend(soup, both);
   EXPECT_TRUE(mended.changes.empty());
-  EXPECT_EQ(words_on_remedy(soup, diagnose(soup).defects, {}), "no option mends this");
+  EXPECT_EQ(words_on_remedy(soup, diagnose(soup), {}), "no option mends this");
 }
 
 // ---- damage that is undone
@@ -803,7 +803,7 @@ TEST(Repair, undoes_random_damage) {
       EXPECT_EQ(mended.soup.faces.size(), original.faces.size());
       EXPECT_EQ(euler_characteristic(mended.soup), euler_characteristic(original));
       EXPECT_EQ(faces_of(mend(damaged, repair).soup), faces_of(mended.soup));
-      const auto defects = diagnose(damaged).defects;
+      const auto defects = diagnose(damaged);
       if(!defects.empty()) {
         EXPECT_NE(words_on_remedy(damaged, defects, {}).find("--repair"), std::string::npos);
       }
@@ -815,7 +815,7 @@ TEST(Repair, undoes_random_damage) {
 
 TEST(Remedy, is_the_one_that_helps) {
   const auto words_on = [](const Soup& soup, const Remedies& given = {}) {
-    const std::vector<Defect> defects = diagnose(mend(soup, given).soup).defects;
+    const std::vector<Defect> defects = diagnose(mend(soup, given).soup);
     return defects.empty() ? "nothing is wrong" : words_on_remedy(soup, defects, given);
   };
   EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate makes them triangles");

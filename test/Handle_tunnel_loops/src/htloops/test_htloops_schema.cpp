@@ -28,6 +28,7 @@
 namespace test_htloops_schema {
 
 using namespace htloops;
+using htloops::Mesh;
 using nlohmann::json;
 
 class Schema
@@ -79,10 +80,11 @@ protected:
   const Schema schema_{"loops"};
 };
 
-Mesh mesh_with_holes() {
-  return mesh_of(CGAL::Handle_tunnel_loops::generators::with_holes(
-      soup_of(Recipe{"multi-torus", {3000, 2, 0}}), {3, 20, false}));
+::Soup soup_with_holes() {
+  return CGAL::Handle_tunnel_loops::generators::with_holes(
+      soup_of(Recipe{"multi-torus", {3000, 2, 0}}), {3, 20, false});
 }
+Mesh mesh_with_holes() { return mesh_of<Mesh>(soup_with_holes()); }
 
 Answer solved(const Mesh& mesh, Solve_options options = {}) {
   Progress told;
@@ -93,7 +95,7 @@ Answer solved(const Mesh& mesh, Solve_options options = {}) {
 }
 
 TEST_F(Loops_schema, fits_what_is_written) {
-  const Mesh closed = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
+  const Mesh closed = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 3, 0}});
   schema_.expect_fits(written(closed, solved(closed)));
   Solve_options shortest;
   shortest.basis_kind = CGAL::Handle_tunnel_loops::Basis_kind::SHORTEST;
@@ -108,7 +110,7 @@ TEST_F(Loops_schema, fits_what_is_written) {
   const json ended = written(closed, solved(closed, hasty));
   EXPECT_TRUE(ended["ended_by_time"].get<bool>());
   schema_.expect_fits(ended);
-  const Mesh sphere = mesh_of(Recipe{"sphere", {320, 0, 0}});
+  const Mesh sphere = mesh_of<Mesh>(Recipe{"sphere", {320, 0, 0}});
   schema_.expect_fits(written(sphere, solved(sphere)));
 }
 
@@ -146,14 +148,14 @@ TEST(Reeb_schema, fits_what_is_written) {
   const Schema schema("reeb");
   Progress told;
   json document;
-  for(Mesh mesh : {mesh_of(Recipe{"multi-torus", {3000, 3, 0}}), mesh_with_holes()}) {
+  for(::Soup soup : {soup_of(Recipe{"multi-torus", {3000, 3, 0}}), soup_with_holes()}) {
+    soup.points.push_back({0., 0., 0.}); // without faces
+    const Mesh mesh = mesh_of<Mesh>(soup);
     Reeb_options options;
     for(const bool has_values : {false, true}) {
       if(has_values)
         for(const Mesh::Vertex_index v : mesh.vertices())
           options.values.push_back(mesh.point(v).z());
-      mesh.add_vertex(Point(0, 0, 0)); // without faces
-      options.values.resize(has_values ? mesh.number_of_vertices() : 0);
       write_reeb_json(folder.path("a.json"), mesh, find_reeb_graph(mesh, options, told), 0.5);
       document = json::parse(folder.read("a.json"));
       schema.expect_fits(document);
@@ -172,7 +174,7 @@ TEST(Removal_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("removal");
   Progress told;
-  Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
+  Mesh mesh = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 3, 0}});
   Removal_options options;
   options.maximal_neck_length = 0.;
   CGAL::Handle_tunnel_loops::Removal_report report =
@@ -196,11 +198,10 @@ TEST(Map_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("map");
   Progress told;
-  const Mesh before = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
-  Mesh mesh = before;
-  const Removal_answer answer = remove_handles(mesh, find_loops(mesh), {}, told);
-  write_map_json(folder.path("a.json"), mesh, before.number_of_vertices(), before.number_of_faces(),
-                 answer.parents);
+  const Mesh before = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 3, 0}});
+  const Removal_answer answer = remove_handles(before, find_loops(before), {}, told);
+  const Mesh& mesh = answer.mesh;
+  write_map_json(folder.path("a.json"), before, answer);
   const json document = json::parse(folder.read("a.json"));
   schema.expect_fits(document);
   schema.expect_refuses(document, {[](json& d) { d["vertices"][0] = -1; },
@@ -216,11 +217,11 @@ TEST(Map_schema, fits_what_is_written) {
       number_of_parts += !document["face_parents"][k].is_null();
     else
       EXPECT_EQ(document["face_parents"][k], document["faces"][k]);
-  EXPECT_EQ(number_of_parts, answer.parents.size());
+  EXPECT_GT(number_of_parts, 0u);
   std::size_t i = 0, number_kept = 0;
   for(const Mesh::Vertex_index v : mesh.vertices())
     if(const json& origin = document["vertices"][i++]; !origin.is_null()) {
-      EXPECT_EQ(before.point(Mesh::Vertex_index(origin.get<Mesh::size_type>())), mesh.point(v));
+      EXPECT_EQ(before.point(Mesh::Vertex_index(origin.get<std::uint32_t>())), mesh.point(v));
       ++number_kept;
     }
   EXPECT_GT(2 * number_kept, before.number_of_vertices());
@@ -247,7 +248,7 @@ TEST(Events_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("events");
   Progress told;
-  const Mesh mesh = mesh_of(Recipe{"multi-torus", {3000, 3, 0}});
+  const Mesh mesh = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 3, 0}});
   json document;
   for(const Backend* backend : {&host_backend, &reference_backend}) {
     Solve_options options;
@@ -269,7 +270,7 @@ TEST(Events_schema, fits_what_is_written) {
 TEST(Mesh_line_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("mesh_line");
-  const Mesh closed = mesh_of(Recipe{"multi-torus", {3000, 3, 0}}), open = mesh_with_holes();
+  const Mesh closed = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 3, 0}}), open = mesh_with_holes();
   {
     Text_writer out(folder.path("a.jsonl"));
     for(const Mesh* const mesh : {&closed, &open}) {

@@ -462,7 +462,7 @@ TEST_F(Soup_reader, does_not_merge_points_that_are_nowhere) {
   for(const char* point : {"0 0 0", "0 1.5 0", "1 0 0"}) // of the first face
     text = replaced(text, std::string("vertex ") + point, "vertex nan nan nan");
   for(const std::string& content : {text, binary_stl_file(nan)}) {
-    const auto defects = diagnose(read_soup(folder_.write("a.stl", content))).defects;
+    const auto defects = diagnose(read_soup(folder_.write("a.stl", content)));
     ASSERT_EQ(defects.size(), 1u);
     EXPECT_EQ(defects[0].kind, Mesh_defect::NON_FINITE_COORDINATE);
     EXPECT_EQ(defects[0].count, 3u);

@@ -15,6 +15,7 @@
 namespace test_htloops_vertex_properties {
 
 using namespace htloops;
+using htloops::Mesh;
 
 using Values = std::vector<double>;
 
@@ -127,9 +128,9 @@ TEST_F(Vertex_properties_test, LargeIntegersAreWrittenAsSuch) {
 TEST_F(Vertex_properties_test, SpreadToFurtherVertices) {
   const Mesh mesh = read_mesh(folder_.write("mesh.off", off_file("OFF", "")));
   Vertex_properties properties = {{"red", "uchar", {1., 2.}}, {"value", "double", {1., 2.}}};
-  spread_properties(mesh, properties);
-  EXPECT_EQ(properties[0].values, (Values{1., 2., 2., 2.}));
-  EXPECT_EQ(properties[1].values, (Values{1., 2., 1.5, 1.5}));
+  spread_properties({mesh, {1, 0, nothing_before, nothing_before}, {}, {}}, properties);
+  EXPECT_EQ(properties[0].values, (Values{2., 1., 2., 2.}));
+  EXPECT_EQ(properties[1].values, (Values{2., 1., 1.5, 1.5}));
 }
 
 TEST_F(Vertex_properties_test, WhatIsNotKeptIsNamed) {
