@@ -143,11 +143,13 @@ public:
       , level_(level) {}
 
   std::vector<Exported_line> walk() {
+    const std::vector<Mesh::Edge_index> edges = edges_by_vertices(mesh_);
     for(const bool from_border : {true, false})
-      for(const Mesh::Halfedge_index h : mesh_.halfedges())
-        if(rises(h) && is_walked_[h.idx()] == 0 && !mesh_.is_border(h) &&
-           (!from_border || mesh_.is_border(mesh_.opposite(h))))
-          lines_.push_back(line_from(h));
+      for(const Mesh::Edge_index e : edges)
+        for(const Mesh::Halfedge_index h : {mesh_.halfedge(e), mesh_.opposite(mesh_.halfedge(e))})
+          if(rises(h) && is_walked_[h.idx()] == 0 && !mesh_.is_border(h) &&
+             (!from_border || mesh_.is_border(mesh_.opposite(h))))
+            lines_.push_back(line_from(h));
     return std::move(lines_);
   }
 

@@ -9,6 +9,7 @@
 
 #include "draw/meshes.h"
 
+#include "draw/surfaces.h"
 #include "write/files.h"
 #include "write/mesh_writer.h"
 
@@ -140,12 +141,16 @@ generators::Soup opened_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_inde
 
 Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
   Exported_lines result = {"cut", "edge", {}};
+  std::vector<std::size_t> number(mesh.number_of_halfedges());
+  std::size_t next = 0;
+  for(const Mesh::Edge_index e : edges_by_vertices(mesh))
+    number[e.idx()] = next++;
   for(const Mesh::Edge_index e : cut) {
     Exported_line line;
     line.points = {mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))};
     line.colour = {200, 30, 30};
     line.kind = "cut";
-    line.index = e.idx();
+    line.index = number[e.idx()];
     result.lines.push_back(line);
   }
   return result;

@@ -32,6 +32,17 @@ void Level_cutter::add_polygon(const Polygon& polygon, std::size_t arc, bool is_
   }
 }
 
+std::vector<Mesh::Edge_index> edges_by_vertices(const Mesh& mesh) {
+  const auto edges = mesh.edges();
+  std::vector<Mesh::Edge_index> sorted(edges.begin(), edges.end());
+  const auto ends = [&mesh](Mesh::Edge_index e) {
+    return std::minmax({mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx()});
+  };
+  std::sort(sorted.begin(), sorted.end(),
+            [&ends](Mesh::Edge_index a, Mesh::Edge_index b) { return ends(a) < ends(b); });
+  return sorted;
+}
+
 Level_cutter::Corners Level_cutter::corners_of(Mesh::Face_index f) const {
   const Mesh::Halfedge_index h = mesh_.halfedge(f);
   Corners corners = {mesh_.source(h), mesh_.target(h), mesh_.target(mesh_.next(h))};

@@ -76,6 +76,9 @@ struct Drawn_surface
 
 Drawn_surface drawn_surface(const Mesh& mesh);
 
+/// all edges, by their smaller vertex, then the larger: how they are numbered where they are drawn.
+std::vector<Mesh::Edge_index> edges_by_vertices(const Mesh& mesh);
+
 /// A surface in pieces each of which belongs to one arc of a graph, or to one part of another kind.
 struct Arc_surface
 {
