@@ -8,6 +8,7 @@
 #include "Browser.h"
 
 #include "app/draw/pages.h"
+#include "app/mend/mesh_reader.h"
 #include "app/solve/backends.h"
 
 #include <algorithm>
@@ -54,11 +55,12 @@ void measure(const std::string& input, int number_of_runs, Browser* browser) {
   std::vector<double> reading, writing, ratio;
   double bytes = 0., faces = 0.;
   for(int run = 0; run < number_of_runs; ++run) {
-    Mesh mesh;
+    Mesh read;
     const double t0 = seconds_now();
-    if(!CGAL::IO::read_polygon_mesh(off.name(), mesh))
+    if(!CGAL::IO::read_polygon_mesh(off.name(), read))
       throw std::runtime_error("cannot read " + off.name());
     const double t1 = seconds_now();
+    const htloops::Mesh mesh = htloops::read_mesh(htloops::Input_file(off.name()));
     htloops::Progress told;
     answer = htloops::host_backend.solve(mesh, {}, told);
     listing = htloops::list_pairs(mesh, answer.pairs);

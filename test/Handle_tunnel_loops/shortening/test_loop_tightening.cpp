@@ -109,6 +109,24 @@ TEST(Tightening, FindsTheCircleAroundAHole) {
   }
 }
 
+// A loop that shares work with many has fewer rounds, but one at least.
+TEST(Tightening, SharesItsWork) {
+  const Flat_mesh torus = flat_mesh_of({"torus", {8000, 1, 0}});
+  const Crossing_loop loop = loop_around_hole(torus, 0.5);
+  const auto length_among = [&](double work) {
+    Crossing_loop tight = loop;
+    Loop_tightening(torus).tighten_among(tight, work, double(loop.size()));
+    return length(torus, tight);
+  };
+  Crossing_loop alone = loop, once = loop;
+  Loop_tightening(torus).tighten(alone);
+  Loop_tightening(torus).tighten(once, 1);
+  EXPECT_EQ(length_among(200. * double(loop.size())), length(torus, alone));
+  EXPECT_EQ(length_among(0.), length(torus, once));
+  EXPECT_LT(length_among(2. * double(loop.size())), length(torus, once));
+  EXPECT_GT(length_among(2. * double(loop.size())), length(torus, alone));
+}
+
 TEST(Tightening, GainsLittleTheSecondTime) {
   const Flat_mesh torus = flat_mesh_of({"torus", {3000, 1, 0}});
   Crossing_loop loop = loop_around_tube(torus, 0.5);

@@ -221,6 +221,10 @@ public:
     return sources;
   }
 
+  /// whether loops have been put together that are so long, all of them, that there was too much
+  /// to do to tighten each.
+  bool is_any_loose() const { return is_any_loose_; }
+
   /// by pair, whether both loops bound on their sides now.
   const std::vector<char>& is_pure() const { return is_pure_; }
 
@@ -234,6 +238,8 @@ public:
   }
 
 private:
+  static constexpr double work_by_face = 128.;
+
   // A loop of the basis, or a class for which there is none yet.
   struct Member
   {
@@ -260,6 +266,8 @@ private:
        (std::any_of(handles->begin(), handles->end(), is_made) ||
         std::any_of(tunnels->begin(), tunnels->end(), is_made)))
       project_loops();
+    crossings_to_make_ = crossings_of_made(*handles) + crossings_of_made(*tunnels);
+    is_any_loose_ = is_any_loose_ || Loop_tightening::is_too_much(work(), crossings_to_make_);
     Workspace_pool<Loop_sum> sums([this] {
       return coarse_ == nullptr ? std::make_unique<Loop_sum>(mesh_, loops_)
                                 : std::make_unique<Loop_sum>(coarse_->mesh, projected_);
@@ -316,13 +324,21 @@ private:
   // Whether the loops that are to be put together are of a size that any computer can hold.
   bool can_be_made(const std::vector<Member>& members) const {
     constexpr double most_crossings = 5e7;
+    return crossings_of_made(members) <= most_crossings;
+  }
+
+  // How many, about, the loops have that are to be put together.
+  double crossings_of_made(const std::vector<Member>& members) const {
     double sum = 0.;
     for(const Member& m : members)
       if(m.loop == no_index)
         for(const auto& [i, factor] : m.coordinates)
           sum += std::abs(double(factor)) * double(loops_[i].size());
-    return sum <= most_crossings;
+    return sum;
   }
+
+  // In crossings, to tighten all loops that are put together.
+  double work() const { return work_by_face * double(mesh_.number_of_faces()); }
 
   // Puts the tunnels into the order of the handles. Returns `false` if a number became too large.
   bool pair_up(const std::vector<Member>& handles, std::vector<Member>& tunnels) const {
@@ -394,7 +410,7 @@ private:
     const Flat_mesh& mesh = coarse_ == nullptr ? mesh_ : coarse_->mesh;
     Crossing_loop loop = pushed_left(mesh, walk);
     if(do_tighten_)
-      Loop_tightening(execution_, mesh).tighten(loop);
+      Loop_tightening(execution_, mesh).tighten_among(loop, work(), crossings_to_make_);
     if(coarse_ != nullptr) {
       loop = coarse_->lifted(loop);
       Loop_tightening(execution_, mesh_).straighten(loop);
@@ -409,6 +425,8 @@ private:
   Progress& progress_;
   std::vector<Crossing_loop> loops_;     // before
   std::vector<Crossing_loop> projected_; // on the coarse mesh, once one is to be made there
+  double crossings_to_make_ = 0.;
+  bool is_any_loose_ = false;
   std::unique_ptr<Loop_classes> classes_;
   std::vector<char> is_pure_;
 };

@@ -68,13 +68,19 @@ inline bool take_back(const std::vector<Flat_pair>& first,
   return !components.empty();
 }
 
-// Loops that come from a coarse mesh are straight, but no geodesics yet.
+// Loops that come from a coarse mesh are straight, but no geodesics yet, and what was put together
+// of very many is not even that.
 inline void tighten(Execution execution, const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
+  constexpr double work_by_face = 512.;
+  double crossings = 0.;
+  for(const Flat_pair& pair : pairs)
+    crossings += double(pair.handle.size() + pair.tunnel.size());
   for_each_index(
       execution, 2 * pairs.size(),
       [&](std::size_t i) {
         Loop_tightening(execution, mesh)
-            .tighten(i % 2 == 0 ? pairs[i / 2].handle : pairs[i / 2].tunnel);
+            .tighten_among(i % 2 == 0 ? pairs[i / 2].handle : pairs[i / 2].tunnel,
+                           work_by_face * double(mesh.number_of_faces()), crossings);
       },
       1);
 }
@@ -91,6 +97,7 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
   // Parts of the time, about, when they begin or end.
   constexpr double first_linking = 0.25, second_linking = 0.75;
   std::optional<Loop_relations> relations;
+  bool is_any_loose = coarse != nullptr;
   Class_shortening shortening(execution, mesh, coarse, options.search_effort, progress);
   if(options.do_link) {
     const double began = progress.time().seconds_spent();
@@ -100,6 +107,7 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     progress.advance(first_linking);
     Purification purification(execution, mesh, options.do_shorten, progress, coarse);
     std::vector<Index> before = purification.run(pairs, *relations);
+    is_any_loose = is_any_loose || purification.is_any_loose();
     if(options.do_shorten)
       right_classes::shorten(shortening, pairs, purification.is_pure(), before);
     progress.advance(second_linking);
@@ -119,7 +127,7 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     match_loops(mesh, pairs);
     relations.reset();
   }
-  if(coarse != nullptr && options.do_shorten)
+  if(is_any_loose && options.do_shorten)
     right_classes::tighten(execution, mesh, pairs);
   return relations;
 }

@@ -198,6 +198,20 @@ public:
   /// go, which is to be done once, when it has been chosen.
   void straighten(Crossing_loop& loop) { tighten(loop, rounds_to_straighten); }
 
+  /// tightens a loop that shares work with others: \p crossings are those of all of them. If the
+  /// work does for `least_work()`, it is as without others.
+  void tighten_among(Crossing_loop& loop, double work, double crossings) {
+    if(is_too_much(work, crossings))
+      tighten(loop, 1 + static_cast<std::size_t>(work / crossings));
+    else
+      tighten(loop);
+  }
+
+  /// whether loops that cross so many edges, all of them, take more than that work.
+  static bool is_too_much(double work, double crossings) {
+    return work < double(least_rounds) * crossings;
+  }
+
   /// Crossings times rounds. On a mesh of n faces a loop crosses about as many edges as the square
   /// root of n; only on ugly ones there are loops that need more than the share.
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
@@ -205,7 +219,7 @@ public:
   /// what is done even if it is more than the share: 200 rounds, unless the loop crosses more edges
   /// than there are faces.
   std::size_t least_work(const Crossing_loop& loop) const {
-    return 200 * (std::min)(loop.size() + 1, mesh_.number_of_faces());
+    return least_rounds * (std::min)(loop.size() + 1, mesh_.number_of_faces());
   }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
@@ -266,7 +280,7 @@ private:
   using Bend = Funnel::Bend;
   using Portal = Strip::Portal;
 
-  static constexpr std::size_t rounds_to_straighten = 16;
+  static constexpr std::size_t rounds_to_straighten = 16, least_rounds = 200;
 
   // At the ends exactly: the funnel has to tell whether the path is held at a corner.
   static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
