@@ -35,7 +35,7 @@ struct Run_record
   std::string mesh_file;
   Json options; ///< an object
   double read_seconds = 0.;
-  Face_cuts cuts;
+  Face_cuts cuts = {};
 };
 
 /// writes an answer in the format "htloops/1", of which

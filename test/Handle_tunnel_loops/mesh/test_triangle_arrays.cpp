@@ -149,8 +149,9 @@ void expect_mesh_of(const Triangles& triangles, std::size_t n, const Arrays& mes
   for(const auto v : mesh.vertices())
     EXPECT_EQ(mesh.is_isolated(v), is_used[v.idx()] == 0);
   // CGAL's check takes a vertex without faces for a mistake.
-  if(std::count(is_used.begin(), is_used.end(), 0) == 0)
+  if(std::count(is_used.begin(), is_used.end(), 0) == 0) {
     EXPECT_TRUE(CGAL::is_valid_face_graph(mesh));
+  }
   std::size_t number_of_edges = 0;
   for(const auto e : mesh.edges()) {
     EXPECT_EQ(e.idx(), mesh.halfedge(e).idx());
@@ -180,7 +181,7 @@ TEST(Triangle_arrays, HaveTheHalfedgesOfTheirTriangles) {
 TEST(Triangle_arrays, AreAnyTrianglesThatAreASurface) {
   Random random(2);
   std::map<std::optional<Mesh_defect>, std::size_t> seen;
-  for(std::size_t i = 0; i < number_of_cases(30000); ++i) {
+  for(int i = 0; i < number_of_cases(30000); ++i) {
     const std::uint32_t n = 3 + static_cast<std::uint32_t>(random.below(5));
     Triangles triangles(1 + random.below(6));
     for(Triangle& t : triangles)

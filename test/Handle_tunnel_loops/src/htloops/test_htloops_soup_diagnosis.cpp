@@ -74,8 +74,9 @@ void expect_defects(const Faces& faces,
     EXPECT_EQ(defect.count, expected[i].count) << defect.message;
     EXPECT_NE(defect.message.find(expected[i].words), std::string::npos) << defect.message;
   }
-  if(expected.empty())
+  if(expected.empty()) {
     EXPECT_EQ(built.mesh.number_of_faces(), faces.size());
+  }
 }
 
 TEST(Soup_diagnosis, accepts_closed_manifolds) {
@@ -198,7 +199,7 @@ TEST(Soup_diagnosis, finds_all_defects_at_once) {
 TEST(Mesh_builder, refuses_what_has_defects) {
   CGAL::Handle_tunnel_loops::generators::Random random(1);
   std::size_t number_built = 0;
-  for(std::size_t i = 0; i < number_of_cases(20000); ++i) {
+  for(int i = 0; i < number_of_cases(20000); ++i) {
     const std::size_t n = 3 + random.below(5);
     Faces faces;
     for(std::size_t f = 0; f < 1 + random.below(5); ++f) {
