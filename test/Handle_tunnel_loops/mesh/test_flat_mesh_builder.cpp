@@ -198,7 +198,7 @@ TEST(Flat_mesh_builder, KnowsThePositionsOfNeighbors) {
     for(Index p = 0; p < ring.size(); ++p)
       EXPECT_EQ(mesh.position(v, ring[p]), p);
     EXPECT_EQ(mesh.position(v, v), ring.size());
-    in_long_rings += ring.size() > Flat_mesh::longest_searched_ring ? ring.size() : 0;
+    in_long_rings += ring.size() > many_neighbors ? ring.size() : 0;
   }
   EXPECT_GT(in_long_rings, mesh.neighbor.size() / 8);
   EXPECT_EQ(mesh.places_in_long_rings.size(), in_long_rings);

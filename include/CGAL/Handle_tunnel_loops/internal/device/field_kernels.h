@@ -270,7 +270,7 @@ public:
     float sum = 0.f;
     std::uint64_t whole_sum = 0;
     Index number = 0;
-    const bool is_long = ring_.size() > most_summed_as_they_are;
+    const bool is_long = ring_.size() > many_neighbors;
     for_each_eight([&](const Some& some) {
       float values[stencil_width];
       CGAL_HTL_UNROLL

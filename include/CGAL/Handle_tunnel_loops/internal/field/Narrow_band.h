@@ -32,7 +32,7 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// fixed length: valences vary at random, and a mispredicted branch costs as much as the sum
 /// itself. Short rows are filled up with a vertex that does not exist, `n`, whose value is zero;
 /// vertices with longer rows are left to the ring. Of those with long rows, whose neighbours know
-/// them, sums are kept (see `most_summed_as_they_are`).
+/// them, sums are kept (see `whole_value()`).
 class Stencils
 {
 public:
@@ -76,7 +76,7 @@ public:
 private:
   void find_long_rows(const Flat_mesh& mesh) {
     for(Index v = 0; v < rows_.size(); ++v)
-      if(mesh.ring(v).size() > most_summed_as_they_are)
+      if(mesh.ring(v).size() > many_neighbors)
         long_rows_.push_back(v);
     if(long_rows_.empty())
       return;

@@ -82,10 +82,8 @@ CGAL_HTL_HOST_DEVICE float stencil_mean(float weight, const Value& value) {
                                      ((value(4) + value(5)) + (value(6) + value(7))));
 }
 
-/// What is summed of vertices with more neighbours than this: values as whole numbers, whose sum is
-/// the same in any order. So it can be kept, and changed where a value changes.
-constexpr Index most_summed_as_they_are = 64;
-
+/// What is summed of vertices with many neighbours: values as whole numbers, whose sum is the same
+/// in any order. So it can be kept, and changed where a value changes.
 CGAL_HTL_HOST_DEVICE inline std::uint64_t whole_value(float value) {
   return static_cast<std::uint64_t>(value * 0x1p32f);
 }

@@ -26,9 +26,11 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// As many vertices of the fine mesh are in a cell, about, where passes are on a coarse one.
 constexpr Index vertices_of_cell = 16;
 
-/// Loops of so many edge lengths of the fine mesh are long enough to be searched for on a coarse
-/// one.
-constexpr double longest_on_fine_mesh = 48.;
+/// Loops of a mesh that are as long are long enough to be searched for on a coarse one.
+inline double least_length_on_coarse_mesh(const Flat_mesh& mesh) {
+  constexpr double edge_lengths = 48.;
+  return edge_lengths * mean_edge_length(mesh);
+}
 
 /*!
 A mesh of the same topology as a finer one, of which its vertices are the centres of cells; made by

@@ -21,7 +21,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/use.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -90,8 +89,6 @@ private:
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
   static constexpr std::size_t small = 8; // vertices
   static constexpr std::size_t parts_of_unfit_cell = 4;
-  // A cell around a vertex of more neighbours would take them all, and be beside everything.
-  static constexpr Index most_neighbors = 64;
   // So many more there are in the end, on scans.
   static constexpr std::size_t cells_for_unfit_cell = 6;
 
@@ -117,8 +114,9 @@ private:
       cells_.add_cell(v);
     for(Index seed : seeds_)
       cells_.add_cell(seed);
+    // A cell around a vertex of many neighbours would take them all, and be beside everything.
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
-      if(mesh_.is_hub(v) || mesh_.ring(v).size() > most_neighbors)
+      if(mesh_.is_hub(v) || mesh_.ring(v).size() > many_neighbors)
         cells_.add_vertex(v);
     const std::vector<Index> open = vertices_with([&](Index v) { return !cells_.is_centre(v); });
     cells_.grow(execution_, open, [](Index) { return true; });

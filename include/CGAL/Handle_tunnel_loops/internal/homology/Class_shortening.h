@@ -157,7 +157,7 @@ private:
     fine_ground_.levels().prepare(visits());
     if(coarse_ground_) {
       coarse_ground_->levels().prepare(std::numeric_limits<double>::infinity());
-      longest_on_fine_ground_ = longest_on_fine_mesh * mean_edge_length(mesh_);
+      longest_on_fine_ground_ = least_length_on_coarse_mesh(mesh_);
     }
   }
 

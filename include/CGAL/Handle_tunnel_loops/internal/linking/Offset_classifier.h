@@ -140,7 +140,7 @@ public:
       , volume_(mesh.seeds.size(), 0.) {
     for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
       volume_[mesh.component[v]] += volume_at(v);
-      if(mesh.ring(v).size() > many)
+      if(mesh.ring(v).size() > many_neighbors)
         normal_of_busy_[v] = normal_at(v);
     }
   }
@@ -177,7 +177,7 @@ private:
   }
 
   Vector normal(Index v) const {
-    return mesh_.ring(v).size() > many ? normal_of_busy_.at(v) : normal_at(v);
+    return mesh_.ring(v).size() > many_neighbors ? normal_of_busy_.at(v) : normal_at(v);
   }
 
   Vector normal_at(Index v) const {
@@ -197,8 +197,6 @@ private:
     const double length = norm(a);
     return length > 0. ? (1. / length) * a : a;
   }
-
-  static constexpr Index many = 64; // neighbours
 
   const Flat_mesh& mesh_;
   std::vector<double> volume_; // by component; negative if the faces look inwards

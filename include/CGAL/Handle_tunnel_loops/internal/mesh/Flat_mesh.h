@@ -79,8 +79,6 @@ before(const Ring& ring_of_u, const Ring& ring_of_v, Index u, Index v) {
 /// curve on the surface crosses an edge to a hub at its other end.
 struct Flat_mesh
 {
-  static constexpr Index longest_searched_ring = 64;
-
   /// The position of a neighbour in the ring of a vertex.
   struct Place_in_ring
   {
@@ -126,7 +124,7 @@ struct Flat_mesh
   /// one after the other.
   Index position(Index v, Index neighbor_of_v) const {
     const Ring around = ring(v);
-    if(around.size() <= longest_searched_ring || places_in_long_rings.empty())
+    if(around.size() <= many_neighbors || places_in_long_rings.empty())
       return around.position(neighbor_of_v);
     const auto place = std::lower_bound(places_in_long_rings.begin(), places_in_long_rings.end(),
                                         Place_in_ring{v, neighbor_of_v, 0});
@@ -144,7 +142,7 @@ struct Flat_mesh
   /// makes positions in long rings known, once all rings are there.
   void find_places_in_long_rings() {
     for(Index v = 0; v < number_of_vertices(); ++v)
-      if(const Ring around = ring(v); around.size() > longest_searched_ring)
+      if(const Ring around = ring(v); around.size() > many_neighbors)
         for(Index p = 0; p < around.size(); ++p)
           places_in_long_rings.push_back({v, around[p], p});
     std::sort(places_in_long_rings.begin(), places_in_long_rings.end());

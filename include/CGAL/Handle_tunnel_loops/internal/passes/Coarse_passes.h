@@ -150,7 +150,7 @@ private:
   }
 
   bool is_any_long(const std::vector<Flat_pair>& pairs) const {
-    const double least = longest_on_fine_mesh * mean_edge_length(mesh_);
+    const double least = least_length_on_coarse_mesh(mesh_);
     return std::any_of(pairs.begin(), pairs.end(), [&](const Flat_pair& pair) {
       return length(mesh_, pair.handle) >= least || length(mesh_, pair.tunnel) >= least;
     });

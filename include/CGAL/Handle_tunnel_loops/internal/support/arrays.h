@@ -33,6 +33,10 @@ constexpr Index no_index = (std::numeric_limits<Index>::max)();
 /// mispredicted branch costs as much as the work itself.
 constexpr Index stencil_width = 8;
 
+/// A vertex of more neighbours than these may have a great part of all others: what is asked of it
+/// again and again is kept, as it must not take as long as there are neighbours each time.
+constexpr Index many_neighbors = 64;
+
 /// the same number for both directions of an edge, by the numbers of its ends.
 constexpr std::uint64_t edge_key(std::uint64_t u, std::uint64_t v) {
   return u < v ? u << 32 | v : v << 32 | u;
