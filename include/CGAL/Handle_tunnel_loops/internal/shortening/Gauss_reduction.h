@@ -68,8 +68,7 @@ private:
   // does so from the first rounds on: soon there is less left to gain than has been gained.
   bool becomes_shorter(Crossing_loop& loop, double threshold) {
     const double first = length(mesh_, loop);
-    const std::size_t most_work =
-        (std::max)(tightening_.share_of_work(), tightening_.least_work(loop));
+    const std::size_t most_work = tightening_.share_of_work();
     const std::size_t rounds =
         (std::max)(std::size_t(8), (std::min)(loop.size() / 64, most_work / loop.size()));
     double before = first, most_left = 1.5;

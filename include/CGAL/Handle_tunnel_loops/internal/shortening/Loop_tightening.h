@@ -13,6 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Angle_sum.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Flip_shortening.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -169,7 +171,9 @@ it passes, from one of its places back to the same (the strip is laid out in the
 found with a funnel; the place moves from round to round). And where that path bends at a vertex and
 the faces on the other side of the vertex span less than a straight angle, the strip is led around
 that other side; where the strip goes all around the vertex, the turn is left out. All are
-homotopies whatever the numbers say: rounding can cost length, not the class.
+homotopies whatever the numbers say: rounding can cost length, not the class. A round costs as much
+as there are edges that the loop crosses; where these are very many, edges are flipped between the
+rounds.
 
 A loop that crosses a cap of a boundary curve is led along that curve first, the shorter way around,
 which is homotopic on the surface with its caps. No strip is led around the side of a vertex on
@@ -188,10 +192,14 @@ public:
       , strip_(mesh) {}
 
   /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
-  /// as long as the loop, however fine the mesh is, within a share of work.
+  /// as long as the loop, however fine the mesh is, within a share of work. Where that is not
+  /// enough, edges are flipped.
   void tighten(Crossing_loop& loop) {
     const std::size_t rounds = (std::min)(loop.size(), share_of_work() / (loop.size() + 1));
-    tighten(loop, (std::max)(least_work(loop) / (loop.size() + 1), rounds));
+    if(rounds < (std::min)(loop.size(), least_rounds))
+      shorten_by_flips(loop);
+    else
+      tighten(loop, rounds);
   }
 
   /// takes out what is crooked, in a few rounds. To become a geodesic a loop may have a long way to
@@ -199,7 +207,7 @@ public:
   void straighten(Crossing_loop& loop) { tighten(loop, rounds_to_straighten); }
 
   /// tightens a loop that shares work with others: \p crossings are those of all of them. If the
-  /// work does for `least_work()`, it is as without others.
+  /// work does for `least_rounds`, it is as without others.
   void tighten_among(Crossing_loop& loop, double work, double crossings) {
     if(is_too_much(work, crossings))
       tighten(loop, 1 + static_cast<std::size_t>(work / crossings));
@@ -215,12 +223,6 @@ public:
   /// Crossings times rounds. On a mesh of n faces a loop crosses about as many edges as the square
   /// root of n; only on ugly ones there are loops that need more than the share.
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
-
-  /// what is done even if it is more than the share: 200 rounds, unless the loop crosses more edges
-  /// than there are faces.
-  std::size_t least_work(const Crossing_loop& loop) const {
-    return least_rounds * (std::min)(loop.size() + 1, mesh_.number_of_faces());
-  }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
   /// latest after the given number of rounds. A loop that becomes a point is empty.
@@ -281,6 +283,23 @@ private:
   using Portal = Strip::Portal;
 
   static constexpr std::size_t rounds_to_straighten = 16, least_rounds = 200;
+  static constexpr double gain_worth_having = 0.99;
+
+  // Flips move a loop over many vertices, one after the other, and rounds make it let go of many
+  // that it goes around for nothing; so they take turns. The loop stays where that is not shorter.
+  void shorten_by_flips(Crossing_loop& loop) {
+    straighten(loop);
+    for(double part = 0.; part < gain_worth_having && !loop.empty();) {
+      Crossing_loop shorter = loop;
+      Flip_shortening(execution_, mesh_).shorten(shorter);
+      straighten(shorter);
+      const double before = length(mesh_, loop);
+      part = length(mesh_, shorter) / before;
+      if(!(part < 1.))
+        return;
+      loop = std::move(shorter);
+    }
+  }
 
   // At the ends exactly: the funnel has to tell whether the path is held at a corner.
   static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
@@ -427,26 +446,6 @@ private:
     const std::size_t turn = mesh_.ring(end_of(fan.first, fan.at_left)).size();
     return (fan.last + 1 - fan.first) / turn * turn;
   }
-
-  /// Adds up angles between 0 and a straight one, without trigonometric functions.
-  class Angle_sum
-  {
-  public:
-    /// adds the angle whose cosine and sine are in the ratio of the arguments. Returns whether the
-    /// sum is still less than straight.
-    bool add(double cosine, double sine) {
-      const double c = rounded_product(cosine_, cosine) - rounded_product(sine_, sine);
-      const double s = rounded_product(cosine_, sine) + rounded_product(sine_, cosine);
-      const double size = (std::max)(std::abs(c), std::abs(s));
-      cosine_ = size > 0. ? c / size : 1.;
-      sine_ = size > 0. ? s / size : 0.;
-      constexpr double tolerance = 1e-7;
-      return sine_ > tolerance || (sine_ >= 0. && cosine_ > 0.);
-    }
-
-  private:
-    double cosine_ = 1., sine_ = 0.;
-  };
 
   static bool add_angle(const Point_2& a, const Point_2& b, Angle_sum& sum) {
     return sum.add(dot(a, b), std::abs(cross(a, b)));

@@ -1,0 +1,122 @@
+// Shortened by flips, a loop is in the same class; and what flipped edges cross are edges of the
+// mesh, one beside the other.
+
+#include "Crossing_loops.h"
+#include "Torus_loops.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Flip_shortening.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace test_flip_shortening {
+
+using CGAL::Handle_tunnel_loops::internal::Execution;
+using CGAL::Handle_tunnel_loops::internal::Flip_shortening;
+using CGAL::Handle_tunnel_loops::internal::Flipped_edges;
+using CGAL::Handle_tunnel_loops::internal::length;
+using CGAL::Handle_tunnel_loops::internal::Loop_tightening;
+
+// The class is seen through the intersection numbers with a fixed family.
+void expect_shortened(const Flat_mesh& mesh, unsigned seed) {
+  Random random(seed);
+  const Crossing_index index(mesh, random_loops(mesh, random, 20));
+  for(const Crossing_loop& loop : random_loops(mesh, random, 30)) {
+    Crossing_loop shortened = loop;
+    Flip_shortening(Execution(), mesh).shorten(shortened);
+    expect_crossing_loop(mesh, shortened);
+    EXPECT_EQ(index.intersections(shortened), index.intersections(loop));
+  }
+}
+
+TEST(Flips, KeepTheClassOnSmoothSurfaces) {
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 1)) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    expect_shortened(flat_mesh_of(recipe), 1);
+  }
+}
+
+TEST(Flips, KeepTheClassOnRandomSurfaces) {
+  Random random(2);
+  for(int i = 0; i < 100; ++i) {
+    const std::size_t genus = random.below(6);
+    const Recipe recipe = {
+        "random",
+        {20 + 12 * genus + random.below(300), genus, static_cast<unsigned>(random.next())}};
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    expect_shortened(flat_mesh_of(recipe), static_cast<unsigned>(i));
+  }
+}
+
+TEST(Flips, KeepTheClassWherePointsCoincide) {
+  for(const double cell : {0.1, 0.5, 1., 10.})
+    for(unsigned seed = 0; seed < 10; ++seed) {
+      Soup soup = soup_of({"random", {60, 4, seed}});
+      for(auto& point : soup.points)
+        for(double& x : point)
+          x = cell * std::floor(x / cell);
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", points of a grid of width " << cell);
+      expect_shortened(flat_mesh_of(soup), seed);
+    }
+}
+
+// Edges that are flipped at random, whatever the shapes of faces are: each one leads from one of
+// its ends to the other, or is an edge of the mesh again.
+void expect_ways_on_mesh(const Flat_mesh& mesh, Random& random) {
+  Flipped_edges edges(mesh);
+  std::vector<Index> halfedges;
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    for(const Index u : mesh.ring(v))
+      halfedges.push_back(edges.halfedge(v, u));
+  for(int i = 0; i < 500; ++i) {
+    const Index h = halfedges[random.below(halfedges.size())], g = Flipped_edges::twin(h);
+    if(g == edges.next(h) || g == edges.previous(h))
+      continue;
+    edges.flip(h);
+    Crossing_loop way;
+    edges.append_crossings(h, way);
+    const Index source = edges.source(h), target = edges.target(h);
+    if(edges.is_of_mesh(h)) {
+      ASSERT_LT(mesh.ring(source).position(target), mesh.ring(source).size());
+      continue;
+    }
+    ASSERT_FALSE(way.empty());
+    for(const Crossing& c : way)
+      ASSERT_LT(mesh.ring(c.left).position(c.right), mesh.ring(c.left).size());
+    ASSERT_EQ(mesh.ring(way.front().right).after(way.front().left), source);
+    ASSERT_EQ(mesh.ring(way.back().left).after(way.back().right), target);
+    for(std::size_t k = 0; k + 1 < way.size(); ++k) {
+      const Index apex = mesh.ring(way[k].left).after(way[k].right);
+      ASSERT_TRUE((way[k + 1].left == way[k].left && way[k + 1].right == apex) ||
+                  (way[k + 1].right == way[k].right && way[k + 1].left == apex));
+    }
+  }
+}
+
+TEST(Flips, LeaveWaysOnTheMesh) {
+  Random random(3);
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 1)) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    expect_ways_on_mesh(flat_mesh_of(recipe), random);
+  }
+}
+
+// On plates of long thin faces a loop is far from tight after two hundred rounds.
+TEST(Flips, ShortenLoopsAcrossLongThinFaces) {
+  const Flat_mesh mesh = flat_mesh_of({"plates", {20000, 4, 0}});
+  Random random(4);
+  double by_flips = 0., by_rounds = 0.;
+  for(const Crossing_loop& loop : random_loops(mesh, random, 10)) {
+    Crossing_loop flipped = loop, pulled = loop;
+    Loop_tightening(mesh).tighten(flipped);
+    Loop_tightening(mesh).tighten(pulled, 200);
+    by_flips += length(mesh, flipped);
+    by_rounds += length(mesh, pulled);
+  }
+  EXPECT_LT(by_flips, 0.9 * by_rounds);
+}
+
+} // namespace test_flip_shortening
