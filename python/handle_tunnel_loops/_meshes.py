@@ -10,7 +10,7 @@ import numpy as np
 from ._arguments import numbers
 from ._core import MeshError
 
-_most = 2**31  # vertices, and corners of faces
+_most = 2**32 - 2  # vertices, and corners of faces
 
 # What meshio calls cells, by the numbers that VTK and PyVista have for them.
 _of_vtk = {1: "vertex", 2: "poly_vertex", 3: "line", 4: "poly_line", 5: "triangle", 9: "quad"}
@@ -41,13 +41,13 @@ def soup(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, List[np.ndarray]]:
     if points.ndim != 2 or points.shape[1] != 3:
         _refuse_shape("V", "(n, 3), the coordinates of the vertices", points)
     if len(points) > _most:
-        raise MeshError("the mesh has more than 2^31 vertices")
+        raise MeshError("the mesh has more than 2^32 - 2 vertices")
     parts = [numbers("F", part, "integers") for part in parts]
     for part in parts:
         if part.ndim != 2 or part.shape[1] < 3:
             _refuse_shape("F", "(m, 3), three vertices for each face", part)
     if sum(part.shape[0] * part.shape[1] for part in parts) > _most:
-        raise MeshError("the mesh has more than 2^31 halfedges")
+        raise MeshError("the mesh has more than 2^32 - 2 halfedges")
     return points, parts
 
 

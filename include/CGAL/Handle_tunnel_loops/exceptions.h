@@ -32,7 +32,7 @@ enum class Mesh_defect {
   DEGENERATE_FACE,          ///< a face names the same vertex twice
   PARALLEL_EDGES,           ///< two edges join the same two vertices
   NON_FINITE_COORDINATE,    ///< a coordinate is infinite or not a number
-  TOO_LARGE                 ///< more than 2^31 halfedges
+  TOO_LARGE                 ///< more than 2^32 - 2 halfedges
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

@@ -46,7 +46,7 @@ private:
 /// Points and faces as they stand in a file, nothing known about them.
 struct Soup
 {
-  static constexpr std::size_t largest_number_of_halfedges = std::size_t(1) << 31;
+  static constexpr std::size_t largest_number_of_halfedges = (std::size_t(1) << 32) - 2;
 
   std::vector<Point> points;
   std::vector<Soup_face> faces;

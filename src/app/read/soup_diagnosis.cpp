@@ -71,7 +71,7 @@ private:
       defects_.push_back({Mesh_defect::EMPTY, 1, "the mesh has no face"});
     if(3 * soup_.faces.size() > Soup::largest_number_of_halfedges ||
        soup_.points.size() > Soup::largest_number_of_halfedges)
-      defects_.push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^31 halfedges"});
+      defects_.push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^32 - 2 halfedges"});
     are_faces_sound_ = defects_.empty();
   }
 

@@ -67,7 +67,7 @@ TEST(Sum_before_each, IsThatSum) {
   for(const std::size_t n : {0u, 1u, 10u, 20u, 21u, 1000u}) {
     std::vector<std::uint32_t> numbers(n), expected(n);
     for(auto& x : numbers)
-      x = static_cast<std::uint32_t>(random.below(100));
+      x = static_cast<std::uint32_t>(random.below((std::size_t(1) << 32) / (n + 1)));
     std::uint32_t sum = 0;
     for(std::size_t i = 0; i < n; ++i) {
       expected[i] = sum;

@@ -50,6 +50,18 @@ std::set<std::size_t> vertices_of_face(const Mesh& mesh, Mesh::Face_index f) {
   return vertices;
 }
 
+// ---- size
+
+TEST(Large_mesh, HasAsManyHalfedgesAsIndicesHold) {
+  using namespace CGAL::Handle_tunnel_loops::internal;
+  const std::size_t faces = most_halfedges / 3, vertices = faces / 2;
+  EXPECT_EQ(faces, 1431655764u);
+  EXPECT_LT(3 * (faces - 1) + 2, no_index); // the last halfedge
+  EXPECT_NO_THROW(check_size(faces, vertices));
+  EXPECT_THROW(check_size(faces + 1, vertices), Invalid_mesh_exception);
+  EXPECT_THROW(check_size(faces, std::size_t(1) << 31), Invalid_mesh_exception);
+}
+
 // ---- connectivity
 
 TEST(Empty_mesh, IsRefused) {

@@ -106,18 +106,18 @@ public:
     execution.for_ranges(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
       read_range(vertices.data() + begin, end - begin, ranges_[begin / grain]);
     });
-    std::size_t number_of_halfedges = 0;
+    std::size_t number_of_halfedges = 0, number_of_borders = 0;
     bool are_triangles = true;
     for(const Range& range : ranges_) {
       number_of_halfedges += range.neighbor.size() - range.borders.size();
+      number_of_borders += range.borders.size();
       are_triangles = are_triangles && range.are_triangles;
     }
     if(!are_triangles || number_of_halfedges != num_halfedges(tm_))
       check_halfedges(vertices);
     if(number_of_halfedges == 0)
       throw Invalid_mesh_exception(Mesh_defect::EMPTY, {}, "the mesh has no face");
-    if(number_of_halfedges > std::size_t(1) << 31)
-      throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
+    check_number_of_halfedges(number_of_halfedges + 2 * number_of_borders);
   }
 
   /// the ring of the i-th of these vertices, counterclockwise.

@@ -36,8 +36,7 @@ CGAL_HTL_CORE Triangle_connectivity::Triangle_connectivity(Execution execution,
 }
 
 CGAL_HTL_CORE void Triangle_connectivity::check_corners(Execution execution) const {
-  if(number_of_corners_ > std::size_t(1) << 31)
-    throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
+  check_number_of_halfedges(number_of_corners_);
   First_index degenerate;
   for_each_index(execution, number_of_faces(), [&](std::size_t f) {
     const Index* const c = source_.data() + 3 * f;
@@ -138,8 +137,7 @@ CGAL_HTL_CORE void Triangle_connectivity::find_arriving() {
 CGAL_HTL_CORE void Triangle_connectivity::add_borders(const std::vector<Index>& inner) {
   if(inner.empty())
     return;
-  if(number_of_corners_ + inner.size() > std::size_t(1) << 31)
-    throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
+  check_number_of_halfedges(number_of_corners_ + inner.size());
   opposite_.reserve(number_of_corners_ + inner.size());
   source_.reserve(number_of_corners_ + inner.size());
   for(const Index h : inner) {

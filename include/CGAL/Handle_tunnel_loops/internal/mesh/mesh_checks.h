@@ -53,12 +53,18 @@ throw_edge_defect(Mesh_defect defect, std::size_t u, std::size_t v, const std::s
                                what + ": edge " + std::to_string(u) + " - " + std::to_string(v));
 }
 
-/// throws `Invalid_mesh_exception` where indices of triangles and their corners are not enough.
+/// throws `Invalid_mesh_exception` where indices are not enough for halfedges, those of caps with
+/// them.
+inline void check_number_of_halfedges(std::size_t number) {
+  if(number > most_halfedges)
+    throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
+}
+
+/// ... and for vertices, of which twice the number is an index as well.
 inline void check_size(std::size_t number_of_triangles, std::size_t number_of_vertices) {
   if(number_of_vertices >= no_index / 2)
     throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many vertices");
-  if(number_of_triangles > (std::size_t(1) << 31) / 3)
-    throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many halfedges");
+  check_number_of_halfedges(3 * number_of_triangles);
 }
 
 /// throws `Invalid_mesh_exception`, naming an edge, unless all faces are triangles. Returns whether

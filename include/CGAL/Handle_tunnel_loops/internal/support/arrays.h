@@ -29,6 +29,9 @@ namespace CGAL::Handle_tunnel_loops::internal {
 using Index = std::uint32_t;
 constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
+/// Halfedges have indices, too: no mesh has more than 1.43 billion faces.
+constexpr std::size_t most_halfedges = no_index - 1;
+
 /// As many neighbours as rows of a fixed length have room for: valences vary at random, and a
 /// mispredicted branch costs as much as the work itself.
 constexpr Index stencil_width = 8;
