@@ -70,15 +70,18 @@ protected:
   void expect_definitions(const std::vector<Vector>& vertices, Random& random) const {
     const auto multiple = [&] { return (static_cast<int>(random.below(9)) - 4) / 4.; };
     const Projected_points::Direction direction = {multiple(), multiple()};
-    Projected_points points(Execution(), vertices, {0.5, -0.25}, number_of_points);
-    points.see_along(Execution(), direction);
+    Projected_points seen(vertices, {0.5, -0.25});
+    seen.see_along(direction);
     By_definition expected{{}, direction};
-    for(const Vector& v : vertices)
-      expected.points.push_back(rational(v) + rational(v));
+    std::vector<Projected_points::Point> points;
+    for(Index v = 0; v < number_of_vertices; ++v) {
+      points.push_back(seen.vertex(v));
+      expected.points.push_back(rational(vertices[v]) + rational(vertices[v]));
+    }
     while(expected.points.size() < number_of_points) {
       const Index u = static_cast<Index>(random.below(number_of_vertices));
       const Index v = static_cast<Index>(random.below(number_of_vertices));
-      points.add_midpoints(Execution(), 1, [&](std::size_t) { return std::make_pair(u, v); });
+      points.push_back(seen.midpoint(u, v));
       expected.points.push_back(rational(vertices[u]) + rational(vertices[v]));
     }
     const auto any = [&] { return static_cast<Index>(random.below(number_of_points)); };
@@ -86,13 +89,14 @@ protected:
     tiny *= tiny * tiny * tiny;
     for(int i = 0; i < 100; ++i) {
       const Index p = any(), q = any(), r = any(), s = any();
-      ASSERT_EQ(points.turn(p, q, r), expected.turn(p, q, r));
-      ASSERT_EQ(points.turn_to_moved(p, q, r), expected.turn_to_moved(p, q, r, tiny));
+      const auto &a = points[p], &b = points[q], &c = points[r], &d = points[s];
+      ASSERT_EQ(seen.turn(a, b, c), expected.turn(p, q, r));
+      ASSERT_EQ(seen.turn_to_moved(a, b, c), expected.turn_to_moved(p, q, r, tiny));
       // That the line moves is that the point moves the other way.
-      const int moved = points.turn_of_moved(p, q, r);
+      const int moved = seen.turn_of_moved(a, b, c);
       ASSERT_EQ(moved, expected.turn(p, q, r) != 0 ? expected.turn(p, q, r)
                                                    : -expected.turn_to_moved(p, q, r, tiny));
-      ASSERT_EQ(points.side(p, q, r, s), expected.side(p, q, r, s));
+      ASSERT_EQ(seen.side(a, b, c, d), expected.side(p, q, r, s));
     }
   }
 };
@@ -166,7 +170,7 @@ TEST(Collinear, IsDecidedExactly) {
 }
 
 Linking linking_of(const Surface_curves& curves) {
-  Linking_numbers numbers(Execution(), curves);
+  Linking_numbers numbers(curves);
   numbers.link(Execution());
   return numbers.take();
 }
@@ -476,6 +480,7 @@ TEST(Boxes, AreFoundWhereTheyMeet) {
       for(Index j = 0; j < boxes.size(); ++j)
         if(boxes[j].meets(box))
           expected.insert(j);
+      EXPECT_EQ(tree.is_any_meeting(box), !expected.empty());
       EXPECT_EQ(found, expected);
     }
   }

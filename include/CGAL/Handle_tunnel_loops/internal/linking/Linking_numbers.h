@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -51,27 +52,28 @@ the copy passes over the pushed walk, by the sense in which they cross.
   passes over it once and under it once.
 - A copy and a walk whose boxes are apart are not linked: nothing is counted of them.
 
-No number is compared with a tolerance. The lines that may cross are found by a tree of boxes: near
-linear in the number of lines and of places where one passes over another of a loop close by.
+No number is compared with a tolerance. The lines that may cross are found by a tree of boxes around
+pieces of walks: near linear in the number of lines and of places where one passes over another of a
+loop close by.
 */
 class Linking_numbers
 {
   using Extent = Box<3>;
 
-  // Around a line in the projection, and around the whole loops that it is of in space.
+  // Around lines in the projection, and around the whole loops that they are of in space.
   using Seen_box = Box<5>;
 
 public:
-  Linking_numbers(Execution execution, const Surface_curves& curves)
+  explicit Linking_numbers(const Surface_curves& curves)
       : curves_(curves)
-      , points_(execution, curves.vertices, next_direction(), 2 * curves.corners.size()) {
+      , points_(curves.vertices, next_direction()) {
     add_intersections();
   }
 
   /// computes V.
   void link(Execution execution) {
     while(!are_touches_decided() && ++number_of_attempts_ < maximum_number_of_attempts)
-      points_.see_along(execution, next_direction());
+      points_.see_along(next_direction());
     add_touches();
     add_crossings(execution);
     add_up(linking_);
@@ -88,9 +90,10 @@ public:
 private:
   using Edge = Surface_curves::Edge;
   using Corner = Surface_curves::Corner;
+  using Point = Projected_points::Point;
 
   static constexpr int maximum_number_of_attempts = 16;
-  static constexpr std::size_t corners_at_once = 8;
+  static constexpr Index most_lines = 16; // of a piece
 
   // ---- intersection numbers
 
@@ -136,11 +139,18 @@ private:
 
   int outward_at(std::size_t e) const { return curves_.outward[curves_.walks.of(e)[0].column]; }
 
+  // Of an edge, the ends and the third vertices of the faces to the left and right.
+  std::array<Point, 4> around(std::size_t e) const {
+    const Edge& edge = curves_.edges[e];
+    return {points_.vertex(edge.source), points_.vertex(edge.target), points_.vertex(edge.left),
+            points_.vertex(edge.right)};
+  }
+
   // Which side of the face to the left, and to the right, is seen: 1 is the outer one.
   std::array<int, 2> visible_sides(std::size_t e) const {
-    const Edge& edge = curves_.edges[e];
-    return {outward_at(e) * points_.turn(edge.source, edge.target, edge.left),
-            outward_at(e) * points_.turn(edge.target, edge.source, edge.right)};
+    const auto [source, target, left, right] = around(e);
+    return {outward_at(e) * points_.turn(source, target, left),
+            outward_at(e) * points_.turn(target, source, right)};
   }
 
   // Whether no face at a touched edge is seen as a line.
@@ -159,9 +169,8 @@ private:
     const auto [left, right] = visible_sides(e);
     if(left == right)
       return left < 0;
-    const Edge& edge = curves_.edges[e];
-    const int reflex =
-        outward_at(e) * points_.side(edge.source, edge.target, edge.left, edge.right);
+    const auto [source, target, left_apex, right_apex] = around(e);
+    const int reflex = outward_at(e) * points_.side(source, target, left_apex, right_apex);
     if(reflex == 0 || left == 0 || right == 0)
       add_contact({Contact::no_corner, e});
     return reflex > 0;
@@ -178,16 +187,30 @@ private:
 
   // ---- places where a copy is seen to cross a walk
 
-  // The ends of the corners become points after the vertices.
-  Index first_end(std::size_t corner) const {
-    return static_cast<Index>(curves_.vertices.size() + 2 * corner);
+  // A line as it is seen.
+  struct Seen_line
+  {
+    Point a, b;
+    Box<2> box;
+  };
+
+  Seen_line seen_line(const Point& a, const Point& b) const {
+    const double e = (std::max)(points_.position_error(a), points_.position_error(b));
+    return {a,
+            b,
+            {{(std::min)(a.x, b.x) - e, (std::min)(a.y, b.y) - e},
+             {(std::max)(a.x, b.x) + e, (std::max)(a.y, b.y) + e}}};
   }
 
-  void add_ends(Execution execution) {
-    points_.add_midpoints(execution, 2 * curves_.corners.size(), [this](std::size_t i) {
-      const Corner& c = curves_.corners[i / 2];
-      return std::make_pair(c.apex, i % 2 == 0 ? c.from : c.to);
-    });
+  Seen_line seen_edge(std::size_t e) const {
+    return seen_line(points_.vertex(curves_.edges[e].source),
+                     points_.vertex(curves_.edges[e].target));
+  }
+
+  Seen_line seen_corner(std::size_t c) const {
+    const Corner& corner = curves_.corners[c];
+    return seen_line(points_.midpoint(corner.apex, corner.from),
+                     points_.midpoint(corner.apex, corner.to));
   }
 
   // By loop, around the walk and around the copy.
@@ -206,29 +229,46 @@ private:
   Extent place(Index v) const { return {curves_.vertices[v], curves_.vertices[v]}; }
 
   // Of all loops whose walks run along an edge: nothing, if they cancel each other.
-  Extent extent_at(std::size_t e) const {
+  Extent extent_of_edge(std::size_t e) const {
     Extent all = Extent::empty();
     for(const Matrix_entry& walk : curves_.walks.of(e))
       all.extend(extents_of_walks_[walk.column]);
     return all;
   }
 
-  Seen_box box(Index p, Index q, const Extent& of_loops) const {
-    const auto [x1, y1] = points_.position(p);
-    const auto [x2, y2] = points_.position(q);
-    const double e = (std::max)(points_.position_error(p), points_.position_error(q));
-    const auto& [low, high] = of_loops;
-    return {{(std::min)(x1, x2) - e, (std::min)(y1, y2) - e, low[0], low[1], low[2]},
-            {(std::max)(x1, x2) + e, (std::max)(y1, y2) + e, high[0], high[1], high[2]}};
+  Extent extent_of_corner(std::size_t c) const {
+    return extents_of_copies_[curves_.corners[c].loop];
   }
 
-  // The order of lines along a space-filling curve, in slabs: what is seen at one place may be of
-  // loops that are far apart. `vertex_of` gives a vertex of each.
-  template <typename Vertex_of>
-  std::vector<Index>
-  order(Execution execution, const std::vector<Seen_box>& boxes, const Vertex_of& vertex_of) const {
+  // The walk that runs along an edge first: edges are numbered as walks pass them.
+  Index walk_along(std::size_t e) const {
+    const auto walks = curves_.walks.of(e);
+    return walks.empty() ? no_index : walks[0].column;
+  }
+
+  // Where pieces of lines begin that follow each other on one loop, and the end. There are so few
+  // that boxes need no memory worth speaking of.
+  template <typename Loop_of>
+  static std::vector<Index> begins_of_pieces(std::size_t n, const Loop_of& loop_of) {
+    std::vector<Index> begins;
+    for(Index i = 0; i < n; ++i)
+      if(begins.empty() || i - begins.back() == most_lines || loop_of(i) != loop_of(i - 1))
+        begins.push_back(i);
+    begins.push_back(static_cast<Index>(n));
+    return begins;
+  }
+
+  static Seen_box box_around(const Box<2>& seen, const Extent& e) {
+    return {{seen.low[0], seen.low[1], e.low[0], e.low[1], e.low[2]},
+            {seen.high[0], seen.high[1], e.high[0], e.high[1], e.high[2]}};
+  }
+
+  // The order of pieces along a space-filling curve, in slabs: what is seen at one place may be of
+  // loops that are far apart. `height(i)` is half of a height.
+  template <typename Height>
+  static std::vector<Index>
+  order(Execution execution, const std::vector<Seen_box>& boxes, const Height& height) {
     constexpr double slabs = 8.;
-    const auto height = [&](std::size_t i) { return curves_.vertices[vertex_of(i)][2] / 2.; };
     Seen_box all = Seen_box::empty();
     double low = 0., high = 0.;
     for(std::size_t i = 0; i < boxes.size(); ++i) {
@@ -247,84 +287,88 @@ private:
     });
   }
 
-  // Boxes with the numbers of what they are around, those that are near each other together.
-  struct Sorted_boxes
+  // Pieces of the walks: those that are near each other together.
+  struct Pieces
   {
-    std::vector<Index> numbers;
-    std::vector<Seen_box> boxes;
+    std::vector<Index> begins, numbers; // of the pieces, in the order of the tree
+    Box_tree<5> tree;
   };
 
-  template <typename Box_of, typename Vertex_of>
-  Sorted_boxes sorted_boxes(Execution execution,
-                            std::size_t n,
-                            const Box_of& box_of,
-                            const Vertex_of& vertex_of) const {
-    std::vector<Seen_box> boxes(n);
-    for_each_index(execution, n, [&](std::size_t i) { boxes[i] = box_of(i); });
-    Sorted_boxes sorted{order(execution, boxes, vertex_of), std::vector<Seen_box>(n)};
-    for_each_index(execution, n,
-                   [&](std::size_t i) { sorted.boxes[i] = boxes[sorted.numbers[i]]; });
-    return sorted;
+  Pieces pieces_of_walks(Execution execution) const {
+    std::vector<Index> begins =
+        begins_of_pieces(curves_.edges.size(), [this](std::size_t e) { return walk_along(e); });
+    std::vector<Seen_box> boxes(begins.size() - 1), sorted(boxes.size());
+    for_each_index(execution, boxes.size(), [&](std::size_t i) {
+      boxes[i] = Seen_box::empty();
+      for(Index e = begins[i]; e < begins[i + 1]; ++e)
+        boxes[i].extend(box_around(seen_edge(e).box, extent_of_edge(e)));
+    });
+    std::vector<Index> numbers = order(execution, boxes, [&](std::size_t i) {
+      return curves_.vertices[curves_.edges[begins[i]].source][2] / 2.;
+    });
+    for(std::size_t i = 0; i < sorted.size(); ++i)
+      sorted[i] = boxes[numbers[i]];
+    return {std::move(begins), std::move(numbers), Box_tree<5>(std::move(sorted))};
   }
 
   void add_crossings(Execution execution) {
-    add_ends(execution);
     find_extents();
-    const auto& all_edges = curves_.edges;
-    const auto& all_corners = curves_.corners;
-    Sorted_boxes edges = sorted_boxes(
-        execution, all_edges.size(),
-        [&](std::size_t e) { return box(all_edges[e].source, all_edges[e].target, extent_at(e)); },
-        [&](std::size_t e) { return all_edges[e].source; });
-    const Sorted_boxes corners = sorted_boxes(
-        execution, all_corners.size(),
-        [&](std::size_t c) {
-          return box(first_end(c), first_end(c) + 1, extents_of_copies_[all_corners[c].loop]);
-        },
-        [&](std::size_t c) { return all_corners[c].apex; });
-    const Box_tree<5> tree(std::move(edges.boxes));
+    const Pieces pieces = pieces_of_walks(execution);
+    const std::vector<Index> begins = begins_of_pieces(
+        curves_.corners.size(), [this](std::size_t c) { return curves_.corners[c].loop; });
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
-        execution, corners.boxes.size(),
+        execution, begins.size() - 1,
         [&](std::size_t begin, std::size_t end) {
           std::vector<Matrix_entry> part;
-          for(std::size_t i = begin; i < end; i += corners_at_once) {
+          for(std::size_t i = begin; i < end; ++i) {
             execution.look();
-            add_crossings(tree, edges.numbers, corners, i, (std::min)(end, i + corners_at_once),
-                          part);
+            add_crossings(pieces, begins[i], begins[i + 1], part);
           }
           add_up(part);
           return part;
         },
-        512 * corners_at_once);
+        256);
     linking_.insert(linking_.end(), entries.begin(), entries.end());
   }
 
-  // Of corners that follow each other in their order, hence lie near each other.
-  void add_crossings(const Box_tree<5>& tree,
-                     const std::vector<Index>& edges,
-                     const Sorted_boxes& corners,
-                     std::size_t begin,
-                     std::size_t end,
-                     std::vector<Matrix_entry>& entries) {
-    Seen_box all = corners.boxes[begin];
-    for(std::size_t i = begin; i < end; ++i)
-      all.extend(corners.boxes[i]);
-    tree.for_each_meeting(all, [&](Index i, const Seen_box& box_of_edge) {
-      for(std::size_t j = begin; j < end; ++j)
-        if(corners.boxes[j].meets(box_of_edge))
-          add_terms(corners.numbers[j], edges[i], entries);
-    });
+  // Of the corners of a piece of a copy.
+  void
+  add_crossings(const Pieces& pieces, Index begin, Index end, std::vector<Matrix_entry>& entries) {
+    std::array<Seen_line, most_lines> corners;
+    Box<2> seen = Box<2>::empty();
+    for(Index c = begin; c < end; ++c) {
+      corners[c - begin] = seen_corner(c);
+      seen.extend(corners[c - begin].box);
+    }
+    pieces.tree.for_each_meeting(
+        box_around(seen, extent_of_corner(begin)), [&](Index i, const Seen_box&) {
+          const Index piece = pieces.numbers[i];
+          for(Index e = pieces.begins[piece]; e < pieces.begins[piece + 1]; ++e) {
+            const Seen_line edge = seen_edge(e);
+            if(edge.box.meets(seen))
+              for(Index c = begin; c < end; ++c)
+                if(corners[c - begin].box.meets(edge.box))
+                  add_terms(c, corners[c - begin], e, edge, entries);
+          }
+        });
   }
 
-  void add_terms(Index c, Index e, std::vector<Matrix_entry>& entries) {
+  void add_terms(Index c,
+                 const Seen_line& line_of_corner,
+                 Index e,
+                 const Seen_line& line_of_edge,
+                 std::vector<Matrix_entry>& entries) {
     const Corner& corner = curves_.corners[c];
-    if(has_too_many_contacts_ || touches(corner, curves_.edges[e]))
+    if(has_too_many_contacts_ || touches(corner, curves_.edges[e]) ||
+       !extent_of_corner(c).meets(extent_of_edge(e)))
       return;
-    const int sign = crossing(c, e);
-    if(sign != 0)
+    const std::optional<int> sign = crossing(line_of_corner, line_of_edge);
+    if(!sign)
+      add_contact({c, e});
+    else if(*sign != 0)
       for(const Matrix_entry& walk : curves_.walks.of(e))
         if(extents_of_copies_[corner.loop].meets(extents_of_walks_[walk.column]))
-          entries.push_back({corner.loop, walk.column, sign * walk.value});
+          entries.push_back({corner.loop, walk.column, *sign * walk.value});
   }
 
   static bool touches(const Corner& c, const Edge& edge) {
@@ -332,19 +376,17 @@ private:
     return (edge.source == c.apex || edge.target == c.apex) && (other == c.from || other == c.to);
   }
 
-  // 0 unless the corner is seen to pass over the edge; 1 if the edge then leads to the left.
-  int crossing(Index c, Index e) {
-    const Index a = first_end(c), b = a + 1;
-    const Index p = curves_.edges[e].source, q = curves_.edges[e].target;
+  // 0 unless the corner is seen to pass over the edge; 1 if the edge then leads to the left;
+  // nothing if they meet.
+  std::optional<int> crossing(const Seen_line& corner, const Seen_line& edge) const {
+    const Point &a = corner.a, &b = corner.b, &p = edge.a, &q = edge.b;
     if(points_.turn(a, b, p) * points_.turn(a, b, q) > 0 ||
        points_.turn(p, q, a) * points_.turn(p, q, b) > 0)
       return 0;
     // They are seen to meet. If they lie in a plane they do meet.
     const int side = points_.side(a, b, p, q);
-    if(side == 0) {
-      add_contact({c, e});
-      return 0;
-    }
+    if(side == 0)
+      return std::nullopt;
     // If a line is seen as a point all turns are zero, and it crosses nothing.
     const int sense = points_.turn_of_moved(a, b, q);
     if(sense == points_.turn_of_moved(a, b, p) ||

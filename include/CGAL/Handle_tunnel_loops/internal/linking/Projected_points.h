@@ -14,17 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <initializer_list>
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -32,10 +27,10 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /*!
 Points in space as they are seen along a direction, and exact predicates on them.
 
-The points are vertices with double coordinates, in the order in which they are given, and then
-midpoints of pairs of vertices. They are projected along (a, b, 1) to the plane of the first two
-coordinates, that is to (x - a z, y - b z), so that the viewer is where z is large. Predicates are
-evaluated in floating point with a bound of the error. Where that does not decide, they are
+The points are vertices with double coordinates and midpoints of pairs of vertices, and are made as
+they are asked for: nothing is stored. They are projected along (a, b, 1) to the plane of the first
+two coordinates, that is to (x - a z, y - b z), so that the viewer is where z is large. Predicates
+are evaluated in floating point with a bound of the error. Where that does not decide, they are
 evaluated from close by, with each axis scaled to the points at hand, as one point far away or one
 long axis would else leave nothing to see of the others; and at last exactly.
 */
@@ -48,88 +43,69 @@ public:
     double a, b;
   };
 
-  /// There will be \p number_of_midpoints.
-  Projected_points(Execution execution,
-                   const std::vector<Vector>& vertices,
-                   const Direction& direction,
-                   std::size_t number_of_midpoints = 0)
+  /// The sum of two vertices, hence twice as far out as the midpoint, which changes no predicate;
+  /// and scaled by a power of two, so that no coordinate is larger than 1.
+  struct Point
+  {
+    double x, y; ///< the projection; each is off by less than `position_error()`
+    Vector space;
+    Index u, v;
+  };
+
+  /// The vertices must outlive it.
+  Projected_points(const std::vector<Vector>& vertices, const Direction& direction)
       : vertices_(vertices)
-      , points_(new Point[vertices.size() + number_of_midpoints]) {
+      , direction_(direction) {
     double largest = 0.;
     for(const Vector& p : vertices)
       for(double x : p)
         largest = (std::max)(largest, std::abs(x));
     const double scale = scale_for(largest);
     scale_of_all_ = {scale, scale, {scale, scale, scale}};
-    see_along(execution, direction);
   }
 
-  /// changes the direction, and forgets the midpoints.
-  void see_along(Execution execution, const Direction& direction) {
-    direction_ = direction;
-    number_of_points_ = 0;
-    add_midpoints(execution, vertices_.size(), [](std::size_t v) {
-      return std::make_pair(static_cast<Index>(v), static_cast<Index>(v));
-    });
+  /// changes the direction. Points made before are of no use any more.
+  void see_along(const Direction& direction) { direction_ = direction; }
+
+  Point vertex(Index v) const { return midpoint(v, v); }
+
+  Point midpoint(Index u, Index v) const {
+    CGAL_precondition(u < vertices_.size() && v < vertices_.size());
+    return midpoint(u, v, scale_of_all_);
   }
 
-  /// adds n points, the midpoints of the pairs `ends(i)` of vertices.
-  template <typename Ends>
-  void add_midpoints(Execution execution, std::size_t n, const Ends& ends) {
-    for_each_index(execution, n, [&](std::size_t i) {
-      const auto [u, v] = ends(i);
-      CGAL_precondition(u < vertices_.size() && v < vertices_.size());
-      points_[number_of_points_ + i] = midpoint(u, v, scale_of_all_);
-    });
-    number_of_points_ += n;
-  }
-
-  /// the projection of a point, scaled by a power of two; each coordinate is off by less than
-  /// `position_error()`.
-  std::array<double, 2> position(Index p) const { return {points_[p].x, points_[p].y}; }
-
-  double position_error(Index p) const {
-    const Vector& v = points_[p].space;
+  static double position_error(const Point& p) {
+    const Vector& v = p.space;
     return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}) * 0x1p-50 + 0x1p-1070;
   }
 
   /// the sense in which the projections of three points turn: 1 is counterclockwise.
-  int turn(Index p, Index q, Index r) const {
-    CGAL_precondition(p < number_of_points_ && q < number_of_points_ && r < number_of_points_);
+  int turn(const Point& p, const Point& q, const Point& r) const {
     return sign([](const auto&... points) { return certain_turn(points...); },
                 [&] { return exact_turn(p, q, r); }, p, q, r);
   }
 
   /// the same with r moved aside by (s, s^2) for an infinitesimal s; zero only if p and q are seen
   /// at one place.
-  int turn_to_moved(Index p, Index q, Index r) const {
+  int turn_to_moved(const Point& p, const Point& q, const Point& r) const {
     const int sense = turn(p, q, r);
     return sense != 0 ? sense : turn_to_step(p, q);
   }
 
   /// the same with p and q moved aside.
-  int turn_of_moved(Index p, Index q, Index r) const {
+  int turn_of_moved(const Point& p, const Point& q, const Point& r) const {
     const int sense = turn(p, q, r);
     return sense != 0 ? sense : -turn_to_step(p, q);
   }
 
   /// 1 if s lies on the side of the plane through p, q and r from which these are seen to turn
   /// counterclockwise; 0 if it lies on the plane.
-  int side(Index p, Index q, Index r, Index s) const {
+  int side(const Point& p, const Point& q, const Point& r, const Point& s) const {
     return sign([](const auto&... points) { return certain_side(points...); },
                 [&] { return exact_side(p, q, r, s); }, p, q, r, s);
   }
 
 private:
-  // All of them are the sum of two vertices, hence twice as far out as they should be, which
-  // changes no predicate; and scaled by a power of two, so that no coordinate is larger than 1.
-  struct Point
-  {
-    double x, y; // the projection
-    Vector space;
-    Index u, v;
-  };
-
   // Powers of two for the coordinates of the projection, and of space.
   struct Scales
   {
@@ -159,11 +135,11 @@ private:
   }
 
   // The sign that `certain(points...)` tells, from close by if need be, or else `exact()`.
-  template <typename Certain, typename Exact, typename... Indices>
-  int sign(const Certain& certain, const Exact& exact, Indices... p) const {
-    if(const int sign = certain(points_[p]...))
+  template <typename Certain, typename Exact, typename... Points>
+  int sign(const Certain& certain, const Exact& exact, const Points&... p) const {
+    if(const int sign = certain(p...))
       return sign;
-    const Scales scales = scales_of({p...});
+    const Scales scales = scales_of({&p...});
     const int sign = certain(close_up(p, scales)...);
     return sign != 0 ? sign : exact();
   }
@@ -193,10 +169,10 @@ private:
 
   // ---- from close by
 
-  Scales scales_of(std::initializer_list<Index> points) const {
+  Scales scales_of(std::initializer_list<const Point*> points) const {
     Vector largest{0., 0., 0.};
-    for(Index p : points)
-      for(Index v : {points_[p].u, points_[p].v})
+    for(const Point* p : points)
+      for(Index v : {p->u, p->v})
         for(int d = 0; d < 3; ++d)
           largest[d] = (std::max)(largest[d], std::abs(vertices_[v][d]));
     return {scale_for((std::max)(largest[0], largest[2])),
@@ -204,31 +180,28 @@ private:
             {scale_for(largest[0]), scale_for(largest[1]), scale_for(largest[2])}};
   }
 
-  Point close_up(Index p, const Scales& scales) const {
-    return midpoint(points_[p].u, points_[p].v, scales);
-  }
+  Point close_up(const Point& p, const Scales& scales) const { return midpoint(p.u, p.v, scales); }
 
-  Exact_vector exact_difference(Index p, Index q) const {
-    const Point &a = points_[p], &b = points_[q];
+  Exact_vector exact_difference(const Point& a, const Point& b) const {
     return (exact(vertices_[b.u]) + exact(vertices_[b.v])) -
            (exact(vertices_[a.u]) + exact(vertices_[a.v]));
   }
 
   // ... projected; the last coordinate is of no use then.
-  Exact_vector exact_projected_difference(Index p, Index q) const {
+  Exact_vector exact_projected_difference(const Point& p, const Point& q) const {
     Exact_vector v = exact_difference(p, q);
     v[0] -= Exact_number(direction_.a) * v[2];
     v[1] -= Exact_number(direction_.b) * v[2];
     return v;
   }
 
-  int exact_turn(Index p, Index q, Index r) const {
+  int exact_turn(const Point& p, const Point& q, const Point& r) const {
     const Exact_vector u = exact_projected_difference(p, q), v = exact_projected_difference(p, r);
     return sign_of(Exact_number(u[0] * v[1] - u[1] * v[0]));
   }
 
   // The sign of a coordinate of the projection of q, seen from that of p.
-  int compare(Index p, Index q, double Point::*coordinate) const {
+  int compare(const Point& p, const Point& q, double Point::*coordinate) const {
     const auto certain = [&](const Point& a, const Point& b) {
       return certain_sign(b.*coordinate - a.*coordinate, 0x1p-49);
     };
@@ -239,12 +212,12 @@ private:
   }
 
   // The turn from the line through p and q to an infinitesimal step (s, s^2).
-  int turn_to_step(Index p, Index q) const {
+  int turn_to_step(const Point& p, const Point& q) const {
     const int y = compare(p, q, &Point::y);
     return y != 0 ? -y : compare(p, q, &Point::x);
   }
 
-  int exact_side(Index p, Index q, Index r, Index s) const {
+  int exact_side(const Point& p, const Point& q, const Point& r, const Point& s) const {
     return sign_of(
         dot(cross(exact_difference(p, q), exact_difference(p, r)), exact_difference(p, s)));
   }
@@ -252,9 +225,6 @@ private:
   const std::vector<Vector>& vertices_;
   Direction direction_;
   Scales scale_of_all_; // the same for all coordinates
-  // Not initialized, so that the threads that fill it are the first to touch it.
-  std::unique_ptr<Point[]> points_;
-  std::size_t number_of_points_ = 0;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

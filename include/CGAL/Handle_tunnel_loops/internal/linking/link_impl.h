@@ -35,7 +35,7 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE Linking link(Execution execution, const Surface_curves& curves, bool do_link) {
-  Linking_numbers numbers(execution, curves);
+  Linking_numbers numbers(curves);
   if(do_link)
     numbers.link(execution);
   return numbers.take();
@@ -57,12 +57,14 @@ CGAL_HTL_CORE std::vector<int> signs_of_volumes(
 
 CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& point) {
   const std::vector<Vector> vertices = {t[0], t[1], t[2], point};
-  const Projected_points points(Execution(), vertices, {0., 0.});
-  const int sense = points.turn(0, 1, 2);
-  for(Index i = 0; i < 3; ++i)
-    if(sense == 0 || points.turn_to_moved(i, (i + 1) % 3, 3) != sense)
+  const Projected_points points(vertices, {0., 0.});
+  const Projected_points::Point corners[] = {points.vertex(0), points.vertex(1), points.vertex(2)},
+                                seen_from = points.vertex(3);
+  const int sense = points.turn(corners[0], corners[1], corners[2]);
+  for(int i = 0; i < 3; ++i)
+    if(sense == 0 || points.turn_to_moved(corners[i], corners[(i + 1) % 3], seen_from) != sense)
       return Seen_triangle::NOWHERE;
-  const int height = points.side(0, 1, 2, 3) * sense;
+  const int height = points.side(corners[0], corners[1], corners[2], seen_from) * sense;
   return height == 0  ? Seen_triangle::HERE
          : height < 0 ? Seen_triangle::ABOVE
                       : Seen_triangle::BELOW;

@@ -74,6 +74,11 @@ public:
       visit(levels_.size() - 1, 0, box, f);
   }
 
+  /// whether any box meets `box`.
+  bool is_any_meeting(const Box& box) const {
+    return !levels_.front().empty() && is_any_meeting(levels_.size() - 1, 0, box);
+  }
+
 private:
   static constexpr std::size_t group_size = 4;
 
@@ -96,9 +101,23 @@ private:
       f(static_cast<Index>(i), levels_[0][i]);
       return;
     }
-    const std::size_t end = (std::min)((i + 1) * group_size, levels_[level - 1].size());
-    for(std::size_t child = i * group_size; child < end; ++child)
+    for(std::size_t child = i * group_size; child < end_of_group(level, i); ++child)
       visit(level - 1, child, box, f);
+  }
+
+  bool is_any_meeting(std::size_t level, std::size_t i, const Box& box) const {
+    if(!levels_[level][i].meets(box))
+      return false;
+    if(level == 0)
+      return true;
+    for(std::size_t child = i * group_size; child < end_of_group(level, i); ++child)
+      if(is_any_meeting(level - 1, child, box))
+        return true;
+    return false;
+  }
+
+  std::size_t end_of_group(std::size_t level, std::size_t i) const {
+    return (std::min)((i + 1) * group_size, levels_[level - 1].size());
   }
 
   std::vector<std::vector<Box>> levels_; // the boxes, their groups, the groups of these, ...
