@@ -206,7 +206,9 @@ TEST(Right_classes, AreFoundFromAnyBasis) {
   for(const Recipe& recipe : connected) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Wound_up_surface surface(recipe);
-    const Relate_pairs relate = [&](const std::vector<Flat_pair>& p) { return surface.relate(p); };
+    const Relate_pairs relate = [&](const std::vector<Flat_pair>& p, const Known_relations*) {
+      return surface.relate(p);
+    };
     for(const std::size_t operations : {3, 20}) {
       std::vector<Flat_pair> pairs = surface.wound_up_pairs(random, operations);
       Quiet_progress progress;
@@ -230,7 +232,9 @@ TEST(Right_classes, AreABasisWithoutSides) {
   for(const Recipe& recipe : connected) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Wound_up_surface surface(recipe);
-    const Relate_pairs relate = [&](const std::vector<Flat_pair>& p) { return surface.relate(p); };
+    const Relate_pairs relate = [&](const std::vector<Flat_pair>& p, const Known_relations*) {
+      return surface.relate(p);
+    };
     for(const bool do_shorten : {true, false}) {
       std::vector<Flat_pair> pairs = surface.wound_up_pairs(random, 10);
       Quiet_progress progress;

@@ -27,8 +27,10 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// computes the relations of the loops of pairs, handles and tunnels in turn.
-using Relate_pairs = std::function<Loop_relations(const std::vector<Flat_pair>&)>;
+/// computes the relations of the loops of pairs, handles and tunnels in turn; from those before
+/// some were replaced, which it takes, if they are known.
+using Relate_pairs =
+    std::function<Loop_relations(const std::vector<Flat_pair>&, const Known_relations*)>;
 
 /// What `find_right_classes()` is to do.
 struct Class_options

@@ -98,10 +98,11 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
   constexpr double first_linking = 0.25, second_linking = 0.75;
   std::optional<Loop_relations> relations;
   bool is_any_loose = coarse != nullptr;
-  Class_shortening shortening(execution, mesh, coarse, options.search_effort, progress);
+  std::optional<Class_shortening> shortening;
+  shortening.emplace(execution, mesh, coarse, options.search_effort, progress);
   if(options.do_link) {
     const double began = progress.time().seconds_spent();
-    relations = relate(pairs);
+    relations = relate(pairs, nullptr);
     progress.time().keep_back(progress.time().seconds_spent() - began); // for the second time
     const std::vector<Flat_pair> first = pairs;
     progress.advance(first_linking);
@@ -109,21 +110,24 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     std::vector<Index> before = purification.run(pairs, *relations);
     is_any_loose = is_any_loose || purification.is_any_loose();
     if(options.do_shorten)
-      right_classes::shorten(shortening, pairs, purification.is_pure(), before);
+      right_classes::shorten(*shortening, pairs, purification.is_pure(), before);
     progress.advance(second_linking);
     if(!right_classes::is_any_new(before))
       relations->renumber(before);
     else {
-      relations = relate(pairs);
+      if(options.kind == Basis_kind::PURE)
+        shortening.reset(); // its meshes are large
+      const Known_relations known = {*relations, before};
+      relations = relate(pairs, &known);
       if(right_classes::take_back(first, purification.is_pure(), *relations, pairs))
         relations.reset();
     }
   }
   if(options.kind == Basis_kind::SHORTEST) {
     std::vector<Index> before(2 * pairs.size(), Index(0));
-    shortening.forget_pairs();
+    shortening->forget_pairs();
     if(options.do_shorten)
-      right_classes::shorten(shortening, pairs, std::vector<char>(pairs.size(), 0), before);
+      right_classes::shorten(*shortening, pairs, std::vector<char>(pairs.size(), 0), before);
     match_loops(mesh, pairs);
     relations.reset();
   }

@@ -51,6 +51,17 @@ enum class Seen_triangle { NOWHERE, ABOVE, HERE, BELOW };
 /// edge.
 CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& point);
 
+/// On which side of the components of a surface the solid is.
+struct Solid_sides
+{
+  /// by component, 1 if the faces look out of the solid, -1 if they look into it, 0 if that cannot
+  /// be told.
+  std::vector<int> outward;
+
+  /// by component, in words, why that is 0.
+  std::vector<std::string> reasons;
+};
+
 /*!
 Tells on which side of the components of a closed surface the solid is: the points that are enclosed
 by an odd number of components. So the faces of a component look out of the solid if the volume that
@@ -93,16 +104,14 @@ public:
     find_nesting(execution, all);
   }
 
-  /// 1 if the faces of a component look out of the solid, -1 if they look into it, 0 if that cannot
-  /// be told.
-  int outward(std::size_t component) const {
-    return parts_[component].is_touched ? 0 : parts_[component].sign;
-  }
-
-  /// in words, why `outward()` is 0.
-  std::string reason(std::size_t component) const {
-    return parts_[component].is_touched ? "a vertex of one component lies on another"
-                                        : "a component encloses no volume";
+  Solid_sides sides() const {
+    Solid_sides sides;
+    for(const Part& part : parts_) {
+      sides.outward.push_back(part.is_touched ? 0 : part.sign);
+      sides.reasons.push_back(part.is_touched ? "a vertex of one component lies on another"
+                                              : "a component encloses no volume");
+    }
+    return sides;
   }
 
 private:

@@ -65,12 +65,14 @@ public:
   }
 
   /// takes pointers to loops that are closed and lie on the surface; \p component gives the number
-  /// of the component of a face. Finds where the solid is.
+  /// of the component of a face. Finds where the solid is, unless \p sides are known, of all
+  /// components that have loops.
   template <typename ComponentOfFace>
   void set_loops(Execution execution,
                  std::vector<const Loop*> loops,
                  const ComponentOfFace& component,
-                 std::size_t number_of_components) {
+                 std::size_t number_of_components,
+                 Solid_sides sides = {}) {
     loops_ = std::move(loops);
     for(const Loop* loop : loops_) {
       CGAL_precondition(!loop->steps().empty());
@@ -79,8 +81,20 @@ public:
     }
     for(const Walk& boundary : boundaries_)
       boundary_components_.push_back(component(face(boundary.front(), tm_)));
-    find_outward(execution, component, number_of_components);
+    std::vector<char> has_loop(number_of_components, 0);
+    for(std::size_t c : relations_.components)
+      has_loop[c] = 1;
+    sides_ = sides.outward.empty() ? find_sides(execution, component, has_loop) : std::move(sides);
+    keep_boundaries_if(has_loop);
+    for(std::size_t i = 0; i < loops_.size(); ++i) {
+      relations_.outward.push_back(sides_.outward[relations_.components[i]]);
+      if(relations_.outward[i] == 0)
+        lasting_problems_.emplace(i, sides_.reasons[relations_.components[i]]);
+    }
   }
+
+  /// of the components that have loops.
+  const Solid_sides& sides() const { return sides_; }
 
   /// computes the intersection numbers.
   void intersect(Execution execution) {
@@ -115,22 +129,15 @@ private:
   }
 
   template <typename ComponentOfFace>
-  void find_outward(Execution execution,
-                    const ComponentOfFace& component,
-                    std::size_t number_of_components) {
-    std::vector<char> has_loop(number_of_components, 0), has_boundary = has_loop;
-    for(std::size_t c : relations_.components)
-      has_loop[c] = 1;
+  Solid_sides find_sides(Execution execution,
+                         const ComponentOfFace& component,
+                         const std::vector<char>& has_loop) const {
+    std::vector<char> has_boundary(has_loop.size(), 0);
     for(std::size_t c : boundary_components_)
       has_boundary[c] = 1;
-    keep_boundaries_if(has_loop);
-    const Component_orientation<TriangleMesh, VertexPointMap, ComponentOfFace> sides(
-        execution, tm_, point_, component, std::move(has_loop), std::move(has_boundary));
-    for(std::size_t i = 0; i < relations_.components.size(); ++i) {
-      relations_.outward.push_back(sides.outward(relations_.components[i]));
-      if(relations_.outward[i] == 0)
-        lasting_problems_.emplace(i, sides.reason(relations_.components[i]));
-    }
+    return Component_orientation<TriangleMesh, VertexPointMap, ComponentOfFace>(
+               execution, tm_, point_, component, has_loop, std::move(has_boundary))
+        .sides();
   }
 
   void keep_boundaries_if(const std::vector<char>& is_wanted) {
@@ -305,6 +312,7 @@ private:
   std::vector<Walk> boundaries_; // of components that have loops
   std::vector<std::size_t> boundary_components_;
   std::map<std::size_t, std::string> lasting_problems_;
+  Solid_sides sides_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

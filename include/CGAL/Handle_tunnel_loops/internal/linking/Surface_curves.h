@@ -133,6 +133,42 @@ struct Loop_relations
     return bounds;
   }
 
+  /// takes in loops in the place of others: number i is what had number `before[i]`, or is new if
+  /// that is `no_index`. \p other has the relations of some loops, which are called `numbers` here:
+  /// of those that are new, and of all that these have anything to do with.
+  void take_in(const std::vector<Index>& before,
+               const Loop_relations& other,
+               const std::vector<Index>& numbers) {
+    const std::vector<std::size_t> components_before = std::move(components);
+    const std::vector<int> outward_before = std::move(outward);
+    std::vector<Index> now(components_before.size(), no_index);
+    components.assign(before.size(), 0);
+    outward.assign(before.size(), 0);
+    for(Index i = 0; i < before.size(); ++i)
+      if(before[i] != no_index) {
+        now[before[i]] = i;
+        components[i] = components_before[before[i]];
+        outward[i] = outward_before[before[i]];
+      }
+    for(std::size_t i = 0; i < numbers.size(); ++i) {
+      components[numbers[i]] = other.components[i];
+      outward[numbers[i]] = other.outward[i];
+    }
+    const auto merge = [&](Sparse_matrix& matrix, const Sparse_matrix& of_others) {
+      Sparse_matrix all;
+      for(const Matrix_entry& e : matrix)
+        if(now[e.row] != no_index && now[e.column] != no_index)
+          all.push_back({now[e.row], now[e.column], e.value});
+      for(const Matrix_entry& e : of_others)
+        if(before[numbers[e.row]] == no_index || before[numbers[e.column]] == no_index)
+          all.push_back({numbers[e.row], numbers[e.column], e.value});
+      std::sort(all.begin(), all.end());
+      matrix = std::move(all);
+    };
+    merge(intersections, other.intersections);
+    merge(linking, other.linking);
+  }
+
   /// changes the numbers of the loops: number i is what had number `before[i]`.
   void renumber(const std::vector<Index>& before) {
     std::vector<Index> now(before.size());
@@ -154,6 +190,13 @@ struct Loop_relations
       outward[i] = outward_before[before[i]];
     }
   }
+};
+
+/// Relations of loops of which some have been replaced since.
+struct Known_relations
+{
+  Loop_relations& relations;
+  const std::vector<Index>& before; ///< by loop, the number that it had then, or `no_index`
 };
 
 /// Integer multiples of numbered elements, one chain for each of a family of loops, kept by

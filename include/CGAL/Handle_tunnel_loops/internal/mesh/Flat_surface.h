@@ -117,10 +117,20 @@ public:
     return boundaries;
   }
 
+  /// loops that were found on the arrays.
+  std::vector<Loop> loops(const std::vector<const Crossing_loop*>& found) const {
+    const std::vector<Index> vertices = own_vertices();
+    const Loop_converter<Flat_graph, decltype(point()), Kernel> convert(graph_, point(), Kernel(),
+                                                                        vertices);
+    std::vector<Loop> loops;
+    for(const Crossing_loop* loop : found)
+      loops.push_back(convert(*loop, Loop_type::HANDLE, loops.size()));
+    return loops;
+  }
+
   /// pairs that were found on the arrays.
   std::vector<Pair> pairs(const std::vector<Flat_pair>& found) const {
-    std::vector<Index> vertices(graph_.mesh().first_hub);
-    std::iota(vertices.begin(), vertices.end(), Index(0));
+    const std::vector<Index> vertices = own_vertices();
     const Loop_converter<Flat_graph, decltype(point()), Kernel> convert(graph_, point(), Kernel(),
                                                                         vertices);
     std::vector<Pair> pairs;
@@ -156,6 +166,12 @@ public:
   }
 
 private:
+  std::vector<Index> own_vertices() const {
+    std::vector<Index> vertices(graph_.mesh().first_hub);
+    std::iota(vertices.begin(), vertices.end(), Index(0));
+    return vertices;
+  }
+
   // Of what is decided by geometry, nothing depends on where a hub is.
   Point middle(Ring curve) const {
     double sum[3] = {0., 0., 0.};

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Pair_relations.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 
 #include <memory>
@@ -48,30 +48,6 @@ inline Found_pairs pairs_of_passes(const Flat_mesh& mesh,
   return found;
 }
 
-/// the relations of the loops of pairs; without linking numbers unless \p do_link.
-inline Loop_relations relate(Execution execution,
-                             const Flat_surface& surface,
-                             const std::vector<Flat_pair>& flat_pairs,
-                             bool do_link) {
-  const Flat_mesh& mesh = surface.mesh().mesh();
-  const std::vector<Flat_surface::Pair> pairs = surface.pairs(flat_pairs);
-  std::vector<const Flat_surface::Loop*> loops;
-  for(const Flat_surface::Pair& pair : pairs)
-    loops.insert(loops.end(), {&pair.handle(), &pair.tunnel()});
-  Loop_linker<Flat_graph, Flat_surface::Loop, decltype(surface.point()),
-              decltype(surface.vertex_index())>
-      linker(surface.mesh(), surface.point(), surface.vertex_index());
-  linker.set_boundaries(surface.boundaries());
-  linker.set_loops(
-      execution, loops, [&](Flat_graph::Halfedge f) { return mesh.component[f.source]; },
-      mesh.seeds.size());
-  if(do_link)
-    linker.link(execution);
-  else
-    linker.intersect(execution);
-  return linker.take_relations();
-}
-
 /// throws `std::invalid_argument` if there is no such search.
 inline void check_search(const Class_options& options) {
   constexpr double most_effort = 1000.;
@@ -103,18 +79,22 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
     return Certificate::of_no_loops(classes.kind, classes.do_link);
   }
   const Flat_surface surface(mesh, caller.coordinates(execution));
+  Pair_relations pair_relations(surface);
   std::optional<Loop_relations> relations;
   if(!pairs.empty())
     progress.run(Stage::CLASSES, [&, &pairs = pairs, &coarse = coarse] {
       relations = find_right_classes(
           execution, mesh, classes,
-          [&](const std::vector<Flat_pair>& now) { return relate(execution, surface, now, true); },
+          [&](const std::vector<Flat_pair>& now, const Known_relations* known) {
+            return known == nullptr ? pair_relations.relate(execution, now, true)
+                                    : pair_relations.relate(execution, now, *known);
+          },
           pairs, progress, coarse.get());
     });
   statistics.was_ended_by_time = progress.time().has_been_refused();
   progress.run(Stage::CONVERT, [&, &pairs = pairs] { caller.convert(execution, pairs); });
   if(!relations)
-    relations = relate(execution, surface, pairs, classes.do_link);
+    relations = pair_relations.relate(execution, pairs, classes.do_link);
   Certificate certificate =
       caller.certify(execution, surface, classes, std::move(*relations), progress);
   if(!certificate)
