@@ -2,6 +2,7 @@
 #define BENCHMARK_CORPUS_ANSWER_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/handle_tunnel_loops.h>
 
@@ -11,7 +12,9 @@
 #include <cstddef>
 #include <exception>
 #include <iterator>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file Corpus_answer.h
@@ -105,6 +108,32 @@ inline std::vector<Mesh::Vertex_index> spaced_seeds(const Mesh& mesh, std::size_
   for(std::size_t i = 0; i < number; ++i)
     seeds.push_back(all[i * all.size() / number]);
   return seeds;
+}
+
+/// the same surface with its vertices, its faces and the corners of each in another order.
+inline Mesh permuted(const Mesh& mesh, CGAL::Random& random) {
+  const auto shuffle = [&](auto& elements) {
+    for(std::size_t i = elements.size(); i > 1; --i)
+      std::swap(elements[i - 1], elements[random.get_int(0, static_cast<int>(i))]);
+  };
+  std::vector<Mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end()), copy_of;
+  std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  shuffle(vertices);
+  shuffle(faces);
+  copy_of.resize(mesh.num_vertices());
+  Mesh result;
+  for(const Mesh::Vertex_index v : vertices)
+    copy_of[v] = result.add_vertex(mesh.point(v));
+  for(const Mesh::Face_index f : faces) {
+    Mesh::Halfedge_index h = mesh.halfedge(f);
+    for(int i = random.get_int(0, 3); i > 0; --i)
+      h = mesh.next(h);
+    result.add_face(copy_of[mesh.source(h)], copy_of[mesh.target(h)],
+                    copy_of[mesh.target(mesh.next(h))]);
+  }
+  if(result.number_of_faces() != mesh.number_of_faces())
+    throw std::logic_error("faces cannot be added in any order");
+  return result;
 }
 
 inline double total_length(const Answer& answer) {

@@ -1,13 +1,14 @@
 // Finds the loops of all closed meshes in a folder, prints a line for each mesh, and ends with the
 // sums that the manual and the design notes quote.
 //
-//   benchmark_corpus [--seeds N] [--reference LIMIT] [--self-intersections]
+//   benchmark_corpus [--seeds N] [--permutations N] [--reference LIMIT] [--self-intersections]
 //                    [--lengths TABLE:COLUMN+COLUMN...]... FOLDER | FILE...
 //
 // Each mesh is computed by all threads from the first vertex; with --seeds also from N
-// vertices, evenly spaced, the first among them, and with --reference by the reference solver too,
-// where it has at most LIMIT faces. --lengths compares total lengths with those of a table, on
-// meshes that do not cross themselves if that is tested.
+// vertices, evenly spaced, the first among them, with --permutations with its elements in N random
+// orders, and with --reference by the reference solver too, where it has at most LIMIT faces.
+// --lengths compares total lengths with those of a table. What seeds and orders change, and how
+// lengths compare, is told of meshes that do not cross themselves if that is tested.
 
 #include "Corpus_answer.h"
 #include "Counting_allocation.h"
@@ -39,7 +40,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 struct Options
 {
-  std::size_t number_of_seeds = 0;
+  std::size_t number_of_seeds = 0, number_of_permutations = 0;
   std::size_t reference_limit = 0;
   bool do_test_crossing = false;
   std::vector<std::string> lengths;
@@ -52,6 +53,8 @@ Options parse(int argc, char* argv[]) {
     const std::string word = argv[i];
     if(word == "--seeds" && i + 1 < argc)
       options.number_of_seeds = std::stoul(argv[++i]);
+    else if(word == "--permutations" && i + 1 < argc)
+      options.number_of_permutations = std::stoul(argv[++i]);
     else if(word == "--reference" && i + 1 < argc)
       options.reference_limit = std::stoul(argv[++i]);
     else if(word == "--lengths" && i + 1 < argc)
@@ -77,42 +80,49 @@ double diagonal(const Mesh& mesh) {
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
-// The lengths from several seeds.
+// The lengths from several seeds, and with the elements of the mesh in other orders.
 struct Seed_sums
 {
   std::size_t meshes = 0, answers = 0, certified = 0;
   std::size_t meshes_that_differ = 0;    // by more than a thousandth
   std::size_t meshes_that_are_close = 0; // to a hundredth
   std::vector<double> most_over_least;
+  double last = 1.; // the longest over the shortest of the last mesh
 
-  void add(const Mesh& mesh, Solver& solver, std::size_t number_of_seeds) {
+  void add(const Mesh& mesh, Solver& solver, const Options& options) {
     ++meshes;
     double least = HUGE_VAL, most = 0.;
-    for(const auto seed : spaced_seeds(mesh, number_of_seeds)) {
-      const Answer answer = answer_of<Tag>(solver, params::seed_vertex(seed));
+    const auto take = [&](const Answer& answer) {
       ++answers;
       if(!answer.error.empty())
-        continue;
+        return;
       ++certified;
-      const auto lengths = answer.lengths();
-      least = (std::min)(least, lengths[0] + lengths[1]);
-      most = (std::max)(most, lengths[0] + lengths[1]);
+      least = (std::min)(least, total_length(answer));
+      most = (std::max)(most, total_length(answer));
+    };
+    for(const auto seed : spaced_seeds(mesh, options.number_of_seeds))
+      take(answer_of<Tag>(solver, params::seed_vertex(seed)));
+    CGAL::Random random(1);
+    for(std::size_t i = 0; i < options.number_of_permutations; ++i) {
+      const Mesh other = permuted(mesh, random);
+      Solver solver_of_other(Tag(), other, params::default_values());
+      take(answer_of<Tag>(solver_of_other, params::default_values()));
     }
     if(least > most)
       least = most = 1.; // no answer
-    most_over_least.push_back(most / least);
+    last = most / least;
+    most_over_least.push_back(last);
     meshes_that_differ += most > 1.001 * least;
     meshes_that_are_close += most < 1.01 * least;
   }
 
-  // The longest over the shortest of the last mesh, 1 if there is none.
-  double last() const { return most_over_least.empty() ? 1. : most_over_least.back(); }
-
-  void print(std::size_t number_of_seeds) const {
-    std::printf("\n%zu seeds: certified answers %zu of %zu; total lengths differ by more than a "
-                "thousandth on %zu of %zu meshes, by less than a hundredth on %.1f%%; longest over "
-                "shortest: median %.4f, 90%% %.3f, most %.2f\n",
-                number_of_seeds, certified, answers, meshes_that_differ, meshes,
+  void print(const Options& options) const {
+    std::printf("\n%zu seeds, %zu permutations%s: certified answers %zu of %zu; total lengths "
+                "differ by more than a thousandth on %zu of %zu meshes, by less than a hundredth "
+                "on %.1f%%; longest over shortest: median %.4f, 90%% %.3f, most %.2f\n",
+                options.number_of_seeds, options.number_of_permutations,
+                options.do_test_crossing ? ", meshes that do not cross themselves" : "", certified,
+                answers, meshes_that_differ, meshes,
                 100. * double(meshes_that_are_close) / double(meshes),
                 quantile(most_over_least, 0.5), quantile(most_over_least, 0.9),
                 quantile(most_over_least, 1.));
@@ -156,9 +166,9 @@ private:
         Solver again(Tag(), mesh, params::default_values());
         answer_of<Tag>(again, params::default_values());
       }));
-      count(mesh, solver, answer);
       const bool crosses_itself = options_.do_test_crossing && PMP::does_self_intersect<Tag>(mesh);
       crossing_ += crosses_itself;
+      count(mesh, solver, answer, crosses_itself);
       if(!crosses_itself)
         compare_lengths(answer, std::filesystem::path(name).stem().string());
       report(name, mesh, answer, t1 - t0, t2 - t1, bytes / double(mesh.number_of_faces()));
@@ -181,7 +191,7 @@ private:
                 name.c_str(), std::size_t(mesh.number_of_faces()), answer.statistics.genus,
                 answer.statistics.number_of_components, reading, loops, loops / reading, bytes,
                 answer.handles_inside(), answer.tunnels_outside(), answer.undecided(),
-                lengths[0] / size, lengths[1] / size, seeds_.last(), answer.error.c_str());
+                lengths[0] / size, lengths[1] / size, seeds_.last, answer.error.c_str());
     handle_length_ += lengths[0] / size;
     tunnel_length_ += lengths[1] / size;
     if(mesh.number_of_faces() < 100000)
@@ -190,7 +200,7 @@ private:
     bytes_.push_back(bytes);
   }
 
-  void count(const Mesh& mesh, Solver& solver, const Answer& answer) {
+  void count(const Mesh& mesh, Solver& solver, const Answer& answer, bool crosses_itself) {
     ++meshes_;
     certified_ += answer.error.empty();
     pairs_ += answer.pairs.size();
@@ -210,8 +220,9 @@ private:
       loops_of_undecided_ += 2 * answer.pairs.size();
     }
     compare_with_offsets(mesh, answer);
-    if(options_.number_of_seeds != 0)
-      seeds_.add(mesh, solver, options_.number_of_seeds);
+    seeds_.last = 1.;
+    if(options_.number_of_seeds + options_.number_of_permutations != 0 && !crosses_itself)
+      seeds_.add(mesh, solver, options_);
 #ifdef CGAL_EIGEN3_ENABLED
     if(mesh.number_of_faces() <= options_.reference_limit)
       reference_.add(mesh, solver, answer, options_.number_of_seeds);
@@ -269,8 +280,8 @@ private:
                 "bytes per face, median %.0f, most %.0f\n",
                 ratios_.size(), quantile(ratios_, 0.5), quantile(ratios_, 1.),
                 quantile(bytes_, 0.5), quantile(bytes_, 1.));
-    if(options_.number_of_seeds != 0)
-      seeds_.print(options_.number_of_seeds);
+    if(options_.number_of_seeds + options_.number_of_permutations != 0)
+      seeds_.print(options_);
     for(const Known_lengths& known : known_)
       known.print();
 #ifdef CGAL_EIGEN3_ENABLED
@@ -303,7 +314,7 @@ int main(int argc, char* argv[]) {
     const Options options = parse(argc, argv);
     if(options.files.empty()) {
       std::cerr
-          << "usage: benchmark_corpus [--seeds N] [--reference LIMIT] "
+          << "usage: benchmark_corpus [--seeds N] [--permutations N] [--reference LIMIT] "
              "[--self-intersections] [--lengths TABLE:COLUMN+COLUMN...]... FOLDER | FILE...\n";
       return EXIT_FAILURE;
     }
