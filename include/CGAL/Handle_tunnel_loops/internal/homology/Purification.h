@@ -343,12 +343,16 @@ private:
   // Puts the tunnels into the order of the handles. Returns `false` if a number became too large.
   bool pair_up(const std::vector<Member>& handles, std::vector<Member>& tunnels) const {
     const Index n = static_cast<Index>(handles.size());
+    std::vector<Class_vector> tunnels_with(loops_.size()); // by loop
+    for(Index j = 0; j < n; ++j)
+      for(const auto& [loop, factor] : tunnels[j].coordinates)
+        tunnels_with[loop].emplace_back(j, factor);
     std::vector<Class_vector> crossings(n); // of a handle with the tunnels
     for(Index i = 0; i < n; ++i) {
-      const Class_vector numbers = classes_->numbers_of_class(handles[i].coordinates);
-      for(Index j = 0; j < n; ++j)
-        if(const std::int64_t number = product_sum(numbers, tunnels[j].coordinates))
-          crossings[i].emplace_back(j, number);
+      for(const auto& [loop, number] : classes_->numbers_of_class(handles[i].coordinates))
+        for(const auto& [j, factor] : tunnels_with[loop])
+          crossings[i].emplace_back(j, number * factor);
+      normalize(crossings[i]);
     }
     Pairing pairing(n);
     for(Index i = 0; i < n; ++i)

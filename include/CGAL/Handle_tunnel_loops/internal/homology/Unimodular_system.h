@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -154,144 +155,176 @@ is regular modulo any, and no number grows. What is found is tried in the equati
 integers.
 
 The next pivot is in a row with the fewest entries, and there in the column with the fewest
-(Markowitz): for loops that cross few others, fill-in is small.
+(Markowitz): for loops that cross few others, fill-in is small. To solve it takes time for what is
+not zero on the way only, and the logarithm of that.
 */
 class Unimodular_system
 {
 public:
   /// takes the rows of the matrix.
-  explicit Unimodular_system(std::vector<Class_vector> rows)
-      : rows_(std::move(rows)) {
-    factorize();
+  explicit Unimodular_system(const std::vector<Class_vector>& rows)
+      : columns_(rows.size()) {
+    for(Index r = 0; r < rows.size(); ++r)
+      for(const auto& [column, value] : rows[r])
+        columns_[column].emplace_back(r, value);
+    Elimination elimination(rows);
+    while(steps_.size() < rows.size() && elimination.goes_on())
+      steps_.push_back(elimination.next());
+    if(is_regular())
+      connect(elimination);
   }
 
   /// whether the matrix is regular modulo the prime. If not, its determinant is not 1 or -1.
-  bool is_regular() const { return steps_.size() == rows_.size(); }
+  bool is_regular() const { return steps_.size() == columns_.size(); }
 
   /// the solution x of A x = b; nothing if it has coordinates that are too large.
   std::optional<Class_vector> solve(const Class_vector& b) const {
     CGAL_precondition(is_regular());
-    std::vector<Residue> values(rows_.size(), 0);
+    std::map<Index, Residue> values; // by step
     for(const auto& [row, value] : b)
-      values[row] = residue_of(value);
-    eliminate(values);
-    const std::vector<Residue> x = substitute(values);
+      values[step_of_row_[row]] = residue_of(value);
+    // What is subtracted from comes later.
+    for(auto it = values.begin(); it != values.end(); ++it)
+      subtract(it->second, steps_[it->first].later, values);
+    // ... and here earlier: the values become those of the columns.
+    for(auto it = values.end(); it != values.begin();) {
+      --it;
+      it->second = product(it->second, steps_[it->first].inverse);
+      subtract(it->second, steps_[it->first].earlier, values);
+    }
     Class_vector solution;
-    for(Index i = 0; i < x.size(); ++i)
-      if(x[i] != 0) {
-        const std::int64_t value = smallest_integer_of(x[i]);
+    for(const auto& [step, x] : values)
+      if(x != 0) {
+        const std::int64_t value = smallest_integer_of(x);
         if(is_too_large(value))
           return std::nullopt;
-        solution.emplace_back(i, value);
+        solution.emplace_back(steps_[step].column, value);
       }
-    if(!solves(x, b))
+    std::sort(solution.begin(), solution.end());
+    if(!solves(solution, b))
       return std::nullopt;
     return solution;
   }
 
 private:
-  using Entry = std::pair<Index, Residue>; // column or row, and value
-  using Row = std::vector<Entry>;          // by column
+  using Entry = std::pair<Index, Residue>; // column, row or step, and value
+  using Row = std::vector<Entry>;
 
   struct Step
   {
     Index row, column;
-    Residue inverse;  // of the pivot
-    Row rest;         // of the row, columns whose pivots come later
-    Row subtractions; // the rows from which multiples of this one were subtracted
+    Residue inverse; // of the pivot
+    Row later;       // the rows from which multiples of this one were subtracted, by their steps
+    Row earlier;     // the entries of this column in the rows of other steps
   };
 
-  void factorize() {
-    std::vector<Row> rows(rows_.size());
-    std::vector<std::set<Index>> columns(rows_.size());
-    std::set<std::pair<std::size_t, Index>> by_size;
-    for(Index r = 0; r < rows_.size(); ++r) {
-      for(const auto& [column, value] : rows_[r]) {
-        rows[r].emplace_back(column, residue_of(value));
-        columns[column].insert(r);
+  // The rows, of which one after the other is taken out with its pivot.
+  class Elimination
+  {
+  public:
+    explicit Elimination(const std::vector<Class_vector>& all)
+        : rows_(all.size())
+        , columns_(all.size())
+        , rests_(all.size()) {
+      for(Index r = 0; r < all.size(); ++r) {
+        for(const auto& [column, value] : all[r]) {
+          rows_[r].emplace_back(column, residue_of(value));
+          columns_[column].insert(r);
+        }
+        by_size_.emplace(rows_[r].size(), r);
       }
-      by_size.emplace(rows[r].size(), r);
     }
-    while(!by_size.empty()) {
-      const Index r = by_size.begin()->second;
-      by_size.erase(by_size.begin());
-      if(rows[r].empty())
-        return;
-      eliminate_with(r, rows, columns, by_size);
-    }
-  }
 
-  void eliminate_with(Index r,
-                      std::vector<Row>& rows,
-                      std::vector<std::set<Index>>& columns,
-                      std::set<std::pair<std::size_t, Index>>& by_size) {
-    Step step;
-    step.rest = std::move(rows[r]);
-    const auto pivot =
-        std::min_element(step.rest.begin(), step.rest.end(), [&](const Entry& a, const Entry& b) {
-          return columns[a.first].size() < columns[b.first].size();
-        });
-    step.row = r;
-    step.column = pivot->first;
-    step.inverse = inverse(pivot->second);
-    step.rest.erase(pivot);
-    for(const Entry& e : step.rest)
-      columns[e.first].erase(r);
-    columns[step.column].erase(r);
-    for(Index other : columns[step.column]) {
-      by_size.erase({rows[other].size(), other});
-      const auto entry =
-          std::lower_bound(rows[other].begin(), rows[other].end(), Entry(step.column, 0));
-      const Residue factor = product(entry->second, step.inverse);
-      rows[other].erase(entry);
-      step.subtractions.emplace_back(other, factor);
-      rows[other] =
-          combined(rows[other], step.rest, [&](Index column, Residue before, Residue value) {
-            const Residue x = difference(before, product(factor, value));
-            if(x != 0 && before == 0)
-              columns[column].insert(other);
-            if(x == 0 && before != 0)
-              columns[column].erase(other);
-            return x;
+    // Of a row that has been taken out, the columns whose pivots come later.
+    const Row& rest(Index r) const { return rests_[r]; }
+
+    bool goes_on() const { return !by_size_.empty() && by_size_.begin()->first != 0; }
+
+    // A step with rows in the place of later steps, and without earlier ones.
+    Step next() {
+      const Index r = by_size_.begin()->second;
+      by_size_.erase(by_size_.begin());
+      Row rest = std::move(rows_[r]);
+      const auto pivot =
+          std::min_element(rest.begin(), rest.end(), [&](const Entry& a, const Entry& b) {
+            return columns_[a.first].size() < columns_[b.first].size();
           });
-      by_size.emplace(rows[other].size(), other);
+      Step step = {r, pivot->first, inverse(pivot->second), {}, {}};
+      rest.erase(pivot);
+      for(const Entry& e : rest)
+        columns_[e.first].erase(r);
+      columns_[step.column].erase(r);
+      for(Index other : columns_[step.column])
+        step.later.emplace_back(other, subtract_from(other, step, rest));
+      columns_[step.column].clear();
+      rests_[r] = std::move(rest);
+      return step;
     }
-    columns[step.column].clear();
-    steps_.push_back(std::move(step));
-  }
 
-  void eliminate(std::vector<Residue>& values) const {
-    for(const Step& step : steps_)
-      if(values[step.row] != 0)
-        for(const auto& [row, factor] : step.subtractions)
-          values[row] = difference(values[row], product(factor, values[step.row]));
-  }
-
-  std::vector<Residue> substitute(const std::vector<Residue>& values) const {
-    std::vector<Residue> x(rows_.size(), 0);
-    for(auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
-      Residue sum = values[step->row];
-      for(const auto& [column, value] : step->rest)
-        if(x[column] != 0)
-          sum = difference(sum, product(value, x[column]));
-      x[step->column] = product(sum, step->inverse);
+  private:
+    // Returns the factor.
+    Residue subtract_from(Index other, const Step& step, const Row& rest) {
+      Row& row = rows_[other];
+      by_size_.erase({row.size(), other});
+      const auto entry = std::lower_bound(row.begin(), row.end(), Entry(step.column, 0));
+      const Residue factor = product(entry->second, step.inverse);
+      row.erase(entry);
+      row = combined(row, rest, [&](Index column, Residue before, Residue value) {
+        const Residue x = difference(before, product(factor, value));
+        if(x != 0 && before == 0)
+          columns_[column].insert(other);
+        if(x == 0 && before != 0)
+          columns_[column].erase(other);
+        return x;
+      });
+      by_size_.emplace(row.size(), other);
+      return factor;
     }
-    return x;
-  }
 
-  bool solves(const std::vector<Residue>& x, const Class_vector& b) const {
-    for(Index r = 0; r < rows_.size(); ++r) {
-      std::int64_t sum = -coordinate(b, r);
-      for(const auto& [column, value] : rows_[r])
-        sum += value * smallest_integer_of(x[column]);
-      if(sum != 0)
-        return false;
+    std::vector<Row> rows_;
+    std::vector<std::set<Index>> columns_; // the rows that have an entry there
+    std::set<std::pair<std::size_t, Index>> by_size_;
+    std::vector<Row> rests_; // by row
+  };
+
+  // Has steps know each other by their positions.
+  void connect(const Elimination& elimination) {
+    std::vector<Index> step_of_column(steps_.size());
+    step_of_row_.resize(steps_.size());
+    for(Index i = 0; i < steps_.size(); ++i) {
+      step_of_row_[steps_[i].row] = i;
+      step_of_column[steps_[i].column] = i;
     }
-    return true;
+    for(Index i = 0; i < steps_.size(); ++i) {
+      for(Entry& e : steps_[i].later)
+        e.first = step_of_row_[e.first];
+      for(const auto& [column, value] : elimination.rest(steps_[i].row))
+        steps_[step_of_column[column]].earlier.emplace_back(i, value);
+    }
   }
 
-  std::vector<Class_vector> rows_;
+  static void subtract(Residue factor, const Row& multiples, std::map<Index, Residue>& values) {
+    if(factor != 0)
+      for(const auto& [step, value] : multiples) {
+        Residue& x = values.emplace(step, 0).first->second;
+        x = difference(x, product(value, factor));
+      }
+  }
+
+  bool solves(const Class_vector& x, const Class_vector& b) const {
+    Class_vector rest;
+    for(const auto& [row, value] : b)
+      rest.emplace_back(row, -value);
+    for(const auto& [column, factor] : x)
+      for(const auto& [row, value] : columns_[column])
+        rest.emplace_back(row, factor * value);
+    normalize(rest);
+    return rest.empty();
+  }
+
+  std::vector<Class_vector> columns_; // of the matrix: rows and values
   std::vector<Step> steps_;
+  std::vector<Index> step_of_row_;
 };
 
 // ---- lattices
