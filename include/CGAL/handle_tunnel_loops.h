@@ -108,9 +108,10 @@ more the longer the loops are against the mesh), and 5 to 8 more for each furthe
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{the time after which no more shorter loops are looked for in other
-      classes, in seconds of the wall clock, at least 0. What else there is to do is done, so that
-      the answer is certified, and bounds on its sides, as ever: of the passes none is cut short,
-      and a basis is ready at any time of the search after them}
+      classes, nor loops tightened that come from a coarse mesh or were put together of others, in
+      seconds of the wall clock, at least 0. What else there is to do is done, so that the answer is
+      certified, and bounds on its sides, as ever: neither the passes nor what makes loops bound is
+      cut short, and a basis is ready at any time of the search after them}
     \cgalParamType{`double`}
     \cgalParamDefault{infinity}
     \cgalParamExtra{The time is that of `Handle_tunnel_loops::Statistics::total_seconds()`, with the

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Time_budget.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -69,8 +70,11 @@ inline bool take_back(const std::vector<Flat_pair>& first,
 }
 
 // Loops that come from a coarse mesh are straight, but no geodesics yet, and what was put together
-// of very many is not even that.
-inline void tighten(Execution execution, const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
+// of very many is not even that. They stay so if there is no time left.
+inline void tighten(Execution execution,
+                    const Flat_mesh& mesh,
+                    Time_budget& time,
+                    std::vector<Flat_pair>& pairs) {
   constexpr double work_by_face = 512.;
   double crossings = 0.;
   for(const Flat_pair& pair : pairs)
@@ -78,9 +82,10 @@ inline void tighten(Execution execution, const Flat_mesh& mesh, std::vector<Flat
   for_each_index(
       execution, 2 * pairs.size(),
       [&](std::size_t i) {
-        Loop_tightening(execution, mesh)
-            .tighten_among(i % 2 == 0 ? pairs[i / 2].handle : pairs[i / 2].tunnel,
-                           work_by_face * double(mesh.number_of_faces()), crossings);
+        if(time.is_any_left())
+          Loop_tightening(execution, mesh)
+              .tighten_among(i % 2 == 0 ? pairs[i / 2].handle : pairs[i / 2].tunnel,
+                             work_by_face * double(mesh.number_of_faces()), crossings);
       },
       1);
 }
@@ -132,7 +137,7 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     relations.reset();
   }
   if(is_any_loose && options.do_shorten)
-    right_classes::tighten(execution, mesh, pairs);
+    right_classes::tighten(execution, mesh, progress.time(), pairs);
   return relations;
 }
 
