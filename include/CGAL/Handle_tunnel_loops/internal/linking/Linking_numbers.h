@@ -112,7 +112,8 @@ private:
     for(const Matrix_entry& e : linking_)
       defect_.push_back({e.column, e.row, -e.value});
     for(const Matrix_entry& e : intersections_)
-      defect_.push_back({e.row, e.column, -curves_.outward[e.row] * e.value});
+      if(curves_.is_any_asked_for(e.row, e.column))
+        defect_.push_back({e.row, e.column, -curves_.outward[e.row] * e.value});
     add_up(defect_);
   }
 
@@ -181,8 +182,9 @@ private:
       if(is_touched(e) && is_above(e))
         for(const Matrix_entry& copy : curves_.crossings.of(e))
           for(const Matrix_entry& walk : curves_.walks.of(e))
-            linking_.push_back(
-                {copy.column, walk.column, curves_.outward[walk.column] * copy.value * walk.value});
+            if(curves_.is_any_asked_for(copy.column, walk.column))
+              linking_.push_back({copy.column, walk.column,
+                                  curves_.outward[walk.column] * copy.value * walk.value});
   }
 
   // ---- places where a copy is seen to cross a walk
@@ -290,9 +292,28 @@ private:
   // Pieces of the walks: those that are near each other together.
   struct Pieces
   {
-    std::vector<Index> begins, numbers; // of the pieces, in the order of the tree
+    std::vector<Index> begins, numbers; // the numbers in the order of the tree
     Box_tree<5> tree;
   };
+
+  bool is_asked_for(Index loop) const { return curves_.is_any_asked_for(loop, loop); }
+
+  // Those of walks of which all numbers are asked for, unless that is all of them.
+  Pieces pieces_asked_for(const Pieces& all) const {
+    std::vector<Index> numbers;
+    std::vector<Seen_box> boxes;
+    for(std::size_t i = 0; !curves_.is_asked_for.empty() && i < all.numbers.size(); ++i) {
+      bool is_any = false;
+      for(Index e = all.begins[all.numbers[i]]; e < all.begins[all.numbers[i] + 1]; ++e)
+        for(const Matrix_entry& walk : curves_.walks.of(e))
+          is_any = is_any || is_asked_for(walk.column);
+      if(is_any) {
+        numbers.push_back(all.numbers[i]);
+        boxes.push_back(all.tree.box(i));
+      }
+    }
+    return {all.begins, std::move(numbers), Box_tree<5>(std::move(boxes))};
+  }
 
   Pieces pieces_of_walks(Execution execution) const {
     std::vector<Index> begins =
@@ -313,7 +334,7 @@ private:
 
   void add_crossings(Execution execution) {
     find_extents();
-    const Pieces pieces = pieces_of_walks(execution);
+    const Pieces all = pieces_of_walks(execution), some = pieces_asked_for(all);
     const std::vector<Index> begins = begins_of_pieces(
         curves_.corners.size(), [this](std::size_t c) { return curves_.corners[c].loop; });
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
@@ -322,7 +343,8 @@ private:
           std::vector<Matrix_entry> part;
           for(std::size_t i = begin; i < end; ++i) {
             execution.look();
-            add_crossings(pieces, begins[i], begins[i + 1], part);
+            add_crossings(is_asked_for(curves_.corners[begins[i]].loop) ? all : some, begins[i],
+                          begins[i + 1], part);
           }
           add_up(part);
           return part;
@@ -367,7 +389,8 @@ private:
       add_contact({c, e});
     else if(*sign != 0)
       for(const Matrix_entry& walk : curves_.walks.of(e))
-        if(extents_of_copies_[corner.loop].meets(extents_of_walks_[walk.column]))
+        if(curves_.is_any_asked_for(corner.loop, walk.column) &&
+           extents_of_copies_[corner.loop].meets(extents_of_walks_[walk.column]))
           entries.push_back({corner.loop, walk.column, *sign * walk.value});
   }
 

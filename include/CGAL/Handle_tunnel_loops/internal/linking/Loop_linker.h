@@ -107,9 +107,11 @@ public:
     relations_.intersections = internal::link(execution, curves, false).intersections;
   }
 
-  /// computes the intersection and the linking numbers.
-  void link(Execution execution) {
+  /// computes the intersection and the linking numbers; of the latter, if \p is_asked_for is not
+  /// empty, only those of the loops for which it is set, with all.
+  void link(Execution execution, std::vector<char> is_asked_for = {}) {
     relations_.is_linked = true;
+    is_asked_for_ = std::move(is_asked_for);
     for(int round = 0; round < maximum_number_of_rounds; ++round)
       if(!find_walks(execution, round == 0) || !link_walks(execution))
         break;
@@ -231,7 +233,12 @@ private:
       walks.push_back(clear_boundary(boundary));
     std::vector<int> outward = relations_.outward;
     outward.resize(walks.size(), 1);
-    return Builder(tm_, point_, vertex_index_, hubs_).build(execution, walks, std::move(outward));
+    Surface_curves curves =
+        Builder(tm_, point_, vertex_index_, hubs_).build(execution, walks, std::move(outward));
+    curves.is_asked_for = is_asked_for_;
+    if(!is_asked_for_.empty())
+      curves.is_asked_for.resize(walks.size(), 0);
+    return curves;
   }
 
   // A boundary curve, or where vertices on it are to be avoided, a curve around these and the cap.
@@ -307,6 +314,7 @@ private:
   Cap_hubs hubs_;
   Walker walker_;
   std::vector<const Loop*> loops_;
+  std::vector<char> is_asked_for_; // by loop, or empty
   Loop_relations relations_;
   std::vector<Walk> walks_;
   std::vector<Walk> boundaries_; // of components that have loops

@@ -256,6 +256,14 @@ struct Surface_curves
   Chains walks;             ///< by edge: how often each loop's walk runs along it
   Chains crossings;         ///< by edge: how often each loop's copy crosses it from right to left
   std::vector<int> outward; ///< by loop: 1 if the faces beside it look out of the solid, or -1
+
+  /// by loop, whether its linking numbers with all others are asked for; empty if those of all are.
+  std::vector<char> is_asked_for;
+
+  /// whether a linking number of two loops is asked for.
+  bool is_any_asked_for(Index i, Index j) const {
+    return is_asked_for.empty() || is_asked_for[i] || is_asked_for[j];
+  }
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

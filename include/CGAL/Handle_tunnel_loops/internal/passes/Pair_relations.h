@@ -44,7 +44,7 @@ public:
   /// the relations of the loops of pairs, handles and tunnels in turn; without linking numbers
   /// unless \p do_link.
   Loop_relations relate(Execution execution, const std::vector<Flat_pair>& pairs, bool do_link) {
-    return relate(execution, loops_of(pairs), do_link);
+    return relate(execution, loops_of(pairs), do_link, {});
   }
 
   /// the same, with linking numbers, if some are known, which are taken.
@@ -52,14 +52,17 @@ public:
   relate(Execution execution, const std::vector<Flat_pair>& pairs, const Known_relations& known) {
     const std::vector<const Crossing_loop*> loops = loops_of(pairs);
     if(!known.relations.is_linked || !known.relations.problems.empty())
-      return relate(execution, loops, true);
+      return relate(execution, loops, true, {});
     const std::vector<Index> numbers = new_and_near(execution, loops, known.before);
     std::vector<const Crossing_loop*> some;
-    for(Index i : numbers)
+    std::vector<char> is_new;
+    for(Index i : numbers) {
       some.push_back(loops[i]);
-    const Loop_relations of_some = relate(execution, some, true);
+      is_new.push_back(known.before[i] == no_index);
+    }
+    const Loop_relations of_some = relate(execution, some, true, std::move(is_new));
     if(!of_some.problems.empty())
-      return relate(execution, loops, true);
+      return relate(execution, loops, true, {});
     known.relations.take_in(known.before, of_some, numbers);
     return std::move(known.relations);
   }
@@ -72,8 +75,11 @@ private:
     return loops;
   }
 
-  Loop_relations
-  relate(Execution execution, const std::vector<const Crossing_loop*>& flat_loops, bool do_link) {
+  // See `Loop_linker::link()`.
+  Loop_relations relate(Execution execution,
+                        const std::vector<const Crossing_loop*>& flat_loops,
+                        bool do_link,
+                        std::vector<char> is_asked_for) {
     const Flat_mesh& mesh = surface_.mesh().mesh();
     const std::vector<Flat_surface::Loop> loops = surface_.loops(flat_loops);
     std::vector<const Flat_surface::Loop*> pointers;
@@ -89,7 +95,7 @@ private:
         sides_);
     sides_ = linker.sides();
     if(do_link)
-      linker.link(execution);
+      linker.link(execution, std::move(is_asked_for));
     else
       linker.intersect(execution);
     return linker.take_relations();
