@@ -362,17 +362,17 @@ private:
       corners[c - begin] = seen_corner(c);
       seen.extend(corners[c - begin].box);
     }
-    pieces.tree.for_each_meeting(
-        box_around(seen, extent_of_corner(begin)), [&](Index i, const Seen_box&) {
-          const Index piece = pieces.numbers[i];
-          for(Index e = pieces.begins[piece]; e < pieces.begins[piece + 1]; ++e) {
-            const Seen_line edge = seen_edge(e);
-            if(edge.box.meets(seen))
-              for(Index c = begin; c < end; ++c)
-                if(corners[c - begin].box.meets(edge.box))
-                  add_terms(c, corners[c - begin], e, edge, entries);
-          }
-        });
+    const Extent extent = extent_of_corner(begin);
+    pieces.tree.for_each_meeting(box_around(seen, extent), [&](Index i, const Seen_box&) {
+      const Index piece = pieces.numbers[i];
+      for(Index e = pieces.begins[piece]; e < pieces.begins[piece + 1]; ++e) {
+        const Seen_line edge = seen_edge(e);
+        if(edge.box.meets(seen) && extent_of_edge(e).meets(extent))
+          for(Index c = begin; c < end; ++c)
+            if(corners[c - begin].box.meets(edge.box))
+              add_terms(c, corners[c - begin], e, edge, entries);
+      }
+    });
   }
 
   void add_terms(Index c,
@@ -381,8 +381,7 @@ private:
                  const Seen_line& line_of_edge,
                  std::vector<Matrix_entry>& entries) {
     const Corner& corner = curves_.corners[c];
-    if(has_too_many_contacts_ || touches(corner, curves_.edges[e]) ||
-       !extent_of_corner(c).meets(extent_of_edge(e)))
+    if(has_too_many_contacts_ || touches(corner, curves_.edges[e]))
       return;
     const std::optional<int> sign = crossing(line_of_corner, line_of_edge);
     if(!sign)
