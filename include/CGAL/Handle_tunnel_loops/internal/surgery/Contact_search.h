@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Oriented_box.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Principal_axes.h>
 
 #include <algorithm>
 #include <array>
@@ -178,23 +179,55 @@ private:
     return {(p[0] + q[0] + r[0]) / 3., (p[1] + q[1] + r[1]) / 3., (p[2] + q[2] + r[2]) / 3.};
   }
 
-  // Along the longest axis on which their centers spread farther than they extend themselves, so
-  // that the boxes of the halves have little in common: of a stack, across the triangles.
+  // As long as the triangle is large.
+  Point normal(Index triangle) const {
+    const auto& [p, q, r] = triangles_[triangle].points;
+    const Point a = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    const Point b = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
+  // Along the axis on which their centers spread farthest beside their own extents, so that the
+  // boxes of the halves have little in common: of a stack, across the triangles. The axes that are
+  // tried are those of their centers and of their normals. Of wedges beside each other around a
+  // hub, only the latter are across all of them: centers are at all distances from the hub. Of
+  // many, some are asked.
   Point axis_to_halve(std::size_t begin, std::size_t end) const {
-    const Oriented_box box([&](const auto& f) {
-      for(std::size_t i = begin; i < end; ++i)
-        f(center(order_[i]));
+    constexpr std::size_t enough = 128;
+    const std::size_t step = (end - begin) / enough + 1;
+    const auto for_some = [&](const auto& f) {
+      for(std::size_t i = begin; i < end; i += step)
+        f(order_[i]);
+    };
+    const std::array<Point, 3> of_centers =
+        Principal_axes::of_points([&](const auto& f) { for_some([&](Index i) { f(center(i)); }); });
+    const std::array<Point, 3> of_normals = Principal_axes::of_directions(
+        [&](const auto& f) { for_some([&](Index i) { f(normal(i)); }); });
+    Point best{};
+    double most = -1.;
+    for(const auto& axes : {of_centers, of_normals})
+      for(const Point& axis : axes) {
+        const double spread = relative_spread(axis, for_some);
+        if(spread > most) {
+          most = spread;
+          best = axis;
+        }
+      }
+    return best;
+  }
+
+  template <typename For_some>
+  double relative_spread(const Point& axis, const For_some& for_some) const {
+    double low = 8., high = -8., extents = 1e-9,
+           number = 0.; // more than rounding makes of what is flat
+    for_some([&](Index i) {
+      const double height = Oriented_box::dot(center(i), axis);
+      low = (std::min)(low, height);
+      high = (std::max)(high, height);
+      extents += extent(i, axis);
+      number += 1.;
     });
-    std::array<std::pair<bool, double>, 3> rank;
-    for(std::size_t k = 0; k < 3; ++k) {
-      double mean = 1e-9; // more than rounding makes of what is flat
-      for(std::size_t i = begin; i < end; ++i)
-        mean += extent(order_[i], box.axis(k)) / double(end - begin);
-      const double spread = box.half_length(k);
-      rank[k] = {spread > mean, spread > mean ? spread : spread / mean};
-    }
-    return box.axis(
-        static_cast<std::size_t>(std::max_element(rank.begin(), rank.end()) - rank.begin()));
+    return (high - low) * number / extents;
   }
 
   double extent(Index triangle, const Point& axis) const {
@@ -289,10 +322,10 @@ private:
   // against one, that is reflected in the direction from one to the other (Chung and Wang 1996).
   // There may be one even if none is found: only a few are tried, and none for large parts.
   bool are_separated(const Node& a, const Node& b) const {
-    constexpr std::size_t largest_size = 64;
+    constexpr std::size_t largest_size = 32;
     if((std::max)(a.size(), b.size()) > largest_size)
       return false;
-    constexpr int number_of_trials = 8;
+    constexpr int number_of_trials = 3;
     constexpr double margin = 1e-12;
     const auto &p = a.box.center(), &q = b.box.center();
     Point direction = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};

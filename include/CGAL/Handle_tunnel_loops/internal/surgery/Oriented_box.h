@@ -12,11 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Principal_axes.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
@@ -33,8 +34,7 @@ public:
 
   /// of at least one point; `for_each_point(f)` calls `f(p)` for each.
   template <typename For_each_point> explicit Oriented_box(const For_each_point& for_each_point) {
-    std::array<Vector, 3> moments = second_moments(for_each_point);
-    diagonalize(moments, axes_);
+    axes_ = Principal_axes::of_points(for_each_point);
     Vector low, high;
     low.fill(8.);
     high.fill(-8.);
@@ -52,9 +52,6 @@ public:
     }
   }
 
-  const Vector& axis(std::size_t k) const { return axes_[k]; }
-  double half_length(std::size_t k) const { return half_[k]; }
-
   /// 0 for a point between the two faces of the box that are nearest to each other, or about there;
   /// else 1 or -1, which tells the one side of both from the other.
   int side_of_slab(const Vector& p) const {
@@ -66,19 +63,35 @@ public:
 
   const Vector& center() const { return center_; }
 
-  double length() const { return *std::max_element(half_.begin(), half_.end()); }
-
   /// whether no axis of either, and none that is normal to one of each, separates them.
   bool meets(const Oriented_box& b) const {
     const Vector way = {b.center_[0] - center_[0], b.center_[1] - center_[1],
                         b.center_[2] - center_[2]};
-    for(std::size_t i = 0; i < 3; ++i)
-      if(is_separated(axes_[i], way, b) || is_separated(b.axes_[i], way, b))
+    // In the axes of this one.
+    Vector w;
+    std::array<Vector, 3> turn, size; // by axis of this and of b
+    for(std::size_t i = 0; i < 3; ++i) {
+      w[i] = dot(axes_[i], way);
+      for(std::size_t j = 0; j < 3; ++j) {
+        turn[i][j] = dot(axes_[i], b.axes_[j]);
+        size[i][j] = std::abs(turn[i][j]);
+      }
+      if(std::abs(w[i]) > half_[i] + dot(b.half_, size[i]) + margin)
+        return false;
+    }
+    for(std::size_t j = 0; j < 3; ++j)
+      if(std::abs(w[0] * turn[0][j] + w[1] * turn[1][j] + w[2] * turn[2][j]) >
+         half_[0] * size[0][j] + half_[1] * size[1][j] + half_[2] * size[2][j] + b.half_[j] +
+             margin)
         return false;
     for(std::size_t i = 0; i < 3; ++i)
-      for(std::size_t j = 0; j < 3; ++j)
-        if(is_separated(cross(axes_[i], b.axes_[j]), way, b))
+      for(std::size_t j = 0; j < 3; ++j) {
+        const std::size_t p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
+        if(std::abs(w[q] * turn[p][j] - w[p] * turn[q][j]) >
+           half_[p] * size[q][j] + half_[q] * size[p][j] + b.half_[r] * size[i][s] +
+               b.half_[s] * size[i][r] + margin)
           return false;
+      }
     return true;
   }
 
@@ -88,71 +101,6 @@ public:
 
 private:
   static constexpr double margin = 1e-12;
-
-  bool is_separated(const Vector& axis, const Vector& way, const Oriented_box& b) const {
-    return std::abs(dot(axis, way)) > radius(axis) + b.radius(axis) + margin;
-  }
-
-  double radius(const Vector& axis) const {
-    double sum = 0.;
-    for(std::size_t k = 0; k < 3; ++k)
-      sum += half_[k] * std::abs(dot(axes_[k], axis));
-    return sum;
-  }
-
-  static Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-
-  template <typename For_each_point>
-  static std::array<Vector, 3> second_moments(const For_each_point& for_each_point) {
-    Vector mean = {0., 0., 0.};
-    double number = 0.;
-    for_each_point([&](const Vector& p) {
-      number += 1.;
-      for(std::size_t i = 0; i < 3; ++i)
-        mean[i] += (p[i] - mean[i]) / number;
-    });
-    std::array<Vector, 3> moments{};
-    for_each_point([&](const Vector& p) {
-      for(std::size_t i = 0; i < 3; ++i)
-        for(std::size_t j = 0; j < 3; ++j)
-          moments[i][j] += (p[i] - mean[i]) * (p[j] - mean[j]);
-    });
-    return moments;
-  }
-
-  // Jacobi's method: a few rounds of rotations. Axes stay orthonormal, whatever is left beside the
-  // diagonal.
-  static void diagonalize(std::array<Vector, 3>& m, std::array<Vector, 3>& axes) {
-    axes = {{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
-    constexpr int number_of_rounds = 6;
-    for(int round = 0; round < number_of_rounds; ++round)
-      for(const auto& [p, q] : {std::make_pair(0, 1), std::make_pair(0, 2), std::make_pair(1, 2)})
-        rotate(m, axes, static_cast<std::size_t>(p), static_cast<std::size_t>(q));
-  }
-
-  static void
-  rotate(std::array<Vector, 3>& m, std::array<Vector, 3>& axes, std::size_t p, std::size_t q) {
-    if(m[p][q] == 0.)
-      return;
-    const double angle = 0.5 * std::atan2(2. * m[p][q], m[q][q] - m[p][p]);
-    const double c = std::cos(angle), s = std::sin(angle);
-    for(std::size_t k = 0; k < 3; ++k) {
-      const double x = m[k][p], y = m[k][q];
-      m[k][p] = c * x - s * y;
-      m[k][q] = s * x + c * y;
-    }
-    const auto turn = [c, s](Vector& a, Vector& b) {
-      for(std::size_t k = 0; k < 3; ++k) {
-        const double x = a[k], y = b[k];
-        a[k] = c * x - s * y;
-        b[k] = s * x + c * y;
-      }
-    };
-    turn(m[p], m[q]);
-    turn(axes[p], axes[q]);
-  }
 
   Vector center_{}, half_{};
   std::array<Vector, 3> axes_{};

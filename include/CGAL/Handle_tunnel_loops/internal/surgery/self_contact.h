@@ -45,7 +45,7 @@ Contact_search contact_search(Execution execution, std::size_t n, const Triangle
 
 /// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
 /// the surface is not the boundary of a solid. Decided exactly, of faces whose boxes meet. Takes
-/// about as long as reading the mesh, and ten times as long where the boxes of most of them meet,
+/// about as long as reading the mesh, and a few times as long where the boxes of most of them meet,
 /// as they are long, or large and in many layers. (`Polygon_mesh_processing::does_self_intersect()`
 /// says the same, but does not let itself be interrupted, and copies the mesh.)
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
@@ -80,7 +80,7 @@ bool touches_itself(Execution execution,
   };
   const auto box = [&](std::size_t i) { return boxes[i]; };
   const Placed_boxes near(execution, all.size(), box);
-  constexpr double largest_crowding = 64.; // a dozen is usual
+  constexpr double largest_crowding = 128.; // a dozen is usual
   if(near.crowding(box, largest_crowding) <= largest_crowding)
     return near.any_meeting(
         near, box, box, [&](Index i, Index j) { return i < j && are_touching(i, j); }, execution);
