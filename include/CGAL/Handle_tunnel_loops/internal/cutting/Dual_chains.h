@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <queue>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -47,13 +49,15 @@ public:
       , cut_(cut)
       , edges_(problem.mesh.number_of_vertices())
       , way_(problem.mesh.number_of_vertices(), no_index)
-      , is_reached_(problem.mesh.number_of_vertices(), 0) {
+      , place_(problem.mesh.number_of_vertices(), no_index) {
     for(const Index h : cut) {
       edges_[halfedges().source(h)].push_back(h);
       edges_[halfedges().target(h)].push_back(halfedges().twin(h));
     }
     grow_trees();
-    find_cycles();
+    for(const Index h : cut)
+      if(way_[halfedges().target(h)] != h && way_[halfedges().source(h)] != halfedges().twin(h))
+        cycles_.push_back(h);
   }
 
   /// throws `std::invalid_argument` if the loops are no basis.
@@ -62,7 +66,7 @@ public:
     std::vector<Class_vector> rows(loops.size()); // by loop, how often cycles cross it
     for(Index i = 0; i < cycles_.size(); ++i) {
       Sparse_numbers numbers;
-      for(const auto& [h, times] : cycles_[i]) {
+      for(const auto& [h, times] : cycle(cycles_[i])) {
         Sparse_numbers of_edge;
         index.add_crossings(halfedges().source(h), halfedges().target(h), of_edge);
         for(const auto& [loop, number] : of_edge)
@@ -76,8 +80,10 @@ public:
       throw std::invalid_argument("the loops are not as many as a basis has");
     const Unimodular_system system(std::move(rows));
     std::vector<Chain> chains;
+    std::vector<std::int64_t> flow(order_.size(), 0);
     for(Index j = 0; j < loops.size(); ++j)
-      chains.push_back(combination(system.is_regular() ? system.solve({{j, 1}}) : std::nullopt));
+      chains.push_back(
+          combination(system.is_regular() ? system.solve({{j, 1}}) : std::nullopt, flow));
     return chains;
   }
 
@@ -87,46 +93,42 @@ private:
   // From the hubs of each component, or else from any vertex of its cut.
   void grow_trees() {
     const Flat_mesh& mesh = problem_.mesh;
-    std::vector<Index> queue;
     const auto start = [&](Index v) {
-      is_reached_[v] = 1;
-      queue.push_back(v);
+      place_[v] = static_cast<Index>(order_.size());
+      order_.push_back(v);
     };
+    std::size_t grown = 0;
     const auto grow = [&] {
-      for(std::size_t i = 0; i < queue.size(); ++i)
-        for(const Index h : edges_[queue[i]])
-          if(const Index v = halfedges().target(h); !is_reached_[v]) {
+      for(; grown < order_.size(); ++grown)
+        for(const Index h : edges_[order_[grown]])
+          if(const Index v = halfedges().target(h); place_[v] == no_index) {
             way_[v] = h;
             start(v);
           }
-      queue.clear();
     };
     for(Index i = 0; i < mesh.number_of_hubs; ++i)
       start(mesh.first_hub + i);
     grow();
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      if(!is_reached_[v] && !edges_[v].empty()) {
+      if(place_[v] == no_index && !edges_[v].empty()) {
         start(v);
         grow();
       }
   }
 
-  void find_cycles() {
-    for(const Index h : cut_) {
-      const Index u = halfedges().source(h), v = halfedges().target(h);
-      if(way_[v] == h || way_[u] == halfedges().twin(h))
-        continue;
-      Chain cycle;
-      add(h, 1, cycle);
-      add_way_to(u, 1, cycle);
-      add_way_to(v, -1, cycle);
-      normalize(cycle);
-      cycles_.push_back(std::move(cycle));
-    }
+  // Of an edge outside of the trees: from its target back to its source on the ways through the
+  // root.
+  Chain cycle(Index h) const {
+    Chain cycle;
+    add(h, 1, cycle);
+    add_way_to(halfedges().source(h), 1, cycle);
+    add_way_to(halfedges().target(h), -1, cycle);
+    normalize(cycle);
+    return cycle;
   }
 
   // Under the smaller halfedge of the edge.
-  void add(Index h, int times, Chain& chain) const {
+  void add(Index h, std::int64_t times, Chain& chain) const {
     const Index twin = halfedges().twin(h);
     chain.emplace_back((std::min)(h, twin), h < twin ? times : -times);
   }
@@ -136,13 +138,37 @@ private:
       add(way_[v], times, chain);
   }
 
-  Chain combination(const std::optional<Class_vector>& factors) const {
-    Chain chain;
+  // Of cycles: what they take from the trees at both ends of their edges flows to the roots, from
+  // the vertices that were reached last on, so that no edge is looked at for each cycle along it.
+  // \p flow, by place in the order of vertices, is zero before and after.
+  Chain combination(const std::optional<Class_vector>& factors,
+                    std::vector<std::int64_t>& flow) const {
     if(!factors)
       throw std::invalid_argument("the loops are no basis");
-    for(const auto& [i, factor] : *factors)
-      if(!add_multiple(chain, factor, cycles_[i]))
-        throw std::invalid_argument("the loops cross each other too often");
+    Chain chain;
+    std::priority_queue<Index> places;
+    const auto add_flow = [&](Index v, std::int64_t times) {
+      flow[place_[v]] += times;
+      places.push(place_[v]);
+    };
+    for(const auto& [i, factor] : *factors) {
+      add(cycles_[i], factor, chain);
+      add_flow(halfedges().source(cycles_[i]), factor);
+      add_flow(halfedges().target(cycles_[i]), -factor);
+    }
+    while(!places.empty()) {
+      const Index place = places.top(), way = way_[order_[place]];
+      places.pop();
+      const std::int64_t times = std::exchange(flow[place], 0);
+      if(times != 0 && way != no_index) {
+        add(way, times, chain);
+        add_flow(halfedges().source(way), times);
+      }
+    }
+    normalize(chain);
+    if(std::any_of(chain.begin(), chain.end(),
+                   [](const auto& c) { return is_too_large(c.second); }))
+      throw std::invalid_argument("the loops cross each other too often");
     return chain;
   }
 
@@ -150,8 +176,8 @@ private:
   const std::vector<Index>& cut_;
   std::vector<std::vector<Index>> edges_; // of the cut, by vertex at which they begin, both ways
   std::vector<Index> way_;                // the halfedge by which a tree comes to a vertex
-  std::vector<char> is_reached_;
-  std::vector<Chain> cycles_;
+  std::vector<Index> order_, place_;      // vertices as trees reach them, and by vertex where there
+  std::vector<Index> cycles_;             // their edges outside of the trees
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
