@@ -70,13 +70,20 @@ public:
 
   /// calls `f(i, b)` for each box b, with number i, that meets `box`.
   template <typename Function> void for_each_meeting(const Box& box, const Function& f) const {
-    if(!levels_.front().empty())
-      visit(levels_.size() - 1, 0, box, f);
+    any_meeting(box, [&](Index i, const Box& b) {
+      f(i, b);
+      return false;
+    });
+  }
+
+  /// whether `f(i, b)` holds for any of these; ends with the first.
+  template <typename Predicate> bool any_meeting(const Box& box, const Predicate& f) const {
+    return !levels_.front().empty() && visit(levels_.size() - 1, 0, box, f);
   }
 
   /// whether any box meets `box`.
   bool is_any_meeting(const Box& box) const {
-    return !levels_.front().empty() && is_any_meeting(levels_.size() - 1, 0, box);
+    return any_meeting(box, [](Index, const Box&) { return true; });
   }
 
 private:
@@ -93,31 +100,17 @@ private:
     return groups;
   }
 
-  template <typename Function>
-  void visit(std::size_t level, std::size_t i, const Box& box, const Function& f) const {
-    if(!levels_[level][i].meets(box))
-      return;
-    if(level == 0) {
-      f(static_cast<Index>(i), levels_[0][i]);
-      return;
-    }
-    for(std::size_t child = i * group_size; child < end_of_group(level, i); ++child)
-      visit(level - 1, child, box, f);
-  }
-
-  bool is_any_meeting(std::size_t level, std::size_t i, const Box& box) const {
+  template <typename Predicate>
+  bool visit(std::size_t level, std::size_t i, const Box& box, const Predicate& f) const {
     if(!levels_[level][i].meets(box))
       return false;
     if(level == 0)
-      return true;
-    for(std::size_t child = i * group_size; child < end_of_group(level, i); ++child)
-      if(is_any_meeting(level - 1, child, box))
+      return f(static_cast<Index>(i), levels_[0][i]);
+    const std::size_t end = (std::min)((i + 1) * group_size, levels_[level - 1].size());
+    for(std::size_t child = i * group_size; child < end; ++child)
+      if(visit(level - 1, child, box, f))
         return true;
     return false;
-  }
-
-  std::size_t end_of_group(std::size_t level, std::size_t i) const {
-    return (std::min)((i + 1) * group_size, levels_[level - 1].size());
   }
 
   std::vector<std::vector<Box>> levels_; // the boxes, their groups, the groups of these, ...

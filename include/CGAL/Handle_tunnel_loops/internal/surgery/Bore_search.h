@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Index_table.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Concave_pieces.h>
@@ -26,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -222,14 +222,14 @@ private:
   Flood flood(const std::vector<Index>& begin, std::size_t most) const {
     Flood flood{{}, true};
     std::vector<Index>& reached = flood.faces;
-    std::unordered_set<Index> is_reached, pieces;
+    Index_table is_reached, pieces;
     std::size_t size = 0; // of the pieces
     const auto reach = [&](Index f) {
-      if(!is_reached.insert(f).second)
+      if(!is_reached.insert(f, 0).second)
         return;
       reached.push_back(f);
       const Index piece = pieces_.piece(f);
-      if(piece != no_index && pieces.insert(piece).second)
+      if(piece != no_index && pieces.insert(piece, 0).second)
         size += pieces_.size(piece);
       flood.is_bounded =
           flood.is_bounded && size <= most && reached.size() <= most && !mesh_.is_in_cap(f);
@@ -239,7 +239,7 @@ private:
     for(std::size_t i = 0; i < reached.size() && flood.is_bounded; ++i)
       for(Index h : {3 * reached[i], 3 * reached[i] + 1, 3 * reached[i] + 2})
         if(const Index f = mesh_.face(mesh_.twin(h));
-           is_reached.count(f) == 0 && !pieces_.is_convex(h))
+           is_reached.find(f) == nullptr && !pieces_.is_convex(h))
           reach(f);
     make_set(reached);
     return flood;

@@ -12,8 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Index_table.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Growing_faces.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
@@ -22,7 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -62,23 +63,12 @@ public:
     return pinches(border).empty() ? curves(mesh, border) : std::vector<std::vector<Index>>();
   }
 
-  /// the same faces and a ring around them.
-  static std::vector<Index> with_ring(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
-    Cut_region region;
-    region.faces_ = faces;
-    std::vector<Index> border;
-    for(const Sourced_halfedge& h : region.border_halfedges(mesh))
-      border.push_back(h.first);
-    return united(faces, faces_at(mesh, border));
-  }
-
   /// the given faces, and what is cut off by them but for the rest of the surface, if that holds
   /// whole handles and has no more than so many faces.
   static std::optional<Cut_region>
-  whole(const Surgery_mesh& mesh, std::vector<Index> faces, std::size_t most) {
+  whole(const Surgery_mesh& mesh, Growing_faces faces, std::size_t most) {
     Cut_region region;
-    region.faces_ = std::move(faces);
-    const std::vector<Sourced_halfedge> border = region.fill_up(mesh, most);
+    const std::vector<Sourced_halfedge> border = region.fill_up(mesh, std::move(faces), most);
     if(border.empty() || !region.is_of_handles(mesh, border) || region.borders_.size() != 1)
       return std::nullopt;
     return region;
@@ -218,18 +208,18 @@ private:
 
   // What lies beyond one of some curves and comes to no other one. Each face is reached once.
   void add_discs(const Surgery_mesh& mesh, const std::vector<std::vector<Index>>& curves) {
-    std::unordered_map<Index, std::size_t> reached; // by face, from which curve
+    Index_table reached; // by face, from which curve
     std::vector<Index> discs;
-    for(std::size_t k = 0; k < curves.size(); ++k) {
+    for(Index k = 0; k < curves.size(); ++k) {
       constexpr std::size_t most_per_edge = 8;
       const std::size_t most = (std::min)(faces_.size(), most_per_edge * curves[k].size());
       std::vector<Index> disc;
       bool is_alone = true;
       const auto visit = [&](Index f) {
-        const auto [it, is_new] = reached.insert({f, k});
+        const auto [curve, is_new] = reached.insert(f, k);
         if(is_new)
           disc.push_back(f);
-        is_alone = is_alone && it->second == k;
+        is_alone = is_alone && *curve == k;
       };
       std::vector<Index> own;
       for(Index h : curves[k]) {
@@ -252,39 +242,42 @@ private:
     faces_ = united(faces_, discs);
   }
 
-  // Adds what makes the border touch itself, and islands. Returns what the border is then; none if
-  // there are too many faces.
-  std::vector<Sourced_halfedge> fill_up(const Surgery_mesh& mesh, std::size_t most) {
-    for(;;) {
-      if(faces_.size() > most)
-        return {};
+  // Takes these faces, with what makes their border touch itself, and islands. Returns what the
+  // border is then; none if there are too many faces.
+  std::vector<Sourced_halfedge>
+  fill_up(const Surgery_mesh& mesh, Growing_faces faces, std::size_t most) {
+    while(faces.size() <= most) {
+      if(faces.add_faces_at_pinches())
+        continue;
+      faces_ = faces.faces();
+      std::sort(faces_.begin(), faces_.end());
       std::vector<Sourced_halfedge> border = border_halfedges(mesh);
-      const std::vector<Index> vertices = pinches(border);
-      std::vector<Index> more;
-      if(vertices.empty() && curves(mesh, border).size() > 1)
-        more = islands(mesh, border);
-      if(vertices.empty() && more.empty())
+      const std::vector<Index> more =
+          curves(mesh, border).size() > 1 ? islands(mesh, border) : std::vector<Index>();
+      if(more.empty())
         return border;
-      make_set(more);
-      faces_ = united(united(faces_, more), faces_at(mesh, vertices));
+      for(Index f : more)
+        faces.add(f);
     }
+    return {};
   }
 
   // The faces of pieces beyond the border that have fewer faces than the region.
   std::vector<Index> islands(const Surgery_mesh& mesh,
                              const std::vector<Sourced_halfedge>& border) const {
+    const Index_range_set region(faces_);
     std::vector<Index> all;
-    std::unordered_map<Index, bool> is_island; // by face
+    Index_table is_island; // by face
     for(const Sourced_halfedge& h : border) {
       std::vector<Index> piece;
       bool is_small = true;
       const auto visit = [&](Index f) {
-        if(contains(f))
+        if(region.contains(f))
           return;
-        const auto [it, is_new] = is_island.insert({f, true});
+        const auto [place, is_new] = is_island.insert(f, 1);
         if(is_new)
           piece.push_back(f);
-        is_small = is_small && it->second;
+        is_small = is_small && *place == 1;
       };
       visit(mesh.face(mesh.twin(h.second)));
       for(std::size_t i = 0; i < piece.size() && is_small; ++i) {
@@ -296,7 +289,7 @@ private:
         all.insert(all.end(), piece.begin(), piece.end());
       else
         for(Index f : piece)
-          is_island[f] = false;
+          *is_island.insert(f, 0).first = 0;
     }
     return all;
   }

@@ -13,170 +13,23 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Triangle_contact.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/near_pairs.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/intersections.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-inline Box<3> box_at(const Surgery_mesh::Point& p) {
-  return {{p.x(), p.y(), p.z()}, {p.x(), p.y(), p.z()}};
-}
-
-/// A triangle by its corners: the numbers tell which corners two triangles share.
-struct Placed_triangle
-{
-  using Kernel = Surgery_mesh::Kernel;
-
-  std::array<Index, 3> vertices;
-  std::array<Kernel::Point_3, 3> points;
-
-  bool is_degenerate() const { return CGAL::collinear(points[0], points[1], points[2]); }
-  Kernel::Triangle_3 triangle() const { return {points[0], points[1], points[2]}; }
-  double area() const { return std::sqrt(triangle().squared_area()); }
-  Box<3> box() const {
-    Box<3> box = box_at(points[0]);
-    box.extend(box_at(points[1]));
-    box.extend(box_at(points[2]));
-    return box;
-  }
-};
-
-inline Placed_triangle placed_triangle(const Surgery_mesh& mesh, Index face) {
-  const Surgery_mesh::Face& v = mesh.corners(face);
-  return {v, {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])}};
-}
-
-/// Whether two triangles of a mesh meet elsewhere than in the vertices and the edge that they
-/// share; by exact predicates (as for `Polygon_mesh_processing::self_intersections()`).
-class Triangle_contact
-{
-  using Kernel = Surgery_mesh::Kernel;
-  using Segment = Kernel::Segment_3;
-
-public:
-  Triangle_contact(const Placed_triangle& a, const Placed_triangle& b)
-      : a_(a)
-      , b_(b) {
-    for(std::size_t i = 0; i < 3; ++i)
-      for(std::size_t j = 0; j < 3; ++j)
-        if(a.vertices[i] == b.vertices[j]) {
-          shared_in_a_[number_shared_] = i;
-          shared_in_b_[number_shared_++] = j;
-        }
-  }
-
-  bool operator()() const {
-    if(are_surely_apart())
-      return false;
-    if(b_.is_degenerate())
-      return meets_degenerate();
-    if(a_.is_degenerate())
-      return Triangle_contact(b_, a_)();
-    switch(number_shared_) {
-    case 0:
-      return CGAL::do_intersect(a_.triangle(), b_.triangle());
-    case 1:
-      return CGAL::do_intersect(opposite_side(a_, shared_in_a_[0]), b_.triangle()) ||
-             CGAL::do_intersect(opposite_side(b_, shared_in_b_[0]), a_.triangle());
-    case 2:
-      return overlap_at_edge();
-    default:
-      return true;
-    }
-  }
-
-private:
-  using Corners = std::array<std::size_t, 9>; // nine: for faces without area
-
-  // What most are. Orientations are the fastest predicates, and a triangle without area has none.
-  bool are_surely_apart() const {
-    if(number_shared_ == 2) // an edge, unless a corner counts twice
-      return shared_in_a_[0] != shared_in_a_[1] && shared_in_b_[0] != shared_in_b_[1] &&
-             are_bent_at_edge();
-    return number_shared_ < 2 &&
-           (is_beside(b_, shared_in_b_, a_) || is_beside(a_, shared_in_a_, b_));
-  }
-
-  // Whether all corners of a triangle but the shared one are on the same side of the plane of
-  // another one.
-  bool
-  is_beside(const Placed_triangle& t, const Corners& shared, const Placed_triangle& other) const {
-    Orientation side = COPLANAR;
-    for(std::size_t i = 0; i < 3; ++i) {
-      if(number_shared_ == 1 && i == shared[0])
-        continue;
-      const Orientation o =
-          CGAL::orientation(other.points[0], other.points[1], other.points[2], t.points[i]);
-      if(o == COPLANAR || (side != COPLANAR && o != side))
-        return false;
-      side = o;
-    }
-    return true;
-  }
-
-  static Segment opposite_side(const Placed_triangle& t, std::size_t corner) {
-    return {t.points[(corner + 1) % 3], t.points[(corner + 2) % 3]};
-  }
-
-  const Kernel::Point_3& apex_of_a() const {
-    return a_.points[3 - shared_in_a_[0] - shared_in_a_[1]];
-  }
-  const Kernel::Point_3& apex_of_b() const {
-    return b_.points[3 - shared_in_b_[0] - shared_in_b_[1]];
-  }
-
-  bool are_bent_at_edge() const {
-    return CGAL::orientation(a_.points[shared_in_a_[0]], a_.points[shared_in_a_[1]], apex_of_a(),
-                             apex_of_b()) != COPLANAR;
-  }
-
-  // In a plane.
-  bool overlap_at_edge() const {
-    return CGAL::coplanar_orientation(a_.points[shared_in_a_[0]], a_.points[shared_in_a_[1]],
-                                      apex_of_a(), apex_of_b()) == POSITIVE;
-  }
-
-  // A triangle without area is the union of its sides. Those at a corner that is shared are left
-  // out: they begin on the other triangle. Two without area are not said to meet.
-  bool meets_degenerate() const {
-    if(a_.is_degenerate())
-      return false;
-    for(std::size_t i = 0; i < 3; ++i) {
-      const bool is_shared = is_shared_in_b((i + 1) % 3) || is_shared_in_b((i + 2) % 3);
-      const Segment side = opposite_side(b_, i);
-      if(!is_shared && (side.is_degenerate() ? a_.triangle().has_on(side.source())
-                                             : CGAL::do_intersect(side, a_.triangle())))
-        return true;
-    }
-    return false;
-  }
-
-  bool is_shared_in_b(std::size_t corner) const {
-    return std::find(shared_in_b_.begin(), shared_in_b_.begin() + number_shared_, corner) !=
-           shared_in_b_.begin() + number_shared_;
-  }
-
-  const Placed_triangle &a_, &b_;
-  Corners shared_in_a_, shared_in_b_;
-  std::size_t number_shared_ = 0;
-};
-
-inline bool are_in_contact(const Placed_triangle& a, const Placed_triangle& b) {
-  return Triangle_contact(a, b)();
-}
 
 /// Faces that take the place of others. Corners are vertices of the mesh, or, from `first_own` on,
 /// points of the patch.
@@ -272,15 +125,28 @@ public:
   }
 
   /// whether a triangle meets another one, but for parts of faces; or for those for which
-  /// `may_meet(i, j)`.
+  /// `may_meet(i, j)`. Near linear, but for an unlimited budget, of which each pair is asked for
+  /// once.
   template <typename Predicate> bool meets_itself(const Predicate& may_meet) const {
+    return meets_itself(may_meet, Pair_budget(triangles_.size()));
+  }
+  template <typename Predicate>
+  bool meets_itself(const Predicate& may_meet, Pair_budget budget) const {
     const Placed_boxes near = placed_boxes();
     const auto box = [this](Index i) { return boxes_[i]; };
     // Parts come first, and do not meet each other.
-    return near.any_meeting(near, box, box, [&](Index i, Index j) {
+    const auto meet = [&](Index i, Index j) {
       return i > j && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]) &&
              !may_meet(i, j);
-    });
+    };
+    const bool is_found = near.any_meeting(
+        near, box, box, [&](Index i, Index j) { return budget.is_spent() || meet(i, j); });
+    if(!budget.is_over())
+      return is_found;
+    if(const auto pairs = near_pairs(triangles_))
+      return std::any_of(pairs->begin(), pairs->end(),
+                         [&](const auto& pair) { return meet(pair.first, pair.second); });
+    return near.any_meeting(near, box, box, meet);
   }
 
   /// whether a triangle is part of a face of the mesh.
@@ -319,20 +185,25 @@ public:
   }
 
   /// whether a patch meets a face that is not in a set of those that it takes the place of; but for
-  /// those that `may_meet(f)`. Near linear in the size of the patch.
+  /// those that `may_meet(f)`. Near linear in the number of faces near the patch, but for an
+  /// unlimited budget, of which each pair is asked for once.
   template <typename Predicate>
   bool
   meets(const Placed_patch& patch, const std::vector<Index>& out, const Predicate& may_meet) const {
+    return meets(patch, out, may_meet, Pair_budget(patch.triangles().size()));
+  }
+  template <typename Predicate>
+  bool meets(const Placed_patch& patch,
+             const std::vector<Index>& out,
+             const Predicate& may_meet,
+             const Pair_budget& budget) const {
     CGAL_precondition(!layers_.empty() && layers_.back().end == mesh_.face_bound());
     const Placed_boxes boxes_of_patch = patch.placed_boxes();
     return std::any_of(layers_.begin(), layers_.end(), [&](const Layer& layer) {
-      return layer.boxes.any_meeting(
-          boxes_of_patch, [&](Index i) { return box(layer.begin + i); },
-          [&](Index t) { return patch.box(t); },
-          [&](Index i, Index t) {
-            const Index f = layer.begin + i;
-            return !is_in(f, out) && patch.meets(t, placed_triangle(mesh_, f)) && !may_meet(f);
-          });
+      return any_pair(layer, patch, boxes_of_patch, budget, [&](Index i, Index t) {
+        const Index f = layer.begin + i;
+        return !is_in(f, out) && patch.meets(t, placed_triangle(mesh_, f)) && !may_meet(f);
+      });
     });
   }
 
@@ -343,6 +214,52 @@ private:
     Index begin, end;
     Placed_boxes boxes;
   };
+
+  // Whether `f(i, t)` holds for a face of a layer and one of a patch, by their numbers there, of
+  // those near each other. Where boxes say little of that, a closer look at all faces within the
+  // box of the patch is less.
+  template <typename Predicate>
+  bool any_pair(const Layer& layer,
+                const Placed_patch& patch,
+                const Placed_boxes& boxes_of_patch,
+                Pair_budget budget,
+                const Predicate& f) const {
+    const auto box = [&](Index i) { return this->box(layer.begin + i); };
+    const auto box_of_patch = [&](Index t) { return patch.box(t); };
+    std::optional<std::vector<Index>> faces;
+    const bool is_found =
+        layer.boxes.any_meeting(boxes_of_patch, box, box_of_patch, [&](Index i, Index t) {
+          if(budget.is_spent()) {
+            if(faces)
+              return true;
+            faces = layer.boxes.meeting(patch.box(), box);
+            budget.extend(faces->size());
+          }
+          return f(i, t);
+        });
+    if(!budget.is_over())
+      return is_found;
+    if(const auto pairs = pairs_near(layer, *faces, patch))
+      return std::any_of(pairs->begin(), pairs->end(),
+                         [&](const auto& pair) { return f(pair.first, pair.second); });
+    return layer.boxes.any_meeting(boxes_of_patch, box, box_of_patch, f);
+  }
+
+  std::optional<std::vector<std::pair<Index, Index>>>
+  pairs_near(const Layer& layer, const std::vector<Index>& faces, const Placed_patch& patch) const {
+    std::vector<Placed_triangle> triangles = patch.triangles();
+    const Index number = static_cast<Index>(triangles.size());
+    for(Index i : faces)
+      triangles.push_back(placed_triangle(mesh_, layer.begin + i));
+    auto pairs = near_pairs(std::move(triangles));
+    if(!pairs)
+      return std::nullopt;
+    std::vector<std::pair<Index, Index>> of_both;
+    for(const auto& [i, t] : *pairs)
+      if(i >= number && t < number)
+        of_both.push_back({faces[i - number], t});
+    return of_both;
+  }
 
   // What is gone has no box, and caps are none of the surface.
   bool counts(Index f) const { return mesh_.is_alive(f) && !mesh_.is_in_cap(f); }
@@ -376,13 +293,19 @@ public:
       patch.faces.push_back(mesh.corners(f));
     const Placed_patch placed(mesh, patch);
     const std::size_t most = 1024 + 8 * faces.size();
-    const bool are_too_many = placed.meets_itself([&](Index i, Index j) {
-      own_.insert(own_.end(), {faces[i], faces[j]});
-      return own_.size() <= most;
-    }) || contacts.meets(placed, faces, [&](Index f) {
-      others_.push_back(f);
-      return others_.size() <= most;
-    });
+    const bool are_too_many = placed.meets_itself(
+                                  [&](Index i, Index j) {
+                                    own_.insert(own_.end(), {faces[i], faces[j]});
+                                    return own_.size() <= most;
+                                  },
+                                  Pair_budget::unlimited()) ||
+                              contacts.meets(
+                                  placed, faces,
+                                  [&](Index f) {
+                                    others_.push_back(f);
+                                    return others_.size() <= most;
+                                  },
+                                  Pair_budget::unlimited());
     if(are_too_many) {
       own_.clear();
       others_.clear();

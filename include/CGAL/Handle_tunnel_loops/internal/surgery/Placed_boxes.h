@@ -44,20 +44,8 @@ public:
     tree_ = Box_tree<3>(std::move(boxes));
   }
 
-  /// calls `f(i, j)` for those of these and of others whose boxes meet; `box(i)` and `other_box(j)`
-  /// are what the boxes were made from.
-  template <typename Box_of, typename Box_of_other, typename Function>
-  void for_each_meeting(const Placed_boxes& others,
-                        const Box_of& box,
-                        const Box_of_other& other_box,
-                        const Function& f,
-                        Execution execution = Execution()) const {
-    for_each_index(
-        execution, others.tree_.size(),
-        [&](std::size_t other) { meet_group(others, other, box, other_box, f); }, grain);
-  }
-
-  /// whether `f(i, j)` holds for any of those whose boxes meet; ends soon after the first.
+  /// whether `f(i, j)` holds for any of these and of others whose boxes meet; `box(i)` and
+  /// `other_box(j)` are what the boxes were made from. Ends soon after the first.
   template <typename Box_of, typename Box_of_other, typename Predicate>
   bool any_meeting(const Placed_boxes& others,
                    const Box_of& box,
@@ -68,11 +56,9 @@ public:
     for_each_index(
         execution, others.tree_.size(),
         [&](std::size_t other) {
-          if(!is_found)
-            meet_group(others, other, box, other_box, [&](Index i, Index j) {
-              if(!is_found && f(i, j))
-                is_found = true;
-            });
+          if(!is_found && meets_group(others, other, box, other_box,
+                                      [&](Index i, Index j) { return is_found || f(i, j); }))
+            is_found = true;
         },
         grain);
     return is_found;
@@ -83,47 +69,65 @@ public:
   template <typename Box_of> double crowding(const Box_of& box, double bound) const {
     constexpr std::size_t number_of_samples = 512;
     const std::size_t step = tree_.size() / number_of_samples + 1;
-    std::size_t number_of_boxes = 0, number_of_meetings = 0;
+    double number_of_boxes = 0., number_of_meetings = 0.;
     for(std::size_t group = 0; group < tree_.size(); group += step)
-      number_of_boxes += (std::min)(group_size, order_.size() - group * group_size);
-    for(std::size_t group = 0;
-        group < tree_.size() && double(number_of_meetings) <= bound * double(number_of_boxes);
-        group += step)
-      meet_group(*this, group, box, box, [&](Index, Index) { ++number_of_meetings; });
-    return number_of_boxes == 0 ? 0. : double(number_of_meetings) / double(number_of_boxes);
+      number_of_boxes += double((std::min)(group_size, order_.size() - group * group_size));
+    const auto is_above_bound = [&] { return number_of_meetings > bound * number_of_boxes; };
+    for(std::size_t group = 0; group < tree_.size() && !is_above_bound(); group += step)
+      meets_group(*this, group, box, box, [&](Index, Index) {
+        ++number_of_meetings;
+        return is_above_bound();
+      });
+    return number_of_boxes == 0. ? 0. : number_of_meetings / number_of_boxes;
+  }
+
+  /// those that meet a box.
+  template <typename Box_of>
+  std::vector<Index> meeting(const Box<3>& around, const Box_of& box) const {
+    std::vector<Index> all;
+    tree_.for_each_meeting(around, [&](Index group, const Box<3>&) {
+      any_of(group, [&](Index i) {
+        if(box(i).meets(around))
+          all.push_back(i);
+        return false;
+      });
+    });
+    return all;
   }
 
 private:
   static constexpr std::size_t group_size = 8;
   static constexpr std::size_t grain = 32; // groups that a thread takes at once
 
-  template <typename Box_of, typename Box_of_other, typename Function>
-  void meet_group(const Placed_boxes& others,
-                  std::size_t other,
-                  const Box_of& box,
-                  const Box_of_other& other_box,
-                  const Function& f) const {
+  template <typename Box_of, typename Box_of_other, typename Predicate>
+  bool meets_group(const Placed_boxes& others,
+                   std::size_t other,
+                   const Box_of& box,
+                   const Box_of_other& other_box,
+                   const Predicate& f) const {
     const Box<3>& around = others.tree_.box(other);
     const std::size_t begin = other * group_size;
     const std::size_t number = (std::min)(group_size, others.order_.size() - begin);
     std::array<Box<3>, group_size> other_boxes;
     for(std::size_t k = 0; k < number; ++k)
       other_boxes[k] = other_box(others.order_[begin + k]);
-    tree_.for_each_meeting(around, [&](Index group, const Box<3>&) {
-      for_each_of(group, [&](Index i) {
+    return tree_.any_meeting(around, [&](Index group, const Box<3>&) {
+      return any_of(group, [&](Index i) {
         const Box<3> b = box(i);
         if(b.meets(around))
           for(std::size_t k = 0; k < number; ++k)
-            if(b.meets(other_boxes[k]))
-              f(i, others.order_[begin + k]);
+            if(b.meets(other_boxes[k]) && f(i, others.order_[begin + k]))
+              return true;
+        return false;
       });
     });
   }
 
-  template <typename Function> void for_each_of(std::size_t group, const Function& f) const {
-    const std::size_t begin = group * group_size;
-    for(std::size_t i = begin; i < (std::min)(order_.size(), begin + group_size); ++i)
-      f(order_[i]);
+  template <typename Predicate> bool any_of(std::size_t group, const Predicate& f) const {
+    const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(group * group_size);
+    const auto end = order_.begin() + static_cast<std::ptrdiff_t>(
+                                          (std::min)(order_.size(), (group + 1) * group_size));
+    return std::any_of(begin, end, f);
   }
 
   // One of the things, and where it is; all are moved together, which is what memory is fast at.

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Bore_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Growing_faces.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_surgery.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
@@ -100,17 +101,19 @@ private:
     std::vector<Index> vertices;
     for(const Closed_walk& walk : walks)
       vertices.insert(vertices.end(), walk.begin(), walk.end());
-    std::vector<Index> faces = Cut_region::faces_at(mesh_, vertices);
+    if(choice.style == Region_choice::KNOB && !is_compact(walks))
+      return std::nullopt;
+    Growing_faces faces(mesh_, vertices);
     if(choice.style == Region_choice::KNOB)
-      return is_compact(walks) ? knob(std::move(faces), choice.rings) : std::nullopt;
+      return knob(std::move(faces), choice.rings);
     const std::size_t most = most_faces_around(faces);
     for(int ring = 0; ring < choice.rings && faces.size() <= most; ++ring)
-      faces = Cut_region::with_ring(mesh_, faces);
+      faces.add_ring();
     return Cut_region::whole(mesh_, std::move(faces), most);
   }
 
   // Where all is near, as on a random surface, a few rings would hold the whole of it.
-  static std::size_t most_faces_around(const std::vector<Index>& faces_at_loops) {
+  static std::size_t most_faces_around(const Growing_faces& faces_at_loops) {
     return 1024 + 16 * faces_at_loops.size();
   }
 
@@ -125,11 +128,11 @@ private:
 
   // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
   // handle if a disc takes the place of what is within.
-  std::optional<Cut_region> knob(std::vector<Index> faces, int most_rings) const {
+  std::optional<Cut_region> knob(Growing_faces faces, int most_rings) const {
     const std::size_t most = most_faces_around(faces);
     int number_of_misses = 0;
     for(int ring = 0; ring < most_rings && number_of_misses < 2; ++ring) {
-      faces = Cut_region::with_ring(mesh_, faces);
+      faces.add_ring();
       std::optional<Cut_region> region = Cut_region::whole(mesh_, faces, most);
       if(!region) { // there is more than a handle
         ++number_of_misses;

@@ -12,9 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/enum.h>
+#include <CGAL/Filtered_predicate.h>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
@@ -25,21 +24,29 @@ memory. Nothing is rounded by that.
 */
 struct Sheared_circles : Exact_predicates_inexact_constructions_kernel
 {
-  struct Side_of_oriented_circle_2
+private:
+  template <typename Kernel> struct Side_of_circle
   {
-    Oriented_side
-    operator()(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& t) const {
-      return CGAL::side_of_oriented_circle(sheared(p), sheared(q), sheared(r), sheared(t));
+    using result_type = typename Kernel::Oriented_side;
+    using Point = typename Kernel::Point_2;
+
+    result_type operator()(const Point& p, const Point& q, const Point& r, const Point& t) const {
+      return Kernel().side_of_oriented_circle_2_object()(sheared(p), sheared(q), sheared(r),
+                                                         sheared(t));
     }
 
   private:
-    using Exact = Exact_predicates_exact_constructions_kernel;
-
-    static Exact::Point_2 sheared(const Point_2& p) {
-      const Exact::FT x = p.x(), y = p.y();
-      return {x + 1.3e-3 * y, 1.0007 * y};
+    static Point sheared(const Point& p) {
+      using Number = typename Kernel::FT;
+      return {p.x() + Number(1.3e-3) * p.y(), Number(1.0007) * p.y()};
     }
   };
+
+public:
+  using Side_of_oriented_circle_2 = Filtered_predicate<Side_of_circle<Exact_kernel>,
+                                                       Side_of_circle<Approximate_kernel>,
+                                                       C2E,
+                                                       C2F>;
 
   Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
 };

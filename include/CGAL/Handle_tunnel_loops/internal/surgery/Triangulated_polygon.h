@@ -243,13 +243,11 @@ private:
     if(picture.empty())
       return false;
     Triangulation cdt;
-    std::vector<typename Triangulation::Vertex_handle> vertices;
-    typename Triangulation::Face_handle near;
-    for(std::size_t i : corners) {
-      vertices.push_back(cdt.insert(picture[i], near));
-      vertices.back()->info() = i;
-      near = vertices.back()->face();
-    }
+    std::vector<typename Triangulation::Vertex_handle> vertices(corners.size());
+    for_each_from_coarse_to_fine(corners.size(), [&](std::size_t k, std::size_t near) {
+      vertices[k] = cdt.insert(picture[corners[k]], k == 0 ? nullptr : vertices[near]->face());
+      vertices[k]->info() = corners[k];
+    });
     if(cdt.number_of_vertices() != corners.size() || cdt.dimension() != 2)
       return false;
     try {
@@ -259,6 +257,19 @@ private:
       return false;
     }
     return take_inner(cdt, corners.size() - 2);
+  }
+
+  // Calls `f(k, near)` for 0 .. n - 1, where `near` was there before, for k > 0: from one end to
+  // the other each would change most of the triangles of those that lie all but on a circle.
+  template <typename Function>
+  static void for_each_from_coarse_to_fine(std::size_t n, const Function& f) {
+    std::size_t step = 1;
+    while(step < n)
+      step *= 2;
+    f(0, 0);
+    for(; step > 1; step /= 2)
+      for(std::size_t near = 0; near + step / 2 < n; near += step)
+        f(near + step / 2, near);
   }
 
   Picture from_largest_side() const {

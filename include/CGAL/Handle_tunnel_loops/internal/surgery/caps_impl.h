@@ -49,6 +49,19 @@ struct Filled_rim
   bool is_flush;
 };
 
+/// the triangles that fill the holes of a region, without vertices of their own.
+inline Patch
+plain_caps(const Surgery_mesh& mesh, const Cut_region& region, const std::deque<Filled_rim>& rims) {
+  Patch patch;
+  for(std::size_t i = 0; i < rims.size(); ++i) {
+    patch.caps.push_back(patch.faces.size());
+    const Closed_walk rim = region.vertices_of(mesh, i);
+    for(const Triangulated_polygon::Triangle& t : rims[i].filling.triangles())
+      patch.faces.push_back({rim[t[0]], rim[t[1]], rim[t[2]]});
+  }
+  return patch;
+}
+
 /// A copy of what is around a region, in which its holes are filled.
 class Holes_of_region
 {
@@ -57,12 +70,10 @@ class Holes_of_region
   using Halfedge = Mesh::Halfedge_index;
 
 public:
-  /// with vertices in the caps, as dense as those around, if so wanted; not in those that are
-  /// flush.
+  /// with vertices in the caps, as dense as those around; not in those that are flush.
   Holes_of_region(const Surgery_mesh& mesh,
                   const Cut_region& region,
-                  const std::deque<Filled_rim>& rims,
-                  bool is_refined)
+                  const std::deque<Filled_rim>& rims)
       : mesh_(mesh) {
     is_good_ = copy_surroundings(region);
     number_around_ = static_cast<Index>(copy_.number_of_vertices());
@@ -71,7 +82,7 @@ public:
       const std::size_t begin = copy_.number_of_faces();
       caps_.push_back(begin - first_cap_face_);
       is_good_ = is_good_ && fill(region.vertices_of(mesh, i), rims[i].filling);
-      if(is_good_ && is_refined && !rims[i].is_flush)
+      if(is_good_ && !rims[i].is_flush)
         refine(begin);
     }
   }
@@ -210,16 +221,14 @@ for_each_cap(const Surgery_mesh& mesh, const Cut_region& region, const Patch_vis
   const bool are_flush =
       std::all_of(rims.begin(), rims.end(), [](const Filled_rim& rim) { return rim.is_flush; });
   if(!are_flush) {
-    Holes_of_region holes(mesh, region, rims, true);
+    Holes_of_region holes(mesh, region, rims);
     if(!holes.are_filled())
       return;
     const Patch refined = holes.caps();
     if((holes.fair() && is_wanted(holes.caps())) || is_wanted(refined))
       return;
   }
-  const Holes_of_region holes(mesh, region, rims, false);
-  if(holes.are_filled())
-    is_wanted(holes.caps());
+  is_wanted(plain_caps(mesh, region, rims));
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -15,9 +15,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Contact_search.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Triangle_contact.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/near_pairs.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -29,19 +29,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// `triangle(i)` is the i-th of n.
-template <typename Triangle_of>
-Contact_search contact_search(Execution execution, std::size_t n, const Triangle_of& triangle) {
-  std::vector<Contact_search::Triangle> triangles(n);
-  for_each_index(execution, n, [&](std::size_t i) {
-    const Placed_triangle t = triangle(i);
-    triangles[i].vertices = t.vertices;
-    for(std::size_t k = 0; k < 3; ++k)
-      triangles[i].points[k] = {t.points[k].x(), t.points[k].y(), t.points[k].z()};
-  });
-  return Contact_search(std::move(triangles));
-}
 
 /// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
 /// the surface is not the boundary of a solid. Decided exactly, of faces whose boxes meet. Takes
@@ -80,7 +67,6 @@ bool touches_itself(Execution execution,
   };
   const auto box = [&](std::size_t i) { return boxes[i]; };
   const Placed_boxes near(execution, all.size(), box);
-  constexpr double largest_crowding = 128.; // a dozen is usual
   if(near.crowding(box, largest_crowding) <= largest_crowding)
     return near.any_meeting(
         near, box, box, [&](Index i, Index j) { return i < j && are_touching(i, j); }, execution);

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_NEAR_PAIRS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_NEAR_PAIRS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Contact_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Triangle_contact.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// how many boxes each of some boxes may meet, on average, before a closer look pays: a dozen is
+/// usual.
+constexpr double largest_crowding = 128.;
+
+/// `triangle(i)` is the i-th of n.
+template <typename Triangle_of>
+Contact_search contact_search(Execution execution, std::size_t n, const Triangle_of& triangle) {
+  std::vector<Contact_search::Triangle> triangles(n);
+  for_each_index(execution, n, [&](std::size_t i) {
+    const Placed_triangle t = triangle(i);
+    triangles[i].vertices = t.vertices;
+    for(std::size_t k = 0; k < 3; ++k)
+      triangles[i].points[k] = {t.points[k].x(), t.points[k].y(), t.points[k].z()};
+  });
+  return Contact_search(std::move(triangles));
+}
+
+/// How many pairs of triangles are looked at because their boxes meet, before a closer look at the
+/// triangles is cheaper.
+class Pair_budget
+{
+public:
+  /// of so many triangles.
+  explicit Pair_budget(std::size_t number_of_triangles)
+      : most_(static_cast<std::size_t>(largest_crowding) * (number_of_triangles + 256)) {}
+
+  static Pair_budget unlimited() {
+    Pair_budget budget(0);
+    budget.most_ = (std::numeric_limits<std::size_t>::max)();
+    return budget;
+  }
+
+  /// to be called for each pair: whether there were enough before.
+  bool is_spent() {
+    is_over_ = number_ >= most_;
+    ++number_;
+    return is_over_;
+  }
+
+  /// whether a pair was too much.
+  bool is_over() const { return is_over_; }
+
+  /// goes on for so many more triangles.
+  void extend(std::size_t number_of_triangles) {
+    most_ += static_cast<std::size_t>(largest_crowding) * number_of_triangles;
+    is_over_ = false;
+  }
+
+private:
+  std::size_t most_, number_ = 0;
+  bool is_over_ = false;
+};
+
+/// Which of some triangles a closer look than by boxes finds near each other: each pair once, the
+/// later one first. Not known if one has no area.
+inline std::optional<std::vector<std::pair<Index, Index>>>
+near_pairs(std::vector<Placed_triangle> triangles) {
+  std::vector<Index> vertices;
+  for(const Placed_triangle& t : triangles) {
+    if(t.is_degenerate())
+      return std::nullopt;
+    vertices.insert(vertices.end(), t.vertices.begin(), t.vertices.end());
+  }
+  make_set(vertices);
+  for(Placed_triangle& t : triangles)
+    for(Index& v : t.vertices) // without gaps
+      v = static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                             vertices.begin());
+  std::vector<std::pair<Index, Index>> pairs;
+  contact_search(Execution(), triangles.size(), [&](std::size_t i) {
+    return triangles[i];
+  }).for_each_candidate(Execution(), [&](Index i, Index j) {
+    pairs.push_back({(std::max)(i, j), (std::min)(i, j)});
+  });
+  make_set(pairs);
+  return pairs;
+}
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_NEAR_PAIRS_H

@@ -1,0 +1,211 @@
+#include "Meshes_of_soups.h"
+
+#include "generators/Random.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Index_table.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Growing_faces.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/near_pairs.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace test_near_faces {
+
+namespace impl = CGAL::Handle_tunnel_loops::internal;
+using impl::Index;
+using impl::Surgery_mesh;
+
+Surgery_mesh surgery_mesh_of(const char* kind, std::size_t faces, std::size_t genus) {
+  Recipe recipe;
+  recipe.kind = kind;
+  recipe.request.faces = faces;
+  recipe.request.genus = genus;
+  Mesh mesh = mesh_of(recipe);
+  impl::Mesh_link<Mesh, std::decay_t<decltype(mesh.points())>> link(mesh, mesh.points());
+  return link.read(impl::Execution(), get(CGAL::vertex_index, mesh), get(CGAL::face_index, mesh));
+}
+
+TEST(Index_table, IsAMap) {
+  generators::Random random(1);
+  impl::Index_table table;
+  std::map<Index, Index> map;
+  EXPECT_EQ(table.find(0), nullptr);
+  for(int i = 0; i < 5000; ++i) {
+    const auto index = static_cast<Index>(random.uniform(0., 1.) < 0.5 ? random.uniform(0., 1000.)
+                                                                       : random.uniform(0., 4e9));
+    const auto number = static_cast<Index>(random.uniform(0., 100.));
+    const auto [place, is_new] = table.insert(index, number);
+    EXPECT_EQ(is_new, map.insert({index, number}).second);
+    EXPECT_EQ(*place, map.at(index));
+    *place = map[index] = number;
+  }
+  for(const auto& [index, number] : map)
+    EXPECT_EQ(*table.find(index), number);
+  for(Index i = 0; i < 2000; ++i)
+    EXPECT_EQ(table.find(i) != nullptr, map.count(i) == 1) << i;
+}
+
+// ---- faces that grow, by definition
+
+using Faces = std::vector<Index>; // in ascending order
+
+// Of vertices with at least so many halfedges of the border.
+Faces with_faces_at_border(const Surgery_mesh& mesh, const Faces& faces, int least, bool& is_any) {
+  std::map<Index, int> number;
+  for(Index f : faces)
+    for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
+      if(!impl::is_in(mesh.face(mesh.twin(h)), faces))
+        ++number[mesh.source(h)];
+  std::vector<Index> vertices;
+  for(const auto& [v, n] : number)
+    if(n >= least)
+      vertices.push_back(v);
+  is_any = !vertices.empty();
+  return impl::united(faces, impl::Cut_region::faces_at(mesh, vertices));
+}
+
+TEST(Growing_faces, GrowByRingsAndWhereTheyTouch) {
+  generators::Random random(2);
+  const Surgery_mesh meshes[] = {surgery_mesh_of("random", 1200, 12),
+                                 surgery_mesh_of("hubs", 1000, 4)};
+  int number_of_pinches = 0;
+  for(int run = 0; run < 40; ++run) {
+    const Surgery_mesh& mesh = meshes[run % 2];
+    std::vector<Index> vertices;
+    for(int i = 0; i < 1 + run % 7; ++i)
+      vertices.push_back(static_cast<Index>(random.uniform(0., double(mesh.vertex_bound()))));
+    impl::Growing_faces grown(mesh, vertices);
+    Faces faces = impl::Cut_region::faces_at(mesh, vertices);
+    for(int step = 0; step < 12; ++step) {
+      Faces now = grown.faces();
+      std::sort(now.begin(), now.end());
+      ASSERT_EQ(now, faces) << "run " << run << ", step " << step;
+      bool is_any = false;
+      if(step % 4 == 3) {
+        faces = with_faces_at_border(mesh, faces, 1, is_any);
+        grown.add_ring();
+      } else {
+        faces = with_faces_at_border(mesh, faces, 2, is_any);
+        EXPECT_EQ(grown.add_faces_at_pinches(), is_any);
+        number_of_pinches += is_any;
+      }
+    }
+  }
+  EXPECT_GT(number_of_pinches, 20);
+}
+
+// ---- contacts where boxes say nothing
+
+// A patch that fills a circle, of which triangles are chords; turned, as boxes would tell parallel
+// ones apart.
+impl::Patch disc(std::size_t n) {
+  impl::Polygon_in_space polygon;
+  for(std::size_t i = 0; i < n; ++i) {
+    const double angle = 2. * CGAL_PI * double(i) / double(n);
+    polygon.points.push_back({std::cos(angle), std::sin(angle), 0.});
+  }
+  const impl::Triangulated_polygon filling(polygon);
+  EXPECT_TRUE(filling.is_good());
+  impl::Patch patch;
+  patch.points = polygon.points;
+  patch.caps = {0};
+  for(const auto& t : filling.triangles())
+    patch.faces.push_back({impl::Patch::first_own + static_cast<Index>(t[0]),
+                           impl::Patch::first_own + static_cast<Index>(t[1]),
+                           impl::Patch::first_own + static_cast<Index>(t[2])});
+  return patch;
+}
+
+bool meets_itself_by_definition(const impl::Placed_patch& patch) {
+  const auto& t = patch.triangles();
+  for(std::size_t i = 0; i < t.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(impl::are_in_contact(t[i], t[j]))
+        return true;
+  return false;
+}
+
+TEST(Near_pairs, TellWhetherCapsMeetThemselves) {
+  generators::Random random(3);
+  const Surgery_mesh none;
+  int number_of_contacts = 0;
+  for(int run = 0; run < 12; ++run) {
+    impl::Patch patch = disc(600);
+    for(int i = 0; i < run % 4; ++i) { // a dent, which is harmless or not
+      const auto v = static_cast<std::size_t>(random.uniform(0., 600.));
+      const double factor = random.uniform(0.99, 1.0001);
+      const auto& p = patch.points[v];
+      patch.points[v] = {factor * p.x(), factor * p.y(), random.uniform(-1., 1.) < 0. ? 0. : 1e-3};
+    }
+    const impl::Placed_patch placed(none, patch);
+    const auto never = [](Index, Index) { return false; };
+    const bool meets = meets_itself_by_definition(placed);
+    EXPECT_EQ(placed.meets_itself(never), meets) << run;
+    EXPECT_EQ(placed.meets_itself(never, impl::Pair_budget::unlimited()), meets) << run;
+    number_of_contacts += meets;
+  }
+  EXPECT_GT(number_of_contacts, 0);
+  EXPECT_LT(number_of_contacts, 12);
+}
+
+TEST(Near_pairs, AreFewWhereAllBoxesMeet) {
+  const auto number_of_pairs = [](std::size_t n) {
+    return impl::near_pairs(impl::Placed_patch(Surgery_mesh(), disc(n)).triangles())->size();
+  };
+  const std::size_t few = number_of_pairs(250), many = number_of_pairs(2000);
+  EXPECT_GT(few, 248u);
+  EXPECT_LT(many, 12 * few);
+  std::vector<impl::Placed_triangle> flat =
+      impl::Placed_patch(Surgery_mesh(), disc(10)).triangles();
+  flat.back().points[0] = flat.back().points[1];
+  EXPECT_FALSE(impl::near_pairs(flat)); // one has no area
+}
+
+// A disc in an end of a drum, which the faces at the hub are around, and where it is moved to.
+TEST(Near_pairs, TellWhetherCapsMeetASurface) {
+  generators::Random random(4);
+  const Surgery_mesh mesh = surgery_mesh_of("hubs", 8000, 4);
+  impl::Mesh_contacts contacts(mesh);
+  contacts.update(impl::Execution());
+  int number_of_contacts = 0;
+  for(int run = 0; run < 10; ++run) {
+    impl::Patch patch = disc(400);
+    const double size = random.uniform(0.1, 0.4), x = random.uniform(-0.7, 0.7),
+                 y = random.uniform(-0.7, 0.7), z = run % 2 == 0 ? 0. : random.uniform(-0.2, 0.);
+    for(auto& p : patch.points)
+      p = {x + size * p.x(), y + size * p.y(), z + 0.1 * p.x()};
+    const impl::Placed_patch placed(mesh, patch);
+    bool meets = false;
+    for(Index f = 0; f < mesh.face_bound() && !meets; ++f)
+      for(std::size_t i = 0; i < placed.triangles().size() && !meets; ++i)
+        meets = placed.meets(i, impl::placed_triangle(mesh, f));
+    const auto never = [](Index) { return false; };
+    EXPECT_EQ(contacts.meets(placed, {}, never), meets) << run;
+    EXPECT_EQ(contacts.meets(placed, {}, never, impl::Pair_budget::unlimited()), meets) << run;
+    // Each pair that meets is found as often as by boxes alone.
+    std::vector<Index> found, others;
+    contacts.meets(
+        placed, {}, [&](Index f) { return found.push_back(f), true; },
+        impl::Pair_budget::unlimited());
+    contacts.meets(
+        placed, {}, [&](Index f) { return others.push_back(f), true; }, impl::Pair_budget(0));
+    impl::make_set(found);
+    impl::make_set(others);
+    EXPECT_EQ(found, others) << run;
+    number_of_contacts += meets;
+  }
+  EXPECT_GT(number_of_contacts, 2);
+}
+
+} // namespace test_near_faces
