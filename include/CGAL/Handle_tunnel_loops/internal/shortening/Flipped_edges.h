@@ -238,19 +238,19 @@ private:
     while(!bands_.empty()) {
       const Band band = bands_.back();
       bands_.pop_back();
-      const Passages passages = this->passages(band.halfedge);
+      const std::array<std::int64_t, 3> by = passages(band.halfedge).by;
       const Index to_corner = next(band.halfedge), from_corner = next(to_corner);
       const std::int64_t n = crossings(band.halfedge), end = band.first + band.size,
-                         first = (std::min)((std::max)(passages.by[0], band.first), end),
-                         last = (std::min)((std::max)(n - passages.by[1], band.first), end);
-      const auto go_on = [&](Index g, std::int64_t begin, std::int64_t end, std::int64_t shift) {
-        if(begin < end)
-          bands_.push_back({g, begin + shift, end - begin, band.number + begin - band.first});
-      };
-      go_on(twin(from_corner), band.first, first, 0);
+                         first = (std::min)((std::max)(by[0], band.first), end),
+                         last = (std::min)((std::max)(n - by[1], band.first), end);
+      const std::int64_t shift = crossings(to_corner) - n;
+      if(band.first < first)
+        bands_.push_back({twin(from_corner), band.first, first - band.first, band.number});
       for(std::int64_t i = first; i < last; ++i)
         f(band.number + i - band.first, target(to_corner));
-      go_on(twin(to_corner), last, end, crossings(to_corner) - n);
+      if(last < end)
+        bands_.push_back(
+            {twin(to_corner), last + shift, end - last, band.number + last - band.first});
     }
   }
 
