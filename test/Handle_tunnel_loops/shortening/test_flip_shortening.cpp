@@ -2,14 +2,19 @@
 // mesh, one beside the other.
 
 #include "Crossing_loops.h"
-#include "Torus_loops.h"
+#include "Meshes_of_soups.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Flip_shortening.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace test_flip_shortening {
@@ -17,8 +22,17 @@ namespace test_flip_shortening {
 using CGAL::Handle_tunnel_loops::internal::Execution;
 using CGAL::Handle_tunnel_loops::internal::Flip_shortening;
 using CGAL::Handle_tunnel_loops::internal::Flipped_edges;
+using CGAL::Handle_tunnel_loops::internal::lead_around_caps;
 using CGAL::Handle_tunnel_loops::internal::length;
 using CGAL::Handle_tunnel_loops::internal::Loop_tightening;
+using CGAL::Handle_tunnel_loops::internal::Prepared_surface;
+
+bool is_any_on_border(const Mesh& mesh, Mesh::Face_index f) {
+  for(const Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(f), mesh))
+    if(mesh.is_border(v))
+      return true;
+  return false;
+}
 
 // The class is seen through the intersection numbers with a fixed family.
 void expect_shortened(const Flat_mesh& mesh, unsigned seed) {
@@ -61,6 +75,33 @@ TEST(Flips, KeepTheClassWherePointsCoincide) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", points of a grid of width " << cell);
       expect_shortened(flat_mesh_of(soup), seed);
     }
+}
+
+// Some faces are missing, so that there are caps in their place.
+TEST(Flips, KeepTheClassBesideCaps) {
+  Mesh mesh = mesh_of({"plates", {3000, 4, 0}});
+  for(const Mesh::Face_index f :
+      std::vector<Mesh::Face_index>(faces(mesh).begin(), faces(mesh).end()))
+    if(f % 20 == 0 && !is_any_on_border(mesh, f))
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+  const Prepared_surface<Mesh, boost::property_map<Mesh, CGAL::vertex_point_t>::const_type> surface(
+      Execution(), mesh, get(boost::vertex_index, mesh),
+      get(CGAL::vertex_point, std::as_const(mesh)));
+  const Flat_mesh& flat = surface.mesh;
+  ASSERT_GT(flat.number_of_hubs, 20u);
+  Random random(5);
+  const Crossing_index index(flat, random_loops(flat, random, 20));
+  for(Crossing_loop loop : random_loops(flat, random, 30)) {
+    const auto numbers = index.intersections(loop);
+    lead_around_caps(flat, loop);
+    Flip_shortening(Execution(), flat).shorten(loop);
+    Loop_tightening(flat).tighten(loop, 10);
+    expect_crossing_loop(flat, loop);
+    EXPECT_EQ(index.intersections(loop), numbers);
+    EXPECT_TRUE(std::none_of(loop.begin(), loop.end(),
+                             [&](const Crossing& c) { return flat.is_spoke(c.left, c.right); }));
+  }
 }
 
 // Edges that are flipped at random, whatever the shapes of faces are: each one leads from one of
