@@ -3,6 +3,7 @@
 
 #include "Crossing_loops.h"
 #include "Meshes_of_soups.h"
+#include "Surfaces_for_loops.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Flip_shortening.h>
@@ -46,35 +47,12 @@ void expect_shortened(const Flat_mesh& mesh, unsigned seed) {
   }
 }
 
-TEST(Flips, KeepTheClassOnSmoothSurfaces) {
-  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 1)) {
-    SCOPED_TRACE(testing::PrintToString(recipe));
-    expect_shortened(flat_mesh_of(recipe), 1);
-  }
-}
+TEST(Flips, KeepTheClassOnSmoothSurfaces) { for_each_smooth_surface(expect_shortened); }
 
-TEST(Flips, KeepTheClassOnRandomSurfaces) {
-  Random random(2);
-  for(int i = 0; i < 100; ++i) {
-    const std::size_t genus = random.below(6);
-    const Recipe recipe = {
-        "random",
-        {20 + 12 * genus + random.below(300), genus, static_cast<unsigned>(random.next())}};
-    SCOPED_TRACE(testing::PrintToString(recipe));
-    expect_shortened(flat_mesh_of(recipe), static_cast<unsigned>(i));
-  }
-}
+TEST(Flips, KeepTheClassOnRandomSurfaces) { for_each_random_surface(expect_shortened); }
 
 TEST(Flips, KeepTheClassWherePointsCoincide) {
-  for(const double cell : {0.1, 0.5, 1., 10.})
-    for(unsigned seed = 0; seed < 10; ++seed) {
-      Soup soup = soup_of({"random", {60, 4, seed}});
-      for(auto& point : soup.points)
-        for(double& x : point)
-          x = cell * std::floor(x / cell);
-      SCOPED_TRACE(testing::Message() << "seed " << seed << ", points of a grid of width " << cell);
-      expect_shortened(flat_mesh_of(soup), seed);
-    }
+  for_each_surface_with_coinciding_points(expect_shortened);
 }
 
 // Some faces are missing, so that there are caps in their place.

@@ -2,6 +2,7 @@
 // known; test_geodesics.cpp is about its angles.
 
 #include "Crossing_loops.h"
+#include "Surfaces_for_loops.h"
 #include "Torus_loops.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
@@ -56,35 +57,19 @@ void expect_tightened(const Flat_mesh& mesh, unsigned seed) {
 }
 
 TEST(Tightening, KeepsTheClassOnSmoothSurfaces) {
-  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 1)) {
-    SCOPED_TRACE(testing::PrintToString(recipe));
-    expect_tightened(flat_mesh_of(recipe), 1);
-  }
+  for_each_smooth_surface(
+      [](const Flat_mesh& mesh, unsigned seed) { expect_tightened(mesh, seed); });
 }
 
 TEST(Tightening, KeepsTheClassOnRandomSurfaces) {
-  Random random(2);
-  for(int i = 0; i < 100; ++i) {
-    const std::size_t genus = random.below(6);
-    const Recipe recipe = {
-        "random",
-        {20 + 12 * genus + random.below(300), genus, static_cast<unsigned>(random.next())}};
-    SCOPED_TRACE(testing::PrintToString(recipe));
-    expect_tightened(flat_mesh_of(recipe), static_cast<unsigned>(i));
-  }
+  for_each_random_surface(
+      [](const Flat_mesh& mesh, unsigned seed) { expect_tightened(mesh, seed); });
 }
 
 // Edges without length, triangles without area: nothing is gained, but it ends.
 TEST(Tightening, EndsWherePointsCoincide) {
-  for(const double cell : {0.1, 0.5, 1., 10.})
-    for(unsigned seed = 0; seed < 10; ++seed) {
-      Soup soup = soup_of({"random", {60, 4, seed}});
-      for(auto& point : soup.points)
-        for(double& x : point)
-          x = cell * std::floor(x / cell);
-      SCOPED_TRACE(testing::Message() << "seed " << seed << ", points of a grid of width " << cell);
-      expect_tightened(flat_mesh_of(soup), seed);
-    }
+  for_each_surface_with_coinciding_points(
+      [](const Flat_mesh& mesh, unsigned seed) { expect_tightened(mesh, seed); });
 }
 
 TEST(Tightening, FindsTheCircleAroundATube) {

@@ -27,11 +27,7 @@ using impl::Index;
 using impl::Surgery_mesh;
 
 Surgery_mesh surgery_mesh_of(const char* kind, std::size_t faces, std::size_t genus) {
-  Recipe recipe;
-  recipe.kind = kind;
-  recipe.request.faces = faces;
-  recipe.request.genus = genus;
-  Mesh mesh = mesh_of(recipe);
+  Mesh mesh = mesh_of({kind, {faces, genus, 0}});
   impl::Mesh_link<Mesh, std::decay_t<decltype(mesh.points())>> link(mesh, mesh.points());
   return link.read(impl::Execution(), get(CGAL::vertex_index, mesh), get(CGAL::face_index, mesh));
 }
