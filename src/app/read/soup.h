@@ -12,6 +12,8 @@
 
 #include "mesh_types.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +48,8 @@ private:
 /// Points and faces as they stand in a file, nothing known about them.
 struct Soup
 {
-  static constexpr std::size_t largest_number_of_halfedges = (std::size_t(1) << 32) - 2;
+  static constexpr std::size_t largest_number_of_halfedges =
+      CGAL::Handle_tunnel_loops::internal::most_halfedges;
 
   std::vector<Point> points;
   std::vector<Soup_face> faces;
