@@ -5,6 +5,7 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/homology/Class_lattice.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
 
 #include <gtest/gtest.h>
@@ -387,6 +388,57 @@ TEST(Lattice_basis, KeepsVectorsWithUnits) {
 TEST(Lattice_basis, IsNothingIfNumbersAreTooLarge) {
   constexpr std::int64_t most = largest_coordinate;
   EXPECT_FALSE(lattice_basis({{{0, 1}, {1, most}}, {{0, most}, {1, 3}}}));
+}
+
+double weighted_square(const Class_vector& v, const std::vector<double>& weights) {
+  double sum = 0.;
+  for(const auto& [i, value] : v)
+    sum += weights[i] * double(value) * double(value);
+  return sum;
+}
+
+// Short vectors, mixed until they are long, become short again.
+TEST(Lattice_reduction, ShortensABasisOfTheSameLattice) {
+  Random random(11);
+  double before = 0., after = 0.;
+  for(int round = 0; round < 300; ++round) {
+    const std::size_t n = 2 + random.below(8);
+    std::vector<Class_vector> basis;
+    for(const Dense& v : random_unimodular(random, n, 6 * n))
+      basis.push_back(sparse(v));
+    std::vector<double> weights(n);
+    for(double& w : weights)
+      w = 1. + double(random.below(9));
+    const std::vector<Class_vector> mixed = basis;
+    Lattice_reduction(basis, weights).reduce();
+    EXPECT_EQ(hermite_form(integers(basis, n)), hermite_form(integers(mixed, n)));
+    for(std::size_t i = 0; i < n; ++i) {
+      expect_normal(basis[i]);
+      EXPECT_LE(weighted_square(basis[i], weights), weighted_square(mixed[i], weights));
+      before += weighted_square(mixed[i], weights);
+      after += weighted_square(basis[i], weights);
+      // No multiple of another one would shorten it much.
+      for(std::size_t j = 0; j < n; ++j)
+        for(const std::int64_t factor : {-1, 1}) {
+          Class_vector sum = basis[i];
+          if(j != i && add_multiple(sum, factor, basis[j])) {
+            EXPECT_GE(weighted_square(sum, weights), 0.99 * weighted_square(basis[i], weights));
+          }
+        }
+    }
+  }
+  EXPECT_LT(after, 0.2 * before);
+}
+
+// A sum that does not fit is not taken, however much it would help.
+TEST(Lattice_reduction, LeavesWhatIsTooLarge) {
+  constexpr std::int64_t most = largest_coordinate;
+  std::vector<Class_vector> basis = {{{0, 1}, {1, -most}}, {{0, most}, {1, 3}}};
+  Lattice_reduction(basis, {1e12, 1.}).reduce();
+  EXPECT_EQ(basis[0], (Class_vector{{0, 1}, {1, -most}}));
+  for(const Class_vector& v : basis)
+    for(const auto& coordinate : v)
+      EXPECT_FALSE(is_too_large(coordinate.second));
 }
 
 } // namespace test_class_vectors

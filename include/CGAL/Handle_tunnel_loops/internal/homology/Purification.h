@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Class_lattice.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
@@ -313,6 +314,10 @@ private:
     std::optional<std::vector<Class_vector>> others = lattice_basis(std::move(generators));
     if(!others)
       return std::nullopt;
+    std::vector<double> weights;
+    for(const Crossing_loop& loop : loops_)
+      weights.push_back(double(loop.size()));
+    Lattice_reduction(*others, weights).reduce();
     for(Class_vector& a : *others)
       members.push_back({no_index, std::move(a)});
     // The rank is g, but for surfaces that cross themselves in such a way that no loop shows it.

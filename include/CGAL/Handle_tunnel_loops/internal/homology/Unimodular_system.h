@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -326,81 +325,6 @@ private:
   std::vector<Step> steps_;
   std::vector<Index> step_of_row_;
 };
-
-// ---- lattices
-
-// Without those that are zero.
-inline void remove_zeros(std::vector<Class_vector>& rows) {
-  rows.erase(std::remove_if(rows.begin(), rows.end(), [](const auto& v) { return v.empty(); }),
-             rows.end());
-}
-
-// Has only the first of rows, none of them zero, begin in the first column, by Euclid's algorithm.
-// Returns `false` if a number became too large.
-inline bool make_echelon_row(std::vector<Class_vector>& rows) {
-  const auto is_smaller = [](const Class_vector& a, const Class_vector& b) {
-    return std::make_pair(a.front().first, std::abs(a.front().second)) <
-           std::make_pair(b.front().first, std::abs(b.front().second));
-  };
-  for(bool changed = true; changed;) {
-    std::iter_swap(rows.begin(), std::min_element(rows.begin(), rows.end(), is_smaller));
-    changed = false;
-    const auto [column, least] = rows[0].front();
-    for(std::size_t i = 1; i < rows.size(); ++i)
-      if(rows[i].front().first == column) {
-        if(!add_multiple(rows[i], -(rows[i].front().second / least), rows[0]))
-          return false;
-        changed = changed || (!rows[i].empty() && rows[i].front().first == column);
-      }
-    remove_zeros(rows);
-  }
-  return true;
-}
-
-/// a basis of the lattice that vectors span; nothing if a number became too large. Vectors are
-/// taken as they are, the smallest first, as long as elimination by those taken before leaves a 1
-/// or -1 in them, which is to say nearly always; what is left is brought to echelon form.
-inline std::optional<std::vector<Class_vector>>
-lattice_basis(std::vector<Class_vector> generators) {
-  const auto size = [](const Class_vector& v) {
-    return std::accumulate(
-        v.begin(), v.end(), std::int64_t(0),
-        [](std::int64_t sum, const auto& c) { return sum + std::abs(c.second); });
-  };
-  std::stable_sort(generators.begin(), generators.end(),
-                   [&](const auto& a, const auto& b) { return size(a) < size(b); });
-  std::vector<Class_vector> basis, rest;
-  std::vector<std::pair<Index, Class_vector>> pivots; // columns, and rows
-  const auto reduce = [&](Class_vector& v) {
-    return std::all_of(pivots.begin(), pivots.end(), [&](const auto& pivot) {
-      const auto& [column, row] = pivot;
-      return add_multiple(v, -coordinate(v, column) * coordinate(row, column), row);
-    });
-  };
-  for(Class_vector& v : generators) {
-    Class_vector reduced = v;
-    if(!reduce(reduced))
-      return std::nullopt;
-    const auto unit = std::find_if(reduced.begin(), reduced.end(),
-                                   [](const auto& c) { return std::abs(c.second) == 1; });
-    if(unit != reduced.end()) {
-      pivots.emplace_back(unit->first, reduced);
-      basis.push_back(std::move(v));
-    } else
-      rest.push_back(std::move(reduced));
-  }
-  for(Class_vector& v : rest)
-    if(!reduce(v))
-      return std::nullopt;
-  remove_zeros(rest);
-  while(!rest.empty()) {
-    if(!make_echelon_row(rest))
-      return std::nullopt;
-    basis.push_back(std::move(rest.front()));
-    rest.erase(rest.begin());
-  }
-  return basis;
-}
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
