@@ -10,6 +10,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 
 #include <gtest/gtest.h>
 
@@ -211,6 +212,9 @@ TEST(Right_classes, AreFoundFromAnyBasis) {
     };
     for(const std::size_t operations : {3, 20}) {
       std::vector<Flat_pair> pairs = surface.wound_up_pairs(random, operations);
+      for(Flat_pair& pair : pairs) // loops of passes are tight
+        for(Crossing_loop* loop : {&pair.handle, &pair.tunnel})
+          Loop_tightening(surface.flat()).tighten(*loop);
       Quiet_progress progress;
       const std::optional<Loop_relations> relations =
           find_right_classes(Execution(), surface.flat(), {}, relate, pairs, progress);

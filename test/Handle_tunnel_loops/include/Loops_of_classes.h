@@ -4,7 +4,7 @@
 #include "Changed_loops.h"
 #include "Crossing_loops.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sum.h>
 
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ inline std::vector<Crossing_loop> combined(const Flat_mesh& mesh,
   CGAL::Handle_tunnel_loops::internal::Loop_sum sum(mesh, loops);
   std::vector<Crossing_loop> result;
   for(const Class_coordinates& row : rows)
-    result.push_back(CGAL::Handle_tunnel_loops::internal::pushed_left(mesh, sum.walk(row)));
+    result.push_back(sum.loop(row));
   return result;
 }
 

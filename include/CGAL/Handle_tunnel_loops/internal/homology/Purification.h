@@ -15,17 +15,15 @@
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_lattice.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -34,149 +32,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// Closed walks of given classes: loops one after the other, each as often as it is asked for,
-/// joined by paths with few edges, there and back. A workspace that can be used again.
-class Loop_sum
-{
-public:
-  Loop_sum(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-      : mesh_(mesh)
-      , loops_(loops)
-      , labels_(mesh.number_of_vertices()) {}
-
-  /// a closed walk of the class with these coordinates in the loops, which lie on one component.
-  std::vector<Index> walk(const Class_vector& coordinates) {
-    CGAL_precondition(!coordinates.empty());
-    walks_.clear();
-    for(const auto& [i, factor] : coordinates)
-      walks_.push_back(repeated(left_side(loops_[i], factor > 0), std::abs(factor)));
-    join_all();
-    std::vector<Index> all = std::move(walks_[joined(0)]);
-    remove_spurs(all);
-    return all;
-  }
-
-private:
-  static std::vector<Index> left_side(const Crossing_loop& loop, bool forward) {
-    std::vector<Index> walk;
-    for(const Crossing& c : loop)
-      if(walk.empty() || walk.back() != c.left)
-        walk.push_back(c.left);
-    while(walk.size() > 1 && walk.back() == walk.front())
-      walk.pop_back();
-    if(!forward)
-      std::reverse(walk.begin(), walk.end());
-    return walk;
-  }
-
-  static std::vector<Index> repeated(const std::vector<Index>& walk, std::int64_t number) {
-    std::vector<Index> result;
-    for(std::int64_t i = 0; i < number; ++i)
-      result.insert(result.end(), walk.begin(), walk.end());
-    return result;
-  }
-
-  // How a vertex is reached, and from which walk.
-  struct Label
-  {
-    Index parent = no_index;
-    Index walk = no_index;
-  };
-
-  // The walks as a forest, whose trees are those that have been joined.
-  struct Node
-  {
-    Index parent;
-    Index height = 0;
-  };
-
-  // Joins walks where the regions meet that grow around them, the nearest to each other first: by
-  // the number of edges, since what is joined is tightened anyway.
-  void join_all() {
-    nodes_.clear();
-    for(Index w = 0; w < walks_.size(); ++w)
-      nodes_.push_back({w});
-    std::size_t parts = walks_.size();
-    for(Index w = 0; w < walks_.size(); ++w)
-      for(Index v : std::vector<Index>(walks_[w]))
-        if(labels_[v].walk == no_index)
-          reach(v, {no_index, w});
-        else
-          parts -= join(v, v, labels_[v].walk, w);
-    for(std::size_t i = 0; parts > 1; ++i) {
-      CGAL_assertion_msg(i < reached_.size(), "the loops of a class lie on one component");
-      const Index v = reached_[i];
-      for(Index u : mesh_.ring(v))
-        if(labels_[u].walk == no_index)
-          reach(u, {v, labels_[v].walk});
-        else
-          parts -= join(v, u, labels_[v].walk, labels_[u].walk);
-    }
-    for(Index v : reached_)
-      labels_[v] = Label();
-    reached_.clear();
-  }
-
-  // Joins the walks of which `a` and `b` have become parts, where `u` and `v` have been reached
-  // from these. Returns whether they were two.
-  bool join(Index u, Index v, Index a, Index b) {
-    a = joined(a);
-    b = joined(b);
-    if(a == b)
-      return false;
-    std::vector<Index> way = way_back(u); // to a walk
-    std::reverse(way.begin(), way.end());
-    if(u != v) {
-      const std::vector<Index> other_way = way_back(v);
-      way.insert(way.end(), other_way.begin(), other_way.end());
-    }
-    if(nodes_[a].height <= nodes_[b].height) {
-      std::swap(a, b);
-      std::reverse(way.begin(), way.end());
-    }
-    nodes_[b].parent = a;
-    nodes_[a].height = (std::max)(nodes_[a].height, nodes_[b].height + 1);
-    splice(walks_[a], way, walks_[b]);
-    return true;
-  }
-
-  // The walk that has become the one of all in its tree.
-  Index joined(Index w) const {
-    while(nodes_[w].parent != w)
-      w = nodes_[w].parent;
-    return w;
-  }
-
-  // Leads a walk along a way that begins on it, around another walk at its end, and back.
-  static void
-  splice(std::vector<Index>& walk, const std::vector<Index>& way, std::vector<Index>& around) {
-    std::rotate(around.begin(), std::find(around.begin(), around.end(), way.back()), around.end());
-    std::vector<Index> detour(way.begin(), way.end() - 1);
-    detour.insert(detour.end(), around.begin(), around.end());
-    detour.insert(detour.end(), way.rbegin(), way.rend() - 1);
-    walk.insert(std::find(walk.begin(), walk.end(), way.front()), detour.begin(), detour.end());
-  }
-
-  void reach(Index v, const Label& label) {
-    reached_.push_back(v);
-    labels_[v] = label;
-  }
-
-  std::vector<Index> way_back(Index v) const {
-    std::vector<Index> way;
-    for(; v != no_index; v = labels_[v].parent)
-      way.push_back(v);
-    return way;
-  }
-
-  const Flat_mesh& mesh_;
-  const std::vector<Crossing_loop>& loops_;
-  std::vector<Label> labels_; // by vertex
-  std::vector<Index> reached_;
-  std::vector<std::vector<Index>> walks_; // those that have been joined are at the root
-  std::vector<Node> nodes_;               // by walk
-};
 
 /*!
 From any basis in pairs to one in which all handles bound inside and all tunnels outside, on every
@@ -250,6 +105,13 @@ private:
 
   static Member member(Index i) { return {i, {{i, 1}}}; }
 
+  // A place for a loop of a class for which there is none yet.
+  struct Made_loop
+  {
+    Crossing_loop* loop;
+    const Class_vector* coordinates;
+  };
+
   // The pairs of one component.
   void purify(const std::vector<Index>& numbers,
               const Loop_sides& sides,
@@ -262,30 +124,21 @@ private:
         is_pure_[k] = 0;
       return;
     }
-    const auto is_made = [](const Member& m) { return m.loop == no_index; };
-    if(coarse_ != nullptr && projected_.empty() &&
-       (std::any_of(handles->begin(), handles->end(), is_made) ||
-        std::any_of(tunnels->begin(), tunnels->end(), is_made)))
-      project_loops();
-    crossings_to_make_ = crossings_of_made(*handles) + crossings_of_made(*tunnels);
-    is_any_loose_ = is_any_loose_ || Loop_tightening::is_too_much(work(), crossings_to_make_);
-    Workspace_pool<Loop_sum> sums([this] {
-      return coarse_ == nullptr ? std::make_unique<Loop_sum>(mesh_, loops_)
-                                : std::make_unique<Loop_sum>(coarse_->mesh, projected_);
-    });
-    for_each_index(
-        execution_, numbers.size(),
-        [&](std::size_t n) {
-          if(!progress_.goes_on())
-            return;
-          const Index k = numbers[n];
-          const Member &handle = (*handles)[n], &tunnel = (*tunnels)[n];
-          pairs[k] = {loop_of(handle, sums), loop_of(tunnel, sums)};
-          sources[2 * k] = handle.loop;
-          sources[2 * k + 1] = tunnel.loop;
-        },
-        1);
-    progress_.throw_if_interrupted();
+    std::vector<Made_loop> made;
+    const auto put = [&](const Member& m, Index number, Crossing_loop& loop) {
+      sources[number] = m.loop;
+      if(m.loop == no_index)
+        made.push_back({&loop, &m.coordinates});
+      else
+        loop = loops_[m.loop];
+    };
+    for(std::size_t n = 0; n < numbers.size(); ++n) {
+      const Index k = numbers[n];
+      put((*handles)[n], 2 * k, pairs[k].handle);
+      put((*tunnels)[n], 2 * k + 1, pairs[k].tunnel);
+    }
+    if(!made.empty())
+      make(made);
   }
 
   // A basis of L_in or of L_out of a component, first of all the loops that bound; nothing if a
@@ -337,8 +190,14 @@ private:
     double sum = 0.;
     for(const Member& m : members)
       if(m.loop == no_index)
-        for(const auto& [i, factor] : m.coordinates)
-          sum += std::abs(double(factor)) * double(loops_[i].size());
+        sum += crossings_of_sum(m.coordinates);
+    return sum;
+  }
+
+  double crossings_of_sum(const Class_vector& coordinates) const {
+    double sum = 0.;
+    for(const auto& [i, factor] : coordinates)
+      sum += std::abs(double(factor)) * double(loops_[i].size());
     return sum;
   }
 
@@ -412,19 +271,37 @@ private:
         [&](std::size_t i) { projected_[i] = coarse_->projected(loops_[i]); }, 16);
   }
 
-  Crossing_loop loop_of(const Member& m, Workspace_pool<Loop_sum>& sums) const {
-    if(m.loop != no_index)
-      return loops_[m.loop];
-    const std::vector<Index> walk = sums.borrow()->walk(m.coordinates);
+  void make(const std::vector<Made_loop>& made) {
+    if(coarse_ != nullptr && projected_.empty())
+      project_loops();
     const Flat_mesh& mesh = coarse_ == nullptr ? mesh_ : coarse_->mesh;
-    Crossing_loop loop = pushed_left(mesh, walk);
-    if(do_tighten_)
-      Loop_tightening(execution_, mesh).tighten_among(loop, work(), crossings_to_make_);
-    if(coarse_ != nullptr) {
-      loop = coarse_->lifted(loop);
-      Loop_tightening(execution_, mesh_).straighten(loop);
-    }
-    return loop;
+    Workspace_pool<Loop_sum> sums(
+        [&] { return std::make_unique<Loop_sum>(mesh, coarse_ == nullptr ? loops_ : projected_); });
+    for_each_made(made, [&](const Made_loop& m) { *m.loop = sums.borrow()->loop(*m.coordinates); });
+    double crossings = 0.; // a loop has more, until it is straight, than it is made of
+    for(const Made_loop& m : made)
+      crossings += (std::min)(double(m.loop->size()), crossings_of_sum(*m.coordinates));
+    is_any_loose_ = is_any_loose_ || Loop_tightening::is_too_much(work(), crossings);
+    for_each_made(made, [&](const Made_loop& m) {
+      if(do_tighten_)
+        Loop_tightening(execution_, mesh).tighten_among(*m.loop, work(), crossings);
+      if(coarse_ != nullptr) {
+        *m.loop = coarse_->lifted(*m.loop);
+        Loop_tightening(execution_, mesh_).straighten(*m.loop);
+      }
+    });
+  }
+
+  template <typename Function>
+  void for_each_made(const std::vector<Made_loop>& made, const Function& f) {
+    for_each_index(
+        execution_, made.size(),
+        [&](std::size_t i) {
+          if(progress_.goes_on())
+            f(made[i]);
+        },
+        1);
+    progress_.throw_if_interrupted();
   }
 
   Execution execution_;
@@ -434,7 +311,6 @@ private:
   Progress& progress_;
   std::vector<Crossing_loop> loops_;     // before
   std::vector<Crossing_loop> projected_; // on the coarse mesh, once one is to be made there
-  double crossings_to_make_ = 0.;
   bool is_any_loose_ = false;
   std::unique_ptr<Loop_classes> classes_;
   std::vector<char> is_pure_;
