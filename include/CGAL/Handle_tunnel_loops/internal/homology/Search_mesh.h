@@ -63,6 +63,7 @@ public:
   /// have sums of their own; if not, there are no loops that must not be crossed.
   Edge_classes(const Flat_mesh& mesh, const Crossing_index& index, const std::vector<char>& is_pure)
       : mesh_(mesh)
+      , number_of_loops_(2 * is_pure.size())
       , first_(mesh.number_of_vertices(), no_index) {
     const std::vector<Class_sums> weights = random_weights(is_pure);
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
@@ -70,6 +71,8 @@ public:
         add_edges(v, index, weights);
     edges_.push_back({{}, static_cast<Index>(terms_.size())});
   }
+
+  std::size_t number_of_loops() const { return number_of_loops_; }
 
   /// the sums of the edge from `v` to its neighbour in this position of its ring.
   Class_sums sums_at(Index v, Index position) const {
@@ -157,6 +160,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
+  std::size_t number_of_loops_;
   std::vector<Index> first_; // edge, by vertex
   std::vector<Edge> edges_;
   std::vector<Term> terms_;
@@ -365,6 +369,7 @@ public:
     sums_.assign(own_heads_.size(), {});
     terms_begin_.assign(own_heads_.size() + 1, 0);
     terms_.clear();
+    term_of_loop_.assign(classes.number_of_loops(), no_index);
     steps_across_.clear();
     for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
@@ -532,14 +537,15 @@ private:
     const auto first = static_cast<std::ptrdiff_t>(terms_.size());
     for_each_edge(v, step, [&](Index from, Index to) {
       for_each_term(from, to, [&](Index loop, int number) {
-        const auto same = std::find_if(terms_.begin() + first, terms_.end(),
-                                       [&](const auto& term) { return term.first == loop; });
-        if(same != terms_.end())
-          same->second += number;
-        else
-          terms_.emplace_back(loop, number);
+        if(term_of_loop_[loop] == no_index) {
+          term_of_loop_[loop] = static_cast<Index>(terms_.size());
+          terms_.emplace_back(loop, 0);
+        }
+        terms_[term_of_loop_[loop]].second += number;
       });
     });
+    for(auto term = terms_.begin() + first; term != terms_.end(); ++term)
+      term_of_loop_[term->first] = no_index;
     terms_.erase(std::remove_if(terms_.begin() + first, terms_.end(),
                                 [](const auto& term) { return term.second == 0; }),
                  terms_.end());
@@ -604,6 +610,7 @@ private:
   std::vector<Class_sums> sums_;
   std::vector<Index> terms_begin_;
   std::vector<std::pair<Index, int>> terms_;                           // loops and numbers
+  std::vector<Index> term_of_loop_;                                    // of the step looked at
   std::map<Index, std::vector<std::pair<Index, Index>>> steps_across_; // and vertices, by loop
 };
 
