@@ -348,10 +348,12 @@ bool meet_elsewhere(const impl::Placed_triangle& a, const impl::Placed_triangle&
 // On a small grid, where all cases come up: in a plane, at a corner, along a side.
 TEST(Surgery, FindsContactsOfTriangles) {
   generators::Random random(3);
-  const auto triangle = [&] {
+  const auto triangle = [&](bool is_flat) {
     impl::Placed_triangle t;
     for(std::size_t i = 0; i < 3; ++i) {
-      const std::array<std::size_t, 3> at = {random.below(3), random.below(3), random.below(3)};
+      std::array<std::size_t, 3> at = {random.below(3), random.below(3), random.below(3)};
+      if(is_flat)
+        at[2] = 2 - at[0];
       t.vertices[i] = static_cast<Index>(at[0] + 3 * at[1] + 9 * at[2]);
       t.points[i] = {double(at[0]), double(at[1]), double(at[2])};
     }
@@ -359,7 +361,8 @@ TEST(Surgery, FindsContactsOfTriangles) {
   };
   std::array<std::size_t, 2> number = {0, 0};
   for(int k = 0; k < 20000; ++k) {
-    const impl::Placed_triangle a = triangle(), b = triangle();
+    const bool is_flat = k % 2 == 0;
+    const impl::Placed_triangle a = triangle(is_flat), b = triangle(is_flat);
     const bool meet = impl::are_in_contact(a, b);
     ASSERT_EQ(meet, impl::are_in_contact(b, a)); // also if corners are named twice
     if(a.is_degenerate() || b.is_degenerate())

@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
@@ -101,25 +102,74 @@ private:
     if(number_shared_ == 2) // an edge, unless a corner counts twice
       return shared_in_a_[0] != shared_in_a_[1] && shared_in_b_[0] != shared_in_b_[1] &&
              are_bent_at_edge();
-    return number_shared_ < 2 &&
-           (is_beside(b_, shared_in_b_, a_) || is_beside(a_, shared_in_a_, b_));
+    if(number_shared_ > 2)
+      return false;
+    const Position position = position_of(b_, shared_in_b_, a_);
+    if(position == IN_PLANE)
+      return are_apart_in_plane();
+    return position == BESIDE || position_of(a_, shared_in_a_, b_) == BESIDE;
   }
 
-  // Whether all corners of a triangle but the shared one are on the same side of the plane of
-  // another one.
-  bool
-  is_beside(const Placed_triangle& t, const Corners& shared, const Placed_triangle& other) const {
-    Orientation side = COPLANAR;
+  enum Position { BESIDE, ACROSS, IN_PLANE };
+
+  // Where all corners of a triangle but the shared one are to the plane of another one: on the same
+  // side of it, or in it.
+  Position
+  position_of(const Placed_triangle& t, const Corners& shared, const Placed_triangle& other) const {
+    std::optional<Orientation> side;
     for(std::size_t i = 0; i < 3; ++i) {
-      if(number_shared_ == 1 && i == shared[0])
+      if(is_the_shared(i, shared))
         continue;
       const Orientation o =
           CGAL::orientation(other.points[0], other.points[1], other.points[2], t.points[i]);
-      if(o == COPLANAR || (side != COPLANAR && o != side))
-        return false;
+      if(side && o != *side)
+        return ACROSS;
       side = o;
     }
-    return true;
+    return *side == COPLANAR ? IN_PLANE : BESIDE;
+  }
+
+  bool is_the_shared(std::size_t i, const Corners& shared) const {
+    return number_shared_ == 1 && i == shared[0];
+  }
+
+  using Flat_corners = std::array<Kernel::Point_2, 3>;
+
+  // Whether a side of one triangle has the other one beyond it, as seen along an axis that is not
+  // in the plane of both.
+  bool are_apart_in_plane() const {
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      const Flat_corners a = seen_along(axis, a_), b = seen_along(axis, b_);
+      if(CGAL::orientation(a[0], a[1], a[2]) != COLLINEAR)
+        return is_beyond_side(b, shared_in_b_, a, shared_in_a_) ||
+               is_beyond_side(a, shared_in_a_, b, shared_in_b_);
+    }
+    return false;
+  }
+
+  static Flat_corners seen_along(std::size_t axis, const Placed_triangle& t) {
+    const int x = static_cast<int>((axis + 1) % 3), y = static_cast<int>((axis + 2) % 3);
+    Flat_corners corners;
+    for(std::size_t i = 0; i < 3; ++i)
+      corners[i] = {t.points[i][x], t.points[i][y]};
+    return corners;
+  }
+
+  // The corner that is shared may be on the side.
+  bool is_beyond_side(const Flat_corners& t,
+                      const Corners& shared,
+                      const Flat_corners& other,
+                      const Corners& shared_in_other) const {
+    const Orientation inner = CGAL::orientation(other[0], other[1], other[2]);
+    for(std::size_t k = 0; inner != COLLINEAR && k < 3; ++k) {
+      bool is_beyond = !is_the_shared((k + 2) % 3, shared_in_other);
+      for(std::size_t i = 0; is_beyond && i < 3; ++i)
+        is_beyond = is_the_shared(i, shared) ||
+                    CGAL::orientation(other[k], other[(k + 1) % 3], t[i]) == -inner;
+      if(is_beyond)
+        return true;
+    }
+    return false;
   }
 
   static Segment opposite_side(const Placed_triangle& t, std::size_t corner) {
