@@ -80,7 +80,9 @@ public:
     Triangles old;
     for(Index f : out_)
       add(triangle(f), old);
-    return largest_distance(caps(), old, accuracy);
+    Tree tree(old.begin(), old.end());
+    tree.custom_build(tree.traits().compute_bbox_object(), Halves_by_centers());
+    return largest_distance(caps(), old, tree, accuracy);
   }
 
   /// how far faces at vertices that are taken out are above the caps; \p outward is which side that
@@ -98,7 +100,10 @@ public:
       if(!std::all_of(corners.begin(), corners.end(), [&](Index v) { return is_in(v, left); }))
         add(triangle(f), gone);
     }
-    return largest_distance(std::move(gone), caps(), accuracy,
+    const Triangles caps = this->caps();
+    Tree tree(caps.begin(), caps.end());
+    tree.build();
+    return largest_distance(std::move(gone), caps, tree, accuracy,
                             [&](const Point& p, const Point& q, const Vector& n) {
                               return outward * ((p - q) * n) > 0.;
                             });
@@ -136,6 +141,33 @@ private:
     return caps;
   }
 
+  using Tree =
+      AABB_tree<AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+
+  // Halves triangles where their centers extend farthest: the halves of the wall of a bore by their
+  // own extents, or by their corners, are as long as it, and go all around.
+  struct Halves_by_centers
+  {
+    template <typename Iterator, typename Box_3>
+    void operator()(Iterator begin, Iterator end, const Box_3&) const {
+      Box<3> centers = Box<3>::empty();
+      for(Iterator i = begin; i != end; ++i)
+        centers.extend({center(*i), center(*i)});
+      std::size_t axis = 0;
+      for(std::size_t d = 1; d < 3; ++d)
+        if(centers.high[d] - centers.low[d] > centers.high[axis] - centers.low[axis])
+          axis = d;
+      std::nth_element(begin, begin + (end - begin) / 2, end, [axis](const auto& s, const auto& t) {
+        return center(s)[axis] < center(t)[axis];
+      });
+    }
+
+    template <typename Primitive> static std::array<double, 3> center(const Primitive& p) {
+      const Point c = CGAL::centroid(*p.id());
+      return {c.x(), c.y(), c.z()};
+    }
+  };
+
   static bool counts_always(const Point&, const Point&, const Vector&) { return true; }
 
   // From some triangles to others. Points count, given the nearest point, and the normal there.
@@ -145,13 +177,11 @@ private:
   template <typename Predicate = bool (*)(const Point&, const Point&, const Vector&)>
   static double largest_distance(Triangles from,
                                  const Triangles& to,
+                                 const Tree& tree,
                                  const Accuracy& accuracy,
                                  const Predicate& counts = counts_always) {
-    using Primitive = AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
     if(to.empty())
       return 0.;
-    AABB_tree<AABB_traits<Kernel, Primitive>> tree(to.begin(), to.end());
-    tree.build();
     double most = 0.;
     auto nearest = std::make_pair(to.front()[0], to.begin());
     while(!from.empty() && most <= accuracy.limit) {
