@@ -81,9 +81,14 @@ TEST(Growing_faces, GrowByRingsAndWhereTheyTouch) {
     std::vector<Index> vertices;
     for(int i = 0; i < 1 + run % 7; ++i)
       vertices.push_back(static_cast<Index>(random.uniform(0., double(mesh.vertex_bound()))));
-    impl::Growing_faces grown(mesh, vertices);
+    impl::Face_marks marks(mesh);
+    impl::Growing_faces grown(mesh, marks, vertices);
     Faces faces = impl::Cut_region::faces_at(mesh, vertices);
     for(int step = 0; step < 12; ++step) {
+      const auto before = grown.stage(); // what comes and goes leaves nothing
+      grown.add_ring();
+      grown.add_faces_at_pinches();
+      grown.return_to(before);
       Faces now = grown.faces();
       std::sort(now.begin(), now.end());
       ASSERT_EQ(now, faces) << "run " << run << ", step " << step;

@@ -64,11 +64,14 @@ public:
   }
 
   /// the given faces, and what is cut off by them but for the rest of the surface, if that holds
-  /// whole handles and has no more than so many faces.
+  /// whole handles and has no more than so many faces. In the end the given faces are what they
+  /// were.
   static std::optional<Cut_region>
-  whole(const Surgery_mesh& mesh, Growing_faces faces, std::size_t most) {
+  whole(const Surgery_mesh& mesh, Growing_faces& faces, std::size_t most) {
     Cut_region region;
-    const std::vector<Sourced_halfedge> border = region.fill_up(mesh, std::move(faces), most);
+    Growing_faces::Stage stage = faces.stage();
+    const std::vector<Sourced_halfedge> border = region.fill_up(mesh, faces, most);
+    faces.return_to(std::move(stage));
     if(border.empty() || !region.is_of_handles(mesh, border) || region.borders_.size() != 1)
       return std::nullopt;
     return region;
@@ -164,10 +167,15 @@ private:
   // other side.
   std::vector<Sourced_halfedge> border_halfedges(const Surgery_mesh& mesh) const {
     const Index_range_set region(faces_);
+    return border_halfedges(mesh, [&](Index f) { return region.contains(f); });
+  }
+  template <typename Predicate>
+  std::vector<Sourced_halfedge> border_halfedges(const Surgery_mesh& mesh,
+                                                 const Predicate& is_inside) const {
     std::vector<Sourced_halfedge> all;
     for(Index f : faces_)
       for(Index h : {3 * f, 3 * f + 1, 3 * f + 2})
-        if(!region.contains(mesh.face(mesh.twin(h))))
+        if(!is_inside(mesh.face(mesh.twin(h))))
           all.push_back({mesh.source(h), h});
     std::sort(all.begin(), all.end());
     return all;
@@ -245,15 +253,17 @@ private:
   // Takes these faces, with what makes their border touch itself, and islands. Returns what the
   // border is then; none if there are too many faces.
   std::vector<Sourced_halfedge>
-  fill_up(const Surgery_mesh& mesh, Growing_faces faces, std::size_t most) {
+  fill_up(const Surgery_mesh& mesh, Growing_faces& faces, std::size_t most) {
     while(faces.size() <= most) {
       if(faces.add_faces_at_pinches())
         continue;
       faces_ = faces.faces();
       std::sort(faces_.begin(), faces_.end());
-      std::vector<Sourced_halfedge> border = border_halfedges(mesh);
+      std::vector<Sourced_halfedge> border =
+          border_halfedges(mesh, [&](Index f) { return faces.contains(f); });
+      const auto borders = curves(mesh, border);
       const std::vector<Index> more =
-          curves(mesh, border).size() > 1 ? islands(mesh, border) : std::vector<Index>();
+          borders.size() > 1 ? islands(mesh, borders, faces) : std::vector<Index>();
       if(more.empty())
         return border;
       for(Index f : more)
@@ -262,35 +272,41 @@ private:
     return {};
   }
 
-  // The faces of pieces beyond the border that have fewer faces than the region.
-  std::vector<Index> islands(const Surgery_mesh& mesh,
-                             const std::vector<Sourced_halfedge>& border) const {
-    const Index_range_set region(faces_);
-    std::vector<Index> all;
-    Index_table is_island; // by face
-    for(const Sourced_halfedge& h : border) {
+  // The faces of pieces beyond some borders that have fewer faces than the region. What is beyond
+  // one border is in one piece, as no border touches itself.
+  static std::vector<Index> islands(const Surgery_mesh& mesh,
+                                    const std::vector<std::vector<Index>>& borders,
+                                    const Growing_faces& region) {
+    enum Mark : char { NONE, SMALL, LARGE };
+    std::vector<char>& marks = region.marks_beyond();
+    std::vector<Index> all, seen;
+    for(const std::vector<Index>& border : borders) {
       std::vector<Index> piece;
       bool is_small = true;
       const auto visit = [&](Index f) {
         if(region.contains(f))
           return;
-        const auto [place, is_new] = is_island.insert(f, 1);
-        if(is_new)
+        if(marks[f] == NONE) {
+          marks[f] = SMALL;
           piece.push_back(f);
-        is_small = is_small && *place == 1;
+        }
+        is_small = is_small && marks[f] == SMALL;
       };
-      visit(mesh.face(mesh.twin(h.second)));
+      visit(mesh.face(mesh.twin(border.front())));
       for(std::size_t i = 0; i < piece.size() && is_small; ++i) {
         for(Index g : {3 * piece[i], 3 * piece[i] + 1, 3 * piece[i] + 2})
           visit(mesh.face(mesh.twin(g)));
-        is_small = is_small && piece.size() < faces_.size();
+        is_small = is_small && piece.size() < region.size();
       }
       if(is_small)
         all.insert(all.end(), piece.begin(), piece.end());
       else
         for(Index f : piece)
-          *is_island.insert(f, 0).first = 0;
+          marks[f] = LARGE;
+      seen.insert(seen.end(), piece.begin(), piece.end());
     }
+    for(Index f : seen)
+      marks[f] = NONE;
     return all;
   }
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Index_table.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
@@ -24,39 +23,74 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// Marks of the faces and vertices of a mesh, which are none: who makes some takes them away.
+struct Face_marks
+{
+  explicit Face_marks(const Surgery_mesh& mesh)
+      : is_there(mesh.face_bound(), 0)
+      , is_beyond(mesh.face_bound(), 0)
+      , number_at(mesh.vertex_bound(), 0) {}
+
+  std::vector<char> is_there, is_beyond; ///< by face
+  std::vector<Index> number_at;          ///< by vertex
+};
+
 /// Some faces, and where their border is, that grow by rings around them and by what makes their
-/// border touch itself. Each step takes as long as it adds faces; and they need not be near each
-/// other by their numbers.
+/// border touch itself, and may become fewer again. Each step takes as long as it adds faces.
 class Growing_faces
 {
 public:
-  /// the faces at some vertices.
-  Growing_faces(const Surgery_mesh& mesh, const std::vector<Index>& vertices)
-      : mesh_(&mesh) {
+  /// the faces at some vertices. There are marks as long as they live.
+  Growing_faces(const Surgery_mesh& mesh, Face_marks& marks, const std::vector<Index>& vertices)
+      : mesh_(mesh)
+      , marks_(marks) {
     add_faces_at(vertices);
   }
+  Growing_faces(const Growing_faces&) = delete;
+  Growing_faces& operator=(const Growing_faces&) = delete;
+  ~Growing_faces() { return_to({0, {}, {}}); }
 
   /// in the order in which they came.
   const std::vector<Index>& faces() const { return faces_; }
 
   std::size_t size() const { return faces_.size(); }
 
-  bool contains(Index face) const { return is_there_.find(face) != nullptr; }
+  bool contains(Index face) const { return marks_.is_there[face]; }
+
+  /// marks of faces that are not contained, for any use.
+  std::vector<char>& marks_beyond() const { return marks_.is_beyond; }
 
   void add(Index face) {
-    if(!is_there_.insert(face, 1).second)
+    if(contains(face))
       return;
+    marks_.is_there[face] = 1;
     faces_.push_back(face);
     for(Index h : {3 * face, 3 * face + 1, 3 * face + 2}) {
-      const Index twin = mesh_->twin(h);
-      Index& number = number_at(mesh_->source(h)); // which makes a place for each vertex
-      if(!contains(mesh_->face(twin)))
-        ++number;
-      else
-        --number_at(mesh_->source(twin));
-      since_ring_.push_back(mesh_->source(h));
-      since_pinches_.push_back(mesh_->source(h));
+      count_side(h, 1);
+      since_ring_.push_back(mesh_.source(h));
+      since_pinches_.push_back(mesh_.source(h));
     }
+  }
+
+  /// What there was at some time.
+  struct Stage
+  {
+    std::size_t size;
+    std::vector<Index> since_ring, since_pinches;
+  };
+
+  Stage stage() const { return {size(), since_ring_, since_pinches_}; }
+
+  /// takes away what has come since.
+  void return_to(Stage stage) {
+    for(; size() > stage.size; faces_.pop_back()) {
+      const Index face = faces_.back();
+      for(Index h : {3 * face, 3 * face + 1, 3 * face + 2})
+        count_side(h, -1);
+      marks_.is_there[face] = 0;
+    }
+    since_ring_ = std::move(stage.since_ring);
+    since_pinches_ = std::move(stage.since_pinches);
   }
 
   /// a ring around the faces, which holds all that come to their border.
@@ -70,26 +104,34 @@ public:
   }
 
 private:
-  // How many halfedges of the border begin at a vertex of the faces.
-  Index& number_at(Index v) { return *number_at_.insert(v, 0).first; }
+  // A halfedge of a face that comes, by 1, or goes, by -1, is on the border, or has its twin there
+  // no longer.
+  void count_side(Index h, int sign) {
+    const Index twin = mesh_.twin(h);
+    if(!contains(mesh_.face(twin)))
+      marks_.number_at[mesh_.source(h)] += static_cast<Index>(sign);
+    else
+      marks_.number_at[mesh_.source(twin)] -= static_cast<Index>(sign);
+  }
 
   void add_faces_at(const std::vector<Index>& vertices) {
     for(Index v : vertices)
-      mesh_->for_each_outgoing(v, [this](Index h) { add(mesh_->face(h)); });
+      mesh_.for_each_outgoing(v, [this](Index h) { add(mesh_.face(h)); });
   }
 
   // Of vertices, each once, those where at least so many halfedges of the border begin.
   std::vector<Index> taken(std::vector<Index>& vertices, Index least) {
     std::vector<Index> all = std::exchange(vertices, {});
-    all.erase(std::remove_if(all.begin(), all.end(), [&](Index v) { return number_at(v) < least; }),
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](Index v) { return marks_.number_at[v] < least; }),
               all.end());
     make_set(all);
     return all;
   }
 
-  const Surgery_mesh* mesh_;
+  const Surgery_mesh& mesh_;
+  Face_marks& marks_; // and how many halfedges of the border begin at each vertex
   std::vector<Index> faces_;
-  Index_table is_there_, number_at_; // by face, and by vertex
   // Vertices of faces that have come since: all others of the border were taken, and lie within.
   std::vector<Index> since_ring_, since_pinches_;
 };

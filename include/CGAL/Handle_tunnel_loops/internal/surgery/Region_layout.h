@@ -20,12 +20,14 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Growing_faces.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_surgery.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_choice.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Rings_around.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -43,7 +45,8 @@ public:
       : mesh_(mesh)
       , pieces_(pieces)
       , is_claimed_(mesh.vertex_bound(), 0)
-      , number_of_walks_at_(mesh.vertex_bound(), 0) {}
+      , number_of_walks_at_(mesh.vertex_bound(), 0)
+      , marks_([&mesh] { return std::make_unique<Face_marks>(mesh); }) {}
 
   /// has the wider regions of others stay clear of the vertices of a loop, each once.
   void reserve(const std::vector<Index>& vertices) {
@@ -53,17 +56,23 @@ public:
 
   /// with the region that is chosen, if there is such a one. \p curve is beside the loop of the
   /// choice, if there is one, \p reserved are the vertices that are reserved for this handle, in
-  /// ascending order.
+  /// ascending order, \p rings are around its walks.
   std::optional<Handle_surgery> surgery(const Region_choice& choice,
                                         const std::optional<Curve_off_vertices>& curve,
                                         const std::vector<Closed_walk>& walks,
-                                        const std::vector<Index>& reserved) const {
+                                        const std::vector<Index>& reserved,
+                                        Rings_around& rings) const {
     if(choice.style == Region_choice::STRIP)
       return curve ? std::optional<Handle_surgery>(std::in_place, mesh_, *curve) : std::nullopt;
-    std::optional<Cut_region> region = this->region(choice, curve, walks, reserved);
+    std::optional<Cut_region> region = this->region(choice, curve, walks, reserved, rings);
     if(!region)
       return std::nullopt;
     return Handle_surgery(mesh_, std::move(*region));
+  }
+
+  /// of some vertices.
+  Rings_around rings_around(std::vector<Index> vertices) const {
+    return Rings_around(mesh_, marks_, std::move(vertices));
   }
 
   /// whether no region of the round that is claimed shares one of these vertices.
@@ -82,39 +91,21 @@ private:
   std::optional<Cut_region> region(const Region_choice& choice,
                                    const std::optional<Curve_off_vertices>& curve,
                                    const std::vector<Closed_walk>& walks,
-                                   const std::vector<Index>& reserved) const {
+                                   const std::vector<Index>& reserved,
+                                   Rings_around& rings) const {
     if(choice.style == Region_choice::BORE)
       return curve ? bore(*curve, choice.rings > 0) : std::nullopt;
     if(choice.style == Region_choice::RINGS)
       return around(walks[choice.loop], choice.rings, reserved);
-    return whole(choice, walks);
+    if(choice.style == Region_choice::WHOLE)
+      return rings.region(choice.rings);
+    return is_compact(walks) ? knob(rings, choice.rings) : std::nullopt;
   }
 
   std::optional<Cut_region> bore(const Curve_off_vertices& curve,
                                  bool takes_bores_that_meet) const {
     Bore_search::Walls walls = Bore_search(mesh_, pieces_).walls_at(curve);
     return takes_bores_that_meet && walls.joined ? std::move(walls.joined) : std::move(walls.alone);
-  }
-
-  std::optional<Cut_region> whole(const Region_choice& choice,
-                                  const std::vector<Closed_walk>& walks) const {
-    std::vector<Index> vertices;
-    for(const Closed_walk& walk : walks)
-      vertices.insert(vertices.end(), walk.begin(), walk.end());
-    if(choice.style == Region_choice::KNOB && !is_compact(walks))
-      return std::nullopt;
-    Growing_faces faces(mesh_, vertices);
-    if(choice.style == Region_choice::KNOB)
-      return knob(std::move(faces), choice.rings);
-    const std::size_t most = most_faces_around(faces);
-    for(int ring = 0; ring < choice.rings && faces.size() <= most; ++ring)
-      faces.add_ring();
-    return Cut_region::whole(mesh_, std::move(faces), most);
-  }
-
-  // Where all is near, as on a random surface, a few rings would hold the whole of it.
-  static std::size_t most_faces_around(const Growing_faces& faces_at_loops) {
-    return 1024 + 16 * faces_at_loops.size();
   }
 
   // Whether no loop is many times as long as another one, as between two shells.
@@ -128,12 +119,10 @@ private:
 
   // The first ring around two loops beyond which the surface is like a lid. Nothing is left of the
   // handle if a disc takes the place of what is within.
-  std::optional<Cut_region> knob(Growing_faces faces, int most_rings) const {
-    const std::size_t most = most_faces_around(faces);
+  std::optional<Cut_region> knob(Rings_around& rings, int most_rings) const {
     int number_of_misses = 0;
-    for(int ring = 0; ring < most_rings && number_of_misses < 2; ++ring) {
-      faces.add_ring();
-      std::optional<Cut_region> region = Cut_region::whole(mesh_, faces, most);
+    for(int ring = 1; ring <= most_rings && number_of_misses < 2; ++ring) {
+      std::optional<Cut_region> region = rings.region(ring);
       if(!region) { // there is more than a handle
         ++number_of_misses;
         continue;
@@ -212,6 +201,7 @@ private:
   // By vertex.
   std::vector<char> is_claimed_;
   std::vector<Index> number_of_walks_at_;
+  mutable Rings_around::Marks marks_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -20,6 +20,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_layout.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Rings_around.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -165,19 +166,21 @@ public:
       return;
     is_narrow_ = false;
     drop_surgery();
+    Rings_around rings = rings_around(layout);
     while(!is_done()) {
-      if(!is_out_of_question(choice()) && (surgery_ = find_surgery(choice(), mesh, layout)))
+      if(!is_out_of_question(choice()) && (surgery_ = find_surgery(choice(), mesh, layout, rings)))
         break;
       fail(why_no_surgery(mesh));
     }
     if(!is_done() && is_strip_along_either_loop())
-      rival_ = find_surgery(choices_[next_ + 1], mesh, layout);
+      rival_ = find_surgery(choices_[next_ + 1], mesh, layout, rings);
   }
 
   /// the present choice once more, with room for the regions that are claimed by now.
   void propose_again(const Surgery_mesh& mesh, const Region_layout& layout) {
     is_narrow_ = true;
-    surgery_ = find_surgery(choice(), mesh, layout);
+    Rings_around rings = rings_around(layout);
+    surgery_ = find_surgery(choice(), mesh, layout, rings);
   }
 
   /// gives the present choice up, and the task if that is the last one.
@@ -295,9 +298,17 @@ private:
 
   std::optional<Handle_surgery> find_surgery(const Region_choice& choice,
                                              const Surgery_mesh& mesh,
-                                             const Region_layout& layout) const {
+                                             const Region_layout& layout,
+                                             Rings_around& rings) const {
     return layout.surgery(choice, choice.is_along_curve() ? curve(choice.loop, mesh) : std::nullopt,
-                          walks_, reserved_);
+                          walks_, reserved_, rings);
+  }
+
+  Rings_around rings_around(const Region_layout& layout) const {
+    std::vector<Index> vertices;
+    for(const Closed_walk& walk : walks_)
+      vertices.insert(vertices.end(), walk.begin(), walk.end());
+    return layout.rings_around(std::move(vertices));
   }
 
   // Whether a choice is along loops that are lost, or known to separate the surface.
