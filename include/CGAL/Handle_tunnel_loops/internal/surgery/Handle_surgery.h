@@ -49,6 +49,15 @@ struct Obstacle
   }
 };
 
+/// What was in the way of caps, all of which were looked at in vain.
+struct Caps_in_vain
+{
+  Index face_bound; ///< of the mesh then, which tells whether it has changed
+  double length;    ///< that distances were measured by
+  bool met_each_other = false;
+  std::vector<Index> met; ///< of the faces that some of them met, the first one
+};
+
 /// One way to remove a handle, prepared and checked: whole faces that are taken out, or a narrow
 /// strip along a curve, of faces divided along it; and caps that take their place.
 class Handle_surgery
@@ -108,7 +117,10 @@ public:
     has_caps_ = false;
     obstacle_ = Obstacle();
     former_.reset();
+    in_vain_ = {mesh.face_bound(), intended.length, false, {}};
     if(intended.may_cross) {
+      if(without_crossing && !may_help(*without_crossing, mesh))
+        return;
       former_.emplace(mesh, contacts, out_);
       if(former_->are_none())
         return; // nothing new
@@ -145,9 +157,13 @@ public:
 
   const Shape_change& change() const { return change_; }
 
-  std::vector<Removal_task*> companions; ///< whose handles are in the region as well
-  std::size_t number_inside = 0;         ///< of these with all of their loops, which come first
-  bool is_harmless = false; ///< to the pieces of the surface, with all others that are so
+  /// what was in the way of all caps, if there are none.
+  const Caps_in_vain& in_vain() const { return in_vain_; }
+
+  std::optional<Caps_in_vain> without_crossing; ///< where caps that may cross nothing were in vain
+  std::vector<Removal_task*> companions;        ///< whose handles are in the region as well
+  std::size_t number_inside = 0; ///< of these with all of their loops, which come first
+  bool is_harmless = false;      ///< to the pieces of the surface, with all others that are so
 
 private:
   static Box<3> box_of(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
@@ -184,8 +200,24 @@ private:
     });
   }
 
-  bool caps_meet_surface(const Placed_patch& placed, const Mesh_contacts& contacts) const {
-    return contacts.meets(placed, out_, [&](Index f) { return former_ && former_->are_with(f); });
+  bool caps_meet_surface(const Placed_patch& placed, const Mesh_contacts& contacts) {
+    return contacts.meets(placed, out_, [&](Index f) {
+      const bool may_meet = former_ && former_->are_with(f);
+      if(!may_meet)
+        in_vain_.met.push_back(f);
+      return may_meet;
+    });
+  }
+
+  // Whether any caps that were in vain may not be so if they may cross what the surface crosses
+  // here. To ask for what was in the way takes far less than to find all that is crossed.
+  bool may_help(const Caps_in_vain& before, const Surgery_mesh& mesh) const {
+    if(before.face_bound != mesh.face_bound() || before.length != in_vain_.length)
+      return true; // they are others by now
+    const Placed_patch placed(mesh, patch_of(mesh, out_));
+    return (before.met_each_other && placed.meets_itself([](Index, Index) { return false; })) ||
+           std::any_of(before.met.begin(), before.met.end(),
+                       [&](Index f) { return placed.meets(placed_triangle(mesh, f)); });
   }
 
   std::optional<Obstacle> obstacle_to(const Patch& patch,
@@ -195,8 +227,11 @@ private:
                                       const Intended_change& intended) {
     const Placed_patch placed(mesh, patch);
     reach_.extend(placed.box());
-    if(!placed.has_areas() || caps_meet_each_other(patch, placed))
+    const bool have_areas = placed.has_areas();
+    if(!have_areas || caps_meet_each_other(patch, placed)) {
+      in_vain_.met_each_other |= have_areas;
       return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
+    }
     if(caps_meet_surface(placed, contacts))
       return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
     const Judged_change change = judge.change(mesh, out_, patch, intended);
@@ -217,6 +252,7 @@ private:
   std::optional<Former_contacts> former_; // if caps may cross what there is
   bool has_caps_ = false;
   Obstacle obstacle_;
+  Caps_in_vain in_vain_{};
   Patch patch_;
   Shape_change change_;
 };

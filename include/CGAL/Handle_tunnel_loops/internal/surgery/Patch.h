@@ -58,6 +58,14 @@ struct Patch
   }
 };
 
+/// faces of a mesh as they are.
+inline Patch patch_of(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
+  Patch patch;
+  for(Index f : faces)
+    patch.faces.push_back(mesh.corners(f));
+  return patch;
+}
+
 /// puts a patch into the place of faces in ascending order. Returns the number of its first face.
 inline Index put_in_place(Surgery_mesh& mesh, const std::vector<Index>& faces, const Patch& patch) {
   const Index shift = mesh.vertex_bound();
@@ -104,6 +112,14 @@ public:
   bool meets(std::size_t i, const Placed_triangle& face) const {
     return are_in_contact(triangles_[i], face) &&
            !(is_part(i) && are_in_contact(parents_[i], face));
+  }
+
+  bool meets(const Placed_triangle& face) const {
+    const Box<3> box = face.box();
+    for(std::size_t i = 0; i < triangles_.size(); ++i)
+      if(boxes_[i].meets(box) && meets(i, face))
+        return true;
+    return false;
   }
 
   bool meets(const Placed_patch& other) const {
@@ -288,10 +304,7 @@ public:
   Former_contacts(const Surgery_mesh& mesh,
                   const Mesh_contacts& contacts,
                   const std::vector<Index>& faces) {
-    Patch patch;
-    for(Index f : faces)
-      patch.faces.push_back(mesh.corners(f));
-    const Placed_patch placed(mesh, patch);
+    const Placed_patch placed(mesh, patch_of(mesh, faces));
     const std::size_t most = 1024 + 8 * faces.size();
     const bool are_too_many = placed.meets_itself(
                                   [&](Index i, Index j) {

@@ -141,6 +141,7 @@ public:
     // As the first loop has the rounder disc, it needs no more than be about as good.
     constexpr double about = 1.1;
     if(!rival_->has_caps()) {
+      in_vain_.push_back({choices_[next_ + 1], rival_->in_vain()});
       obstacles_[choices_[next_ + 1].loop].take(rival_->obstacle());
       note_reach();
       choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(next_) + 1);
@@ -194,6 +195,8 @@ public:
     if(choice().style == Region_choice::BORE && choice().rings > 0 && is_alone &&
        choices_[next_ + 1].style == Region_choice::BORE)
       ++next_; // it would be the same
+    if(surgery_ && !surgery_->has_caps())
+      in_vain_.push_back({choice(), surgery_->in_vain()});
     drop_surgery();
     if(++next_ < choices_.size())
       return;
@@ -300,8 +303,14 @@ private:
                                              const Surgery_mesh& mesh,
                                              const Region_layout& layout,
                                              Rings_around& rings) const {
-    return layout.surgery(choice, choice.is_along_curve() ? curve(choice.loop, mesh) : std::nullopt,
-                          walks_, reserved_, rings);
+    std::optional<Handle_surgery> surgery =
+        layout.surgery(choice, choice.is_along_curve() ? curve(choice.loop, mesh) : std::nullopt,
+                       walks_, reserved_, rings);
+    if(surgery && choice.may_cross)
+      for(const auto& [other, in_vain] : in_vain_)
+        if(other == choice.without_crossing())
+          surgery->without_crossing = in_vain;
+    return surgery;
   }
 
   Rings_around rings_around(const Region_layout& layout) const {
@@ -350,6 +359,7 @@ private:
   std::vector<char> is_damaged_;    // by choice, also if it could be led around
   std::vector<char> separates_;     // by choice
   std::vector<Obstacle> obstacles_; // by choice, what says most
+  std::vector<std::pair<Region_choice, Caps_in_vain>> in_vain_; // what was tried
   std::size_t next_ = 0;
   std::vector<Index> reserved_; // in ascending order
   std::optional<Handle_surgery> surgery_;
