@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace test_shortest_paths {
@@ -100,6 +101,34 @@ TEST_F(Shortest_paths_test, GoOnWhereTheyHaveStopped) {
   const std::vector<Index> rest = grow();
   visited.insert(visited.end(), rest.begin(), rest.end());
   EXPECT_EQ(visited, all);
+}
+
+// The nearest first, of equally near places the first one; whatever the type of the distances.
+template <typename Distance> void expect_order() {
+  CGAL::Handle_tunnel_loops::generators::Random random(7);
+  CGAL::Handle_tunnel_loops::internal::Distance_queue<Distance> queue;
+  struct Labelled
+  {
+    Distance distance;
+  };
+  std::vector<Labelled> labels;
+  for(Index i = 0; i < 500; ++i) {
+    labels.push_back({Distance(random.below(20)) / 8});
+    queue.push(labels.back().distance, i);
+  }
+  std::vector<std::pair<Distance, Index>> visited, expected;
+  for(Index i = 0; i < 500; ++i)
+    expected.emplace_back(labels[i].distance, i);
+  std::sort(expected.begin(), expected.end());
+  queue.run(
+      labels, [](Distance) { return true; },
+      [&](Index i) { visited.emplace_back(labels[i].distance, i); });
+  EXPECT_EQ(visited, expected);
+}
+
+TEST(Distance_queue, IsInTheOrderOfDistancesAndPlaces) {
+  expect_order<float>();
+  expect_order<double>();
 }
 
 } // namespace test_shortest_paths
