@@ -4,6 +4,7 @@
 #include "Crossing_loops.h"
 #include "Flat_torus.h"
 #include "Geodesic_angles.h"
+#include "Torus_loops.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Gauss_reduction.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -113,6 +115,44 @@ TEST(Geodesic, HasNoBendsThatCouldBeTakenOut) {
   EXPECT_LE(bent, 0.03 * all) << "of " << all;
 
   EXPECT_GT(at_vertices, 0.2 * all) << "pass a vertex";
+}
+
+// A ring of which each cross section is a triangle.
+Soup thin_ring(std::size_t number, Random& random) {
+  Soup soup;
+  for(std::size_t i = 0; i < number; ++i) {
+    const double angle = 2. * pi * double(i) / double(number), size = random.uniform(0.3, 1.);
+    for(int k = 0; k < 3; ++k) {
+      const double around = 2. * pi * (k + random.uniform(0., 0.5)) / 3.,
+                   radius = 3. + size * std::cos(around);
+      soup.points.push_back(
+          {radius * std::cos(angle), radius * std::sin(angle), size * std::sin(around)});
+    }
+  }
+  const auto vertex = [&](std::size_t i, std::size_t k) {
+    return static_cast<Index>(3 * (i % number) + k % 3);
+  };
+  for(std::size_t i = 0; i < number; ++i)
+    for(std::size_t k = 0; k < 3; ++k) {
+      const Index a = vertex(i, k), b = vertex(i + 1, k), c = vertex(i + 1, k + 1),
+                  d = vertex(i, k + 1);
+      soup.triangles.insert(soup.triangles.end(), {{a, b, c}, {a, c, d}});
+    }
+  return soup;
+}
+
+// The place where a path is held takes a large part of a loop that crosses few edges.
+TEST(Geodesic, HasNoBendsHoweverFewEdgesItCrosses) {
+  Random random(4);
+  for(int round = 0; round < 30; ++round) {
+    const Flat_mesh mesh = flat_mesh_of(thin_ring(4 + random.below(8), random));
+    for(Index v = 0; v < mesh.number_of_vertices(); v += 3) {
+      SCOPED_TRACE(testing::Message() << "round " << round << ", vertex " << v);
+      const Largest_bend bend(mesh, taut(mesh, pushed_left(mesh, {v, v + 1, v + 2})));
+      EXPECT_LE(bend.at_edges(), tolerance);
+      EXPECT_LE(bend.at_vertices(), tolerance);
+    }
+  }
 }
 
 // Of a pair on a flat torus, one loop is wound around the other, and is unwound: the classes are

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -252,13 +253,12 @@ public:
     std::size_t work = 0;
     for(std::size_t round = 1;
         round <= maximum_number_of_rounds && next_.size() >= 3 && next_.size() <= largest_size &&
-        work <= largest_work && idle_rounds < 2;
+        work <= largest_work && idle_rounds < most_idle_rounds();
         ++round)
     {
       execution_.look();
       work += next_.size();
-      // The place where the path is held moves by an irrational part of the loop each time.
-      const std::size_t start = static_cast<std::size_t>(next_.size() * 0.381966);
+      const std::size_t start = next_start();
       ratio_at_start_ = round == 1 ? loop[start].ratio : ratio_of(next_[start]);
       strip_.assign(next_, start);
       find_bends();
@@ -268,7 +268,7 @@ public:
         keep_if_best();
       const bool changed = change_sides();
       idle_rounds = changed || current < 0.999 * previous_length ? 0 : idle_rounds + 1;
-      if(idle_rounds == 2 && !is_measured)
+      if(idle_rounds >= most_idle_rounds() && !is_measured)
         keep_if_best();
       previous_length = current;
     }
@@ -282,8 +282,22 @@ private:
   using Bend = Funnel::Bend;
   using Portal = Strip::Portal;
 
-  static constexpr std::size_t rounds_to_straighten = 16, least_rounds = 200;
+  static constexpr std::size_t rounds_to_straighten = 16, least_rounds = 200, short_loop = 16;
   static constexpr double gain_worth_having = 0.99;
+
+  // The place where the path is held moves by an irrational part of the loop each time; on a short
+  // loop it comes to all places.
+  std::size_t next_start() const {
+    std::size_t start = static_cast<std::size_t>(double(next_.size()) * 0.381966);
+    while(next_.size() <= short_loop && std::gcd(start, next_.size()) != 1)
+      ++start;
+    return start;
+  }
+
+  // Around a corner of a short loop it may go only while it is held at one certain place.
+  int most_idle_rounds() const {
+    return next_.size() <= short_loop ? (std::max)(2, static_cast<int>(next_.size())) : 2;
+  }
 
   // Flips move a loop over many vertices, one after the other, and rounds make it let go of many
   // that it goes around for nothing; so they take turns. The loop stays where that is not shorter.
@@ -377,10 +391,12 @@ private:
     const std::vector<Bend>& bends = funnel_.bends();
     next_.clear();
     std::size_t done = 0; // portals of the strip
+    const std::size_t beside = strip_.size() > short_loop ? 1 : 0;
     for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
       const Fan fan = fan_of(bends[b]);
-      // The strip cannot be led around a corner that lies where it is held.
-      if(fan.first <= (std::max)(done, std::size_t(1)) || fan.last + 2 >= strip_.size())
+      // The strip cannot be led around a corner that lies where it is held. Of a long one, what is
+      // beside that is left for the next round.
+      if(fan.first <= (std::max)(done, beside) || fan.last + 1 + beside >= strip_.size())
         continue;
       const std::size_t turns = portals_of_turns(fan);
       if(turns == 0 && !is_shorter_on_other_side(fan, bends[b - 1].point, bends[b + 1].point))
