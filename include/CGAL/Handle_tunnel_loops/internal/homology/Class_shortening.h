@@ -446,11 +446,20 @@ private:
         if(x->size() > 1 || c.length < much_shorter * lengths_[i])
           is_changed[i] = 1;
         exchange.replace(i, c.coordinates, *x);
+        open_others(*x, i);
         (*loops_)[i] = std::move(c.loop);
         lengths_[i] = c.length;
         sources_[i] = no_index;
         return;
       }
+  }
+
+  // Of a loop with a coordinate in what has taken the place of another, the dual class is another
+  // now, and with it what can replace that loop.
+  void open_others(const Class_vector& coordinates, Index replaced) {
+    for(const auto& [i, value] : coordinates)
+      if(i != replaced)
+        is_open_[i] = 1;
   }
 
   // Whether each pair still crosses once, perhaps with other partners, if loop `i` is replaced.
