@@ -44,8 +44,9 @@ public:
     const Class_vector* dual; ///< the coordinate, by the intersection numbers
   };
 
-  /// A closed walk: of its class the shortest, or the shortest from another place if it is hardly
-  /// longer. What is shorter once it is tightened shows then.
+  /// A closed walk: of its class the shortest, or the shortest from another place if it is not much
+  /// longer. What is shorter once it is tightened shows then: a loop along edges is as long as its
+  /// walk, one across large faces may be much shorter.
   struct Found
   {
     double length; ///< on the mesh that is searched
@@ -126,9 +127,10 @@ public:
   }
 
 private:
-  // Of walks more than so many times longer than the shortest, none is pulled to a shorter loop.
+  // Of walks more than so many times longer than the shortest, none is pulled to a shorter loop; nor
+  // of those of one class from different places.
   static constexpr double slack = 1.15;
-  static constexpr double near = 1.04;
+  static constexpr double near = 1.2;
   static constexpr std::size_t most_walks = 3; // of a class
 
   struct Walk
