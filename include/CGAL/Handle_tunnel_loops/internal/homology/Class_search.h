@@ -127,8 +127,8 @@ public:
   }
 
 private:
-  // Of walks more than so many times longer than the shortest, none is pulled to a shorter loop; nor
-  // of those of one class from different places.
+  // Of walks more than so many times longer than the shortest, none is pulled to a shorter loop;
+  // nor of those of one class from different places.
   static constexpr double slack = 1.15;
   static constexpr double near = 1.2;
   static constexpr std::size_t most_walks = 3; // of a class
