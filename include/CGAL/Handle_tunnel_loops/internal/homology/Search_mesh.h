@@ -20,6 +20,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -63,7 +64,6 @@ public:
   /// have sums of their own; if not, there are no loops that must not be crossed.
   Edge_classes(const Flat_mesh& mesh, const Crossing_index& index, const std::vector<char>& is_pure)
       : mesh_(mesh)
-      , number_of_loops_(2 * is_pure.size())
       , first_(mesh.number_of_vertices(), no_index) {
     const std::vector<Class_sums> weights = random_weights(is_pure);
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
@@ -71,8 +71,6 @@ public:
         add_edges(v, index, weights);
     edges_.push_back({{}, static_cast<Index>(terms_.size())});
   }
-
-  std::size_t number_of_loops() const { return number_of_loops_; }
 
   /// the sums of the edge from `v` to its neighbour in this position of its ring.
   Class_sums sums_at(Index v, Index position) const {
@@ -160,7 +158,6 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  std::size_t number_of_loops_;
   std::vector<Index> first_; // edge, by vertex
   std::vector<Edge> edges_;
   std::vector<Term> terms_;
@@ -369,7 +366,6 @@ public:
     sums_.assign(own_heads_.size(), {});
     terms_begin_.assign(own_heads_.size() + 1, 0);
     terms_.clear();
-    term_of_loop_.assign(classes.number_of_loops(), no_index);
     steps_across_.clear();
     for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
@@ -384,13 +380,15 @@ public:
 
   /// how often a step from `v` crosses a loop, in net numbers.
   int number(Index v, Index step, Index loop) const {
+    if(has_walks()) {
+      const auto end = terms_.begin() + terms_begin_[step + 1];
+      const auto term =
+          std::lower_bound(terms_.begin() + terms_begin_[step], end, std::make_pair(loop, INT_MIN));
+      return term != end && term->first == loop ? term->second : 0;
+    }
     int sum = 0;
-    const auto add = [&](Index other, int number) { sum += other == loop ? number : 0; };
-    if(has_walks())
-      for(Index i = terms_begin_[step]; i != terms_begin_[step + 1]; ++i)
-        add(terms_[i].first, terms_[i].second);
-    else
-      for_each_term(v, head(step), add);
+    for_each_term(v, head(step),
+                  [&](Index other, int number) { sum += other == loop ? number : 0; });
     return sum;
   }
 
@@ -532,23 +530,23 @@ private:
     return dot(to, to);
   }
 
-  // Of a step that crosses loops.
+  // Of a step that crosses loops, by loop.
   void add_terms(Index v, Index step) {
-    const auto first = static_cast<std::ptrdiff_t>(terms_.size());
+    crossed_.clear();
     for_each_edge(v, step, [&](Index from, Index to) {
       for_each_term(from, to, [&](Index loop, int number) {
-        if(term_of_loop_[loop] == no_index) {
-          term_of_loop_[loop] = static_cast<Index>(terms_.size());
-          terms_.emplace_back(loop, 0);
-        }
-        terms_[term_of_loop_[loop]].second += number;
+        if(loop >= numbers_.size())
+          numbers_.resize(loop + std::size_t(1), 0);
+        if(numbers_[loop] == 0)
+          crossed_.push_back(loop);
+        numbers_[loop] += number;
       });
     });
-    for(auto term = terms_.begin() + first; term != terms_.end(); ++term)
-      term_of_loop_[term->first] = no_index;
-    terms_.erase(std::remove_if(terms_.begin() + first, terms_.end(),
-                                [](const auto& term) { return term.second == 0; }),
-                 terms_.end());
+    const auto first = static_cast<std::ptrdiff_t>(terms_.size());
+    for(Index loop : crossed_)
+      if(const int number = std::exchange(numbers_[loop], 0); number != 0)
+        terms_.emplace_back(loop, number);
+    std::sort(terms_.begin() + first, terms_.end());
     for(auto term = terms_.begin() + first; term != terms_.end(); ++term)
       steps_across_[term->first].emplace_back(v, step);
   }
@@ -609,9 +607,10 @@ private:
   // Only if steps have walks: by step, what it crosses, and how often.
   std::vector<Class_sums> sums_;
   std::vector<Index> terms_begin_;
-  std::vector<std::pair<Index, int>> terms_;                           // loops and numbers
-  std::vector<Index> term_of_loop_;                                    // of the step looked at
+  std::vector<std::pair<Index, int>> terms_;                           // loops and numbers, by loop
   std::map<Index, std::vector<std::pair<Index, Index>>> steps_across_; // and vertices, by loop
+  std::vector<int> numbers_;   // by loop, of a step; zero between steps
+  std::vector<Index> crossed_; // by it, each once or more
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
