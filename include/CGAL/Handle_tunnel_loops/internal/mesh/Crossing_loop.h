@@ -160,17 +160,38 @@ inline void remove_spurs(std::vector<Index>& walk) {
   walk.assign(reduced.begin() + first, reduced.begin() + last);
 }
 
-/// pushes a closed walk on the edges a little to its left. The walk must have no spurs.
+/// appends the crossings of a way from one edge at `v` to another, around `v` on one side of it.
+/// The edges have these positions in the ring.
+inline void append_way_around(
+    Index v, const Ring& ring, Index from, Index to, bool has_v_right, Crossing_loop& loop) {
+  const auto step = [&](Index p) { return has_v_right ? ring.previous(p) : ring.next(p); };
+  for(Index p = step(from); p != to; p = step(p))
+    loop.push_back(has_v_right ? Crossing{ring[p], v, 1.} : Crossing{v, ring[p], 0.});
+}
+
+/// pushes a closed walk on the edges a little to its left; where it passes a vertex of very
+/// many neighbours, to the side on which there are fewer of them. The walk must have no spurs.
 inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>& walk) {
   Crossing_loop loop;
-  for(std::size_t i = 0; i < walk.size(); ++i) {
-    const Index v = walk[i];
-    const Index from = walk[i == 0 ? walk.size() - 1 : i - 1];
-    const Index to = walk[i + 1 == walk.size() ? 0 : i + 1];
+  const auto is_pushed_right = [&](Index from, Index v, Index to) { // of the way by `v`
     const Ring ring = mesh.ring(v);
-    const Index end = ring.position(to);
-    for(Index p = ring.previous(ring.position(from)); p != end; p = ring.previous(p))
-      loop.push_back({ring[p], v, 1.});
+    if(ring.size() <= very_many_neighbors)
+      return false;
+    const Index p = ring.position(from), q = ring.position(to);
+    return (p < q ? ring.size() : 0) + p - q > ring.size() / 2;
+  };
+  const auto at = [&](std::size_t i) { return walk[i < walk.size() ? i : i - walk.size()]; };
+  bool is_right = !walk.empty() && is_pushed_right(walk.back(), walk[0], at(1));
+  const bool is_right_at_end = is_right;
+  for(std::size_t i = 0; i < walk.size(); ++i) {
+    const Index v = walk[i], from = i == 0 ? walk.back() : walk[i - 1], to = at(i + 1);
+    const Ring ring = mesh.ring(v);
+    append_way_around(v, ring, ring.position(from), ring.position(to), !is_right, loop);
+    const bool is_next_right =
+        i + 1 == walk.size() ? is_right_at_end : is_pushed_right(v, to, at(i + 2));
+    if(is_next_right != is_right) // over the edge between the two
+      loop.push_back(is_right ? Crossing{v, to, 0.} : Crossing{to, v, 1.});
+    is_right = is_next_right;
   }
   remove_backtracks(loop);
   return loop;

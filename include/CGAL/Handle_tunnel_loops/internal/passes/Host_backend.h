@@ -115,8 +115,6 @@ public:
 private:
   using Walls = Loop_walls<Loop_set>;
 
-  static constexpr Index many = 1000; // neighbours
-
   // An edge, or one vertex, at which what was reached from the left meets what was reached from the
   // right.
   struct Meeting
@@ -166,7 +164,7 @@ private:
   bool continues_a_meeting(const Meeting& meeting) {
     for(Index v : {meeting.left, meeting.right}) {
       bool is_marked = band_.is_marked(v);
-      if(mesh_.ring(v).size() <= many)
+      if(mesh_.ring(v).size() <= very_many_neighbors)
         for(Index u : mesh_.ring(v))
           is_marked = is_marked || band_.is_marked(u);
       if(is_marked) {
@@ -181,9 +179,9 @@ private:
   void mark(const Meeting& meeting) {
     for(Index v : {meeting.left, meeting.right}) {
       band_.mark(v);
-      if(mesh_.ring(v).size() <= many)
+      if(mesh_.ring(v).size() <= very_many_neighbors)
         for(Index u : mesh_.ring(v))
-          if(mesh_.ring(u).size() > many && band_.is_reached(u))
+          if(mesh_.ring(u).size() > very_many_neighbors && band_.is_reached(u))
             band_.mark(u);
     }
   }

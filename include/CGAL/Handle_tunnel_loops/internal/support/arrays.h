@@ -40,6 +40,9 @@ constexpr Index stencil_width = 8;
 /// again and again is kept, as it must not take as long as there are neighbours each time.
 constexpr Index many_neighbors = 64;
 
+/// A vertex of more neighbours than these is not gone around for every loop that passes it.
+constexpr Index very_many_neighbors = 1000;
+
 /// the same number for both directions of an edge, by the numbers of its ends.
 constexpr std::uint64_t edge_key(std::uint64_t u, std::uint64_t v) {
   return u < v ? u << 32 | v : v << 32 | u;
