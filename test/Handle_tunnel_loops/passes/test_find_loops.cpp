@@ -94,6 +94,22 @@ TEST(Run_passes, GivesLoopsThatAreTaut) {
   }
 }
 
+// Where so many tunnels lead over so few edges that no field finds them all, the sweep has the
+// others, at no cost.
+TEST(Run_passes, TakesTunnelsOfTheSweepWhereNoFieldFindsThem) {
+  const Flat_mesh mesh = flat_mesh_of(Recipe{"hubs", {8000, 50, 0}});
+  Quiet_progress progress;
+  Statistics statistics;
+  const auto passes = Passes_of_tag<CGAL::Sequential_tag>::make(mesh, mesh.seeds, {});
+  const std::vector<Flat_pair> pairs = run_passes(*passes, {}, progress, statistics);
+  EXPECT_GT(statistics.kept_sweep_tunnels, 0u);
+  ASSERT_EQ(pairs.size(), 50u);
+  for(const Flat_pair& pair : pairs) {
+    EXPECT_FALSE(pair.handle.empty());
+    EXPECT_FALSE(pair.tunnel.empty());
+  }
+}
+
 // A mesh whose certificate is what it was told to be.
 class Told_caller : public Caller_mesh
 {

@@ -28,9 +28,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <iterator>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -50,10 +49,44 @@ template <typename Backend> struct Pass_context
   Progress& progress;
 
   /// what is found for the loops of a query, while the stage comes from one part of it to another.
-  std::vector<Dual_walks> dual_walks(const Dual_loop_query& query, double from, double to) const {
-    return backend.dual_walks(query, searching, [this, from, to](double part) {
-      return progress.goes_on(from + part * (to - from));
-    });
+  std::vector<Dual_walks> dual_walks(Dual_loop_query query, double from, double to) const {
+    std::vector<Dual_walks> found(query.numbers.size());
+    std::vector<Index> numbers;
+    for(std::size_t i = 0; i < found.size(); ++i) {
+      found[i].has_given_up =
+          first_updates(query.loops[query.numbers[i]]) > query.number_of_updates;
+      if(!found[i].has_given_up)
+        numbers.push_back(query.numbers[i]);
+    }
+    query.numbers = std::move(numbers);
+    std::vector<Dual_walks> searched =
+        backend.dual_walks(query, searching, [this, from, to](double part) {
+          return progress.goes_on(from + part * (to - from));
+        });
+    CGAL_assertion(searched.size() == query.numbers.size());
+    auto next = searched.begin();
+    for(Dual_walks& walks : found)
+      if(!walks.has_given_up)
+        walks = std::move(*next++);
+    return found;
+  }
+
+  /// how many updates each of so many loops may take, so that all together cost no more than so
+  /// many fields over the mesh: one takes about 23 per vertex, with the largest steps.
+  std::size_t share_of_updates(std::uint32_t number_of_fields, std::size_t number_of_loops) const {
+    return steps_of(number_of_fields * 23, searching) * mesh.number_of_vertices() /
+               (std::max)(number_of_loops, std::size_t(1)) +
+           1;
+  }
+
+  /// At least so many are made in the first step from a loop, beside which there may be vertices of
+  /// very many neighbours.
+  std::uint64_t first_updates(const Crossing_loop& loop) const {
+    std::uint64_t most = 0;
+    for(const Crossing& c : loop)
+      most = (std::max)({most, std::uint64_t(mesh.ring(c.left).size()),
+                         std::uint64_t(mesh.ring(c.right).size())});
+    return most;
   }
 
   /// calls `f(i)` for i in [0, n), each of which is much work, until somebody wants to stop.
@@ -109,11 +142,8 @@ private:
     return open;
   }
 
-  // A field that covers the mesh once takes about 23 updates per vertex, with the largest steps.
   std::size_t share_of_updates(std::size_t number_of_loops) const {
-    return steps_of(16 * 23, context_.searching) * context_.mesh.number_of_vertices() /
-               (std::max)(number_of_loops, std::size_t(1)) +
-           1;
+    return context_.share_of_updates(16, number_of_loops);
   }
 
   // Looks for the tunnels of the given loops. Returns those that need more updates.
@@ -142,7 +172,8 @@ private:
   }
 
   // One field for all loops together, where fronts of their own would cover the mesh again and
-  // again.
+  // again: many loops around few edges, or some with no way at all along edges. Where it finds no
+  // way, the sweep has one.
   void find_distant_tunnels(const std::vector<Index>& numbers) {
     if(numbers.empty())
       return;
@@ -158,10 +189,6 @@ private:
       if(!walk.empty())
         set_tunnel(numbers[i], walk);
     });
-    std::vector<Index> open;
-    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(open),
-                 [this](Index k) { return tunnels_[k].empty(); });
-    search(open, (std::numeric_limits<std::size_t>::max)());
   }
 
   void set_tunnel(Index k, const std::vector<Index>& walk) {
@@ -217,6 +244,10 @@ private:
   // How many refinements of a handle are tried.
   static constexpr Index number_of_candidates = 6;
 
+  // All searches together cost no more. Few loops need their share, but around a vertex that is the
+  // neighbour of many others each would cover these.
+  static constexpr std::uint32_t most_fields = 4;
+
   std::vector<Index> all_loops() const {
     std::vector<Index> numbers(tunnels_.size());
     std::iota(numbers.begin(), numbers.end(), Index(0));
@@ -225,6 +256,7 @@ private:
 
   void find_candidates() {
     Dual_loop_query query = {tunnels_, index_, true, all_loops(), number_of_candidates};
+    query.number_of_updates = context_.share_of_updates(most_fields, tunnels_.size());
     for(const Crossing_loop& handle : handles_)
       query.numbers_of_steps.push_back(steps_along(handle));
     std::vector<Dual_walks> found = context_.dual_walks(query, 0., 0.6);
