@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <utility>
@@ -238,8 +239,48 @@ private:
     return all;
   }
 
-  Extent extent_of_corner(std::size_t c) const {
-    return extents_of_copies_[curves_.corners[c].loop];
+  // A loop whose copy cuts a corner, which it does in the direction of the first of these, in net
+  // numbers.
+  struct Copy
+  {
+    std::size_t corner;
+    Index loop;
+    int number;
+  };
+
+  // The copies that cut a corner, those that come first in the order of the corners.
+  using Copies = std::vector<Copy>;
+
+  // Loops that were put together of others cut many corners in common.
+  void gather_copies() {
+    std::vector<std::size_t> order(curves_.corners.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto place_of = [this](std::size_t c) {
+      const Corner& corner = curves_.corners[c];
+      return std::array<Index, 3>{corner.apex, (std::min)(corner.from, corner.to),
+                                  (std::max)(corner.from, corner.to)};
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return place_of(a) < place_of(b); });
+    copies_.clear();
+    for(std::size_t i = 0; i < order.size(); ++i) {
+      const Corner& corner = curves_.corners[order[i]];
+      if(i == 0 || place_of(order[i]) != place_of(order[i - 1]))
+        copies_.emplace_back();
+      Copies& copies = copies_.back();
+      if(copies.empty() || copies.back().loop != corner.loop)
+        copies.push_back({order[i], corner.loop, 0});
+      copies.back().number += curves_.corners[copies.front().corner].from == corner.from ? 1 : -1;
+    }
+    std::sort(copies_.begin(), copies_.end(),
+              [](const Copies& a, const Copies& b) { return a.front().corner < b.front().corner; });
+  }
+
+  Extent extent_of_copies(Index i) const {
+    Extent all = Extent::empty();
+    for(const Copy& copy : copies_[i])
+      all.extend(extents_of_copies_[copy.loop]);
+    return all;
   }
 
   // The walk that runs along an edge first: edges are numbered as walks pass them.
@@ -335,15 +376,16 @@ private:
   void add_crossings(Execution execution) {
     find_extents();
     const Pieces all = pieces_of_walks(execution), some = pieces_asked_for(all);
-    const std::vector<Index> begins = begins_of_pieces(
-        curves_.corners.size(), [this](std::size_t c) { return curves_.corners[c].loop; });
+    gather_copies();
+    const std::vector<Index> begins =
+        begins_of_pieces(copies_.size(), [this](std::size_t i) { return copies_[i].front().loop; });
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
         execution, begins.size() - 1,
         [&](std::size_t begin, std::size_t end) {
           std::vector<Matrix_entry> part;
           for(std::size_t i = begin; i < end; ++i) {
             execution.look();
-            add_crossings(is_asked_for(curves_.corners[begins[i]].loop) ? all : some, begins[i],
+            add_crossings(is_any_asked_for(begins[i], begins[i + 1]) ? all : some, begins[i],
                           begins[i + 1], part);
           }
           add_up(part);
@@ -353,16 +395,26 @@ private:
     linking_.insert(linking_.end(), entries.begin(), entries.end());
   }
 
+  // Whether all numbers are asked for of any of the copies that cut some corners.
+  bool is_any_asked_for(Index begin, Index end) const {
+    return std::any_of(
+        copies_.begin() + begin, copies_.begin() + end, [this](const Copies& copies) {
+          return std::any_of(copies.begin(), copies.end(),
+                             [this](const Copy& copy) { return is_asked_for(copy.loop); });
+        });
+  }
+
   // Of the corners of a piece of a copy.
   void
   add_crossings(const Pieces& pieces, Index begin, Index end, std::vector<Matrix_entry>& entries) {
     std::array<Seen_line, most_lines> corners;
     Box<2> seen = Box<2>::empty();
-    for(Index c = begin; c < end; ++c) {
-      corners[c - begin] = seen_corner(c);
-      seen.extend(corners[c - begin].box);
+    Extent extent = Extent::empty();
+    for(Index i = begin; i < end; ++i) {
+      corners[i - begin] = seen_corner(copies_[i].front().corner);
+      seen.extend(corners[i - begin].box);
+      extent.extend(extent_of_copies(i));
     }
-    const Extent extent = extent_of_corner(begin);
     pieces.tree.for_each_meeting(box_around(seen, extent), [&](Index i, const Seen_box&) {
       const Index piece = pieces.numbers[i];
       for(Index e = pieces.begins[piece]; e < pieces.begins[piece + 1]; ++e) {
@@ -370,27 +422,27 @@ private:
         if(edge.box.meets(seen) && extent_of_edge(e).meets(extent))
           for(Index c = begin; c < end; ++c)
             if(corners[c - begin].box.meets(edge.box))
-              add_terms(c, corners[c - begin], e, edge, entries);
+              add_terms(copies_[c], corners[c - begin], e, edge, entries);
       }
     });
   }
 
-  void add_terms(Index c,
+  void add_terms(const Copies& copies,
                  const Seen_line& line_of_corner,
                  Index e,
                  const Seen_line& line_of_edge,
                  std::vector<Matrix_entry>& entries) {
-    const Corner& corner = curves_.corners[c];
-    if(has_too_many_contacts_ || touches(corner, curves_.edges[e]))
+    if(has_too_many_contacts_ || touches(curves_.corners[copies.front().corner], curves_.edges[e]))
       return;
     const std::optional<int> sign = crossing(line_of_corner, line_of_edge);
-    if(!sign)
-      add_contact({c, e});
-    else if(*sign != 0)
-      for(const Matrix_entry& walk : curves_.walks.of(e))
-        if(curves_.is_any_asked_for(corner.loop, walk.column) &&
-           extents_of_copies_[corner.loop].meets(extents_of_walks_[walk.column]))
-          entries.push_back({corner.loop, walk.column, *sign * walk.value});
+    for(const Copy& copy : copies)
+      if(!sign)
+        add_contact({copy.corner, e});
+      else if(*sign != 0 && copy.number != 0)
+        for(const Matrix_entry& walk : curves_.walks.of(e))
+          if(curves_.is_any_asked_for(copy.loop, walk.column) &&
+             extents_of_copies_[copy.loop].meets(extents_of_walks_[walk.column]))
+            entries.push_back({copy.loop, walk.column, *sign * copy.number * walk.value});
   }
 
   static bool touches(const Corner& c, const Edge& edge) {
@@ -423,6 +475,7 @@ private:
   Sparse_matrix linking_, intersections_, defect_; // see `Linking`
   int number_of_attempts_ = 0;
   std::vector<Extent> extents_of_walks_, extents_of_copies_; // by loop
+  std::vector<Copies> copies_;                               // by corner
   std::mutex mutex_;                                         // for contacts_
   std::vector<Contact> contacts_;
   std::atomic<bool> has_too_many_contacts_{false};
