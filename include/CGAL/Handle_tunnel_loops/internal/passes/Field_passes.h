@@ -71,10 +71,10 @@ template <typename Backend> struct Pass_context
     return found;
   }
 
-  /// how many updates each of so many loops may take, so that all together cost no more than so
-  /// many fields over the mesh: one takes about 23 per vertex, with the largest steps.
-  std::size_t share_of_updates(std::uint32_t number_of_fields, std::size_t number_of_loops) const {
-    return steps_of(number_of_fields * 23, searching) * mesh.number_of_vertices() /
+  /// how many updates each of so many loops may take, so that all together cost no more than some
+  /// fields over the mesh: one takes about 23 per vertex, with the largest steps.
+  std::size_t share_of_updates(std::size_t number_of_loops) const {
+    return steps_of(16 * 23, searching) * mesh.number_of_vertices() /
                (std::max)(number_of_loops, std::size_t(1)) +
            1;
   }
@@ -122,28 +122,23 @@ public:
   }
 
 private:
-  // Two fronts for each loop. The loops share a number of updates, so that all of them together
-  // cost no more than some fields over the mesh; those for which that is not enough share it once
-  // more. Returns the loops that are left when most would need more than their share, as a sample
-  // tells before much is spent.
+  // Two fronts for each loop. The loops share a number of updates; those for which that is not
+  // enough share it once more. Returns the loops that are left when most would need more than their
+  // share, as a sample tells before much is spent.
   std::vector<Index> find_near_tunnels() {
     std::size_t sharing = contours_.size();
     std::vector<Index> sample, others;
     for(Index k = 0; k < contours_.size(); ++k)
       (sharing <= 16 || k % 16 == 0 ? sample : others).push_back(k); // all of a few, at a time
-    std::vector<Index> open = search(sample, share_of_updates(sharing));
+    std::vector<Index> open = search(sample, context_.share_of_updates(sharing));
     if(!others.empty() && 2 * open.size() <= sample.size())
-      others = search(others, share_of_updates(sharing));
+      others = search(others, context_.share_of_updates(sharing));
     open.insert(open.end(), others.begin(), others.end());
     for(; !open.empty() && 2 * open.size() <= sharing;) {
       sharing = open.size();
-      open = search(open, share_of_updates(sharing));
+      open = search(open, context_.share_of_updates(sharing));
     }
     return open;
-  }
-
-  std::size_t share_of_updates(std::size_t number_of_loops) const {
-    return context_.share_of_updates(16, number_of_loops);
   }
 
   // Looks for the tunnels of the given loops. Returns those that need more updates.
@@ -244,10 +239,6 @@ private:
   // How many refinements of a handle are tried.
   static constexpr Index number_of_candidates = 6;
 
-  // All searches together cost no more. Few loops need their share, but around a vertex that is the
-  // neighbour of many others each would cover these.
-  static constexpr std::uint32_t most_fields = 4;
-
   std::vector<Index> all_loops() const {
     std::vector<Index> numbers(tunnels_.size());
     std::iota(numbers.begin(), numbers.end(), Index(0));
@@ -256,7 +247,7 @@ private:
 
   void find_candidates() {
     Dual_loop_query query = {tunnels_, index_, true, all_loops(), number_of_candidates};
-    query.number_of_updates = context_.share_of_updates(most_fields, tunnels_.size());
+    query.number_of_updates = context_.share_of_updates(tunnels_.size());
     for(const Crossing_loop& handle : handles_)
       query.numbers_of_steps.push_back(steps_along(handle));
     std::vector<Dual_walks> found = context_.dual_walks(query, 0., 0.6);
