@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
@@ -25,10 +26,12 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -243,42 +246,63 @@ private:
   // numbers.
   struct Copy
   {
-    std::size_t corner;
-    Index loop;
+    Index corner, loop;
     int number;
   };
 
-  // The copies that cut a corner, those that come first in the order of the corners.
-  using Copies = std::vector<Copy>;
+  // A corner by the edge between its ends and the apex. Those at the same place come one after the
+  // other, in their order.
+  struct Place
+  {
+    std::uint64_t edge;
+    Index apex, corner;
+
+    bool is_at(const Place& p) const { return edge == p.edge && apex == p.apex; }
+    bool operator<(const Place& p) const {
+      return std::tie(edge, apex, corner) < std::tie(p.edge, p.apex, p.corner);
+    }
+  };
+
+  std::vector<Place> places_of_corners(Execution execution) const {
+    std::vector<Place> places(curves_.corners.size());
+    for_each_index(execution, places.size(), [&](std::size_t c) {
+      const Corner& corner = curves_.corners[c];
+      places[c] = {edge_key(corner.from, corner.to), corner.apex, static_cast<Index>(c)};
+    });
+    sort(execution, places.begin(), places.end(), std::less<>());
+    return places;
+  }
 
   // Loops that were put together of others cut many corners in common.
-  void gather_copies() {
-    std::vector<std::size_t> order(curves_.corners.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto place_of = [this](std::size_t c) {
-      const Corner& corner = curves_.corners[c];
-      return std::array<Index, 3>{corner.apex, (std::min)(corner.from, corner.to),
-                                  (std::max)(corner.from, corner.to)};
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return place_of(a) < place_of(b); });
-    copies_.clear();
-    for(std::size_t i = 0; i < order.size(); ++i) {
-      const Corner& corner = curves_.corners[order[i]];
-      if(i == 0 || place_of(order[i]) != place_of(order[i - 1]))
-        copies_.emplace_back();
-      Copies& copies = copies_.back();
-      if(copies.empty() || copies.back().loop != corner.loop)
-        copies.push_back({order[i], corner.loop, 0});
-      copies.back().number += curves_.corners[copies.front().corner].from == corner.from ? 1 : -1;
+  void gather_copies(Execution execution) {
+    const std::vector<Place> places = places_of_corners(execution);
+    std::vector<std::pair<Index, Index>> groups; // the first corner, and where they begin
+    for(Index i = 0; i < places.size(); ++i)
+      if(i == 0 || !places[i].is_at(places[i - 1]))
+        groups.emplace_back(places[i].corner, i);
+    sort(execution, groups.begin(), groups.end(), std::less<>());
+    copies_.reserve(places.size());
+    copies_begin_.reserve(groups.size() + 1);
+    for(const auto& [first, begin] : groups) {
+      copies_begin_.push_back(static_cast<Index>(copies_.size()));
+      for(Index i = begin; i < places.size() && places[i].is_at(places[begin]); ++i) {
+        const Corner& corner = curves_.corners[places[i].corner];
+        if(i == begin || copies_.back().loop != corner.loop)
+          copies_.push_back({places[i].corner, corner.loop, 0});
+        copies_.back().number += corner.from == curves_.corners[first].from ? 1 : -1;
+      }
     }
-    std::sort(copies_.begin(), copies_.end(),
-              [](const Copies& a, const Copies& b) { return a.front().corner < b.front().corner; });
+    copies_begin_.push_back(static_cast<Index>(copies_.size()));
+  }
+
+  // The copies that cut the same corner, by the order of the first of them.
+  Span<const Copy> copies(Index i) const {
+    return {copies_.data() + copies_begin_[i], copies_begin_[i + 1] - copies_begin_[i]};
   }
 
   Extent extent_of_copies(Index i) const {
     Extent all = Extent::empty();
-    for(const Copy& copy : copies_[i])
+    for(const Copy& copy : copies(i))
       all.extend(extents_of_copies_[copy.loop]);
     return all;
   }
@@ -376,9 +400,9 @@ private:
   void add_crossings(Execution execution) {
     find_extents();
     const Pieces all = pieces_of_walks(execution), some = pieces_asked_for(all);
-    gather_copies();
-    const std::vector<Index> begins =
-        begins_of_pieces(copies_.size(), [this](std::size_t i) { return copies_[i].front().loop; });
+    gather_copies(execution);
+    const std::vector<Index> begins = begins_of_pieces(
+        copies_begin_.size() - 1, [this](std::size_t i) { return copies_[copies_begin_[i]].loop; });
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
         execution, begins.size() - 1,
         [&](std::size_t begin, std::size_t end) {
@@ -397,11 +421,8 @@ private:
 
   // Whether all numbers are asked for of any of the copies that cut some corners.
   bool is_any_asked_for(Index begin, Index end) const {
-    return std::any_of(
-        copies_.begin() + begin, copies_.begin() + end, [this](const Copies& copies) {
-          return std::any_of(copies.begin(), copies.end(),
-                             [this](const Copy& copy) { return is_asked_for(copy.loop); });
-        });
+    return std::any_of(copies_.begin() + copies_begin_[begin], copies_.begin() + copies_begin_[end],
+                       [this](const Copy& copy) { return is_asked_for(copy.loop); });
   }
 
   // Of the corners of a piece of a copy.
@@ -411,7 +432,7 @@ private:
     Box<2> seen = Box<2>::empty();
     Extent extent = Extent::empty();
     for(Index i = begin; i < end; ++i) {
-      corners[i - begin] = seen_corner(copies_[i].front().corner);
+      corners[i - begin] = seen_corner(copies(i)[0].corner);
       seen.extend(corners[i - begin].box);
       extent.extend(extent_of_copies(i));
     }
@@ -422,17 +443,17 @@ private:
         if(edge.box.meets(seen) && extent_of_edge(e).meets(extent))
           for(Index c = begin; c < end; ++c)
             if(corners[c - begin].box.meets(edge.box))
-              add_terms(copies_[c], corners[c - begin], e, edge, entries);
+              add_terms(copies(c), corners[c - begin], e, edge, entries);
       }
     });
   }
 
-  void add_terms(const Copies& copies,
+  void add_terms(Span<const Copy> copies,
                  const Seen_line& line_of_corner,
                  Index e,
                  const Seen_line& line_of_edge,
                  std::vector<Matrix_entry>& entries) {
-    if(has_too_many_contacts_ || touches(curves_.corners[copies.front().corner], curves_.edges[e]))
+    if(has_too_many_contacts_ || touches(curves_.corners[copies[0].corner], curves_.edges[e]))
       return;
     const std::optional<int> sign = crossing(line_of_corner, line_of_edge);
     for(const Copy& copy : copies)
@@ -475,7 +496,8 @@ private:
   Sparse_matrix linking_, intersections_, defect_; // see `Linking`
   int number_of_attempts_ = 0;
   std::vector<Extent> extents_of_walks_, extents_of_copies_; // by loop
-  std::vector<Copies> copies_;                               // by corner
+  std::vector<Copy> copies_;                                 // those of one corner together
+  std::vector<Index> copies_begin_;                          // by corner
   std::mutex mutex_;                                         // for contacts_
   std::vector<Contact> contacts_;
   std::atomic<bool> has_too_many_contacts_{false};
