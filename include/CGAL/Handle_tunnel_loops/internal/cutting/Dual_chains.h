@@ -46,7 +46,6 @@ public:
   /// \p cut are halfedges of the cut, one of each edge.
   Dual_chains(const Cut_problem& problem, const std::vector<Index>& cut)
       : problem_(problem)
-      , cut_(cut)
       , edges_(problem.mesh.number_of_vertices())
       , way_(problem.mesh.number_of_vertices(), no_index)
       , place_(problem.mesh.number_of_vertices(), no_index) {
@@ -173,7 +172,6 @@ private:
   }
 
   const Cut_problem& problem_;
-  const std::vector<Index>& cut_;
   std::vector<std::vector<Index>> edges_; // of the cut, by vertex at which they begin, both ways
   std::vector<Index> way_;                // the halfedge by which a tree comes to a vertex
   std::vector<Index> order_, place_;      // vertices as trees reach them, and by vertex where there
