@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -55,20 +54,22 @@ public:
     add_step_of(best_level(potential()));
   }
 
-  std::int64_t number_of_crossings() const { return crossings_with({}); }
+  std::int64_t number_of_crossings() const {
+    return sum_of_positive([this](Index, Index p) { return form_[p]; });
+  }
 
   /// the curves, but for those around single vertices.
   std::vector<Crossing_loop> curves() const {
     std::vector<std::int64_t> left = form_; // what is not in a curve yet, where it is positive
     std::vector<Crossing_loop> found;
-    for(Index u = 0; u < mesh_.number_of_vertices(); ++u)
-      for(Index p = mesh_.row_begin[u]; p < mesh_.row_begin[u + 1]; ++p)
-        while(left[p] > 0) {
-          Crossing_loop curve = curve_from(u, mesh_.neighbor[p], left);
-          if(has_ends_of_its_own(curve, &Crossing::left) &&
-             has_ends_of_its_own(curve, &Crossing::right))
-            found.push_back(std::move(curve));
-        }
+    for_each_halfedge([&](Index u, Index p) {
+      while(left[p] > 0) {
+        Crossing_loop curve = curve_from(u, mesh_.neighbor[p], left);
+        if(has_ends_of_its_own(curve, &Crossing::left) &&
+           has_ends_of_its_own(curve, &Crossing::right))
+          found.push_back(std::move(curve));
+      }
+    });
     return found;
   }
 
@@ -141,12 +142,14 @@ private:
 
   // Of the form and the step of a function.
   std::int64_t crossings_with(const std::vector<std::int64_t>& level) const {
+    return sum_of_positive(
+        [&](Index u, Index p) { return form_[p] + level[mesh_.neighbor[p]] - level[u]; });
+  }
+
+  // Of two halfedges of an edge one counts.
+  template <typename Form> std::int64_t sum_of_positive(const Form& form) const {
     std::int64_t sum = 0;
-    for_each_halfedge([&](Index u, Index p) {
-      const Index v = mesh_.neighbor[p];
-      if(u < v)
-        sum += std::abs(form_[p] + (level.empty() ? 0 : level[v] - level[u]));
-    });
+    for_each_halfedge([&](Index u, Index p) { sum += (std::max)(form(u, p), std::int64_t(0)); });
     return sum;
   }
 

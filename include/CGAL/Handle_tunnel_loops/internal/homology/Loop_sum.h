@@ -29,6 +29,14 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// how many edges loops cross, all together, each counted as often as its coordinate says.
+inline double crossings_of_sum(const std::vector<Crossing_loop>& loops, const Class_vector& a) {
+  double sum = 0.;
+  for(const auto& [i, factor] : a)
+    sum += std::abs(double(factor)) * double(loops[i].size());
+  return sum;
+}
+
 /// Loops of given classes. A workspace that can be used again.
 class Loop_sum
 {
@@ -62,9 +70,7 @@ private:
   // these do not cross so many that it is worth while to look for them.
   std::vector<Crossing_loop> fewer_crossings(const Class_vector& coordinates) const {
     constexpr double many = 4., part = 0.5;
-    double crossings = 0.;
-    for(const auto& [i, factor] : coordinates)
-      crossings += std::abs(double(factor)) * double(loops_[i].size());
+    const double crossings = crossings_of_sum(loops_, coordinates);
     if(crossings < many * std::sqrt(double(mesh_.number_of_vertices())))
       return {};
     Level_curves level(mesh_, loops_, coordinates);

@@ -190,14 +190,7 @@ private:
     double sum = 0.;
     for(const Member& m : members)
       if(m.loop == no_index)
-        sum += crossings_of_sum(m.coordinates);
-    return sum;
-  }
-
-  double crossings_of_sum(const Class_vector& coordinates) const {
-    double sum = 0.;
-    for(const auto& [i, factor] : coordinates)
-      sum += std::abs(double(factor)) * double(loops_[i].size());
+        sum += crossings_of_sum(loops_, m.coordinates);
     return sum;
   }
 
@@ -280,7 +273,7 @@ private:
     for_each_made(made, [&](const Made_loop& m) { *m.loop = sums.borrow()->loop(*m.coordinates); });
     double crossings = 0.; // a loop has more, until it is straight, than it is made of
     for(const Made_loop& m : made)
-      crossings += (std::min)(double(m.loop->size()), crossings_of_sum(*m.coordinates));
+      crossings += (std::min)(double(m.loop->size()), crossings_of_sum(loops_, *m.coordinates));
     is_any_loose_ = is_any_loose_ || Loop_tightening::is_too_much(work(), crossings);
     for_each_made(made, [&](const Made_loop& m) {
       if(do_tighten_)
