@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
@@ -30,6 +31,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -82,8 +84,8 @@ class Component_orientation
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
 public:
-  /// \p component maps a face to the number of its component. What is asked for later are
-  /// components with `is_wanted`. Those with `has_boundary` have caps.
+  /// \p component maps a face, or any halfedge of a `Flat_graph`, to the number of its component.
+  /// What is asked for later are components with `is_wanted`. Those with `has_boundary` have caps.
   Component_orientation(Execution execution,
                         const TriangleMesh& tm,
                         VertexPointMap point,
@@ -141,10 +143,10 @@ private:
   };
 
   // Six times the volume between faces and their projections to a plane, and the sum of the
-  // absolute values of what was added up.
+  // absolute values of the terms that were added up.
   struct Volume
   {
-    std::size_t faces = 0;
+    std::size_t terms = 0;
     double value = 0., magnitude = 0.;
 
     void add(const Triangle& t, double plane) {
@@ -154,11 +156,32 @@ private:
       value += (left - right) * (z[0] + z[1] + z[2]);
       magnitude +=
           (std::abs(left) + std::abs(right)) * (std::abs(z[0]) + std::abs(z[1]) + std::abs(z[2]));
-      ++faces;
+      ++terms;
+    }
+
+    // What the faces at a vertex have by the height of this corner; summed over all vertices, it is
+    // the same.
+    template <typename Graph>
+    void add_star(Index v, const Graph& g, VertexPointMap point, double plane) {
+      const auto around = g.mesh().ring(v);
+      const Vector corner = coordinates(point, v);
+      const double z = corner[2] - plane;
+      Vector a = coordinates(point, around[around.size() - 1]) - corner;
+      double area = 0., size = 0.;
+      for(const Index u : around) {
+        const Vector b = coordinates(point, u) - corner;
+        const double left = a[0] * b[1], right = a[1] * b[0];
+        area += left - right;
+        size += std::abs(left) + std::abs(right);
+        a = b;
+      }
+      value += area * z;
+      magnitude += size * std::abs(z);
+      terms += around.size();
     }
 
     void add(const Volume& v, std::size_t) {
-      faces += v.faces;
+      terms += v.terms;
       value += v.value;
       magnitude += v.magnitude;
     }
@@ -179,19 +202,23 @@ private:
 
   // ---- boxes and volumes
 
-  // Adds up results in the parts of components, where `f(result, component, face)` adds a face.
-  // Threads do so for runs of faces of one component, and end in any order: what becomes of
-  // rounding errors is up to them, but no more than a bound of these is used.
-  template <typename Result, typename Faces, typename F>
-  void add_up(Execution execution, const Faces& all, Result Part::*result_of, const F& f) {
+  // Adds up results in the parts of components, where `f(result, component, element)` adds a face,
+  // or a vertex. Threads do so for runs of elements of one component, and end in any order: what
+  // becomes of rounding errors is up to them, but no more than a bound of these is used.
+  template <typename Result, typename Elements, typename Component, typename F>
+  void add_up(Execution execution,
+              const Elements& all,
+              const Component& component_of,
+              Result Part::*result_of,
+              const F& f) {
     std::mutex mutex;
     all.for_each_part(execution, [&](std::size_t i, auto begin, auto end) {
       std::vector<std::pair<std::size_t, Result>> runs;
       while(begin != end) {
-        const std::size_t component = component_(*begin);
+        const std::size_t component = component_of(*begin);
         CGAL_precondition(component < parts_.size());
         Result result;
-        for(; begin != end && component_(*begin) == component; ++begin)
+        for(; begin != end && component_of(*begin) == component; ++begin)
           f(result, component, *begin);
         runs.emplace_back(component, result);
       }
@@ -206,13 +233,27 @@ private:
     if(parts_.size() == 1 && all.size() > 0)
       parts_[0].extent.first = triangle(*faces(tm_).begin())[0];
     else
-      add_up(execution, all, &Part::extent,
+      add_up(execution, all, component_, &Part::extent,
              [this](Extent& extent, std::size_t, face_descriptor f) { extent.add(triangle(f)); });
-    add_up(execution, all, &Part::volume,
-           [this](Volume& volume, std::size_t component, face_descriptor f) {
-             if(is_wanted_[component])
-               volume.add(triangle(f), parts_[component].extent.first[2]);
-           });
+    // Rings are gone through in a third of the time that it takes to find the faces in them.
+    const auto plane = [this](std::size_t component) { return parts_[component].extent.first[2]; };
+    if constexpr(std::is_same_v<TriangleMesh, Flat_graph>)
+      add_up(
+          execution, parts_of(vertices(tm_)),
+          [this](Index v) {
+            return component_(Flat_graph::Halfedge{v, 0});
+          },
+          &Part::volume,
+          [&](Volume& volume, std::size_t component, Index v) {
+            if(is_wanted_[component])
+              volume.add_star(v, tm_, point_, plane(component));
+          });
+    else
+      add_up(execution, all, component_, &Part::volume,
+             [&](Volume& volume, std::size_t component, face_descriptor f) {
+               if(is_wanted_[component])
+                 volume.add(triangle(f), plane(component));
+             });
   }
 
   void find_signs() {
@@ -225,7 +266,7 @@ private:
         continue;
       // Each term is off by a few roundings, each sum by one; nothing is known of what underflows.
       const Volume& volume = part.volume;
-      const double error = volume.magnitude * (8. * double(volume.faces) + 16.) * 0x1p-53;
+      const double error = volume.magnitude * (8. * double(volume.terms) + 16.) * 0x1p-53;
       if(std::abs(volume.value) > error && std::abs(volume.value) > 1e-250)
         part.sign = volume.value > 0. ? 1 : -1;
       else
