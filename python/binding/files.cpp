@@ -30,8 +30,9 @@ py::tuple read(const std::string& name,
                bool repair,
                const Watch& watch) {
   return arrays_of(compute(0, watch, [&] {
-    const auto file = htloops::Input_file::in_memory(name, std::move(content));
-    return htloops::read_mesh(file, {triangulate, repair}).mesh;
+    return htloops::read_mesh(htloops::Input_file::in_memory(name, std::move(content)),
+                              {triangulate, repair})
+        .mesh;
   }));
 }
 

@@ -39,14 +39,15 @@ std::string words_on_changes(const std::vector<Change>& changes) {
   return changes.empty() ? "" : "\nthat is after it was mended:" + lines_of(changes);
 }
 
-// The file is read once more, as mending has used up what there was.
+// The file is read once more if mending has used up what there was.
 [[noreturn]] void refuse(const Input_file& file,
                          const std::vector<Defect>& defects,
                          const Remedies& remedies,
-                         const std::vector<Change>& changes) {
-  const std::string remedy = words_on_remedy(read_soup(file), defects, remedies);
+                         const Mended_soup& mended) {
+  const std::string remedy =
+      words_on_remedy(remedies.any() ? read_soup(file) : mended.soup, defects, remedies);
   throw Failure(Exit_code::UNACCEPTABLE_MESH,
-                message(file.name(), defects) + remedy + words_on_changes(changes));
+                message(file.name(), defects) + remedy + words_on_changes(mended.changes));
 }
 
 Face_cuts cuts_of(const Mesh& mesh, const Mended_soup& mended) {
@@ -95,23 +96,25 @@ std::string words_for(const Remedies& remedies,
 
 } // namespace
 
-Mended_mesh read_mesh(const Input_file& file, const Remedies& remedies) {
+Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
   Mended_soup mended;
   if(remedies.any())
     mended = mend(read_soup(file), remedies);
-  else
+  else {
     mended.soup = read_soup(file);
+    file.close();
+  }
   throw_if_interrupted();
   Built_mesh built = build_mesh(mended.soup);
   throw_if_interrupted();
   if(!built.defects.empty())
-    refuse(file, built.defects, remedies, mended.changes);
+    refuse(file, built.defects, remedies, mended);
   Face_cuts cuts = cuts_of(built.mesh, mended);
   return {std::move(built.mesh), std::move(mended.changes), std::move(mended.origins),
           std::move(cuts)};
 }
 
-Mesh read_mesh(const Input_file& file) { return read_mesh(file, Remedies()).mesh; }
+Mesh read_mesh(Input_file file) { return read_mesh(std::move(file), Remedies()).mesh; }
 
 // What helps alone is said even where the other one was given: it was of no use.
 std::string

@@ -33,10 +33,10 @@ struct Mended_mesh
 /// reads a mesh and applies remedies; its vertices keep the numbers that they have in the file, new
 /// ones come after them. Throws `Failure` if the file cannot be read, or with all that is wrong
 /// with the mesh and the option that helps.
-Mended_mesh read_mesh(const Input_file& file, const Remedies& remedies);
+Mended_mesh read_mesh(Input_file file, const Remedies& remedies);
 
 /// the same of a mesh that is to be fit as it is.
-Mesh read_mesh(const Input_file& file);
+Mesh read_mesh(Input_file file);
 
 /// which options would make a refused soup fit, found out by trying: "--repair mends this"; or that
 /// none would. `given` are the remedies that have been applied to no avail.

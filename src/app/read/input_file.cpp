@@ -65,7 +65,7 @@ std::string read_whole_file(const std::string& file) {
 Input_file::Input_file(std::string name, const std::string& format)
     : name_(name == "-" ? "the standard input" : name)
     , format_(format.empty() ? "" : "." + format)
-    , content_(read_whole_file(name)) {}
+    , content_(std::make_shared<const std::string>(read_whole_file(name))) {}
 
 bool Input_file::is_of_format(std::string_view extension) const {
   return format_.empty() ? boost::algorithm::iends_with(name_, extension) : format_ == extension;

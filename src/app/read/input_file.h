@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_INPUT_FILE_H
 #define HTLOOPS_INPUT_FILE_H
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,7 +18,7 @@
 namespace htloops {
 
 /// A file and its content, which is read once: what came through a pipe does not come again. So all
-/// readers take one of these, and a name stands for the file that has it.
+/// readers take one of these, and a name stands for the file that has it. Copies share the content.
 class Input_file
 {
 public:
@@ -29,7 +30,7 @@ public:
   static Input_file in_memory(std::string name, std::string content) {
     Input_file file;
     file.name_ = std::move(name);
-    file.content_ = std::move(content);
+    file.content_ = std::make_shared<const std::string>(std::move(content));
     return file;
   }
 
@@ -38,14 +39,17 @@ public:
   /// whether it is of the format of files whose names end so, `.off` say.
   bool is_of_format(std::string_view extension) const;
 
-  std::string_view content() const { return content_; }
+  std::string_view content() const { return *content_; }
+
+  /// forgets the content, which takes twice the memory of the mesh that is in it.
+  void close() { content_.reset(); }
 
 private:
   Input_file() = default;
 
   std::string name_;
   std::string format_; // with the dot; empty if the name tells
-  std::string content_;
+  std::shared_ptr<const std::string> content_;
 };
 
 /// throws the `Failure` of a file whose content is wrong.

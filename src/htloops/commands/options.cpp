@@ -169,10 +169,11 @@ Input_file input_of(const Mesh_options& options) {
   return Input_file(options.mesh_file, options.format);
 }
 
-Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file) {
-  Mended_mesh mended = read_mesh(file, options.remedies);
+Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file) {
+  const std::string name = file.name();
+  Mended_mesh mended = read_mesh(std::move(file), options.remedies);
   if(options.remedies.any() && !options.is_quiet)
-    std::fputs(table_of_changes(file.name(), mended.changes).c_str(), stderr);
+    std::fputs(table_of_changes(name, mended.changes).c_str(), stderr);
   return mended;
 }
 

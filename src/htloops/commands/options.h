@@ -68,7 +68,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options);
 Input_file input_of(const Mesh_options& options);
 
 /// reads the mesh and, unless it is to be quiet, says what has been done to it.
-Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file);
+Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file);
 Mesh read_mesh(const Mesh_options& options);
 
 /// writes the mesh that was read if that is asked for.
