@@ -12,6 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+// windows.h has a macro of this name.
+#undef PURE
+
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef

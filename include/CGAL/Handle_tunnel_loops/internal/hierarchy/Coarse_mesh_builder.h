@@ -87,7 +87,7 @@ public:
 
 private:
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
-  static constexpr std::size_t small = 8; // vertices
+  static constexpr std::size_t few = 8; // vertices
   static constexpr std::size_t parts_of_unfit_cell = 4;
   // So many more there are in the end, on scans.
   static constexpr std::size_t cells_for_unfit_cell = 6;
@@ -146,7 +146,7 @@ private:
     std::vector<Index> small_cells, large_cells, own;
     for(Index cell : divisible(unfit_)) {
       cells_.list(cell, own);
-      (own.size() < small ? small_cells : large_cells).push_back(cell);
+      (own.size() < few ? small_cells : large_cells).push_back(cell);
     }
     std::vector<Index> changed = dissolve(small_cells);
     if(!large_cells.empty()) {

@@ -98,7 +98,7 @@ public:
   /// another.
   bool is_shortest(std::uint64_t key, double length) const {
     const Class& c = classes_.at(key);
-    return length < c.here.length && length < near * c.shortest;
+    return length < c.here.length && length < nearby * c.shortest;
   }
 
   void take(std::uint64_t key, double length, std::vector<Index> walk) {
@@ -117,7 +117,7 @@ public:
       Class& c = entry.second;
       c.keep(limit_);
       for(Walk& walk : c.walks)
-        if(walk.length < near * c.shortest && is_wanted(c.targets, walk.length))
+        if(walk.length < nearby * c.shortest && is_wanted(c.targets, walk.length))
           all.push_back({walk.length, std::move(walk.vertices), c.targets});
     }
     std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
@@ -130,7 +130,7 @@ private:
   // Of walks more than so many times longer than the shortest, none is pulled to a shorter loop;
   // nor of those of one class from different places.
   static constexpr double slack = 1.15;
-  static constexpr double near = 1.2;
+  static constexpr double nearby = 1.2;
   static constexpr std::size_t most_walks = 3; // of a class
 
   struct Walk

@@ -115,21 +115,21 @@ private:
                           hardly_shorter = 0.997;
 
   static constexpr double most_visits = 2e6, most_on_large_mesh = 1.6e6;
-  static constexpr double most_overestimate = 4.;          // that is made use of
-  static constexpr double least_visits = 200.;             // of a loop, that could find anything
-  static constexpr double larger_part = 3.;                // of a part before
-  static constexpr double part_on_coarse = 0.6;            // of visits
-  static constexpr double small = 40000., large = 200000.; // vertices
-  static constexpr double most_patience = 8.;              // visits over those that are expected
+  static constexpr double most_overestimate = 4.; // that is made use of
+  static constexpr double least_visits = 200.;    // of a loop, that could find anything
+  static constexpr double larger_part = 3.;       // of a part before
+  static constexpr double part_on_coarse = 0.6;   // of visits
+  static constexpr double few_vertices = 40000., many_vertices = 200000.;
+  static constexpr double most_patience = 8.; // visits over those that are expected
 
-  bool is_small() const { return double(mesh_.number_of_vertices()) <= small; }
+  bool is_small() const { return double(mesh_.number_of_vertices()) <= few_vertices; }
 
   bool is_refined() const { return is_small() && !coarse_ground_; } // to be searched through
 
   // On a large mesh, less: its loops have cost more before, and are not to wait as long again. On a
   // coarse one visits go farther.
   double visits() const {
-    const double part = part_of_vertices(small);
+    const double part = part_of_vertices(few_vertices);
     return effort_ * (coarse_ground_ ? part_on_coarse : 1.) *
            (std::min)(most_visits, 2. * most_visits * part * std::sqrt(part));
   }
@@ -138,8 +138,9 @@ private:
   double visits_for_new() const {
     if(!coarse_ground_)
       return effort_ * most_on_large_mesh;
-    return effort_ * (std::max)(part_on_coarse * most_on_large_mesh * part_of_vertices(large),
-                                vertices_of_coarse_mesh_);
+    return effort_ *
+           (std::max)(part_on_coarse * most_on_large_mesh * part_of_vertices(many_vertices),
+                      vertices_of_coarse_mesh_);
   }
 
   double part_of_vertices(double number) const {

@@ -97,10 +97,10 @@ private:
     const double enough = accuracy * accuracy * square;
     for(int step = 0; step < most_steps && square > enough; ++step) {
       apply_laplacian(direction, image);
-      const double far = square / product(direction, image), before = square;
+      const double stride = square / product(direction, image), before = square;
       for(std::size_t u = 0; u < n; ++u) {
-        x[u] += far * direction[u];
-        rest[u] -= far * image[u];
+        x[u] += stride * direction[u];
+        rest[u] -= stride * image[u];
       }
       square = product(rest, rest);
       for(std::size_t u = 0; u < n; ++u)

@@ -53,12 +53,12 @@ public:
     std::vector<typename Loop::Step> steps;
     std::vector<Point> points;
     const Crossing* previous = loop.empty() ? nullptr : &loop.back();
-    halfedge_descriptor near = boost::graph_traits<TriangleMesh>::null_halfedge();
+    halfedge_descriptor edge = boost::graph_traits<TriangleMesh>::null_halfedge();
     for(const Crossing& c : loop) {
-      near = edge_of(c, near);
+      edge = edge_of(c, edge);
       // Many edges are passed at one vertex.
       if(vertex_of(c) == no_index || vertex_of(c) != vertex_of(*previous)) {
-        steps.push_back(step(c, near));
+        steps.push_back(step(c, edge));
         points.push_back(point_at(c));
       }
       previous = &c;

@@ -284,7 +284,7 @@ public:
         execution, mesh_, [&](Index v) { return ordering_key(static_cast<double>(distance[v])); });
     const std::vector<Star> stars = sweep_stars(execution, mesh_, order);
     const std::uint64_t most_steps = 8 * std::uint64_t(mesh_.neighbor.size());
-    constexpr double no_samples = std::numeric_limits<float>::max();
+    constexpr double no_samples = (std::numeric_limits<float>::max)();
     const Flat_reeb_graph graph = Reeb_sweep(mesh_, order, stars, most_steps, no_samples).run();
     Narrow_places places(mesh_, order, stars, graph, vertex_areas_,
                          oblique * limits_.maximal_length, negligible * limits_.minimal_share);

@@ -379,7 +379,7 @@ private:
     phi_ += factor_ *
             (c.gradient_coefficient * diffusion +
              c.driving_force * (before * (1. - before)).sqrt() - c.penalty * (1. - 2. * before));
-    phi_ = phi_.max(0.).min(1.);
+    phi_ = ((phi_.max)(0.).min)(1.);
     for(Index v : sources_)
       phi_[v] = 1.;
     arrivals_.advance(before, phi_, reached);

@@ -15,7 +15,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <CGAL/Exact_rational.h>
+#ifdef CGAL_USE_GMP
 #include <CGAL/Mpzf.h>
+#endif
 
 #include <array>
 

@@ -148,21 +148,21 @@ public:
   }
   template <typename Predicate>
   bool meets_itself(const Predicate& may_meet, Pair_budget budget) const {
-    const Placed_boxes near = placed_boxes();
+    const Placed_boxes placed = placed_boxes();
     const auto box = [this](Index i) { return boxes_[i]; };
     // Parts come first, and do not meet each other.
     const auto meet = [&](Index i, Index j) {
       return i > j && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]) &&
              !may_meet(i, j);
     };
-    const bool is_found = near.any_meeting(
-        near, box, box, [&](Index i, Index j) { return budget.is_spent() || meet(i, j); });
+    const bool is_found = placed.any_meeting(
+        placed, box, box, [&](Index i, Index j) { return budget.is_spent() || meet(i, j); });
     if(!budget.is_over())
       return is_found;
     if(const auto pairs = near_pairs(triangles_))
       return std::any_of(pairs->begin(), pairs->end(),
                          [&](const auto& pair) { return meet(pair.first, pair.second); });
-    return near.any_meeting(near, box, box, meet);
+    return placed.any_meeting(placed, box, box, meet);
   }
 
   /// whether a triangle is part of a face of the mesh.

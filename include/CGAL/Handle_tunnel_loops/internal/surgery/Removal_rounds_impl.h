@@ -319,12 +319,12 @@ private:
   // Those that come to a vertex of what was taken out, or came to it before they were led
   // elsewhere.
   void lead_around(const Detour& detour, const std::vector<Index>& vertices) {
-    std::vector<Loop> near;
+    std::vector<Loop> beside;
     for(Index v : vertices)
       for(auto [it, end] = loops_at_.equal_range(v); it != end; ++it)
-        near.push_back(it->second);
-    make_set(near);
-    for(const Loop& loop : near) {
+        beside.push_back(it->second);
+    make_set(beside);
+    for(const Loop& loop : beside) {
       Removal_candidate& candidate = candidates_[loop.first];
       if(!candidate.is_done() && candidate.lead_around(mesh_, detour, loop.second))
         note(loop);

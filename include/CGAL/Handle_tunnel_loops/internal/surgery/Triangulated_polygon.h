@@ -244,8 +244,8 @@ private:
       return false;
     Triangulation cdt;
     std::vector<typename Triangulation::Vertex_handle> vertices(corners.size());
-    for_each_from_coarse_to_fine(corners.size(), [&](std::size_t k, std::size_t near) {
-      vertices[k] = cdt.insert(picture[corners[k]], k == 0 ? nullptr : vertices[near]->face());
+    for_each_from_coarse_to_fine(corners.size(), [&](std::size_t k, std::size_t known) {
+      vertices[k] = cdt.insert(picture[corners[k]], k == 0 ? nullptr : vertices[known]->face());
       vertices[k]->info() = corners[k];
     });
     if(cdt.number_of_vertices() != corners.size() || cdt.dimension() != 2)
@@ -259,7 +259,7 @@ private:
     return take_inner(cdt, corners.size() - 2);
   }
 
-  // Calls `f(k, near)` for 0 .. n - 1, where `near` was there before, for k > 0: from one end to
+  // Calls `f(k, known)` for 0 .. n - 1, where `known` was there before, for k > 0: from one end to
   // the other each would change most of the triangles of those that lie all but on a circle.
   template <typename Function>
   static void for_each_from_coarse_to_fine(std::size_t n, const Function& f) {
@@ -268,8 +268,8 @@ private:
       step *= 2;
     f(0, 0);
     for(; step > 1; step /= 2)
-      for(std::size_t near = 0; near + step / 2 < n; near += step)
-        f(near + step / 2, near);
+      for(std::size_t known = 0; known + step / 2 < n; known += step)
+        f(known + step / 2, known);
   }
 
   Picture from_largest_side() const {

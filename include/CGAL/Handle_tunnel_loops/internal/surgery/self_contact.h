@@ -66,10 +66,10 @@ bool touches_itself(Execution execution,
     return are_in_contact(triangle(i), triangle(j));
   };
   const auto box = [&](std::size_t i) { return boxes[i]; };
-  const Placed_boxes near(execution, all.size(), box);
-  if(near.crowding(box, largest_crowding) <= largest_crowding)
-    return near.any_meeting(
-        near, box, box, [&](Index i, Index j) { return i < j && are_touching(i, j); }, execution);
+  const Placed_boxes placed(execution, all.size(), box);
+  if(placed.crowding(box, largest_crowding) <= largest_crowding)
+    return placed.any_meeting(
+        placed, box, box, [&](Index i, Index j) { return i < j && are_touching(i, j); }, execution);
   return contact_search(execution, all.size(), triangle).any_candidate(execution, are_touching);
 }
 
