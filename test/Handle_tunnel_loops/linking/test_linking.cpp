@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -238,6 +239,25 @@ TEST_P(Linking, IsReversedByAMirror) {
     for(auto& value : row)
       value = -value;
   EXPECT_EQ(rows_of(certify_handle_tunnel_loops(mirrored, pairs)), rows);
+}
+
+// Linear maps that do not mirror leave all numbers as they are, however long or flat the surface
+// becomes, and along whatever axis.
+TEST_P(Linking, IsKeptByStretching) {
+  const Mesh mesh = mesh_of(GetParam());
+  const Pairs pairs = find_loops(mesh);
+  const Rows rows = rows_of(certify_handle_tunnel_loops(mesh, pairs));
+  for(const double factor : {1e5, 1e-5})
+    for(int axis = 0; axis < 3; ++axis) {
+      Mesh stretched = mesh;
+      for(const auto v : stretched.vertices()) {
+        std::array<double, 3> p = {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+        p[axis] *= factor;
+        stretched.point(v) = Mesh::Point(p[0], p[1], p[2]);
+      }
+      EXPECT_EQ(rows_of(certify_handle_tunnel_loops(stretched, pairs)), rows)
+          << "axis " << axis << " by " << factor;
+    }
 }
 
 // Any loops will do, not just those that are found; and how they run does not matter, only their

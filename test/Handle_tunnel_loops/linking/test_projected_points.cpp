@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -519,6 +520,38 @@ TEST(Matrix, AddsUpWhatIsAtOnePlace) {
   EXPECT_TRUE(matrix[0].row == 0 && matrix[0].column == 5 && matrix[0].value == 1);
   EXPECT_TRUE(matrix[1].row == 1 && matrix[1].column == 0 && matrix[1].value == 2);
   EXPECT_TRUE(matrix[2].row == 1 && matrix[2].column == 2 && matrix[2].value == 2);
+}
+
+TEST(Matrix, IsMultipliedRowByRow) {
+  Random random(5);
+  for(int round = 0; round < 50; ++round) {
+    const auto random_matrix = [&] {
+      Sparse_matrix matrix;
+      for(std::size_t i = random.below(30); i > 0; --i)
+        matrix.push_back({static_cast<Index>(random.below(5)), static_cast<Index>(random.below(5)),
+                          random.below(2) ? 1 : -1});
+      add_up(matrix);
+      return matrix;
+    };
+    const Sparse_matrix a = random_matrix(), b = random_matrix();
+    const auto row = [&](Index i) {
+      const auto begin = std::lower_bound(b.begin(), b.end(), Matrix_entry{i, 0, 0}),
+                 end = std::lower_bound(begin, b.end(), Matrix_entry{i + 1, 0, 0});
+      return Span<const Matrix_entry>(b.data() + (begin - b.begin()),
+                                      static_cast<std::size_t>(end - begin));
+    };
+    const auto is_kept = [](Index i, Index j) { return i != 2 || j != 3; };
+    Sparse_matrix expected;
+    for(const Matrix_entry& e : a)
+      for(const Matrix_entry& f : row(e.column))
+        if(is_kept(e.row, f.column))
+          expected.push_back({e.row, f.column, e.value * f.value});
+    add_up(expected);
+    const Sparse_matrix found = product(a, row, is_kept);
+    ASSERT_EQ(found.size(), expected.size());
+    for(std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_TRUE(found[i].is_beside(expected[i]) && found[i].value == expected[i].value);
+  }
 }
 
 } // namespace test_projected_points

@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <tuple>
@@ -58,7 +59,8 @@ the copy passes over the pushed walk, by the sense in which they cross.
 
 No number is compared with a tolerance. The lines that may cross are found by a tree of boxes around
 pieces of walks: near linear in the number of lines and of places where one passes over another of a
-loop close by.
+loop close by. What a corner passes over is added up once, for all loops whose copies cut it: those
+that were put together of others have much in common.
 */
 class Linking_numbers
 {
@@ -102,13 +104,23 @@ private:
   // ---- intersection numbers
 
   void add_intersections() {
-    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
-      for(const Matrix_entry& copy : curves_.crossings.of(e))
-        for(const Matrix_entry& walk : curves_.walks.of(e))
-          intersections_.push_back({copy.column, walk.column, copy.value * walk.value});
-    add_up(intersections_);
+    intersections_ =
+        crossings_with_walks([](std::size_t) { return true; }, [](Index, Index) { return true; });
     CGAL_postcondition_msg(is_antisymmetric(intersections_),
                            "a copy crosses as often as its loop does");
+  }
+
+  // How often copies cross walks at the midpoints of some edges.
+  template <typename Is_wanted, typename Is_kept>
+  Sparse_matrix crossings_with_walks(const Is_wanted& is_wanted, const Is_kept& is_kept) const {
+    Sparse_matrix crossings; // of edges, by copy
+    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
+      if(is_touched(e) && is_wanted(e))
+        for(const Matrix_entry& copy : curves_.crossings.of(e))
+          crossings.push_back({copy.column, static_cast<Index>(e), copy.value});
+    std::sort(crossings.begin(), crossings.end());
+    return product(
+        crossings, [this](Index e) { return curves_.walks.of(e); }, is_kept);
   }
 
   void find_defect() {
@@ -134,8 +146,8 @@ private:
   // The same directions in each run.
   Projected_points::Direction next_direction() {
     const auto next = [this] { return (static_cast<int>(random_() % 1024) * 2 - 1023) / 1024.; };
-    const double a = next();
-    return {a, next()};
+    const double a = next() * curves_.tilts[0];
+    return {a, next() * curves_.tilts[1]};
   }
 
   bool is_touched(std::size_t e) const {
@@ -182,13 +194,11 @@ private:
   }
 
   void add_touches() {
-    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
-      if(is_touched(e) && is_above(e))
-        for(const Matrix_entry& copy : curves_.crossings.of(e))
-          for(const Matrix_entry& walk : curves_.walks.of(e))
-            if(curves_.is_any_asked_for(copy.column, walk.column))
-              linking_.push_back({copy.column, walk.column,
-                                  curves_.outward[walk.column] * copy.value * walk.value});
+    linking_ = crossings_with_walks(
+        [this](std::size_t e) { return is_above(e); },
+        [this](Index copy, Index walk) { return curves_.is_any_asked_for(copy, walk); });
+    for(Matrix_entry& e : linking_)
+      e.value *= curves_.outward[e.column];
   }
 
   // ---- places where a copy is seen to cross a walk
@@ -406,17 +416,40 @@ private:
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
         execution, begins.size() - 1,
         [&](std::size_t begin, std::size_t end) {
-          std::vector<Matrix_entry> part;
+          Sparse_matrix crossed;
           for(std::size_t i = begin; i < end; ++i) {
             execution.look();
             add_crossings(is_any_asked_for(begins[i], begins[i + 1]) ? all : some, begins[i],
-                          begins[i + 1], part);
+                          begins[i + 1], crossed);
           }
-          add_up(part);
-          return part;
+          add_up(crossed);
+          return numbers_of_copies(begins[begin], begins[end], crossed);
         },
         256);
     linking_.insert(linking_.end(), entries.begin(), entries.end());
+  }
+
+  // Of the copies that cut some corners, by how often each of these, once for all its copies, is
+  // seen to pass over walks. A copy and a walk that are apart may be seen in part only.
+  Sparse_matrix numbers_of_copies(Index begin, Index end, const Sparse_matrix& crossed) const {
+    std::vector<std::size_t> rows(end - begin + std::size_t(1), 0); // where they begin, by corner
+    for(const Matrix_entry& e : crossed)
+      ++rows[e.row - begin + 1];
+    std::partial_sum(rows.begin(), rows.end(), rows.begin());
+    const auto walks_under = [&](Index c) {
+      return Span<const Matrix_entry>(crossed.data() + rows[c - begin],
+                                      rows[c - begin + 1] - rows[c - begin]);
+    };
+    Sparse_matrix cuts; // of corners, by copy
+    for(Index c = begin; c < end; ++c)
+      for(const Copy& copy : copies(c))
+        if(copy.number != 0 && !walks_under(c).empty())
+          cuts.push_back({copy.loop, c, copy.number});
+    std::sort(cuts.begin(), cuts.end());
+    return product(cuts, walks_under, [this](Index copy, Index walk) {
+      return curves_.is_any_asked_for(copy, walk) &&
+             extents_of_copies_[copy].meets(extents_of_walks_[walk]);
+    });
   }
 
   // Whether all numbers are asked for of any of the copies that cut some corners.
@@ -425,9 +458,8 @@ private:
                        [this](const Copy& copy) { return is_asked_for(copy.loop); });
   }
 
-  // Of the corners of a piece of a copy.
-  void
-  add_crossings(const Pieces& pieces, Index begin, Index end, std::vector<Matrix_entry>& entries) {
+  // Of the corners of a piece of a copy, with walks.
+  void add_crossings(const Pieces& pieces, Index begin, Index end, Sparse_matrix& crossed) {
     std::array<Seen_line, most_lines> corners;
     Box<2> seen = Box<2>::empty();
     Extent extent = Extent::empty();
@@ -443,27 +475,25 @@ private:
         if(edge.box.meets(seen) && extent_of_edge(e).meets(extent))
           for(Index c = begin; c < end; ++c)
             if(corners[c - begin].box.meets(edge.box))
-              add_terms(copies(c), corners[c - begin], e, edge, entries);
+              add_terms(c, corners[c - begin], e, edge, crossed);
       }
     });
   }
 
-  void add_terms(Span<const Copy> copies,
+  void add_terms(Index c,
                  const Seen_line& line_of_corner,
                  Index e,
                  const Seen_line& line_of_edge,
-                 std::vector<Matrix_entry>& entries) {
-    if(has_too_many_contacts_ || touches(curves_.corners[copies[0].corner], curves_.edges[e]))
+                 Sparse_matrix& crossed) {
+    if(has_too_many_contacts_ || touches(curves_.corners[copies(c)[0].corner], curves_.edges[e]))
       return;
     const std::optional<int> sign = crossing(line_of_corner, line_of_edge);
-    for(const Copy& copy : copies)
-      if(!sign)
+    if(!sign)
+      for(const Copy& copy : copies(c))
         add_contact({copy.corner, e});
-      else if(*sign != 0 && copy.number != 0)
-        for(const Matrix_entry& walk : curves_.walks.of(e))
-          if(curves_.is_any_asked_for(copy.loop, walk.column) &&
-             extents_of_copies_[copy.loop].meets(extents_of_walks_[walk.column]))
-            entries.push_back({copy.loop, walk.column, *sign * copy.number * walk.value});
+    else if(*sign != 0)
+      for(const Matrix_entry& walk : curves_.walks.of(e))
+        crossed.push_back({c, walk.column, *sign * walk.value});
   }
 
   static bool touches(const Corner& c, const Edge& edge) {

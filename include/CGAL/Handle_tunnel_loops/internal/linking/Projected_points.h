@@ -37,7 +37,7 @@ long axis would else leave nothing to see of the others; and at last exactly.
 class Projected_points
 {
 public:
-  /// The direction (a, b, 1), where a and b are multiples of 2^-10 in [-1, 1].
+  /// The direction (a, b, 1), where a and b are in [-1, 1].
   struct Direction
   {
     double a, b;

@@ -13,11 +13,13 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -54,6 +56,26 @@ inline void add_up(std::vector<Matrix_entry>& entries) {
       entries[kept++] = sum;
   }
   entries.resize(kept);
+}
+
+/// the product of two matrices, without adding up what is nowhere kept: of the first by its
+/// entries, with rows together, of the second by `row(i)`. \p is_kept tells of which rows and
+/// columns it is asked for. Each entry of the first takes as long as the row that it is multiplied
+/// with.
+template <typename Row, typename Is_kept>
+Sparse_matrix product(const Sparse_matrix& matrix, const Row& row, const Is_kept& is_kept) {
+  Sparse_matrix result;
+  Sparse_sum<std::int64_t> sum;
+  for(std::size_t i = 0; i < matrix.size(); ++i) {
+    for(const Matrix_entry& e : row(matrix[i].column))
+      sum.add(e.column, matrix[i].value * e.value);
+    if(i + 1 == matrix.size() || matrix[i + 1].row != matrix[i].row)
+      sum.take([&](Index column, std::int64_t value) {
+        if(is_kept(matrix[i].row, column))
+          result.push_back({matrix[i].row, column, value});
+      });
+  }
+  return result;
 }
 
 /// whether a matrix is its transpose with the other sign. Logarithmic time for each entry.
@@ -250,7 +272,8 @@ struct Surface_curves
   };
 
   std::vector<Vector> vertices;
-  std::vector<Index> originals; ///< by vertex, its index in the mesh
+  std::array<double, 2> tilts = {1., 1.}; ///< how far along x and y a view along z may be inclined
+  std::vector<Index> originals;           ///< by vertex, its index in the mesh
   std::vector<Edge> edges;
   std::vector<Corner> corners;
   Chains walks;             ///< by edge: how often each loop's walk runs along it

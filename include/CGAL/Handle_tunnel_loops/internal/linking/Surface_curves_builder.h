@@ -25,6 +25,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <climits>
 #include <cmath>
@@ -78,16 +79,34 @@ inline int allowed_exponent(int axis, const std::vector<Vector>& points, int wan
                     (std::max)(0, largest - highest));
 }
 
+/// turns the axes so that z is the one along which most points spread least: seen along it, as
+/// little as can be lies behind each other. What turns leave as it is stays the same.
+inline void turn_shortest_axis_to_z(std::vector<Vector>& points) {
+  int axis = 2, shortest = binary_exponent(spread_along(2, points));
+  for(int d : {0, 1})
+    if(const int spread = binary_exponent(spread_along(d, points)); spread < shortest) {
+      axis = d;
+      shortest = spread;
+    }
+  if(axis != 2)
+    for(Vector& p : points)
+      p = {p[(axis + 1) % 3], p[(axis + 2) % 3], p[axis]};
+}
+
 /// scales the axes of points so that most of them spread about as far along each: what is squeezed
 /// to a line, or nearly, is seen from the side then. The axes are scaled by powers of two, and not
 /// so far that this is not exact, so that whatever linear maps leave as it is stays the same.
-inline void even_axes(std::vector<Vector>& points) {
+/// Returns the exponents.
+inline std::array<int, 3> even_axes(std::vector<Vector>& points) {
+  std::array<int, 3> exponents;
   for(int d = 0; d < 3; ++d) {
     const int wanted = -binary_exponent(spread_along(d, points));
-    if(const int exponent = allowed_exponent(d, points, wanted); exponent != 0)
+    exponents[d] = allowed_exponent(d, points, wanted);
+    if(exponents[d] != 0)
       for(Vector& p : points)
-        p[d] = std::ldexp(p[d], exponent);
+        p[d] = std::ldexp(p[d], exponents[d]);
   }
+  return exponents;
 }
 
 /// The key of an edge of a walk, and the place of that edge in the sequence of all walks.
@@ -129,7 +148,7 @@ public:
       pieces[i].index_bound = index_bound(walks[i], pieces[i].entered);
     });
     number_vertices(execution, walks, pieces);
-    even_axes(curves_.vertices); // linking numbers stay what they are
+    choose_view();
     number_edges(execution, walks);
     for_each_loop(execution, walks, [&](std::size_t i) {
       add_copy(pieces[i].entered, static_cast<Index>(i), pieces[i]);
@@ -269,6 +288,17 @@ private:
 
   void set_number(std::size_t i, Index number) {
     numbers_[i].store(number, std::memory_order_relaxed);
+  }
+
+  // Linking numbers stay what they are. A view is inclined no more than it would be if axes were
+  // not scaled: of what is long, parts far from each other would be seen at the same place.
+  void choose_view() {
+    constexpr int least = -10; // walls are seen at an angle, however flat all is
+    turn_shortest_axis_to_z(curves_.vertices);
+    const std::array<int, 3> exponents = even_axes(curves_.vertices);
+    for(int d : {0, 1})
+      curves_.tilts[d] =
+          std::ldexp(1., (std::min)(0, (std::max)(least, exponents[d] - exponents[2])));
   }
 
   // ---- edges
