@@ -14,12 +14,15 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Integer_lattice.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -31,7 +34,7 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// Decides whether loops bound, and whether their classes are a basis; see `Loop_certifier`.
 class Homology_classes
 {
-  using Row = Integer_lattice::Row;
+  using Row = std::vector<std::pair<std::size_t, std::int64_t>>; // by column; no zeros
 
 public:
   Homology_classes(std::size_t number_of_loops,
@@ -64,6 +67,7 @@ private:
 
   // Breadth first, so that the ways are short.
   void find_potentials() {
+    Sparse_sum<std::int64_t> sum;
     std::map<Index, std::vector<const Used_edge*>> edges_at;
     for(const Used_edge& e : edges_) {
       edges_at[e.left].push_back(&e);
@@ -79,24 +83,29 @@ private:
           const Index to = from_left ? e->right : e->left;
           if(potential_.count(to) != 0)
             continue;
-          Row row = potential_[queue[q]];
-          add_edge(*e, from_left ? 1 : -1, row);
-          potential_.emplace(to, std::move(row));
+          add(potential_.at(queue[q]), 1, sum);
+          add_edge(*e, from_left ? 1 : -1, sum);
+          potential_.emplace(to, row_of(sum));
           queue.push_back(to);
         }
     }
   }
 
-  void add_edge(const Used_edge& e, int sign, Row& row) const {
+  // No sum is too large: a value has 32 bits, and there are not as many edges as that.
+  void add_edge(const Used_edge& e, int sign, Sparse_sum<std::int64_t>& sum) const {
     for(std::size_t i = e.first; i < e.last; ++i)
-      add(chains_[i].loop, sign * chains_[i].value, row);
+      sum.add(chains_[i].loop, sign * std::int64_t(chains_[i].value));
   }
 
-  static void add(std::size_t column, const Integer_lattice::Integer& value, Row& row) {
-    const auto it = row.emplace(column, 0).first;
-    it->second += value;
-    if(it->second == 0)
-      row.erase(it);
+  static void add(const Row& row, int sign, Sparse_sum<std::int64_t>& sum) {
+    for(const auto& [column, value] : row)
+      sum.add(static_cast<Index>(column), sign * value);
+  }
+
+  static Row row_of(Sparse_sum<std::int64_t>& sum) {
+    Row row;
+    sum.take([&](Index column, std::int64_t value) { row.emplace_back(column, value); });
+    return row;
   }
 
   // ---- the intersection numbers span all integer vectors
@@ -104,14 +113,12 @@ private:
   // The intersection numbers of the loops with the generators, short ones first; each vector once.
   std::vector<Row> rows_of_generators() const {
     std::vector<Row> rows;
+    Sparse_sum<std::int64_t> sum;
     for(const Used_edge& e : edges_) {
-      Row row;
-      add_edge(e, 1, row);
-      for(const auto& [column, value] : potential_.at(e.left))
-        add(column, value, row);
-      for(const auto& [column, value] : potential_.at(e.right))
-        add(column, -value, row);
-      if(!row.empty())
+      add_edge(e, 1, sum);
+      add(potential_.at(e.left), 1, sum);
+      add(potential_.at(e.right), -1, sum);
+      if(Row row = row_of(sum); !row.empty())
         rows.push_back(std::move(row));
     }
     std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
@@ -123,15 +130,15 @@ private:
 
   void span_everything() {
     Integer_lattice lattice(number_of_loops_);
-    std::vector<Row> rows = rows_of_generators();
+    const std::vector<Row> rows = rows_of_generators();
     for(auto row = rows.begin(); row != rows.end() && !lattice.is_full(); ++row)
-      lattice.add(std::move(*row));
+      lattice.add({row->begin(), row->end()});
     if(lattice.is_full())
       return;
     fail("the loops are no basis of the first homology group: their classes have determinant " +
          lattice.index().str() + "; " + name_of_loop(lattice.first_defect()) +
          " depends on the others");
-    explain(rows_of_generators());
+    explain(rows);
   }
 
   // The entries of a loop in all rows are the coordinates of its class, hence tell what it is.
@@ -139,17 +146,17 @@ private:
     std::vector<Row> classes(number_of_loops_);
     for(std::size_t i = 0; i < rows.size(); ++i)
       for(const auto& [loop, value] : rows[i])
-        classes[loop].emplace(i, value);
+        classes[loop].emplace_back(i, value);
     std::map<Row, std::size_t> first_of_class;
     for(std::size_t loop = 0; loop < number_of_loops_; ++loop) {
       if(classes[loop].empty()) {
         fail(name_of_loop(loop) + ": the loop bounds a part of the surface");
         continue;
       }
-      const Integer_lattice::Integer factor = divide_by_common_factor(classes[loop]);
+      const std::int64_t factor = divide_by_common_factor(classes[loop]);
       const auto [it, is_new] = first_of_class.emplace(classes[loop], loop);
       if(factor != 1)
-        fail(name_of_loop(loop) + ": the loop goes around " + factor.str() +
+        fail(name_of_loop(loop) + ": the loop goes around " + std::to_string(factor) +
              " times, up to homology");
       if(!is_new)
         fail(name_of_loop(loop) + ": up to multiples the loop is homologous to " +
@@ -158,10 +165,10 @@ private:
   }
 
   // The first entry becomes positive.
-  static Integer_lattice::Integer divide_by_common_factor(Row& row) {
-    Integer_lattice::Integer factor = 0;
+  static std::int64_t divide_by_common_factor(Row& row) {
+    std::int64_t factor = 0;
     for(const auto& column_and_value : row)
-      factor = boost::multiprecision::gcd(factor, column_and_value.second);
+      factor = std::gcd(factor, column_and_value.second);
     const int sign = row.begin()->second < 0 ? -1 : 1;
     for(auto& column_and_value : row)
       column_and_value.second /= sign * factor;
