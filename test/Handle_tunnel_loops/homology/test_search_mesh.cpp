@@ -310,4 +310,36 @@ TEST(Search_mesh, HandsOnLoopsOfTheSameClass) {
   }
 }
 
+// What a step crosses is what its walk crosses, also where that is counted by steps of a finer
+// mesh.
+TEST(Search_mesh, CountsWhatItsWalksCross) {
+  Random random(7);
+  for(const Recipe& recipe : recipes()) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const Crossing_index index(mesh, random_loops(mesh, random, 8));
+    const Edge_classes classes(mesh, index, {1, 0, 1, 0});
+    for(const std::size_t more : {0, 500}) {
+      Search_mesh finer(mesh);
+      if(more > 0)
+        finer.refine(more);
+      finer.count(classes);
+      Search_mesh coarser(finer, 4. * std::sqrt(finer.area() / double(finer.number_of_vertices())));
+      coarser.count(classes);
+      std::size_t crossed = 0;
+      for(Index v = 0; v < coarser.number_of_vertices(); ++v)
+        for(Index step = coarser.begin(v); step != coarser.end(v); ++step) {
+          std::map<Index, int> numbers;
+          coarser.for_each_edge(v, step, [&](Index from, Index to) {
+            coarser.for_each_term(from, to, [&](Index loop, int n) { numbers[loop] += n; });
+          });
+          for(Index loop = 0; loop < 8; ++loop)
+            ASSERT_EQ(coarser.number(v, step, loop), numbers[loop]);
+          crossed += !coarser.sums(v, step).is_zero();
+        }
+      EXPECT_GT(crossed, 0u);
+    }
+  }
+}
+
 } // namespace test_search_mesh

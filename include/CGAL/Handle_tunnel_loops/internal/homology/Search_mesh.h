@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <algorithm>
@@ -219,6 +220,18 @@ public:
     walk.insert(walk.end(), back.rbegin() + 1, back.rend());
   }
 
+  /// calls `f(step, sign)` for the steps of the mesh along which the walk of a step leads; those of
+  /// sign -1 backwards.
+  template <typename Function> void for_each_part(const Step& step, const Function& f) const {
+    const auto on_way_to = [&](Index v, int sign) {
+      for(Index u = v; ways_[u].parent != no_index; u = ways_[u].parent)
+        f(ways_[u].step, sign);
+    };
+    on_way_to(step.from, 1);
+    f(step.step, 1);
+    on_way_to(mesh_.head(step.step), -1);
+  }
+
 private:
   // The shortest way to a vertex, from its node.
   struct Way
@@ -325,6 +338,11 @@ public:
       for(const auto& step : coarsening.steps(node)) {
         add_step(step.head, step.length);
         coarsening.append_walk(step, walks_);
+        if(finer.has_walks())
+          coarsening.for_each_part(step, [this](Index part, int sign) {
+            parts_.push_back({part, sign});
+          });
+        parts_end_.push_back(parts_.size());
       }
     }
     take_steps();
@@ -369,9 +387,13 @@ public:
     steps_across_.clear();
     for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
-        for_each_edge(v, s, [&](Index from, Index to) {
-          sums_[s] = sums_[s] + classes.sums(corner(from), corner(to));
-        });
+        if(parts_.empty())
+          for_each_edge(v, s, [&](Index from, Index to) {
+            sums_[s].add(1, classes.sums(corner(from), corner(to)));
+          });
+        else
+          for(const Part& part : parts(s))
+            sums_[s].add(part.sign, finer_->sums_[part.step]);
         if(!sums_[s].is_zero())
           add_terms(v, s);
         terms_begin_[s + 1] = static_cast<Index>(terms_.size());
@@ -381,10 +403,9 @@ public:
   /// how often a step from `v` crosses a loop, in net numbers.
   int number(Index v, Index step, Index loop) const {
     if(has_walks()) {
-      const auto end = terms_.begin() + terms_begin_[step + 1];
-      const auto term =
-          std::lower_bound(terms_.begin() + terms_begin_[step], end, std::make_pair(loop, INT_MIN));
-      return term != end && term->first == loop ? term->second : 0;
+      const auto own = terms(step);
+      const auto term = std::lower_bound(own.begin(), own.end(), std::make_pair(loop, INT_MIN));
+      return term != own.end() && term->first == loop ? term->second : 0;
     }
     int sum = 0;
     for_each_term(v, head(step),
@@ -507,7 +528,23 @@ private:
     std::vector<Index> corners;
   };
 
+  // A step of the finer mesh on the walk of a step, or the way back along it.
+  struct Part
+  {
+    Index step;
+    int sign;
+  };
+
   bool has_walks() const { return !walk_begin_.empty(); }
+
+  Span<const Part> parts(Index step) const {
+    const std::size_t first = step == 0 ? 0 : parts_end_[step - 1];
+    return {parts_.data() + first, parts_end_[step] - first};
+  }
+
+  Span<const std::pair<Index, int>> terms(Index step) const {
+    return {terms_.data() + terms_begin_[step], terms_begin_[step + 1] - terms_begin_[step]};
+  }
 
   float length_of_edge(Index u, Index v) const {
     return mesh_.is_spoke(u, v) ? std::numeric_limits<float>::infinity()
@@ -532,23 +569,18 @@ private:
 
   // Of a step that crosses loops, by loop.
   void add_terms(Index v, Index step) {
-    crossed_.clear();
-    for_each_edge(v, step, [&](Index from, Index to) {
-      for_each_term(from, to, [&](Index loop, int number) {
-        if(loop >= numbers_.size())
-          numbers_.resize(loop + std::size_t(1), 0);
-        if(numbers_[loop] == 0)
-          crossed_.push_back(loop);
-        numbers_[loop] += number;
+    if(parts_.empty())
+      for_each_edge(v, step, [&](Index from, Index to) {
+        for_each_term(from, to, [&](Index loop, int number) { crossed_.add(loop, number); });
       });
+    else
+      for(const Part& part : parts(step))
+        for(const auto& [loop, number] : finer_->terms(part.step))
+          crossed_.add(loop, part.sign * number);
+    crossed_.take([&](Index loop, int number) {
+      terms_.emplace_back(loop, number);
+      steps_across_[loop].emplace_back(v, step);
     });
-    const auto first = static_cast<std::ptrdiff_t>(terms_.size());
-    for(Index loop : crossed_)
-      if(const int number = std::exchange(numbers_[loop], 0); number != 0)
-        terms_.emplace_back(loop, number);
-    std::sort(terms_.begin() + first, terms_.end());
-    for(auto term = terms_.begin() + first; term != terms_.end(); ++term)
-      steps_across_[term->first].emplace_back(v, step);
   }
 
   // ---- steps with walks
@@ -602,6 +634,8 @@ private:
   const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
   std::vector<Index> own_begin_, own_heads_;
   std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
+  std::vector<Part> parts_;               // if there is a finer mesh whose steps have walks
+  std::vector<std::size_t> parts_end_;    // by step
   std::vector<float> lengths_;            // by step, of the mesh as well if measured
   const Edge_classes* classes_ = nullptr; // that were last counted
   // Only if steps have walks: by step, what it crosses, and how often.
@@ -609,8 +643,7 @@ private:
   std::vector<Index> terms_begin_;
   std::vector<std::pair<Index, int>> terms_;                           // loops and numbers, by loop
   std::map<Index, std::vector<std::pair<Index, Index>>> steps_across_; // and vertices, by loop
-  std::vector<int> numbers_;   // by loop, of a step; zero between steps
-  std::vector<Index> crossed_; // by it, each once or more
+  Sparse_sum<int> crossed_;                                            // by a step, by loop
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
