@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Neighbor_sums.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -82,19 +84,25 @@ public:
     measure();
     prepare_search(is_new);
     patience_.assign(loops.size(), 1.);
+    is_known_.assign(loops.size(), 0);
+    is_fresh_.assign(loops.size(), 1);
     // Loops that have just been put together have been seen by nothing, the others by a field. On a
     // small mesh there is enough for all of them at once.
     const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
     if(!is_small()) {
       is_open_ = is_new;
+      overestimate_ = 1.;
       repeat((std::max)(visits(), visits_for_new() * number_of_new / (number_of_new + 8.)));
     }
     if(visits() > least_visits * double(loops.size())) {
-      // Where it is not known what bounds, no class is better than another.
       is_open_.resize(loops.size());
-      for(std::size_t i = 0; i < loops.size(); ++i)
-        is_open_[i] = is_pure[i / 2] || !are_pairs_kept_;
-      repeat(visits());
+      for(Index i = 0; i < loops.size(); ++i)
+        is_open_[i] = is_to_be_shortened(i);
+      overestimate_ = 1.;
+      const double left = repeat(visits());
+      if(open_long_ones())
+        repeat(part_for_long_ones * left);
+      take_sums();
     }
     return std::move(sources_);
   }
@@ -120,7 +128,12 @@ private:
   static constexpr double larger_part = 3.;       // of a part before
   static constexpr double part_on_coarse = 0.6;   // of visits
   static constexpr double few_vertices = 40000., many_vertices = 200000.;
-  static constexpr double most_patience = 8.; // visits over those that are expected
+  static constexpr double most_patience = 8.;         // visits over those that are expected
+  static constexpr double part_for_small_cells = 0.1; // of visits, at most
+  static constexpr double around_tube = 4.; // the longest loop that cells may be made for, over it
+  static constexpr double much_longer = 2.; // than others
+  static constexpr double part_for_long_ones = 0.25;
+  static constexpr int most_sweeps = 10, most_searches_for_sums = 2;
 
   bool is_small() const { return double(mesh_.number_of_vertices()) <= few_vertices; }
 
@@ -169,16 +182,44 @@ private:
     int level;
   };
 
-  Scale scale(double length) {
+  // If there are visits enough, cells are small beside the tube around which the partner runs, too.
+  Scale scale(double length, Index partner) {
     Search_ground& ground =
         coarse_ground_ && length >= longest_on_fine_ground_ ? *coarse_ground_ : fine_ground_;
-    return {&ground, ground.levels().level(length)};
+    return {&ground,
+            ground.levels().level(is_thorough_ ? (std::min)(length, around_tube * lengths_[partner])
+                                               : length)};
+  }
+
+  // Where it is not known what bounds, no class is better than another.
+  bool is_to_be_shortened(Index i) const { return (*is_pure_)[i / 2] || !are_pairs_kept_; }
+
+  // Of loops that are closed there may be some for which only the likely tasks were done. Opens
+  // those that are long: most is to be gained there.
+  bool open_long_ones() {
+    const double enough = much_longer * total_length() / double(lengths_.size());
+    for(Index i = 0; i < lengths_.size(); ++i)
+      is_open_[i] = is_to_be_shortened(i) && !is_known_[i] && lengths_[i] > enough;
+    return is_any_open();
+  }
+
+  // Sums of loops, and searches for those that have taken the place of others.
+  void take_sums() {
+    for(int search = 0; search <= most_searches_for_sums; ++search) {
+      const double before = total_length();
+      std::fill(is_open_.begin(), is_open_.end(), 0);
+      for(int sweep = 0; sweep < most_sweeps && find_sums(); ++sweep)
+        exchange();
+      if(!(total_length() < hardly_shorter * before))
+        return;
+      repeat(visits());
+    }
   }
 
   // Looks for the open loops, and for those that are opened by it, as long as there are visits.
-  void repeat(double visits) {
+  // Returns how many are left.
+  double repeat(double visits) {
     part_ = 0.;
-    overestimate_ = 1.;
     double spare = (std::max)(0., visits_for_new() - visits);
     for(int round = 0; round < most_rounds && visits > 0.; ++round) {
       const double before = total_length(), share = visits;
@@ -196,6 +237,7 @@ private:
         spare -= more;
       }
     }
+    return visits;
   }
 
   bool is_any_open() const {
@@ -211,8 +253,8 @@ private:
   double total_length() const { return std::accumulate(lengths_.begin(), lengths_.end(), 0.); }
 
   // About the vertices within half the length of a loop.
-  double vertices_around(Index i) {
-    const auto [ground, level] = scale(part_ * lengths_[i]);
+  double vertices_around(Index i, Index partner) {
+    const auto [ground, level] = scale(part_ * lengths_[i], partner);
     return ground->vertices_around(level, lengths_[i], (*loops_)[i]);
   }
 
@@ -252,13 +294,20 @@ private:
     return all;
   }
 
-  // All tasks if there are visits enough, else the likely ones; and what is spent on each.
+  // All tasks thoroughly if there are visits enough, else all, or the likely ones; and what is
+  // spent on each.
   std::vector<Task> tasks_within(double visits, const std::vector<Class_vector>& duals) {
     const double least_part = (std::min)(1., larger_part * part_);
     const double expected = overestimate_ * visits;
     std::vector<Task> chosen = tasks(duals, false);
-    Search_plan efforts = plan(chosen, expected, least_part);
-    if(efforts.is_tight()) {
+    part_ = 1.;
+    is_thorough_ = true;
+    Search_plan efforts = plan_of_part(chosen, part_for_small_cells * expected, part_);
+    is_thorough_ = !efforts.is_tight();
+    if(!is_thorough_)
+      efforts = plan(chosen, expected, least_part);
+    are_all_tasks_ = !efforts.is_tight();
+    if(!are_all_tasks_) {
       chosen = tasks(duals, true);
       efforts = plan(chosen, expected, least_part);
     }
@@ -283,7 +332,7 @@ private:
     for(const Task& task : tasks) {
       double disc = 0.;
       for(Index i : task.targets)
-        disc = (std::max)(disc, patience_[i] * vertices_around(i));
+        disc = (std::max)(disc, patience_[i] * vertices_around(i, task.partner));
       discs.push_back(part * part * disc);
       places.push_back(lengths_[task.partner] / (part * task.length));
     }
@@ -309,9 +358,7 @@ private:
         1);
     progress_.throw_if_interrupted();
     close_loops(tasks, patience, visits);
-    candidates_.clear();
-    for(std::vector<Candidate>& part : found)
-      std::move(part.begin(), part.end(), std::back_inserter(candidates_));
+    take_candidates(found);
     return std::any_of(tasks.begin(), tasks.end(),
                        [](const Task& task) { return task.effort.visits > 0; });
   }
@@ -320,7 +367,7 @@ private:
     std::map<Search_ground*, std::set<int>> levels;
     for(const Task& task : tasks)
       if(task.effort.visits > 0) {
-        const auto [own, level] = scale(part_ * task.length);
+        const auto [own, level] = scale(part_ * task.length, task.partner);
         levels[own].insert(level);
       }
     for(const auto& [ground, used] : levels)
@@ -354,6 +401,7 @@ private:
     overestimate_ = (std::min)(most_overestimate, planned_for_all / (std::max)(1., spent));
     are_all_searched_ = part_ == 1.;
     for(Index i = 0; i < is_open_.size(); ++i) {
+      is_known_[i] = is_open_[i] ? are_all_tasks_ : is_known_[i];
       are_all_searched_ = are_all_searched_ && !is_exhausted[i] && !is_left_out[i];
       patience_[i] *= is_exhausted[i] ? 4. : 1.;
       is_open_[i] = is_exhausted[i] || is_left_out[i] || (is_open_[i] && part_ < 1.);
@@ -382,7 +430,7 @@ private:
       wanted.push_back(
           {part_ * (is_refined() ? refined_edges : poor_edges) * lengths_[i], &duals[i]});
     Search_targets targets(std::move(wanted));
-    const auto [ground, level] = scale(part_ * task.length);
+    const auto [ground, level] = scale(part_ * task.length, task.partner);
     ground->search(level, task.partner, is_pure && is_tunnel, task.effort.spacing, targets,
                    task.left);
     std::vector<Candidate> candidates;
@@ -395,18 +443,59 @@ private:
       std::optional<Crossing_loop> loop = ground->tightened(execution_, found.walk, limit);
       if(!loop)
         continue;
-      Candidate c;
-      c.loop = std::move(*loop);
-      c.length = length(mesh_, c.loop);
-      c.numbers = classes_->numbers(c.loop);
-      if(is_pure && !is_of_kind(c.numbers, is_tunnel))
-        continue;
-      if(std::optional<Class_vector> a = classes_->class_with(c.numbers)) {
-        c.coordinates = std::move(*a);
-        candidates.push_back(std::move(c));
-      }
+      std::optional<Candidate> c = candidate(std::move(*loop));
+      if(c && !(is_pure && !is_of_kind(c->numbers, is_tunnel)))
+        candidates.push_back(std::move(*c));
     }
     return candidates;
+  }
+
+  // None where numbers are too large.
+  std::optional<Candidate> candidate(Crossing_loop loop) const {
+    Candidate c = {length(mesh_, loop), std::move(loop), {}, {}};
+    c.numbers = classes_->numbers(c.loop);
+    std::optional<Class_vector> coordinates = classes_->class_with(c.numbers);
+    if(!coordinates)
+      return std::nullopt;
+    c.coordinates = std::move(*coordinates);
+    return c;
+  }
+
+  // Shorter sums of two loops, at least one of which is fresh. Returns whether there are any.
+  bool find_sums() {
+    classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
+    std::vector<std::vector<Candidate>> found(loops_->size());
+    for_each_index(
+        execution_, loops_->size(),
+        [&](std::size_t i) {
+          if(progress_.goes_on() && progress_.time().is_any_left())
+            found[i] = sums(static_cast<Index>(i));
+        },
+        1);
+    progress_.throw_if_interrupted();
+    std::fill(is_fresh_.begin(), is_fresh_.end(), 0);
+    take_candidates(found);
+    return !candidates_.empty();
+  }
+
+  std::vector<Candidate> sums(Index i) const {
+    std::vector<Candidate> candidates;
+    if(!is_to_be_shortened(i))
+      return candidates;
+    Neighbor_sums sums(execution_, mesh_, *loops_, classes_->index(), lengths_);
+    for(Crossing_loop& loop : sums.of(i, [&](Index j) {
+          const bool is_same_kind = i % 2 == j % 2 && (*is_pure_)[j / 2];
+          return (is_fresh_[i] || is_fresh_[j]) && (is_same_kind || !are_pairs_kept_);
+        }))
+      if(std::optional<Candidate> c = candidate(std::move(loop)))
+        candidates.push_back(std::move(*c));
+    return candidates;
+  }
+
+  void take_candidates(std::vector<std::vector<Candidate>>& found) {
+    candidates_.clear();
+    for(std::vector<Candidate>& part : found)
+      std::move(part.begin(), part.end(), std::back_inserter(candidates_));
   }
 
   // Whether a curve crosses only loops of the other kind.
@@ -451,6 +540,7 @@ private:
         (*loops_)[i] = std::move(c.loop);
         lengths_[i] = c.length;
         sources_[i] = no_index;
+        is_fresh_[i] = 1;
         return;
       }
   }
@@ -498,10 +588,12 @@ private:
   void apply(const Pairing& pairing, const std::vector<char>& is_changed) {
     const std::vector<Crossing_loop> loops = *loops_;
     const std::vector<Index> sources = sources_;
+    const std::vector<char> is_fresh = is_fresh_;
     for(Index k = 0; k < loops.size() / 2; ++k) {
       const Index from = 2 * pairing.column_of(k) + 1, to = 2 * k + 1;
       (*loops_)[to] = loops[from];
       sources_[to] = sources[from];
+      is_fresh_[to] = is_fresh[from];
       if(is_changed[2 * k] || is_changed[from] || from != to)
         is_open_[2 * k] = is_open_[to] = 1;
     }
@@ -519,12 +611,16 @@ private:
   const std::vector<char>* is_pure_ = nullptr;
   bool is_prepared_ = false; // the grounds to search on
   bool are_pairs_kept_ = true;
+  bool is_thorough_ = false;      // the search, of the round: all tasks, on small cells
+  bool are_all_tasks_ = false;    // not only the likely ones, in the round
   bool are_all_searched_ = false; // to their end, in the last round
   double part_ = 0.;              // of the length of the loops, to look for
   double overestimate_ = 1.;      // visits planned over visits needed, in the last round
   std::vector<double> lengths_;
   std::vector<Index> sources_;
   std::vector<char> is_open_;    // by loop, whether to look for candidates
+  std::vector<char> is_known_;   // by loop, whether all tasks were done for it
+  std::vector<char> is_fresh_;   // by loop, whether its sums are still to be tried
   std::vector<double> patience_; // by loop, how many more vertices than expected to cover
   std::unique_ptr<Loop_classes> classes_;
   std::vector<Candidate> candidates_;
