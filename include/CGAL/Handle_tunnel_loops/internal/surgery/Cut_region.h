@@ -136,6 +136,15 @@ public:
     return walk;
   }
 
+  /// the vertices of all borders.
+  std::vector<Index> border_vertices(const Surgery_mesh& mesh) const {
+    std::vector<Index> vertices;
+    for(const std::vector<Index>& border : borders_)
+      for(Index h : border)
+        vertices.push_back(mesh.source(h));
+    return vertices;
+  }
+
 private:
   using Sourced_halfedge = std::pair<Index, Index>;
 

@@ -254,7 +254,7 @@ private:
     for(Removal_task& task : tasks)
       if(hindered.count(task.pair) == 0)
         task.state = Removal_task::State::KEPT;
-    tasks = attempt_at(std::move(tasks), Removal_effort::OWN_LOOPS, vertex_index, face_index).tasks;
+    tasks = attempt_at(std::move(tasks), Removal_effort::ANY, vertex_index, face_index).tasks;
     return number_with(Removal_task::State::REMOVED, tasks) > 0;
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Caps_in_vain.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Divided_strip.h>
@@ -28,35 +29,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// Why a handle is not removed in some way: the later ones say more.
-struct Obstacle
-{
-  enum Kind { NO_LOOP, NO_REGION, NO_CAPS, CAPS_CROSS, SURFACE_IN_THE_WAY, SHAPE, TOPOLOGY };
-  Kind kind = NO_CAPS;
-  std::string why = "the holes cannot be triangulated";
-
-  /// keeps the one that says more.
-  void take(const Obstacle& other) {
-    if(other.kind > kind)
-      *this = other;
-  }
-};
-
-/// What was in the way of caps, all of which were looked at in vain.
-struct Caps_in_vain
-{
-  Index face_bound; ///< of the mesh then, which tells whether it has changed
-  double length;    ///< that distances were measured by
-  bool met_each_other = false;
-  std::vector<Index> met; ///< of the faces that some of them met, the first one
-};
 
 /// One way to remove a handle, prepared and checked: whole faces that are taken out, or a narrow
 /// strip along a curve, of faces divided along it; and caps that take their place.
@@ -106,24 +85,27 @@ public:
 
   // ---- in a round
 
-  /// looks for caps that may take the place of what is taken out, the best ones first. How far they
-  /// are from a wall that is closed flush at its mouths is no matter.
+  /// looks for caps that may take the place of what is taken out, the best ones first, unless it is
+  /// known that they are in vain. How far they are from a wall that is closed flush at its mouths
+  /// is no matter.
   void find_caps(const Surgery_mesh& mesh,
                  const Mesh_contacts& contacts,
                  const Shape_judge& judge,
-                 Intended_change intended) {
+                 Intended_change intended,
+                 const std::vector<Caps_in_vain>& known) {
     intended.may_be_far = are_mouths_flush(mesh);
     is_harmless = false;
     has_caps_ = false;
     obstacle_ = Obstacle();
-    former_.reset();
-    in_vain_ = {mesh.face_bound(), intended.length, false, {}};
+    in_vain_ = {out_, curve_ ? curve_->crossings() : std::vector<Edge_crossing>(), {}, intended};
+    if(is_known_to_be_in_vain(mesh, known))
+      return;
     if(intended.may_cross) {
-      if(without_crossing && !may_help(*without_crossing, mesh))
+      former_ = std::make_unique<Former_contacts>(mesh, contacts, out_);
+      if(curve_ && former_->are_none()) { // of a strip, that is known sooner than if its caps help
+        in_vain_.reset();
         return;
-      former_.emplace(mesh, contacts, out_);
-      if(former_->are_none())
-        return; // nothing new
+      }
     }
     const auto is_wanted = [&](const Patch& patch) {
       if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
@@ -139,6 +121,9 @@ public:
       for(const auto side : sides_of_membranes(intended, judge.outward()))
         if(!has_caps_)
           for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_), side, is_wanted);
+    former_.reset();
+    if(!has_caps_)
+      describe_failure(mesh);
   }
 
   bool has_caps() const { return has_caps_; }
@@ -157,11 +142,10 @@ public:
 
   const Shape_change& change() const { return change_; }
 
-  /// what was in the way of all caps, if there are none.
-  const Caps_in_vain& in_vain() const { return in_vain_; }
+  /// what was in the way of all caps, if they were looked for in vain and that was not known.
+  const std::optional<Caps_in_vain>& in_vain() const { return in_vain_; }
 
-  std::optional<Caps_in_vain> without_crossing; ///< where caps that may cross nothing were in vain
-  std::vector<Removal_task*> companions;        ///< whose handles are in the region as well
+  std::vector<Removal_task*> companions; ///< whose handles are in the region as well
   std::size_t number_inside = 0; ///< of these with all of their loops, which come first
   bool is_harmless = false;      ///< to the pieces of the surface, with all others that are so
 
@@ -193,7 +177,7 @@ private:
     return true;
   }
 
-  bool caps_meet_each_other(const Patch& patch, const Placed_patch& placed) const {
+  bool caps_meet_each_other(const Patch& patch, const Placed_patch& placed) {
     return placed.meets_itself([&](Index, Index j) {
       return former_ && former_->are_own() &&
              (!placed.is_part(j) || former_->are_of_own(patch.parents[j]));
@@ -204,20 +188,45 @@ private:
     return contacts.meets(placed, out_, [&](Index f) {
       const bool may_meet = former_ && former_->are_with(f);
       if(!may_meet)
-        in_vain_.met.push_back(f);
+        in_vain_->met.push_back(f);
       return may_meet;
     });
   }
 
+  // Whether the same caps were in vain before, and all that was in the way is there still; or such
+  // that may cross nothing were, and not because of what the surface crosses here.
+  bool is_known_to_be_in_vain(const Surgery_mesh& mesh, const std::vector<Caps_in_vain>& known) {
+    for(const Caps_in_vain& before : known) {
+      if(!before.is_like(*in_vain_) || !before.holds(mesh))
+        continue;
+      const bool is_same = before.intended.may_cross == in_vain_->intended.may_cross;
+      if(is_same) {
+        obstacle_ = before.obstacle;
+        reach_.extend(before.reach);
+      }
+      if(is_same || (!before.intended.may_cross && !may_help(before, mesh))) {
+        in_vain_.reset();
+        return true;
+      }
+    }
+    return false;
+  }
+
   // Whether any caps that were in vain may not be so if they may cross what the surface crosses
-  // here. To ask for what was in the way takes far less than to find all that is crossed.
+  // here. To ask for what was in the way takes far less than to make the caps once more.
   bool may_help(const Caps_in_vain& before, const Surgery_mesh& mesh) const {
-    if(before.face_bound != mesh.face_bound() || before.length != in_vain_.length)
-      return true; // they are others by now
     const Placed_patch placed(mesh, patch_of(mesh, out_));
     return (before.met_each_other && placed.meets_itself([](Index, Index) { return false; })) ||
            std::any_of(before.met.begin(), before.met.end(),
                        [&](Index f) { return placed.meets(placed_triangle(mesh, f)); });
+  }
+
+  void describe_failure(const Surgery_mesh& mesh) {
+    in_vain_->obstacle = obstacle_;
+    in_vain_->reach = reach_;
+    if(region_) // caps are made to fit two rings of faces around them
+      in_vain_->around = Cut_region::faces_at(
+          mesh, vertices_of(mesh, Cut_region::faces_at(mesh, region_->border_vertices(mesh))));
   }
 
   std::optional<Obstacle> obstacle_to(const Patch& patch,
@@ -229,10 +238,12 @@ private:
     reach_.extend(placed.box());
     const bool have_areas = placed.has_areas();
     if(!have_areas || caps_meet_each_other(patch, placed)) {
-      in_vain_.met_each_other |= have_areas;
+      in_vain_->met_each_other |= have_areas;
       return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
     }
     if(caps_meet_surface(placed, contacts))
+      return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
+    if(former_ && former_->are_too_many())
       return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
     const Judged_change change = judge.change(mesh, out_, patch, intended);
     const std::string why = judge.objection(change, intended);
@@ -249,10 +260,10 @@ private:
   Box<3> reach_;
   std::vector<Index> around_; // faces beyond the borders of a region
   // Of this round.
-  std::optional<Former_contacts> former_; // if caps may cross what there is
+  std::unique_ptr<Former_contacts> former_; // if caps may cross what there is
   bool has_caps_ = false;
   Obstacle obstacle_;
-  Caps_in_vain in_vain_{};
+  std::optional<Caps_in_vain> in_vain_;
   Patch patch_;
   Shape_change change_;
 };

@@ -121,6 +121,7 @@ private:
       return;
     task.state = Removal_task::State::OPEN;
     task.pair = lost.pair;
+    task.in_vain = lost.in_vain;
     task.are_types_known = task.are_first_loops = false;
   }
 

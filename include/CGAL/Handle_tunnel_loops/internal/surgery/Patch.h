@@ -294,52 +294,91 @@ private:
   std::vector<Layer> layers_;
 };
 
-/// What some faces cross. Where a surface crosses itself, what takes the place of a part of it
-/// cannot but cross what that has crossed. Where it does so all over, nothing is said to be
-/// crossed: there are no places to look for.
+/// What some faces cross, which is found as it is asked for. Where a surface crosses itself, what
+/// takes the place of a part of it cannot but cross what that has crossed.
 class Former_contacts
 {
 public:
-  /// of faces in ascending order. Near linear in their number.
+  /// of faces in ascending order.
   Former_contacts(const Surgery_mesh& mesh,
                   const Mesh_contacts& contacts,
-                  const std::vector<Index>& faces) {
-    const Placed_patch placed(mesh, patch_of(mesh, faces));
-    const std::size_t most = 1024 + 8 * faces.size();
-    const bool are_too_many = placed.meets_itself(
-                                  [&](Index i, Index j) {
-                                    own_.insert(own_.end(), {faces[i], faces[j]});
-                                    return own_.size() <= most;
-                                  },
-                                  Pair_budget::unlimited()) ||
-                              contacts.meets(
-                                  placed, faces,
-                                  [&](Index f) {
-                                    others_.push_back(f);
-                                    return others_.size() <= most;
-                                  },
-                                  Pair_budget::unlimited());
-    if(are_too_many) {
-      own_.clear();
-      others_.clear();
-    }
-    make_set(own_);
-    make_set(others_);
-  }
+                  const std::vector<Index>& faces)
+      : mesh_(mesh)
+      , contacts_(contacts)
+      , faces_(faces)
+      , placed_(mesh, patch_of(mesh, faces)) {}
 
-  bool are_none() const { return own_.empty() && others_.empty(); }
+  /// whether nothing counts as crossed.
+  bool are_none() { return are_too_many() || (others().empty() && own().empty()); }
 
   /// whether any two of the faces meet each other.
-  bool are_own() const { return !own_.empty(); }
+  bool are_own() { return !own().empty(); }
 
   /// whether one of the faces meets another one of them.
-  bool are_of_own(Index face) const { return is_in(face, own_); }
+  bool are_of_own(Index face) { return is_in(face, own()); }
 
-  /// whether any of the faces meets one that is not one of them.
-  bool are_with(Index face) const { return is_in(face, others_); }
+  /// whether any of the faces meets one of the surface that is not one of them. All are found once
+  /// that is less.
+  bool are_with(Index face) {
+    constexpr std::size_t few = 64;
+    if(++number_of_questions_ > few)
+      return is_in(face, others());
+    return placed_.meets(placed_triangle(mesh_, face));
+  }
+
+  /// whether the surface crosses itself all over here, so that there are no places to look for:
+  /// then nothing counts as crossed. Near linear in the number of faces.
+  bool are_too_many() {
+    others();
+    return are_too_many_;
+  }
 
 private:
-  std::vector<Index> own_, others_; // in ascending order
+  std::size_t most() const { return 1024 + 8 * faces_.size(); }
+
+  // None if there are too many.
+  const std::vector<Index>& own() {
+    if(!own_) {
+      own_.emplace();
+      are_too_many_ = placed_.meets_itself(
+          [&](Index i, Index j) {
+            own_->insert(own_->end(), {faces_[i], faces_[j]});
+            return own_->size() <= most();
+          },
+          Pair_budget::unlimited());
+      if(are_too_many_)
+        own_->clear();
+      make_set(*own_);
+    }
+    return *own_;
+  }
+
+  // None if there are too many, with those of the faces.
+  const std::vector<Index>& others() {
+    if(!others_) {
+      own();
+      others_.emplace();
+      are_too_many_ = are_too_many_ || contacts_.meets(
+                                           placed_, faces_,
+                                           [&](Index f) {
+                                             others_->push_back(f);
+                                             return others_->size() <= most();
+                                           },
+                                           Pair_budget::unlimited());
+      if(are_too_many_)
+        others_->clear();
+      make_set(*others_);
+    }
+    return *others_;
+  }
+
+  const Surgery_mesh& mesh_;
+  const Mesh_contacts& contacts_;
+  const std::vector<Index>& faces_;
+  const Placed_patch placed_;
+  std::optional<std::vector<Index>> own_, others_; // in ascending order, once they were asked for
+  bool are_too_many_ = false;                      // as far as they are known
+  std::size_t number_of_questions_ = 0;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

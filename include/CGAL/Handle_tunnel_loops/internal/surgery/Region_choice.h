@@ -36,9 +36,6 @@ struct Region_choice
   bool takes_both_loops() const { return style == WHOLE || style == KNOB; }
   bool is_along_curve() const { return style == STRIP || style == BORE; }
 
-  /// the same, with caps that cross nothing.
-  Region_choice without_crossing() const { return {style, loop, rings, false}; }
-
   friend bool operator==(const Region_choice& a, const Region_choice& b) {
     return a.style == b.style && a.loop == b.loop && a.rings == b.rings &&
            a.may_cross == b.may_cross;

@@ -125,11 +125,13 @@ public:
   {
     Handle_surgery* surgery;
     Intended_change intended;
+    const std::vector<Caps_in_vain>& known; ///< what was tried
   };
   std::vector<Trial> trials() {
-    std::vector<Trial> trials = {{&*surgery_, intended_change(choice(), *surgery_)}};
+    std::vector<Trial> trials = {
+        {&*surgery_, intended_change(choice(), *surgery_), *task_->in_vain}};
     if(rival_)
-      trials.push_back({&*rival_, intended_change(choices_[next_ + 1], *rival_)});
+      trials.push_back({&*rival_, intended_change(choices_[next_ + 1], *rival_), *task_->in_vain});
     return trials;
   }
 
@@ -141,7 +143,7 @@ public:
     // As the first loop has the rounder disc, it needs no more than be about as good.
     constexpr double about = 1.1;
     if(!rival_->has_caps()) {
-      in_vain_.push_back({choices_[next_ + 1], rival_->in_vain()});
+      note_failure(*rival_);
       obstacles_[choices_[next_ + 1].loop].take(rival_->obstacle());
       note_reach();
       choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(next_) + 1);
@@ -180,6 +182,8 @@ public:
   /// the present choice once more, with room for the regions that are claimed by now.
   void propose_again(const Surgery_mesh& mesh, const Region_layout& layout) {
     is_narrow_ = true;
+    if(!layout.is_free(vertices_of(mesh, Cut_region::faces_at(mesh, walks_[choice().loop]))))
+      return; // which none is without
     Rings_around rings = rings_around(layout);
     surgery_ = find_surgery(choice(), mesh, layout, rings);
   }
@@ -196,7 +200,7 @@ public:
        choices_[next_ + 1].style == Region_choice::BORE)
       ++next_; // it would be the same
     if(surgery_ && !surgery_->has_caps())
-      in_vain_.push_back({choice(), surgery_->in_vain()});
+      note_failure(*surgery_);
     drop_surgery();
     if(++next_ < choices_.size())
       return;
@@ -232,6 +236,11 @@ private:
   void drop_surgery() {
     surgery_.reset();
     rival_.reset();
+  }
+
+  void note_failure(const Handle_surgery& surgery) {
+    if(surgery.in_vain())
+      task_->in_vain->push_back(*surgery.in_vain());
   }
 
   void note_reach() {
@@ -303,14 +312,8 @@ private:
                                              const Surgery_mesh& mesh,
                                              const Region_layout& layout,
                                              Rings_around& rings) const {
-    std::optional<Handle_surgery> surgery =
-        layout.surgery(choice, choice.is_along_curve() ? curve(choice.loop, mesh) : std::nullopt,
-                       walks_, reserved_, rings);
-    if(surgery && choice.may_cross)
-      for(const auto& [other, in_vain] : in_vain_)
-        if(other == choice.without_crossing())
-          surgery->without_crossing = in_vain;
-    return surgery;
+    return layout.surgery(choice, choice.is_along_curve() ? curve(choice.loop, mesh) : std::nullopt,
+                          walks_, reserved_, rings);
   }
 
   Rings_around rings_around(const Region_layout& layout) const {
@@ -359,7 +362,6 @@ private:
   std::vector<char> is_damaged_;    // by choice, also if it could be led around
   std::vector<char> separates_;     // by choice
   std::vector<Obstacle> obstacles_; // by choice, what says most
-  std::vector<std::pair<Region_choice, Caps_in_vain>> in_vain_; // what was tried
   std::size_t next_ = 0;
   std::vector<Index> reserved_; // in ascending order
   std::optional<Handle_surgery> surgery_;

@@ -23,15 +23,16 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Which loops handles are removed along.
+/// How far it is tried to remove handles.
 enum class Removal_effort {
-  OWN_LOOPS, ///< those that they have, led around where others were removed
-  ALL_LOOPS  ///< at last others, which are found on the surface as it is by then
+  ANY,      ///< until some are, along the loops that they have
+  ALL_LOOPS ///< as far as can be, at last along loops that are found on the surface as it is by
+            ///< then
 };
 
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
-/// none is open at the end. With \p force, also where that is no repair. \p ask is told what part
-/// is done, and throws to stop.
+/// none is open at the end, unless it is enough to remove any. With \p force, also where that is no
+/// repair. \p ask is told what part is done, and throws to stop.
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,

@@ -62,7 +62,9 @@ public:
       , pieces_(execution, mesh, judge_.outward()) {}
 
   /// \p ask is called again and again, and throws to stop.
-  void operator()(std::vector<Removal_task>& tasks, const std::function<void()>& ask) {
+  void operator()(std::vector<Removal_task>& tasks,
+                  const std::function<void()>& ask,
+                  bool is_any_enough = false) {
     start(tasks);
     for(;; ask()) {
       const std::size_t now = changes_.size();
@@ -78,6 +80,8 @@ public:
       for(Removal_candidate* candidate : chosen)
         carry_out(*candidate);
       note_time(now);
+      if(is_any_enough && !put_in_.empty())
+        return;
     }
   }
 
@@ -223,7 +227,8 @@ private:
     for_each_index(
         execution_, trials.size(),
         [&](std::size_t i) {
-          trials[i].surgery->find_caps(mesh_, meet_mesh_, judge_, trials[i].intended);
+          trials[i].surgery->find_caps(mesh_, meet_mesh_, judge_, trials[i].intended,
+                                       trials[i].known);
         },
         1);
     for(Removal_candidate* candidate : chosen)
@@ -397,12 +402,14 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
   const auto ask_now = [&] {
     ask(double(number_with(State::REMOVED, tasks)) / double(tasks.size()));
   };
+  for(Removal_task& task : tasks)
+    task.forget_what_is_not_of(mesh);
   Removal_rounds remove(execution, mesh, force);
   for(;;) {
     const std::size_t before = number_with(State::REMOVED, tasks);
-    remove(tasks, ask_now);
-    if(effort == Removal_effort::OWN_LOOPS)
-      break;
+    remove(tasks, ask_now, effort == Removal_effort::ANY);
+    if(effort == Removal_effort::ANY)
+      return;
     remove_along_loops_nearby(execution, remove, mesh, tasks, ask_now);
     if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
       break;

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Caps_in_vain.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -108,6 +110,18 @@ struct Removal_task
   State state = State::OPEN;
   bool is_done() const { return state != State::OPEN; }
   bool has_failed() const { return state == State::REFUSED || state == State::DAMAGED; }
+
+  /// what was tried with it: of the same handle, also as another task or on another copy of the
+  /// surface.
+  std::shared_ptr<std::vector<Caps_in_vain>> in_vain =
+      std::make_shared<std::vector<Caps_in_vain>>();
+
+  /// of another copy, that which was changed there is not known here.
+  void forget_what_is_not_of(const Surgery_mesh& mesh) {
+    in_vain->erase(std::remove_if(in_vain->begin(), in_vain->end(),
+                                  [&](const Caps_in_vain& tried) { return !tried.holds(mesh); }),
+                   in_vain->end());
+  }
 
   // Of a handle that could not be removed.
   std::vector<std::string> reasons; ///< by choice, why not along this one
