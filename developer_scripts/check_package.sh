@@ -86,7 +86,7 @@ check_headers() {
 check_header_code() {
   local words='std::(cerr|cout)|(assert|abort|exit)\(|std::(min|max)(<\w+>)?\(' line
   words+='|boost::(optional|variant)\b'
-  words+='|numeric_limits<\w+>::(min|max)\(|\b(near|far|small)( = |;$|\[|\.[a-z])'
+  words+='|numeric_limits<\w+>::(min|max)\(|\b(near|far|small)( = |;$|\[|\.[a-z]|[,)] \{$)'
   files 'include/*.h' |
     xargs -r grep -nP "^(?!\s*(//|\*)).*\b($words)|^using namespace|^#pragma once" |
     while read -r line; do complain "$line: not in a header"; done

@@ -41,7 +41,8 @@ public:
 
   std::string_view content() const { return *content_; }
 
-  /// forgets the content, which takes twice the memory of the mesh that is in it.
+  /// forgets the content, which cannot be asked for any more. It takes twice the memory of the mesh
+  /// in it.
   void close() { content_.reset(); }
 
 private:

@@ -40,11 +40,15 @@ std::vector<Crossing_loop> loops_with_turns(const Flat_mesh& mesh, std::size_t t
   return {taut(mesh, along), taut(mesh, across)};
 }
 
-std::vector<Crossing_loop>
-sums_of_second(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops, bool is_wanted) {
+std::vector<Crossing_loop> sums_of_second(const Flat_mesh& mesh,
+                                          const std::vector<Crossing_loop>& loops,
+                                          bool is_wanted,
+                                          double work = 1e6) {
   const Crossing_index index(mesh, loops);
   const std::vector<double> lengths = {length(mesh, loops[0]), length(mesh, loops[1])};
-  return Neighbor_sums({}, mesh, loops, index, lengths).of(1, [=](Index) { return is_wanted; });
+  return Neighbor_sums({}, mesh, loops, index, lengths).of(1, work, [=](Index) {
+    return is_wanted;
+  });
 }
 
 TEST(Neighbor_sums, TakeOutATurn) {
@@ -58,6 +62,7 @@ TEST(Neighbor_sums, TakeOutATurn) {
   ASSERT_EQ(sums.size(), 1);
   EXPECT_NEAR(length(mesh, sums[0]) / length(mesh, straight[1]), 1., 1e-3);
   EXPECT_TRUE(sums_of_second(mesh, wound, false).empty());
+  EXPECT_TRUE(sums_of_second(mesh, wound, true, 0.).empty());
   EXPECT_TRUE(sums_of_second(mesh, straight, true).empty());
 }
 

@@ -3,14 +3,17 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Bore_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Caps_in_vain.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Collar.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Divided_strip.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_surgery.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
@@ -32,6 +35,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -372,6 +376,86 @@ TEST(Surgery, FindsContactsOfTriangles) {
   }
   EXPECT_GT(number[0], 1000u);
   EXPECT_GT(number[1], 1000u);
+}
+
+// Puts the same face into the place of one, which is gone then.
+void renew(Surgery_mesh& mesh, Index f) {
+  const Surgery_mesh::Face corners = mesh.corners(f);
+  mesh.replace({f}, {corners});
+}
+
+// ... by the numbers of faces.
+impl::Caps_in_vain tried_with(Index out, Index around, Index met) {
+  impl::Caps_in_vain tried{{out}, {}, {around}, {true, true, 1.}};
+  tried.met = {met};
+  return tried;
+}
+
+TEST(Caps_in_vain, HoldAsLongAsAllFacesThatSaySoAreThere) {
+  Mesh input = mesh_of(recipe("torus", 200, 1));
+  const Surgery_mesh before = surgery_mesh_of(input);
+  const impl::Caps_in_vain tried = tried_with(1, 3, 5);
+  EXPECT_TRUE(tried.holds(before));
+  for(Index f = 0; f < 8; ++f) {
+    Surgery_mesh mesh = before;
+    renew(mesh, f);
+    EXPECT_EQ(tried.holds(mesh), f != 1 && f != 3 && f != 5) << f;
+  }
+}
+
+// What came after a copy was made is known to that copy by its number only, which may be taken.
+TEST(Caps_in_vain, AreForgottenWhereTheirFacesNeverWere) {
+  Mesh input = mesh_of(recipe("torus", 200, 1));
+  const Surgery_mesh before = surgery_mesh_of(input);
+  Surgery_mesh changed = before;
+  renew(changed, 7);
+  const Index late = changed.face_bound() - 1;
+  impl::Removal_task task;
+  *task.in_vain = {tried_with(late, 3, 5), tried_with(1, late, 5), tried_with(1, 3, late),
+                   tried_with(1, 3, 5)};
+  impl::Removal_task other = task;
+  other.forget_what_is_not_of(changed);
+  EXPECT_EQ(task.in_vain->size(), 4u);
+  other.forget_what_is_not_of(before);
+  ASSERT_EQ(task.in_vain->size(), 1u);
+  EXPECT_EQ(task.in_vain->front().met, std::vector<Index>(1, 5));
+}
+
+TEST(Caps_in_vain, AreNotMadeAgainUntilSomethingIsOutOfTheirWay) {
+  const Surface_with_walks surface(recipe("chain", 2000, 2));
+  const impl::Shape_judge judge(surface.mesh, false);
+  std::size_t number = 0;
+  for(const Closed_walk& walk : surface.walks) {
+    const std::optional<Cut_region> strip = Cut_region::around(surface.mesh, walk);
+    ASSERT_TRUE(strip);
+    const double length = impl::length(surface.mesh, walk);
+    impl::Handle_surgery surgery(surface.mesh, *strip);
+    const auto look_for_caps = [&](const Surgery_mesh& mesh, double longest,
+                                   const std::vector<impl::Caps_in_vain>& known) {
+      impl::Mesh_contacts contacts(mesh);
+      contacts.update(impl::Execution());
+      surgery.find_caps(mesh, contacts, judge, {true, true, longest}, known);
+    };
+    look_for_caps(surface.mesh, length, {});
+    if(surgery.has_caps())
+      continue;
+    ASSERT_TRUE(surgery.in_vain());
+    if(surgery.in_vain()->met.empty())
+      continue;
+    ++number;
+    const impl::Caps_in_vain tried = *surgery.in_vain();
+    const std::string why = surgery.obstacle().why;
+    look_for_caps(surface.mesh, length, {tried});
+    EXPECT_FALSE(surgery.has_caps() || surgery.in_vain());
+    EXPECT_EQ(surgery.obstacle().why, why);
+    look_for_caps(surface.mesh, 2. * length, {tried}); // that is another wish
+    EXPECT_TRUE(surgery.has_caps() || surgery.in_vain());
+    Surgery_mesh changed = surface.mesh;
+    renew(changed, tried.met.front());
+    look_for_caps(changed, length, {tried});
+    EXPECT_TRUE(surgery.has_caps() || surgery.in_vain());
+  }
+  EXPECT_GT(number, 0u);
 }
 
 // Pieces of memory, so that what is allocated later is in an order of its own.

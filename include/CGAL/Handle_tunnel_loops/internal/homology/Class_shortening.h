@@ -132,8 +132,8 @@ private:
   static constexpr double part_for_small_cells = 0.1; // of visits, at most
   static constexpr double around_tube = 4.; // the longest loop that cells may be made for, over it
   static constexpr double much_longer = 2.; // than others
-  static constexpr double part_for_long_ones = 0.25;
-  static constexpr int most_sweeps = 10, most_searches_for_sums = 2;
+  static constexpr double part_for_long_ones = 0.25, part_after_sums = 0.1;
+  static constexpr double crossings_for_visit = 32.; // at most, on sums
 
   bool is_small() const { return double(mesh_.number_of_vertices()) <= few_vertices; }
 
@@ -203,16 +203,27 @@ private:
     return is_any_open();
   }
 
-  // Sums of loops, and searches for those that have taken the place of others.
+  // Sums of loops, a search for those that have taken the place of others, and sums of these.
   void take_sums() {
-    for(int search = 0; search <= most_searches_for_sums; ++search) {
-      const double before = total_length();
-      std::fill(is_open_.begin(), is_open_.end(), 0);
-      for(int sweep = 0; sweep < most_sweeps && find_sums(); ++sweep)
-        exchange();
-      if(!(total_length() < hardly_shorter * before))
+    work_for_sums_.assign(loops_->size(), crossings_for_visit * visits() / double(loops_->size()));
+    const double before = total_length();
+    std::fill(is_open_.begin(), is_open_.end(), 0);
+    sweep_sums();
+    if(total_length() < hardly_shorter * before) {
+      repeat(part_after_sums * visits());
+      sweep_sums();
+    }
+  }
+
+  // As long as it pays.
+  void sweep_sums() {
+    for(double before = (std::numeric_limits<double>::max)();
+        total_length() < hardly_shorter * before && progress_.time().is_any_left();)
+    {
+      before = total_length();
+      if(!find_sums())
         return;
-      repeat(visits());
+      exchange();
     }
   }
 
@@ -478,12 +489,12 @@ private:
     return !candidates_.empty();
   }
 
-  std::vector<Candidate> sums(Index i) const {
+  std::vector<Candidate> sums(Index i) {
     std::vector<Candidate> candidates;
     if(!is_to_be_shortened(i))
       return candidates;
     Neighbor_sums sums(execution_, mesh_, *loops_, classes_->index(), lengths_);
-    for(Crossing_loop& loop : sums.of(i, [&](Index j) {
+    for(Crossing_loop& loop : sums.of(i, work_for_sums_[i], [&](Index j) {
           const bool is_same_kind = i % 2 == j % 2 && (*is_pure_)[j / 2];
           return (is_fresh_[i] || is_fresh_[j]) && (is_same_kind || !are_pairs_kept_);
         }))
@@ -618,10 +629,11 @@ private:
   double overestimate_ = 1.;      // visits planned over visits needed, in the last round
   std::vector<double> lengths_;
   std::vector<Index> sources_;
-  std::vector<char> is_open_;    // by loop, whether to look for candidates
-  std::vector<char> is_known_;   // by loop, whether all tasks were done for it
-  std::vector<char> is_fresh_;   // by loop, whether its sums are still to be tried
-  std::vector<double> patience_; // by loop, how many more vertices than expected to cover
+  std::vector<char> is_open_;         // by loop, whether to look for candidates
+  std::vector<char> is_known_;        // by loop, whether all tasks were done for it
+  std::vector<char> is_fresh_;        // by loop, whether its sums are still to be tried
+  std::vector<double> work_for_sums_; // by loop, what is left, in crossings
+  std::vector<double> patience_;      // by loop, how many more vertices than expected to cover
   std::unique_ptr<Loop_classes> classes_;
   std::vector<Candidate> candidates_;
 };

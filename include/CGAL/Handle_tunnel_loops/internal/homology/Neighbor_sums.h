@@ -18,10 +18,13 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -47,15 +50,19 @@ public:
       , lengths_(lengths)
       , shorter_sum_(execution, mesh) {}
 
-  /// the sums of loop `i` with loops that are no longer and of which \p is_wanted.
-  template <typename Predicate> std::vector<Crossing_loop> of(Index i, const Predicate& is_wanted) {
+  /// the sums of loop `i` with loops that are no longer and of which \p is_wanted, as far as the
+  /// work, in crossings, goes, from which what they take is subtracted.
+  template <typename Predicate>
+  std::vector<Crossing_loop> of(Index i, double& work, const Predicate& is_wanted) {
     std::vector<Crossing_loop> sums;
     for(const Neighbor& n : neighbors(i, is_wanted)) {
+      if(work <= 0.)
+        break;
       const double gain =
           (std::max)(part_of_loop * lengths_[i], part_of_neighbor * lengths_[n.loop]);
       for(const bool forward : {true, false})
-        if(std::optional<Crossing_loop> sum =
-               shorter_sum_.find(loops_[i], loops_[n.loop], n.common, forward, lengths_[i] - gain))
+        if(std::optional<Crossing_loop> sum = shorter_sum_.find(loops_[i], loops_[n.loop], n.common,
+                                                                forward, lengths_[i] - gain, work))
           sums.push_back(std::move(*sum));
     }
     return sums;
@@ -80,6 +87,8 @@ private:
     for(std::size_t at = 0; at < loops_[i].size(); ++at)
       for(const Crossing_end end : {&Crossing::left, &Crossing::right}) {
         const Index v = loops_[i][at].*end;
+        if(at > 0 && loops_[i][at - 1].*end == v)
+          continue;
         for(Index e = index_.begins()[v]; e != index_.begins()[v + 1]; ++e) {
           const Crossing_entry& entry = index_.entries()[e];
           if(entry.loop == i || lengths_[entry.loop] > lengths_[i] || !is_wanted(entry.loop))
@@ -104,6 +113,7 @@ private:
     const Crossing_end other_end = entry.sign == 1 ? &Crossing::left : &Crossing::right;
     const auto place = std::find_if(other.begin(), other.end(),
                                     [&](const Crossing& c) { return c.*other_end == v; });
+    CGAL_assertion(place != other.end());
     return {at, static_cast<std::size_t>(place - other.begin()), end, other_end};
   }
 

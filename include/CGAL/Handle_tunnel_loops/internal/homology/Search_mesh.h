@@ -338,11 +338,12 @@ public:
       for(const auto& step : coarsening.steps(node)) {
         add_step(step.head, step.length);
         coarsening.append_walk(step, walks_);
-        if(finer.has_walks())
+        if(finer.has_walks()) {
           coarsening.for_each_part(step, [this](Index part, int sign) {
             parts_.push_back({part, sign});
           });
-        parts_end_.push_back(parts_.size());
+          parts_end_.push_back(parts_.size());
+        }
       }
     }
     take_steps();

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -45,14 +46,30 @@ public:
                                     const Common_vertex& common,
                                     bool forward,
                                     double threshold) {
+    double unlimited = std::numeric_limits<double>::infinity();
+    return find(a, b, common, forward, threshold, unlimited);
+  }
+
+  /// the same, unless to find out takes more than what is left of the work, in crossings. What it
+  /// takes at least is subtracted.
+  std::optional<Crossing_loop> find(const Crossing_loop& a,
+                                    const Crossing_loop& b,
+                                    const Common_vertex& common,
+                                    bool forward,
+                                    double threshold,
+                                    double& work) {
     Crossing_loop sum = pushed_left(mesh_, joined(a, b, common, forward));
-    if(sum.empty() || !becomes_shorter(sum, threshold))
+    const bool is_around_hub = sum.size() > most_growth * (a.size() + b.size());
+    work -= is_around_hub ? double(sum.size()) : double(least_rounds) * double(sum.size());
+    if(sum.empty() || is_around_hub || work < 0. || !becomes_shorter(sum, threshold))
       return std::nullopt;
     tightening_.tighten(sum);
     return sum;
   }
 
 private:
+  static constexpr std::size_t least_rounds = 8, most_growth = 4;
+
   // As a walk along their ends.
   static std::vector<Index> joined(const Crossing_loop& a,
                                    const Crossing_loop& b,
@@ -74,7 +91,7 @@ private:
     const double first = length(mesh_, loop);
     const std::size_t most_work = tightening_.share_of_work();
     const std::size_t rounds =
-        (std::max)(std::size_t(8), (std::min)(loop.size() / 64, most_work / loop.size()));
+        (std::max)(least_rounds, (std::min)(loop.size() / 64, most_work / loop.size()));
     double before = first, most_left = 1.5;
     for(std::size_t work = 0; work < most_work; work += rounds * loop.size()) {
       tightening_.tighten(loop, rounds);

@@ -97,6 +97,7 @@ public:
     is_harmless = false;
     has_caps_ = false;
     obstacle_ = Obstacle();
+    former_.reset();
     in_vain_ = {out_, curve_ ? curve_->crossings() : std::vector<Edge_crossing>(), {}, intended};
     if(is_known_to_be_in_vain(mesh, known))
       return;
@@ -121,9 +122,11 @@ public:
       for(const auto side : sides_of_membranes(intended, judge.outward()))
         if(!has_caps_)
           for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_), side, is_wanted);
-    former_.reset();
-    if(!has_caps_)
+    if(has_caps_)
+      in_vain_.reset();
+    else
       describe_failure(mesh);
+    former_.reset();
   }
 
   bool has_caps() const { return has_caps_; }
@@ -146,8 +149,8 @@ public:
   const std::optional<Caps_in_vain>& in_vain() const { return in_vain_; }
 
   std::vector<Removal_task*> companions; ///< whose handles are in the region as well
-  std::size_t number_inside = 0; ///< of these with all of their loops, which come first
-  bool is_harmless = false;      ///< to the pieces of the surface, with all others that are so
+  std::size_t number_inside = 0;         ///< of these with all of their loops, which come first
+  bool is_harmless = false; ///< to the pieces of the surface, with all others that are so
 
 private:
   static Box<3> box_of(const Surgery_mesh& mesh, const std::vector<Index>& faces) {
@@ -221,7 +224,10 @@ private:
                        [&](Index f) { return placed.meets(placed_triangle(mesh, f)); });
   }
 
+  // Where the surface crosses itself all over there is no face that tells.
   void describe_failure(const Surgery_mesh& mesh) {
+    if(former_ && former_->are_too_many())
+      return in_vain_.reset();
     in_vain_->obstacle = obstacle_;
     in_vain_->reach = reach_;
     if(region_) // caps are made to fit two rings of faces around them
@@ -241,9 +247,7 @@ private:
       in_vain_->met_each_other |= have_areas;
       return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
     }
-    if(caps_meet_surface(placed, contacts))
-      return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
-    if(former_ && former_->are_too_many())
+    if(caps_meet_surface(placed, contacts) || (former_ && former_->are_too_many()))
       return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
     const Judged_change change = judge.change(mesh, out_, patch, intended);
     const std::string why = judge.objection(change, intended);

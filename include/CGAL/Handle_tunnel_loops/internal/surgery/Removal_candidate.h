@@ -148,6 +148,7 @@ public:
       note_reach();
       choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(next_) + 1);
     } else if(!surgery_->has_caps() || about * volume(*rival_) < volume(*surgery_)) {
+      note_failure(*surgery_);
       std::swap(choices_[next_], choices_[next_ + 1]);
       std::swap(surgery_, rival_);
     }
