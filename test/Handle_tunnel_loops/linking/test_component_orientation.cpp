@@ -44,9 +44,11 @@ std::vector<int> sides(const Soup& soup) {
       mesh, point, [&](Mesh::Face_index f) { return component[f]; }, n);
   const auto points = boost::make_function_property_map<Index>(
       [&](Index v) { return mesh.point(Mesh::Vertex_index(v)); });
+  const Flat_graph graph(flat);
   const std::vector<int> by_rings = outward(
-      Flat_graph(flat), points,
+      graph, points,
       [&](Flat_graph::Halfedge h) {
+        EXPECT_TRUE(Flat_graph::is_face(h, graph));
         return component[face(halfedge(Mesh::Vertex_index(h.source), mesh), mesh)];
       },
       n);

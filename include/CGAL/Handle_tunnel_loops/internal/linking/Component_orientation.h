@@ -84,8 +84,8 @@ class Component_orientation
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
 public:
-  /// \p component maps a face, or any halfedge of a `Flat_graph`, to the number of its component.
-  /// What is asked for later are components with `is_wanted`. Those with `has_boundary` have caps.
+  /// \p component maps a face to the number of its component. What is asked for later are
+  /// components with `is_wanted`. Those with `has_boundary` have caps.
   Component_orientation(Execution execution,
                         const TriangleMesh& tm,
                         VertexPointMap point,
@@ -241,7 +241,7 @@ private:
       add_up(
           execution, parts_of(vertices(tm_)),
           [this](Index v) {
-            return component_(Flat_graph::Halfedge{v, 0});
+            return parts_.size() == 1 ? 0 : component_(face(Flat_graph::Halfedge{v, 0}, tm_));
           },
           &Part::volume,
           [&](Volume& volume, std::size_t component, Index v) {
