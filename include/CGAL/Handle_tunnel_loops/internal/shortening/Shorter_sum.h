@@ -18,8 +18,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -46,11 +46,11 @@ public:
                                     const Common_vertex& common,
                                     bool forward,
                                     double threshold) {
-    double unlimited = std::numeric_limits<double>::infinity();
-    return find(a, b, common, forward, threshold, unlimited);
+    return shorter(pushed_left(mesh_, joined(a, b, common, forward)), threshold);
   }
 
-  /// the same, unless to find out takes more than what is left of the work, in crossings. What it
+  /// the same, unless the sum is led around a hub, so that it crosses many times as many edges as
+  /// both loops, or to find out takes more than what is left of the work, in crossings. What it
   /// takes at least is subtracted.
   std::optional<Crossing_loop> find(const Crossing_loop& a,
                                     const Crossing_loop& b,
@@ -61,14 +61,18 @@ public:
     Crossing_loop sum = pushed_left(mesh_, joined(a, b, common, forward));
     const bool is_around_hub = sum.size() > most_growth * (a.size() + b.size());
     work -= is_around_hub ? double(sum.size()) : double(least_rounds) * double(sum.size());
-    if(sum.empty() || is_around_hub || work < 0. || !becomes_shorter(sum, threshold))
-      return std::nullopt;
-    tightening_.tighten(sum);
-    return sum;
+    return is_around_hub || work < 0. ? std::nullopt : shorter(std::move(sum), threshold);
   }
 
 private:
   static constexpr std::size_t least_rounds = 8, most_growth = 4;
+
+  std::optional<Crossing_loop> shorter(Crossing_loop sum, double threshold) {
+    if(sum.empty() || !becomes_shorter(sum, threshold))
+      return std::nullopt;
+    tightening_.tighten(sum);
+    return sum;
+  }
 
   // As a walk along their ends.
   static std::vector<Index> joined(const Crossing_loop& a,
