@@ -13,13 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Largest_distance.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,17 +31,11 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// Measures one change.
 class Shape_measure
 {
-  using Kernel = Simple_cartesian<double>;
-  using Point = Kernel::Point_3;
-  using Triangles = std::vector<Kernel::Triangle_3>;
+  using Kernel = Largest_distance::Kernel;
+  using Point = Largest_distance::Point;
+  using Triangles = Largest_distance::Triangles;
 
 public:
-  /// Distances are measured up to a tolerance; above the limit, one that is above it is enough.
-  struct Accuracy
-  {
-    double tolerance, limit;
-  };
-
   Shape_measure(const Surgery_mesh& mesh, const std::vector<Index>& out, const Patch& patch)
       : mesh_(mesh)
       , out_(out)
@@ -76,18 +66,16 @@ public:
   }
 
   /// how far caps are from the surface that they take the place of.
-  double displacement(const Accuracy& accuracy) const {
+  double displacement(const Largest_distance::Accuracy& accuracy) const {
     Triangles old;
     for(Index f : out_)
       add(triangle(f), old);
-    Tree tree(old.begin(), old.end());
-    tree.custom_build(tree.traits().compute_bbox_object(), Halves_by_centers());
-    return largest_distance(caps(), old, tree, accuracy);
+    return Largest_distance(std::move(old), accuracy).from(caps());
   }
 
   /// how far faces at vertices that are taken out are above the caps; \p outward is which side that
   /// is. What is below is buried in the solid.
-  double burial(double outward, const Accuracy& accuracy) const {
+  double burial(double outward, const Largest_distance::Accuracy& accuracy) const {
     std::vector<Index> left;
     for(const Surgery_mesh::Face& f : patch_.faces)
       for(Index v : f)
@@ -100,13 +88,7 @@ public:
       if(!std::all_of(corners.begin(), corners.end(), [&](Index v) { return is_in(v, left); }))
         add(triangle(f), gone);
     }
-    const Triangles caps = this->caps();
-    Tree tree(caps.begin(), caps.end());
-    tree.build();
-    return largest_distance(std::move(gone), caps, tree, accuracy,
-                            [&](const Point& p, const Point& q, const Vector& n) {
-                              return outward * ((p - q) * n) > 0.;
-                            });
+    return Largest_distance(caps(), accuracy).above(outward, std::move(gone));
   }
 
   Box<3> box_of_caps() const {
@@ -139,87 +121,6 @@ private:
     for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
       add(triangle(patch_.faces[i]), caps);
     return caps;
-  }
-
-  using Tree =
-      AABB_tree<AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
-
-  // Halves triangles where their centers extend farthest: the halves of the wall of a bore by their
-  // own extents, or by their corners, are as long as it, and go all around.
-  struct Halves_by_centers
-  {
-    template <typename Iterator, typename Box_3>
-    void operator()(Iterator begin, Iterator end, const Box_3&) const {
-      Box<3> centers = Box<3>::empty();
-      for(Iterator i = begin; i != end; ++i)
-        centers.extend({center(*i), center(*i)});
-      std::size_t axis = 0;
-      for(std::size_t d = 1; d < 3; ++d)
-        if(centers.high[d] - centers.low[d] > centers.high[axis] - centers.low[axis])
-          axis = d;
-      std::nth_element(begin, begin + (end - begin) / 2, end, [axis](const auto& s, const auto& t) {
-        return center(s)[axis] < center(t)[axis];
-      });
-    }
-
-    template <typename Primitive> static std::array<double, 3> center(const Primitive& p) {
-      const Point c = CGAL::centroid(*p.id());
-      return {c.x(), c.y(), c.z()};
-    }
-  };
-
-  static bool counts_always(const Point&, const Point&, const Vector&) { return true; }
-
-  // From some triangles to others. Points count, given the nearest point, and the normal there.
-  // What may be further away than is known is divided: where no point is further from its centre
-  // than the radius; nor any point further from one of the others than the corners, as distances
-  // from a triangle are convex.
-  template <typename Predicate = bool (*)(const Point&, const Point&, const Vector&)>
-  static double largest_distance(Triangles from,
-                                 const Triangles& to,
-                                 const Tree& tree,
-                                 const Accuracy& accuracy,
-                                 const Predicate& counts = counts_always) {
-    if(to.empty())
-      return 0.;
-    double most = 0.;
-    auto nearest = std::make_pair(to.front()[0], to.begin());
-    while(!from.empty() && most <= accuracy.limit) {
-      const Kernel::Triangle_3 t = from.back();
-      from.pop_back();
-      const double enough = most + accuracy.tolerance;
-      if(distance_of_corners(t, *nearest.second) <= enough)
-        continue;
-      const Point center = CGAL::centroid(t);
-      nearest = tree.closest_point_and_primitive(center, nearest);
-      const double distance = std::sqrt(CGAL::squared_distance(center, nearest.first)),
-                   radius = radius_around(center, t);
-      const bool does_count = counts(center, nearest.first, normal(*nearest.second));
-      if(does_count)
-        most = (std::max)(most, distance);
-      if(radius > accuracy.tolerance && (does_count ? distance : -distance) + radius > enough &&
-         distance_of_corners(t, *nearest.second) > enough)
-        divide(t, from);
-    }
-    return most;
-  }
-
-  static double radius_around(const Point& center, const Kernel::Triangle_3& t) {
-    return std::sqrt(
-        (std::max)({CGAL::squared_distance(center, t[0]), CGAL::squared_distance(center, t[1]),
-                    CGAL::squared_distance(center, t[2])}));
-  }
-
-  static double distance_of_corners(const Kernel::Triangle_3& t, const Kernel::Triangle_3& other) {
-    return std::sqrt(
-        (std::max)({CGAL::squared_distance(t[0], other), CGAL::squared_distance(t[1], other),
-                    CGAL::squared_distance(t[2], other)}));
-  }
-
-  static void divide(const Kernel::Triangle_3& t, Triangles& parts) {
-    const Point a = CGAL::midpoint(t[1], t[2]), b = CGAL::midpoint(t[2], t[0]),
-                c = CGAL::midpoint(t[0], t[1]);
-    parts.insert(parts.end(), {{t[0], c, b}, {c, t[1], a}, {b, a, t[2]}, {a, b, c}});
   }
 
   // A side of a face of the patch.
@@ -287,10 +188,9 @@ private:
     largest = (std::max)(largest, fold);
   }
 
-  static Vector normal(const Kernel::Triangle_3& t) {
-    return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+  Vector normal(std::size_t face) const {
+    return Largest_distance::normal(triangle(patch_.faces[face]));
   }
-  Vector normal(std::size_t face) const { return normal(triangle(patch_.faces[face])); }
 
   // In degrees.
   static double fold(const Vector& m, const Vector& n) {
@@ -342,7 +242,7 @@ CGAL_HTL_CORE Judged_change Shape_judge::change(const Surgery_mesh& mesh,
     change.box_growth =
         (std::max)({change.box_growth, box_.low[i] - caps.low[i], caps.high[i] - box_.high[i]});
   constexpr double tolerance = 0.02; // in lengths of the loop
-  const Shape_measure::Accuracy accuracy{tolerance * intended.length, most_distance(intended)};
+  const Largest_distance::Accuracy accuracy{tolerance * intended.length, most_distance(intended)};
   if(objection(change, intended).empty())
     change.displacement = measure.displacement(accuracy);
   if(objection(change, intended).empty())
