@@ -197,7 +197,7 @@ TEST(Placed_boxes, ends_soon_after_what_is_looked_for) {
   std::size_t number_asked = 0;
   const auto count = [&](std::size_t wanted) {
     number_asked = 0;
-    return row.any_meeting(row, box, box, [&](internal::Index i, internal::Index j) {
+    return row.any_meeting(row, box, box, [&](internal::Index i, internal::Index j, std::size_t) {
       ++number_asked;
       return i + 1 == j && (wanted == n || i == wanted);
     });

@@ -128,7 +128,7 @@ public:
     return placed_boxes().any_meeting(
         other.placed_boxes(), [this](Index i) { return boxes_[i]; },
         [&](Index j) { return other.boxes_[j]; },
-        [&](Index i, Index j) {
+        [&](Index i, Index j, std::size_t) {
           return meets(i, other.triangles_[j]) && !(is_part(i) && other.is_part(j));
         });
   }
@@ -155,14 +155,17 @@ public:
       return i > j && !is_part(i) && are_in_contact(triangles_[i], triangles_[j]) &&
              !may_meet(i, j);
     };
-    const bool is_found = placed.any_meeting(
-        placed, box, box, [&](Index i, Index j) { return budget.is_spent() || meet(i, j); });
+    const auto is_over_or_meet = [&](Index i, Index j, std::size_t done) {
+      return budget.is_spent(done) || meet(i, j);
+    };
+    const bool is_found = placed.any_meeting(placed, box, box, is_over_or_meet);
     if(!budget.is_over())
       return is_found;
     if(const auto pairs = near_pairs(triangles_))
       return std::any_of(pairs->begin(), pairs->end(),
                          [&](const auto& pair) { return meet(pair.first, pair.second); });
-    return placed.any_meeting(placed, box, box, meet);
+    budget = Pair_budget::unlimited();
+    return placed.any_meeting(placed, box, box, is_over_or_meet);
   }
 
   /// whether a triangle is part of a face of the mesh.
@@ -243,22 +246,24 @@ private:
     const auto box = [&](Index i) { return this->box(layer.begin + i); };
     const auto box_of_patch = [&](Index t) { return patch.box(t); };
     std::optional<std::vector<Index>> faces;
+    const auto is_over_or_holds = [&](Index i, Index t, std::size_t done) {
+      if(budget.is_spent(done)) {
+        if(faces)
+          return true;
+        faces = layer.boxes.meeting(patch.box(), box);
+        budget.extend(faces->size());
+      }
+      return f(i, t);
+    };
     const bool is_found =
-        layer.boxes.any_meeting(boxes_of_patch, box, box_of_patch, [&](Index i, Index t) {
-          if(budget.is_spent()) {
-            if(faces)
-              return true;
-            faces = layer.boxes.meeting(patch.box(), box);
-            budget.extend(faces->size());
-          }
-          return f(i, t);
-        });
+        layer.boxes.any_meeting(boxes_of_patch, box, box_of_patch, is_over_or_holds);
     if(!budget.is_over())
       return is_found;
     if(const auto pairs = pairs_near(layer, *faces, patch))
       return std::any_of(pairs->begin(), pairs->end(),
                          [&](const auto& pair) { return f(pair.first, pair.second); });
-    return layer.boxes.any_meeting(boxes_of_patch, box, box_of_patch, f);
+    budget = Pair_budget::unlimited();
+    return layer.boxes.any_meeting(boxes_of_patch, box, box_of_patch, is_over_or_holds);
   }
 
   std::optional<std::vector<std::pair<Index, Index>>>

@@ -45,23 +45,26 @@ Contact_search contact_search(Execution execution, std::size_t n, const Triangle
 }
 
 /// How many pairs of triangles are looked at because their boxes meet, before a closer look at the
-/// triangles is cheaper.
+/// triangles is cheaper: it takes as long as some pairs of each of them. Spent is the budget when
+/// it would not do for the rest, if that goes on as what is done.
 class Pair_budget
 {
 public:
-  /// of so many triangles.
+  /// of so many triangles, of which each is done after the other.
   explicit Pair_budget(std::size_t number_of_triangles)
-      : most_(static_cast<std::size_t>(largest_crowding) * (number_of_triangles + 256)) {}
+      : to_do_(double((std::max)(number_of_triangles, std::size_t(1))))
+      , size_(to_do_) {}
 
   static Pair_budget unlimited() {
     Pair_budget budget(0);
-    budget.most_ = (std::numeric_limits<std::size_t>::max)();
+    budget.at_first_ = std::numeric_limits<double>::infinity();
     return budget;
   }
 
-  /// to be called for each pair: whether there were enough before.
-  bool is_spent() {
-    is_over_ = number_ >= most_;
+  /// to be called for each pair, with how many triangles were done before: whether there were
+  /// enough of them.
+  bool is_spent(std::size_t done) {
+    is_over_ = number_ >= at_first_ + largest_crowding * size_ * (double(done) / to_do_);
     ++number_;
     return is_over_;
   }
@@ -69,14 +72,14 @@ public:
   /// whether a pair was too much.
   bool is_over() const { return is_over_; }
 
-  /// goes on for so many more triangles.
+  /// goes on, as a closer look is at so many triangles more.
   void extend(std::size_t number_of_triangles) {
-    most_ += static_cast<std::size_t>(largest_crowding) * number_of_triangles;
+    size_ += double(number_of_triangles);
     is_over_ = false;
   }
 
 private:
-  std::size_t most_, number_ = 0;
+  double to_do_, size_, at_first_ = largest_crowding * 256., number_ = 0.;
   bool is_over_ = false;
 };
 
