@@ -101,13 +101,8 @@ public:
     in_vain_ = {out_, curve_ ? curve_->crossings() : std::vector<Edge_crossing>(), {}, intended};
     if(is_known_to_be_in_vain(mesh, known))
       return;
-    if(intended.may_cross) {
+    if(intended.may_cross)
       former_ = std::make_unique<Former_contacts>(mesh, contacts, out_);
-      if(curve_ && former_->are_none()) { // of a strip, that is known sooner than if its caps help
-        in_vain_.reset();
-        return;
-      }
-    }
     const auto is_wanted = [&](const Patch& patch) {
       if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
         obstacle_.take(*obstacle);
@@ -226,7 +221,7 @@ private:
 
   // Where the surface crosses itself all over there is no face that tells.
   void describe_failure(const Surgery_mesh& mesh) {
-    if(former_ && former_->are_too_many())
+    if(former_ && former_->are_known_to_be_too_many())
       return in_vain_.reset();
     in_vain_->obstacle = obstacle_;
     in_vain_->reach = reach_;

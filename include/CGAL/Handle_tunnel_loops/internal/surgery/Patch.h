@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Index_table.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
@@ -313,33 +314,51 @@ public:
       , faces_(faces)
       , placed_(mesh, patch_of(mesh, faces)) {}
 
-  /// whether nothing counts as crossed.
-  bool are_none() { return are_too_many() || (others().empty() && own().empty()); }
-
   /// whether any two of the faces meet each other.
   bool are_own() { return !own().empty(); }
 
   /// whether one of the faces meets another one of them.
   bool are_of_own(Index face) { return is_in(face, own()); }
 
-  /// whether any of the faces meets one of the surface that is not one of them. All are found once
-  /// that is less.
+  /// whether any of the faces meets one of the surface that is not one of them.
   bool are_with(Index face) {
-    constexpr std::size_t few = 64;
-    if(++number_of_questions_ > few)
-      return is_in(face, others());
-    return placed_.meets(placed_triangle(mesh_, face));
+    const auto [answer, is_new] = answers_.insert(face, 0);
+    if(is_new)
+      *answer = meets(placed_triangle(mesh_, face));
+    return *answer != 0;
   }
 
   /// whether the surface crosses itself all over here, so that there are no places to look for:
   /// then nothing counts as crossed. Near linear in the number of faces.
   bool are_too_many() {
-    others();
+    own();
+    if(!are_others_counted_ && !are_too_many_) {
+      std::size_t number = 0;
+      are_too_many_ = contacts_.meets(
+          placed_, faces_, [&](Index) { return ++number <= most(); }, Pair_budget::unlimited());
+    }
+    are_others_counted_ = true;
     return are_too_many_;
   }
 
+  /// whether that is so and has been found. If it has not, all other answers are right.
+  bool are_known_to_be_too_many() const { return are_too_many_; }
+
 private:
   std::size_t most() const { return 1024 + 8 * faces_.size(); }
+
+  // By boxes, which pays once there are several questions.
+  bool meets(const Placed_triangle& face) {
+    constexpr std::size_t few = 16;
+    if(++number_of_questions_ <= few)
+      return placed_.meets(face);
+    if(!boxes_)
+      boxes_ = placed_.placed_boxes();
+    const std::vector<Index> near =
+        boxes_->meeting(face.box(), [this](Index i) { return placed_.box(i); });
+    return std::any_of(near.begin(), near.end(),
+                       [&](Index i) { return placed_.meets(i, face); });
+  }
 
   // None if there are too many.
   const std::vector<Index>& own() {
@@ -358,32 +377,16 @@ private:
     return *own_;
   }
 
-  // None if there are too many, with those of the faces.
-  const std::vector<Index>& others() {
-    if(!others_) {
-      own();
-      others_.emplace();
-      are_too_many_ = are_too_many_ || contacts_.meets(
-                                           placed_, faces_,
-                                           [&](Index f) {
-                                             others_->push_back(f);
-                                             return others_->size() <= most();
-                                           },
-                                           Pair_budget::unlimited());
-      if(are_too_many_)
-        others_->clear();
-      make_set(*others_);
-    }
-    return *others_;
-  }
-
   const Surgery_mesh& mesh_;
   const Mesh_contacts& contacts_;
   const std::vector<Index>& faces_;
   const Placed_patch placed_;
-  std::optional<std::vector<Index>> own_, others_; // in ascending order, once they were asked for
-  bool are_too_many_ = false;                      // as far as they are known
-  std::size_t number_of_questions_ = 0;
+  std::optional<std::vector<Index>> own_; // in ascending order, once they were asked for
+  Index_table answers_;                   // by face, whether it is crossed
+  std::size_t number_of_questions_ = 0;   // that these are to
+  std::optional<Placed_boxes> boxes_;     // of the faces
+  bool are_others_counted_ = false;
+  bool are_too_many_ = false; // as far as that is known
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
