@@ -69,6 +69,8 @@ public:
     for(;; ask()) {
       const std::size_t now = changes_.size();
       const Candidates chosen = choose();
+      if(chosen.empty() && is_any_first_)
+        continue; // the turn of the others has come
       if(chosen.empty())
         return note_time(now);
       ask();
