@@ -18,10 +18,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loop_distance.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
@@ -33,11 +35,14 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -245,11 +250,11 @@ private:
     std::vector<Surgery_mesh::Point> points;
     for(Index v : walk)
       points.push_back(mesh_.point(v));
-    const double length_of_walk = length(mesh_, walk);
+    const Loop_distance distance_of_walk(points, length(mesh_, walk));
     const auto distance_from = [&](const std::vector<Loop_choice>& loops) {
       double least = (std::numeric_limits<double>::infinity)();
       for(const Loop_choice& loop : loops)
-        least = (std::min)(least, loop_distance(mesh_, points, length_of_walk, loop));
+        least = (std::min)(least, distance_of_walk(mesh_, loop));
       return least;
     };
     const double distance = distance_from(lost);
@@ -343,7 +348,11 @@ class Loops_anew
 public:
   Loops_anew(Execution execution, const Surgery_mesh& mesh)
       : mesh_(mesh)
-      , pairs_(Loops_under_surgery(mesh).find(execution)) {}
+      , pairs_(Loops_under_surgery(mesh).find(execution)) {
+    for(const Pair& pair : pairs_)
+      distances_.push_back({Loop_distance(pair.handle.points, pair.handle.length),
+                            Loop_distance(pair.tunnel.points, pair.tunnel.length)});
+  }
 
   /// gives new loops to those that could not be removed, unless these are the old ones and nothing
   /// has changed there. Those that are not found stay as they are.
@@ -353,32 +362,63 @@ public:
       if(tasks[i].state != Removal_task::State::REMOVED && !tasks[i].is_of_neck())
         old.push_back(i);
     // If all handles are known, the last ones have nothing else left.
-    const bool are_all_known = old.size() == pairs_.size();
-    std::vector<std::tuple<double, std::size_t, std::size_t>> distances;
-    for(std::size_t i : old)
-      for(std::size_t k = 0; k < pairs_.size(); ++k) {
-        const double d = distance(tasks[i], pairs_[k]);
-        if(are_all_known || d < 1.)
-          distances.push_back({d, i, k});
-      }
-    std::sort(distances.begin(), distances.end());
+    const double most = old.size() == pairs_.size() ? infinite : 1.;
     std::vector<char> is_named(tasks.size(), 0), is_taken(pairs_.size(), 0);
-    for(const auto& [d, i, k] : distances)
-      if(!is_named[i] && !is_taken[k]) {
-        is_named[i] = is_taken[k] = 1;
-        if(tasks[i].has_failed() && !(tasks[i].is_settled && are_of(tasks[i], pairs_[k])))
-          give(pairs_[k], tasks[i]);
+    for(Candidates nearest = candidates(tasks, old); !nearest.empty();) {
+      const auto [d, is_measured, i, k] = nearest.top();
+      nearest.pop();
+      if(is_named[i] || is_taken[k] || d >= most)
+        continue;
+      if(!is_measured) {
+        nearest.push({distance(tasks[i], k), true, i, k});
+        continue;
       }
+      is_named[i] = is_taken[k] = 1;
+      if(tasks[i].has_failed() && !(tasks[i].is_settled && are_of(tasks[i], pairs_[k])))
+        give(pairs_[k], tasks[i]);
+    }
   }
 
 private:
-  // How far a loop of a pair is from where a task has one of the same kind.
-  double distance(const Removal_task& task, const Pair& pair) const {
-    double least = (std::numeric_limits<double>::infinity)();
-    for(const Loop_choice& choice : task.choices) {
-      const Loops_under_surgery::Loop& loop = pair.loop(choice.type);
-      least = (std::min)(least, loop_distance(mesh_, loop.points, loop.length, choice));
+  static constexpr double infinite = (std::numeric_limits<double>::infinity)();
+
+  // How far a task is from a pair, or less than that if it is not measured yet, and their numbers.
+  using Candidate = std::tuple<double, bool, std::size_t, std::size_t>;
+  using Candidates = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
+
+  // All, with lower bounds.
+  Candidates candidates(const std::vector<Removal_task>& tasks,
+                        const std::vector<std::size_t>& numbers) const {
+    std::vector<Candidate> all;
+    for(std::size_t i : numbers) {
+      std::vector<Box<3>> boxes; // by choice
+      for(const Loop_choice& choice : tasks[i].choices)
+        boxes.push_back(Loop_distance::box(mesh_, choice));
+      for(std::size_t k = 0; k < pairs_.size(); ++k) {
+        const auto bound = [&](std::size_t choice, const Loop_distance& from) {
+          return from.bound(boxes[choice]);
+        };
+        all.push_back({least(tasks[i], k, bound), false, i, k});
+      }
     }
+    return Candidates(std::greater<>(), std::move(all));
+  }
+
+  // How far a loop of a pair is from where a task has one of the same kind.
+  double distance(const Removal_task& task, std::size_t pair) const {
+    return least(task, pair, [&](std::size_t choice, const Loop_distance& from) {
+      return from(mesh_, task.choices[choice]);
+    });
+  }
+
+  // Of `f(i, d)` for the choices of a task, by their numbers, and the loops of a pair of their
+  // kinds.
+  template <typename Function>
+  double least(const Removal_task& task, std::size_t pair, const Function& f) const {
+    double least = infinite;
+    for(std::size_t i = 0; i < task.choices.size(); ++i)
+      least = (std::min)(least,
+                         f(i, distances_[pair][task.choices[i].type == Loop_type::HANDLE ? 0 : 1]));
     return least;
   }
 
@@ -407,6 +447,7 @@ private:
 
   const Surgery_mesh& mesh_;
   std::vector<Pair> pairs_;
+  std::vector<std::array<Loop_distance, 2>> distances_; // from the loops of each
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -24,7 +24,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -52,27 +51,6 @@ Loop_choice loop_choice(const Loop& loop, const TriangleMesh& tm, VertexIndexMap
                              static_cast<Index>(get(number, target(step.halfedge, tm))),
                              step.ratio});
   return choice;
-}
-
-/// how far a loop, given by its points, is from the nearest of others: the mean distance, against a
-/// quarter of its length.
-inline double loop_distance(const Surgery_mesh& mesh,
-                            const std::vector<Surgery_mesh::Point>& points,
-                            double length,
-                            const Loop_choice& other) {
-  // A few points tell as much as all.
-  constexpr std::size_t number_of_points = 32;
-  const std::size_t step = 1 + points.size() / number_of_points;
-  const std::size_t step_of_other = 1 + other.places.size() / (4 * number_of_points);
-  double sum = 0.;
-  std::size_t number = 0;
-  for(std::size_t i = 0; i < points.size(); i += step, ++number) {
-    double least = (std::numeric_limits<double>::infinity)();
-    for(std::size_t j = 0; j < other.places.size(); j += step_of_other)
-      least = (std::min)(least, CGAL::squared_distance(points[i], point_at(mesh, other.places[j])));
-    sum += std::sqrt(least);
-  }
-  return sum / (static_cast<double>(number) * length / 4.);
 }
 
 /// A handle to be removed, or a neck, and what has become of it.
