@@ -103,6 +103,8 @@ public:
       return;
     if(intended.may_cross)
       former_ = std::make_unique<Former_contacts>(mesh, contacts, out_);
+    if(former_ && curve_ && former_->are_likely_too_many() && former_->are_too_many())
+      return in_vain_.reset(); // which is known sooner than what its caps meet
     const auto is_wanted = [&](const Patch& patch) {
       if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
         obstacle_.take(*obstacle);

@@ -322,10 +322,14 @@ public:
 
   /// whether any of the faces meets one of the surface that is not one of them.
   bool are_with(Index face) {
+    if(are_too_many_)
+      return false;
     const auto [answer, is_new] = answers_.insert(face, 0);
-    if(is_new)
-      *answer = meets(placed_triangle(mesh_, face));
-    return *answer != 0;
+    if(is_new && meets(placed_triangle(mesh_, face))) {
+      *answer = 1;
+      are_too_many_ = ++number_met_ > most();
+    }
+    return *answer != 0 && !are_too_many_;
   }
 
   /// whether the surface crosses itself all over here, so that there are no places to look for:
@@ -339,6 +343,19 @@ public:
     }
     are_others_counted_ = true;
     return are_too_many_;
+  }
+
+  /// whether that is to be expected, by a few of the faces, which takes far less where it is not.
+  bool are_likely_too_many() const {
+    constexpr std::size_t few = 3;
+    std::vector<Index> some;
+    for(std::size_t i = 0; i < faces_.size(); i += faces_.size() / few + 1)
+      some.push_back(faces_[i]);
+    const std::size_t enough = most() * some.size() / faces_.size();
+    std::size_t number = 0;
+    return contacts_.meets(
+        Placed_patch(mesh_, patch_of(mesh_, some)), faces_,
+        [&](Index) { return ++number <= enough; }, Pair_budget::unlimited());
   }
 
   /// whether that is so and has been found. If it has not, all other answers are right.
@@ -356,22 +373,22 @@ private:
       boxes_ = placed_.placed_boxes();
     const std::vector<Index> near =
         boxes_->meeting(face.box(), [this](Index i) { return placed_.box(i); });
-    return std::any_of(near.begin(), near.end(),
-                       [&](Index i) { return placed_.meets(i, face); });
+    return std::any_of(near.begin(), near.end(), [&](Index i) { return placed_.meets(i, face); });
   }
 
   // None if there are too many.
   const std::vector<Index>& own() {
     if(!own_) {
       own_.emplace();
-      are_too_many_ = placed_.meets_itself(
+      const bool are_more = placed_.meets_itself(
           [&](Index i, Index j) {
             own_->insert(own_->end(), {faces_[i], faces_[j]});
             return own_->size() <= most();
           },
           Pair_budget::unlimited());
-      if(are_too_many_)
+      if(are_more)
         own_->clear();
+      are_too_many_ |= are_more;
       make_set(*own_);
     }
     return *own_;
@@ -382,7 +399,8 @@ private:
   const std::vector<Index>& faces_;
   const Placed_patch placed_;
   std::optional<std::vector<Index>> own_; // in ascending order, once they were asked for
-  Index_table answers_;                   // by face, whether it is crossed
+  Index_table answers_;                   // by face, whether it is met
+  std::size_t number_met_ = 0;            // of these
   std::size_t number_of_questions_ = 0;   // that these are to
   std::optional<Placed_boxes> boxes_;     // of the faces
   bool are_others_counted_ = false;
