@@ -382,7 +382,7 @@ private:
         levels[own].insert(level);
       }
     for(const auto& [ground, used] : levels)
-      ground->prepare(execution_, used, *loops_, classes_->index(), *is_pure_);
+      ground->prepare(execution_, used, *loops_, classes_->edge_crossings(), *is_pure_);
   }
 
   // By how much more is allowed than expected, which may be too little: a search that has to be
@@ -475,12 +475,16 @@ private:
   // Shorter sums of two loops, at least one of which is fresh. Returns whether there are any.
   bool find_sums() {
     classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
+    Workspace_pool<Neighbor_sums> neighbor_sums([&] {
+      return std::make_unique<Neighbor_sums>(execution_, mesh_, *loops_, classes_->index(),
+                                             lengths_);
+    });
     std::vector<std::vector<Candidate>> found(loops_->size());
     for_each_index(
         execution_, loops_->size(),
         [&](std::size_t i) {
           if(progress_.goes_on() && progress_.time().is_any_left())
-            found[i] = sums(static_cast<Index>(i));
+            found[i] = sums(static_cast<Index>(i), *neighbor_sums.borrow());
         },
         1);
     progress_.throw_if_interrupted();
@@ -489,11 +493,10 @@ private:
     return !candidates_.empty();
   }
 
-  std::vector<Candidate> sums(Index i) {
+  std::vector<Candidate> sums(Index i, Neighbor_sums& sums) {
     std::vector<Candidate> candidates;
     if(!is_to_be_shortened(i))
       return candidates;
-    Neighbor_sums sums(execution_, mesh_, *loops_, classes_->index(), lengths_);
     for(Crossing_loop& loop : sums.of(i, work_for_sums_[i], [&](Index j) {
           const bool is_same_kind = i % 2 == j % 2 && (*is_pure_)[j / 2];
           return (is_fresh_[i] || is_fresh_[j]) && (is_same_kind || !are_pairs_kept_);

@@ -16,6 +16,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Edge_crossings.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
 
@@ -23,6 +26,7 @@
 #include <boost/graph/max_cardinality_matching.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -44,7 +48,9 @@ class Loop_classes
 public:
   /// \p loops are a basis.
   Loop_classes(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-      : index_(mesh, loops) {
+      : index_(mesh, loops)
+      , crossings_(std::make_shared<const Edge_crossings>(mesh, index_))
+      , sums_([] { return std::make_unique<Sparse_sum<std::int64_t>>(); }) {
     for(const Crossing_loop& loop : loops)
       rows_.push_back(numbers(loop));
     // The rows of the transpose of J, which is -J.
@@ -61,10 +67,18 @@ public:
   /// which loops of the basis cross which edges.
   const Crossing_index& index() const { return index_; }
 
+  /// the same by edge.
+  const std::shared_ptr<const Edge_crossings>& edge_crossings() const { return crossings_; }
+
   /// the intersection numbers of a curve with the basis.
   Class_vector numbers(const Crossing_loop& loop) const {
-    const Sparse_numbers numbers = index_.intersections(loop);
-    return Class_vector(numbers.begin(), numbers.end());
+    const auto sum = sums_.borrow();
+    for_each_left_edge(loop, [&](Index u, Index v) {
+      crossings_->for_each_term(u, v, [&](Index other, int number) { sum->add(other, number); });
+    });
+    Class_vector numbers;
+    sum->take([&](Index other, std::int64_t number) { numbers.emplace_back(other, number); });
+    return numbers;
   }
 
   /// the intersection numbers of loop `i` of the basis with the basis.
@@ -87,6 +101,8 @@ public:
 
 private:
   Crossing_index index_;
+  std::shared_ptr<const Edge_crossings> crossings_;
+  mutable Workspace_pool<Sparse_sum<std::int64_t>> sums_;
   std::vector<Class_vector> rows_;
   std::unique_ptr<Unimodular_system> system_;
 };

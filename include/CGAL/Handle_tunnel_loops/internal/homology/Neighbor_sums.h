@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -39,7 +38,7 @@ the two loops, however long they are. It finds nothing that is far from all loop
 class Neighbor_sums
 {
 public:
-  /// \p lengths are those of the loops.
+  /// \p lengths are those of the loops. A workspace that can be used again.
   Neighbor_sums(Execution execution,
                 const Flat_mesh& mesh,
                 const std::vector<Crossing_loop>& loops,
@@ -48,20 +47,24 @@ public:
       : loops_(loops)
       , index_(index)
       , lengths_(lengths)
-      , shorter_sum_(execution, mesh) {}
+      , shorter_sum_(execution, mesh)
+      , numbers_(loops.size(), 0) {}
 
   /// the sums of loop `i` with loops that are no longer and of which \p is_wanted, as far as the
   /// work, in crossings, goes, from which what they take is subtracted.
   template <typename Predicate>
   std::vector<Crossing_loop> of(Index i, double& work, const Predicate& is_wanted) {
     std::vector<Crossing_loop> sums;
+    if(work <= 0.)
+      return sums;
     for(const Neighbor& n : neighbors(i, is_wanted)) {
       if(work <= 0.)
         break;
       const double gain =
           (std::max)(part_of_loop * lengths_[i], part_of_neighbor * lengths_[n.loop]);
+      const Common_vertex common = common_vertex(i, n);
       for(const bool forward : {true, false})
-        if(std::optional<Crossing_loop> sum = shorter_sum_.find(loops_[i], loops_[n.loop], n.common,
+        if(std::optional<Crossing_loop> sum = shorter_sum_.find(loops_[i], loops_[n.loop], common,
                                                                 forward, lengths_[i] - gain, work))
           sums.push_back(std::move(*sum));
     }
@@ -73,17 +76,38 @@ private:
   static constexpr double part_of_loop = 0.002, part_of_neighbor = 0.05;
   static constexpr std::size_t most_neighbors = 32;
 
+  // A loop with vertices beside loop `i` on one side or the other, and the first of these: at the
+  // end of a crossing of each.
   struct Neighbor
   {
-    Index loop = no_index;
+    Index loop;
+    std::size_t at;
+    Crossing_end end, other_end;
     std::size_t number = 0; // of places where it is
-    Common_vertex common = {};
   };
 
-  // Those that have vertices beside loop `i` on one side or the other, most of them first.
+  // Those that are wanted, with most places first.
   template <typename Predicate>
-  std::vector<Neighbor> neighbors(Index i, const Predicate& is_wanted) const {
-    std::map<Index, Neighbor> found;
+  std::vector<Neighbor> neighbors(Index i, const Predicate& is_wanted) {
+    std::vector<Neighbor> all = loops_beside(i);
+    for(Neighbor& n : all)
+      n.number = std::exchange(numbers_[n.loop], 0);
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const Neighbor& n) {
+                               return n.loop == i || lengths_[n.loop] > lengths_[i] ||
+                                      !is_wanted(n.loop);
+                             }),
+              all.end());
+    std::sort(all.begin(), all.end(), [](const Neighbor& a, const Neighbor& b) {
+      return a.number != b.number ? a.number > b.number : a.loop < b.loop;
+    });
+    all.resize((std::min)(all.size(), most_neighbors));
+    return all;
+  }
+
+  // Counts their places: there are very many where loops share their ways.
+  std::vector<Neighbor> loops_beside(Index i) {
+    std::vector<Neighbor> found;
     for(std::size_t at = 0; at < loops_[i].size(); ++at)
       for(const Crossing_end end : {&Crossing::left, &Crossing::right}) {
         const Index v = loops_[i][at].*end;
@@ -91,36 +115,28 @@ private:
           continue;
         for(Index e = index_.begins()[v]; e != index_.begins()[v + 1]; ++e) {
           const Crossing_entry& entry = index_.entries()[e];
-          if(entry.loop == i || lengths_[entry.loop] > lengths_[i] || !is_wanted(entry.loop))
-            continue;
-          Neighbor& n = found[entry.loop];
-          if(n.number++ == 0)
-            n = {entry.loop, 1, common_vertex(v, at, end, entry)};
+          if(numbers_[entry.loop]++ == 0)
+            found.push_back(
+                {entry.loop, at, end, entry.sign == 1 ? &Crossing::left : &Crossing::right});
         }
       }
-    std::vector<Neighbor> all;
-    for(const auto& entry : found)
-      all.push_back(entry.second);
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Neighbor& a, const Neighbor& b) { return a.number > b.number; });
-    all.resize((std::min)(all.size(), most_neighbors));
-    return all;
+    return found;
   }
 
-  Common_vertex
-  common_vertex(Index v, std::size_t at, Crossing_end end, const Crossing_entry& entry) const {
-    const Crossing_loop& other = loops_[entry.loop];
-    const Crossing_end other_end = entry.sign == 1 ? &Crossing::left : &Crossing::right;
+  Common_vertex common_vertex(Index i, const Neighbor& n) const {
+    const Crossing_loop& other = loops_[n.loop];
+    const Index v = loops_[i][n.at].*n.end;
     const auto place = std::find_if(other.begin(), other.end(),
-                                    [&](const Crossing& c) { return c.*other_end == v; });
+                                    [&](const Crossing& c) { return c.*n.other_end == v; });
     CGAL_assertion(place != other.end());
-    return {at, static_cast<std::size_t>(place - other.begin()), end, other_end};
+    return {n.at, static_cast<std::size_t>(place - other.begin()), n.end, n.other_end};
   }
 
   const std::vector<Crossing_loop>& loops_;
   const Crossing_index& index_;
   const std::vector<double>& lengths_; // by loop
   Shorter_sum shorter_sum_;
+  std::vector<std::size_t> numbers_; // by loop; zero but while neighbors are counted
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

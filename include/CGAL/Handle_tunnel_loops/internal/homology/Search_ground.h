@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Edge_crossings.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -49,12 +50,12 @@ public:
 
   Search_levels& levels() { return levels_; }
 
-  /// makes searches ready on some levels, which last until this is called again. \p index is that
-  /// of the loops.
+  /// makes searches ready on some levels, which last until this is called again. \p crossings are
+  /// those of the loops.
   void prepare(Execution execution,
                const std::set<int>& levels,
                const std::vector<Crossing_loop>& loops,
-               const Crossing_index& index,
+               const std::shared_ptr<const Edge_crossings>& crossings,
                const std::vector<char>& is_pure) {
     loops_ = &loops;
     if(coarse_ != nullptr) {
@@ -63,10 +64,11 @@ public:
           execution, loops.size(),
           [&](std::size_t i) { projected_[i] = coarse_->projected(loops[i]); }, 16);
       loops_ = &projected_;
-      const Crossing_index own_index(mesh_, projected_);
-      edge_classes_.emplace(mesh_, own_index, is_pure);
+      edge_classes_.emplace(
+          std::make_shared<const Edge_crossings>(mesh_, Crossing_index(mesh_, projected_)),
+          is_pure);
     } else
-      edge_classes_.emplace(mesh_, index, is_pure);
+      edge_classes_.emplace(crossings, is_pure);
     levels_.count(execution, levels, *edge_classes_);
     for(int k : levels)
       searches_.try_emplace(

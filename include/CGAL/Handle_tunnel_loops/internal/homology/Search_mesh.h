@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Intrinsic_triangulation.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Edge_crossings.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
@@ -26,7 +26,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -63,65 +62,38 @@ class Edge_classes
 public:
   /// \p is_pure says by pair whether its loops bound on their sides. If so, handles and tunnels
   /// have sums of their own; if not, there are no loops that must not be crossed.
-  Edge_classes(const Flat_mesh& mesh, const Crossing_index& index, const std::vector<char>& is_pure)
-      : mesh_(mesh)
-      , first_(mesh.number_of_vertices(), no_index) {
+  Edge_classes(std::shared_ptr<const Edge_crossings> crossings, const std::vector<char>& is_pure)
+      : crossings_(std::move(crossings))
+      , number_of_loops_(2 * is_pure.size())
+      , sums_(crossings_->number_of_edges()) {
     const std::vector<Class_sums> weights = random_weights(is_pure);
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      if(index.has_crossing(v))
-        add_edges(v, index, weights);
-    edges_.push_back({{}, static_cast<Index>(terms_.size())});
+    for(Index e = 0; e < sums_.size(); ++e)
+      for(const Edge_crossings::Term& t : crossings_->terms(e))
+        sums_[e].add(t.number, weights[t.loop]);
   }
+
+  std::size_t number_of_loops() const { return number_of_loops_; }
 
   /// the sums of the edge from `v` to its neighbour in this position of its ring.
   Class_sums sums_at(Index v, Index position) const {
-    return has_crossing(v) ? edge(v, position).sums : Class_sums();
+    const Index first = crossings_->first_edge(v);
+    return first == no_index ? Class_sums() : sums_[first + position];
   }
 
   /// the sums of a way from `u` along an edge to `v`, or on the spot.
   Class_sums sums(Index u, Index v) const {
     Class_sums result;
-    if(const auto [e, sign] = edge_between(u, v); e != nullptr)
-      result.add(sign, e->sums);
+    if(const auto [edge, sign] = crossings_->edge_between(u, v); edge != no_index)
+      result.add(sign, sums_[edge]);
     return result;
   }
 
   /// calls `f(loop, number)` for the loops that cross such a way.
   template <typename Function> void for_each_term(Index u, Index v, const Function& f) const {
-    if(const auto [e, sign] = edge_between(u, v); e != nullptr)
-      for(Index i = e->first; i != (e + 1)->first; ++i)
-        f(terms_[i].loop, sign * terms_[i].number);
+    crossings_->for_each_term(u, v, f);
   }
 
 private:
-  // An edge from a vertex: its terms from `first` to the `first` of the next.
-  struct Edge
-  {
-    Class_sums sums;
-    Index first;
-  };
-
-  // A loop that crosses an edge, as often as `number` says, from left to right.
-  struct Term
-  {
-    Index loop;
-    int number;
-  };
-
-  // whether any loop crosses an edge at `v`; of edges only there anything is known.
-  bool has_crossing(Index v) const { return first_[v] != no_index; }
-  const Edge& edge(Index v, Index position) const { return edges_[first_[v] + position]; }
-
-  // The edge from `u` to `v` and 1, or the way back and -1: looked up where there are fewer
-  // neighbours. None if nothing crosses it for all that is known.
-  std::pair<const Edge*, int> edge_between(Index u, Index v) const {
-    if(u == v || !has_crossing(u) || !has_crossing(v))
-      return {nullptr, 0};
-    const Ring at_u = mesh_.ring(u), at_v = mesh_.ring(v);
-    return at_u.size() <= at_v.size() ? std::make_pair(&edge(u, at_u.position(v)), 1)
-                                      : std::make_pair(&edge(v, at_v.position(u)), -1);
-  }
-
   static std::vector<Class_sums> random_weights(const std::vector<char>& is_pure) {
     std::mt19937_64 random;
     std::vector<Class_sums> weights;
@@ -133,36 +105,9 @@ private:
     return weights;
   }
 
-  void add_edges(Index v, const Crossing_index& index, const std::vector<Class_sums>& weights) {
-    first_[v] = static_cast<Index>(edges_.size());
-    // By neighbor, and there by loop.
-    entries_.assign(index.entries().begin() + index.begins()[v],
-                    index.entries().begin() + index.begins()[v + 1]);
-    const auto is_before = [](const Crossing_entry& a, const Crossing_entry& b) {
-      return a.other < b.other;
-    };
-    std::stable_sort(entries_.begin(), entries_.end(), is_before);
-    for(Index u : mesh_.ring(v)) {
-      edges_.push_back({{}, static_cast<Index>(terms_.size())});
-      const auto [begin, end] =
-          std::equal_range(entries_.begin(), entries_.end(), Crossing_entry{u, 0, 0}, is_before);
-      for(auto e = begin; e != end;) {
-        Term term{e->loop, 0};
-        for(; e != end && e->loop == term.loop; ++e)
-          term.number += e->sign;
-        if(term.number == 0)
-          continue;
-        terms_.push_back(term);
-        edges_.back().sums.add(term.number, weights[term.loop]);
-      }
-    }
-  }
-
-  const Flat_mesh& mesh_;
-  std::vector<Index> first_; // edge, by vertex
-  std::vector<Edge> edges_;
-  std::vector<Term> terms_;
-  std::vector<Crossing_entry> entries_; // of a vertex
+  std::shared_ptr<const Edge_crossings> crossings_;
+  std::size_t number_of_loops_;
+  std::vector<Class_sums> sums_; // by edge
 };
 
 /*!
@@ -220,17 +165,9 @@ public:
     walk.insert(walk.end(), back.rbegin() + 1, back.rend());
   }
 
-  /// calls `f(step, sign)` for the steps of the mesh along which the walk of a step leads; those of
-  /// sign -1 backwards.
-  template <typename Function> void for_each_part(const Step& step, const Function& f) const {
-    const auto on_way_to = [&](Index v, int sign) {
-      for(Index u = v; ways_[u].parent != no_index; u = ways_[u].parent)
-        f(ways_[u].step, sign);
-    };
-    on_way_to(step.from, 1);
-    f(step.step, 1);
-    on_way_to(mesh_.head(step.step), -1);
-  }
+  /// the vertex before another on the way to it from its node, and the step between them; none for
+  /// a node.
+  std::pair<Index, Index> last_step(Index v) const { return {ways_[v].parent, ways_[v].step}; }
 
 private:
   // The shortest way to a vertex, from its node.
@@ -331,19 +268,17 @@ public:
       , subdivision_(finer.subdivision_) {
     const Step_coarsening<Search_mesh> coarsening(finer, spacing);
     nodes_ = coarsening.nodes();
-    for(Index v = 0; v < finer.number_of_vertices(); ++v)
+    for(Index v = 0; v < finer.number_of_vertices(); ++v) {
       node_of_.push_back(coarsening.node(v));
+      const auto [parent, step] = coarsening.last_step(v);
+      ways_.push_back({parent, step});
+    }
     for(Index node = 0; node < nodes_.size(); ++node) {
       add_vertex();
       for(const auto& step : coarsening.steps(node)) {
         add_step(step.head, step.length);
         coarsening.append_walk(step, walks_);
-        if(finer.has_walks()) {
-          coarsening.for_each_part(step, [this](Index part, int sign) {
-            parts_.push_back({part, sign});
-          });
-          parts_end_.push_back(parts_.size());
-        }
+        links_.push_back({step.from, step.step});
       }
     }
     take_steps();
@@ -382,23 +317,20 @@ public:
   /// counts what the steps cross, for all that asks for it until this is called again.
   void count(const Edge_classes& classes) {
     classes_ = &classes;
+    if(!has_walks())
+      return;
     sums_.assign(own_heads_.size(), {});
     terms_begin_.assign(own_heads_.size() + 1, 0);
     terms_.clear();
-    steps_across_.clear();
-    for(Index v = 0; has_walks() && v < number_of_vertices(); ++v)
+    count_ways();
+    for(Index v = 0; v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
-        if(parts_.empty())
-          for_each_edge(v, s, [&](Index from, Index to) {
-            sums_[s].add(1, classes.sums(corner(from), corner(to)));
-          });
-        else
-          for(const Part& part : parts(s))
-            sums_[s].add(part.sign, finer_->sums_[part.step]);
+        sums_[s] = counted_sums(v, s);
         if(!sums_[s].is_zero())
           add_terms(v, s);
         terms_begin_[s + 1] = static_cast<Index>(terms_.size());
       }
+    note_steps_across();
   }
 
   /// how often a step from `v` crosses a loop, in net numbers.
@@ -431,9 +363,8 @@ public:
       }
       return;
     }
-    if(const auto steps = steps_across_.find(number); steps != steps_across_.end())
-      for(const auto& [v, step] : steps->second)
-        f(v, step);
+    for(Index i = across_begin_[number]; i != across_begin_[number + 1]; ++i)
+      f(steps_across_[i].vertex, steps_across_[i].step);
   }
 
   std::size_t number_of_vertices() const { return number_of_vertices_; }
@@ -529,19 +460,13 @@ private:
     std::vector<Index> corners;
   };
 
-  // A step of the finer mesh on the walk of a step, or the way back along it.
-  struct Part
+  // A step, and where it begins.
+  struct Step_from
   {
-    Index step;
-    int sign;
+    Index vertex, step;
   };
 
   bool has_walks() const { return !walk_begin_.empty(); }
-
-  Span<const Part> parts(Index step) const {
-    const std::size_t first = step == 0 ? 0 : parts_end_[step - 1];
-    return {parts_.data() + first, parts_end_[step] - first};
-  }
 
   Span<const std::pair<Index, int>> terms(Index step) const {
     return {terms_.data() + terms_begin_[step], terms_begin_[step + 1] - terms_begin_[step]};
@@ -568,20 +493,84 @@ private:
     return dot(to, to);
   }
 
+  // ---- counting
+
+  // What the ways cross that lead from the nodes to the vertices of the finer mesh. What comes
+  // before a vertex on its way is counted before it.
+  void count_ways() {
+    sums_of_ways_.assign(ways_.size(), {});
+    crossed_before_.assign(ways_.size(), no_index);
+    std::vector<char> is_counted(ways_.size(), 0);
+    std::vector<Index> way;
+    for(Index v = 0; v < ways_.size(); ++v) {
+      for(Index u = v; ways_[u].vertex != no_index && is_counted[u] == 0; u = ways_[u].vertex)
+        way.push_back(u);
+      for(; !way.empty(); way.pop_back()) {
+        const Index u = way.back(), before = ways_[u].vertex;
+        const Class_sums last = finer_->sums(before, ways_[u].step);
+        sums_of_ways_[u] = sums_of_ways_[before] + last;
+        crossed_before_[u] = last.is_zero() ? crossed_before_[before] : u;
+        is_counted[u] = 1;
+      }
+    }
+  }
+
+  // Of a step of the base, along its walk; of a coarser mesh, by the ways to its link from both
+  // ends.
+  Class_sums counted_sums(Index v, Index step) const {
+    Class_sums sums;
+    if(finer_ == nullptr)
+      for_each_edge(v, step, [&](Index from, Index to) {
+        sums.add(1, classes_->sums(corner(from), corner(to)));
+      });
+    else {
+      const Step_from link = links_[step];
+      sums = sums_of_ways_[link.vertex] + finer_->sums(link.vertex, link.step);
+      sums.add(-1, sums_of_ways_[finer_->head(link.step)]);
+    }
+    return sums;
+  }
+
   // Of a step that crosses loops, by loop.
   void add_terms(Index v, Index step) {
-    if(parts_.empty())
+    if(finer_ == nullptr)
       for_each_edge(v, step, [&](Index from, Index to) {
         for_each_term(from, to, [&](Index loop, int number) { crossed_.add(loop, number); });
       });
-    else
-      for(const Part& part : parts(step))
-        for(const auto& [loop, number] : finer_->terms(part.step))
-          crossed_.add(loop, part.sign * number);
-    crossed_.take([&](Index loop, int number) {
-      terms_.emplace_back(loop, number);
-      steps_across_[loop].emplace_back(v, step);
-    });
+    else {
+      const Step_from link = links_[step];
+      add_terms_of_way(link.vertex, 1);
+      finer_->for_each_loop_across(
+          link, [&](Index loop, int number) { crossed_.add(loop, number); });
+      add_terms_of_way(finer_->head(link.step), -1);
+    }
+    crossed_.take([&](Index loop, int number) { terms_.emplace_back(loop, number); });
+  }
+
+  void add_terms_of_way(Index v, int sign) {
+    for(Index u = crossed_before_[v]; u != no_index; u = crossed_before_[ways_[u].vertex])
+      finer_->for_each_loop_across(
+          ways_[u], [&](Index loop, int number) { crossed_.add(loop, sign * number); });
+  }
+
+  // Calls `f(loop, number)`.
+  template <typename Function> void for_each_loop_across(Step_from s, const Function& f) const {
+    if(!has_walks())
+      return for_each_term(s.vertex, head(s.step), f);
+    for(const auto& [loop, number] : terms(s.step))
+      f(loop, number);
+  }
+
+  void note_steps_across() {
+    across_begin_.assign(classes_->number_of_loops() + 1, 0);
+    for(const auto& term : terms_)
+      ++across_begin_[term.first];
+    std::partial_sum(across_begin_.begin(), across_begin_.end(), across_begin_.begin());
+    steps_across_.resize(terms_.size());
+    for(Index v = static_cast<Index>(number_of_vertices()); v-- > 0;)
+      for(Index s = end(v); s-- > begin(v);)
+        for(const auto& term : terms(s))
+          steps_across_[--across_begin_[term.first]] = {v, s};
   }
 
   // ---- steps with walks
@@ -629,22 +618,27 @@ private:
   // the nearest of them.
   const Search_mesh* finer_ = nullptr;
   std::vector<Index> nodes_, node_of_;
+  std::vector<Step_from> ways_;  // by vertex there: the last step on the way from its node
+  std::vector<Step_from> links_; // by step: the one there from a vertex of one node to one of another
   const Flat_mesh* surface_;
   std::shared_ptr<const Subdivision> subdivision_; // unless the mesh is the surface
   std::size_t number_of_vertices_ = 0;
   const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
   std::vector<Index> own_begin_, own_heads_;
   std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
-  std::vector<Part> parts_;               // if there is a finer mesh whose steps have walks
-  std::vector<std::size_t> parts_end_;    // by step
   std::vector<float> lengths_;            // by step, of the mesh as well if measured
   const Edge_classes* classes_ = nullptr; // that were last counted
   // Only if steps have walks: by step, what it crosses, and how often.
   std::vector<Class_sums> sums_;
   std::vector<Index> terms_begin_;
-  std::vector<std::pair<Index, int>> terms_;                           // loops and numbers, by loop
-  std::map<Index, std::vector<std::pair<Index, Index>>> steps_across_; // and vertices, by loop
-  Sparse_sum<int> crossed_;                                            // by a step, by loop
+  std::vector<std::pair<Index, int>> terms_; // loops and numbers, by loop
+  std::vector<Index> across_begin_;          // by loop
+  std::vector<Step_from> steps_across_;
+  Sparse_sum<int> crossed_; // by a step, by loop
+  // By vertex of the finer mesh: what its way crosses, and the last vertex on it, or itself, whose
+  // step crosses any loop.
+  std::vector<Class_sums> sums_of_ways_;
+  std::vector<Index> crossed_before_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
