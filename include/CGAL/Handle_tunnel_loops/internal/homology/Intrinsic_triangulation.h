@@ -149,6 +149,7 @@ public:
   std::size_t number_of_halfedges() const { return halfedges_.size(); }
   Index source(Index h) const { return target(previous(h)); }
   Index target(Index h) const { return halfedges_[h].target; }
+  Index twin(Index h) const { return halfedges_[h].twin; }
   double length(Index h) const { return lengths_[h]; }
 
   /// appends the vertices that follow the source on a walk on the subdivision, to the target.
@@ -176,7 +177,6 @@ private:
   // Halfedges 3f, 3f + 1, 3f + 2 lead around face f.
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  Index twin(Index h) const { return halfedges_[h].twin; }
 
   void add_faces(const Flat_mesh& mesh) {
     std::vector<Index> at(mesh.neighbor.size()); // halfedges, by place in the rings

@@ -13,8 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Intrinsic_triangulation.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Edge_crossings.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Edge_crossings.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
@@ -64,15 +64,17 @@ public:
   /// have sums of their own; if not, there are no loops that must not be crossed.
   Edge_classes(std::shared_ptr<const Edge_crossings> crossings, const std::vector<char>& is_pure)
       : crossings_(std::move(crossings))
-      , number_of_loops_(2 * is_pure.size())
+      , weights_(random_weights(is_pure))
       , sums_(crossings_->number_of_edges()) {
-    const std::vector<Class_sums> weights = random_weights(is_pure);
     for(Index e = 0; e < sums_.size(); ++e)
       for(const Edge_crossings::Term& t : crossings_->terms(e))
-        sums_[e].add(t.number, weights[t.loop]);
+        sums_[e].add(t.number, weights_[t.loop]);
   }
 
-  std::size_t number_of_loops() const { return number_of_loops_; }
+  std::size_t number_of_loops() const { return weights_.size(); }
+
+  /// the sums of a walk that crosses a loop once.
+  const Class_sums& weight(Index loop) const { return weights_[loop]; }
 
   /// the sums of the edge from `v` to its neighbour in this position of its ring.
   Class_sums sums_at(Index v, Index position) const {
@@ -80,15 +82,8 @@ public:
     return first == no_index ? Class_sums() : sums_[first + position];
   }
 
-  /// the sums of a way from `u` along an edge to `v`, or on the spot.
-  Class_sums sums(Index u, Index v) const {
-    Class_sums result;
-    if(const auto [edge, sign] = crossings_->edge_between(u, v); edge != no_index)
-      result.add(sign, sums_[edge]);
-    return result;
-  }
-
-  /// calls `f(loop, number)` for the loops that cross such a way.
+  /// calls `f(loop, number)` for the loops that cross a way from `u` along an edge to `v`, or on
+  /// the spot.
   template <typename Function> void for_each_term(Index u, Index v, const Function& f) const {
     crossings_->for_each_term(u, v, f);
   }
@@ -106,8 +101,8 @@ private:
   }
 
   std::shared_ptr<const Edge_crossings> crossings_;
-  std::size_t number_of_loops_;
-  std::vector<Class_sums> sums_; // by edge
+  std::vector<Class_sums> weights_; // by loop
+  std::vector<Class_sums> sums_;    // by edge
 };
 
 /*!
@@ -322,13 +317,13 @@ public:
     sums_.assign(own_heads_.size(), {});
     terms_begin_.assign(own_heads_.size() + 1, 0);
     terms_.clear();
-    count_ways();
+    find_crossed_ways();
     for(Index v = 0; v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
-        sums_[s] = counted_sums(v, s);
-        if(!sums_[s].is_zero())
-          add_terms(v, s);
+        add_terms(v, s);
         terms_begin_[s + 1] = static_cast<Index>(terms_.size());
+        for(const auto& [loop, number] : terms(s))
+          sums_[s].add(number, classes.weight(loop));
       }
     note_steps_across();
   }
@@ -495,60 +490,46 @@ private:
 
   // ---- counting
 
-  // What the ways cross that lead from the nodes to the vertices of the finer mesh. What comes
-  // before a vertex on its way is counted before it.
-  void count_ways() {
-    sums_of_ways_.assign(ways_.size(), {});
-    crossed_before_.assign(ways_.size(), no_index);
-    std::vector<char> is_counted(ways_.size(), 0);
+  // What comes before a vertex on its way is looked at before it.
+  void find_crossed_ways() {
+    last_crossed_.assign(ways_.size(), no_index);
+    std::vector<char> is_known(ways_.size(), 0);
     std::vector<Index> way;
     for(Index v = 0; v < ways_.size(); ++v) {
-      for(Index u = v; ways_[u].vertex != no_index && is_counted[u] == 0; u = ways_[u].vertex)
+      for(Index u = v; ways_[u].vertex != no_index && is_known[u] == 0; u = ways_[u].vertex)
         way.push_back(u);
       for(; !way.empty(); way.pop_back()) {
         const Index u = way.back(), before = ways_[u].vertex;
-        const Class_sums last = finer_->sums(before, ways_[u].step);
-        sums_of_ways_[u] = sums_of_ways_[before] + last;
-        crossed_before_[u] = last.is_zero() ? crossed_before_[before] : u;
-        is_counted[u] = 1;
+        const bool is_crossed = !finer_->sums(before, ways_[u].step).is_zero();
+        last_crossed_[u] = is_crossed ? u : last_crossed_[before];
+        is_known[u] = 1;
       }
     }
   }
 
-  // Of a step of the base, along its walk; of a coarser mesh, by the ways to its link from both
-  // ends.
-  Class_sums counted_sums(Index v, Index step) const {
-    Class_sums sums;
-    if(finer_ == nullptr)
-      for_each_edge(v, step, [&](Index from, Index to) {
-        sums.add(1, classes_->sums(corner(from), corner(to)));
-      });
-    else {
-      const Step_from link = links_[step];
-      sums = sums_of_ways_[link.vertex] + finer_->sums(link.vertex, link.step);
-      sums.add(-1, sums_of_ways_[finer_->head(link.step)]);
-    }
-    return sums;
-  }
-
-  // Of a step that crosses loops, by loop.
+  // Of a step of the base, along its walk, or those of the way back; of a coarser mesh, by the ways
+  // to its link from both ends.
   void add_terms(Index v, Index step) {
-    if(finer_ == nullptr)
+    if(finer_ != nullptr) {
+      const Step_from link = links_[step];
+      add_terms_of_way(link.vertex, 1);
+      finer_->for_each_loop_across(link,
+                                   [&](Index loop, int number) { crossed_.add(loop, number); });
+      add_terms_of_way(finer_->head(link.step), -1);
+    } else if(const Index back = ways_back_[step]; back < step) {
+      for(Index i = terms_begin_[back]; i != terms_begin_[back + 1]; ++i) {
+        const auto [loop, number] = terms_[i];
+        terms_.emplace_back(loop, -number);
+      }
+    } else
       for_each_edge(v, step, [&](Index from, Index to) {
         for_each_term(from, to, [&](Index loop, int number) { crossed_.add(loop, number); });
       });
-    else {
-      const Step_from link = links_[step];
-      add_terms_of_way(link.vertex, 1);
-      finer_->for_each_loop_across(
-          link, [&](Index loop, int number) { crossed_.add(loop, number); });
-      add_terms_of_way(finer_->head(link.step), -1);
-    }
     crossed_.take([&](Index loop, int number) { terms_.emplace_back(loop, number); });
   }
 
   void add_terms_of_way(Index v, int sign) {
-    for(Index u = crossed_before_[v]; u != no_index; u = crossed_before_[ways_[u].vertex])
+    for(Index u = last_crossed_[v]; u != no_index; u = last_crossed_[ways_[u].vertex])
       finer_->for_each_loop_across(
           ways_[u], [&](Index loop, int number) { crossed_.add(loop, sign * number); });
   }
@@ -587,12 +568,16 @@ private:
 
   void add_edges(const Intrinsic_triangulation& triangulation) {
     const Index n = static_cast<Index>(triangulation.number_of_halfedges());
-    std::vector<Index> end(triangulation.number_of_vertices() + 1, 0), by_source(n);
+    std::vector<Index> end(triangulation.number_of_vertices() + 1, 0), by_source(n), steps(n);
     for(Index h = 0; h < n; ++h)
       ++end[triangulation.source(h) + 1];
     std::partial_sum(end.begin(), end.end(), end.begin());
-    for(Index h = 0; h < n; ++h)
-      by_source[end[triangulation.source(h)]++] = h;
+    for(Index h = 0; h < n; ++h) {
+      steps[h] = end[triangulation.source(h)]++;
+      by_source[steps[h]] = h;
+    }
+    for(Index h : by_source)
+      ways_back_.push_back(steps[triangulation.twin(h)]);
     own_heads_.reserve(n);
     lengths_.reserve(n);
     walk_begin_.reserve(n + 1);
@@ -618,14 +603,16 @@ private:
   // the nearest of them.
   const Search_mesh* finer_ = nullptr;
   std::vector<Index> nodes_, node_of_;
-  std::vector<Step_from> ways_;  // by vertex there: the last step on the way from its node
-  std::vector<Step_from> links_; // by step: the one there from a vertex of one node to one of another
+  std::vector<Step_from> ways_; // by vertex there: the last step on the way from its node
+  std::vector<Step_from>
+      links_; // by step: the one there from a vertex of one node to one of another
   const Flat_mesh* surface_;
   std::shared_ptr<const Subdivision> subdivision_; // unless the mesh is the surface
   std::size_t number_of_vertices_ = 0;
   const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
   std::vector<Index> own_begin_, own_heads_;
   std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
+  std::vector<Index> ways_back_;          // by step of a triangulation, the same edge
   std::vector<float> lengths_;            // by step, of the mesh as well if measured
   const Edge_classes* classes_ = nullptr; // that were last counted
   // Only if steps have walks: by step, what it crosses, and how often.
@@ -634,11 +621,8 @@ private:
   std::vector<std::pair<Index, int>> terms_; // loops and numbers, by loop
   std::vector<Index> across_begin_;          // by loop
   std::vector<Step_from> steps_across_;
-  Sparse_sum<int> crossed_; // by a step, by loop
-  // By vertex of the finer mesh: what its way crosses, and the last vertex on it, or itself, whose
-  // step crosses any loop.
-  std::vector<Class_sums> sums_of_ways_;
-  std::vector<Index> crossed_before_;
+  Sparse_sum<int> crossed_;         // by a step, by loop
+  std::vector<Index> last_crossed_; // of the steps on a way, by vertex of the finer mesh: its end
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
