@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Oriented_box.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Principal_axes.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/triangles_apart.h>
 
 #include <algorithm>
 #include <array>
@@ -320,10 +321,11 @@ private:
 
   // Looks for a direction in which one part ends before the other begins: where two points stand
   // against one, that is reflected in the direction from one to the other (Chung and Wang 1996).
-  // There may be one even if none is found: only a few are tried, and none for large parts.
+  // There may be one even if none is found: only a few are tried, and none for large parts, nor for
+  // so small ones that to look at each triangle takes less.
   bool are_separated(const Node& a, const Node& b) const {
     constexpr std::size_t largest_size = 32;
-    if((std::max)(a.size(), b.size()) > largest_size)
+    if((std::max)(a.size(), b.size()) > largest_size || a.size() + b.size() <= 2 * leaf_size)
       return false;
     constexpr int number_of_trials = 3;
     constexpr double margin = 1e-12;
@@ -402,7 +404,8 @@ private:
   void compare_leaves(const Node& a, const Node& b, const Function& f) const {
     for(std::size_t i = a.begin; i < a.end; ++i)
       for(std::size_t j = &a == &b ? i + 1 : b.begin; j < b.end; ++j)
-        f(order_[i], order_[j]);
+        if(!are_seen_apart(triangles_[order_[i]].points, triangles_[order_[j]].points))
+          f(order_[i], order_[j]);
   }
 
   // Those that are seen from their hub near each other: on a cube around it a triangle is an arc of
