@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Edge_crossings.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -61,19 +63,17 @@ public:
 
   /// throws `std::invalid_argument` if the loops are no basis.
   std::vector<Chain> dual_to(const std::vector<Crossing_loop>& loops) const {
-    const Crossing_index index(problem_.mesh, loops);
+    const Edge_crossings crossings(problem_.mesh, Crossing_index(problem_.mesh, loops));
+    Sparse_sum<std::int64_t> numbers;
     std::vector<Class_vector> rows(loops.size()); // by loop, how often cycles cross it
     for(Index i = 0; i < cycles_.size(); ++i) {
-      Sparse_numbers numbers;
       for(const auto& [h, times] : cycle(cycles_[i])) {
-        Sparse_numbers of_edge;
-        index.add_crossings(halfedges().source(h), halfedges().target(h), of_edge);
-        for(const auto& [loop, number] : of_edge)
-          numbers[loop] += times * number;
+        const std::int64_t factor = times;
+        crossings.for_each_term(
+            halfedges().source(h), halfedges().target(h),
+            [&](Index loop, int number) { numbers.add(loop, factor * number); });
       }
-      for(const auto& [loop, number] : numbers)
-        if(number != 0)
-          rows[loop].emplace_back(i, number);
+      numbers.take([&](Index loop, std::int64_t number) { rows[loop].emplace_back(i, number); });
     }
     if(loops.size() != cycles_.size())
       throw std::invalid_argument("the loops are not as many as a basis has");
