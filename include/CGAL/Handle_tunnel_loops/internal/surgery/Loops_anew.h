@@ -361,36 +361,54 @@ public:
     for(std::size_t i = 0; i < tasks.size(); ++i)
       if(tasks[i].state != Removal_task::State::REMOVED && !tasks[i].is_of_neck())
         old.push_back(i);
-    // If all handles are known, the last ones have nothing else left.
-    const double most = old.size() == pairs_.size() ? infinite : 1.;
-    std::vector<char> is_named(tasks.size(), 0), is_taken(pairs_.size(), 0);
-    for(Candidates nearest = candidates(tasks, old); !nearest.empty();) {
-      const auto [d, is_measured, i, k] = nearest.top();
-      nearest.pop();
-      if(is_named[i] || is_taken[k] || d >= most)
-        continue;
-      if(!is_measured) {
-        nearest.push({distance(tasks[i], k), true, i, k});
-        continue;
-      }
-      is_named[i] = is_taken[k] = 1;
-      if(tasks[i].has_failed() && !(tasks[i].is_settled && are_of(tasks[i], pairs_[k])))
-        give(pairs_[k], tasks[i]);
-    }
+    Assignment done{std::vector<char>(tasks.size(), 0), std::vector<char>(pairs_.size(), 0)};
+    give_nearest(tasks, old, 1., done);
+    if(old.size() == pairs_.size()) // all handles are known: the last ones have nothing else left
+      give_nearest(tasks, old, infinite, done);
   }
 
 private:
   static constexpr double infinite = (std::numeric_limits<double>::infinity)();
 
+  // Which tasks have their pairs by now, by their numbers.
+  struct Assignment
+  {
+    std::vector<char> is_named, is_taken;
+  };
+
+  // Those nearer than that, the nearest first.
+  void give_nearest(std::vector<Removal_task>& tasks,
+                    const std::vector<std::size_t>& numbers,
+                    double most,
+                    Assignment& done) const {
+    for(Candidates nearest = candidates(tasks, numbers, most, done); !nearest.empty();) {
+      const auto [d, is_measured, i, k] = nearest.top();
+      nearest.pop();
+      if(done.is_named[i] || done.is_taken[k] || d >= most)
+        continue;
+      if(!is_measured) {
+        nearest.push({distance(tasks[i], k), true, i, k});
+        continue;
+      }
+      done.is_named[i] = done.is_taken[k] = 1;
+      if(tasks[i].has_failed() && !(tasks[i].is_settled && are_of(tasks[i], pairs_[k])))
+        give(pairs_[k], tasks[i]);
+    }
+  }
+
   // How far a task is from a pair, or less than that if it is not measured yet, and their numbers.
   using Candidate = std::tuple<double, bool, std::size_t, std::size_t>;
   using Candidates = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
 
-  // All, with lower bounds.
+  // Those that are left and may be nearer than that, with lower bounds.
   Candidates candidates(const std::vector<Removal_task>& tasks,
-                        const std::vector<std::size_t>& numbers) const {
+                        const std::vector<std::size_t>& numbers,
+                        double most,
+                        const Assignment& done) const {
     std::vector<Candidate> all;
     for(std::size_t i : numbers) {
+      if(done.is_named[i])
+        continue;
       std::vector<Box<3>> boxes; // by choice
       for(const Loop_choice& choice : tasks[i].choices)
         boxes.push_back(Loop_distance::box(mesh_, choice));
@@ -398,7 +416,9 @@ private:
         const auto bound = [&](std::size_t choice, const Loop_distance& from) {
           return from.bound(boxes[choice]);
         };
-        all.push_back({least(tasks[i], k, bound), false, i, k});
+        if(!done.is_taken[k])
+          if(const double d = least(tasks[i], k, bound); d < most)
+            all.push_back({d, false, i, k});
       }
     }
     return Candidates(std::greater<>(), std::move(all));
