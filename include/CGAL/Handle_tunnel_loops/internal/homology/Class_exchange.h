@@ -87,6 +87,14 @@ private:
   bool is_tight_ = false;
 };
 
+/// How loops are searched for.
+struct Search_manner
+{
+  bool are_walls_along; ///< see `Class_search::start()`
+  bool is_lean;         ///< the same
+  double spacing;       ///< of the places to search from, over the length that is looked for
+};
+
 /*!
 Finds short loops that cross a given one: `Class_search` from places along it, as close to each
 other as it takes.
@@ -106,20 +114,18 @@ public:
       , distances_(search_mesh)
       , search_(search_mesh) {}
 
-  /// looks for the targets along loop \p number, that all of them have to cross; see `Class_search`
-  /// for the walls. The places are \p spacing times what is looked for apart.
+  /// looks for the targets along loop \p number, that all of them have to cross.
   void run(const Crossing_loop& partner,
            Index number,
-           bool are_walls_along,
-           double spacing,
+           const Search_manner& manner,
            Search_targets& targets,
            std::size_t& visits) {
     measure(partner);
     distances_.compute(partner, number, targets.limit(), visits);
     if(distances_.around() >= targets.limit())
       return;
-    search_.start(are_walls_along, &distances_);
-    for(const auto& [bound, root] : places(partner, spacing * targets.smallest_limit()))
+    search_.start(manner.are_walls_along, &distances_, manner.is_lean);
+    for(const auto& [bound, root] : places(partner, manner.spacing * targets.smallest_limit()))
       if(visits > 0 && bound < worth_a_way * targets.limit() &&
          search_.lower_bound(root) < worth_a_search * targets.limit())
       {

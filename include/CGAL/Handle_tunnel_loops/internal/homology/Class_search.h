@@ -213,6 +213,9 @@ public:
              [&](Index v, float distance) { return distance + value(sides_[1 - i], v) < whole; });
   }
 
+  /// the number of the partner.
+  Index loop() const { return number_; }
+
   /// No walk that crosses the partner is shorter.
   double around() const { return around_; }
 
@@ -308,8 +311,12 @@ Dijkstra's algorithm on the covering surface on which the walls unroll: a label 
 with the sum of the walls that the way to it has crossed. Where two ways come to one vertex with the
 same sum, they are a closed walk that crosses the walls as often forth as back, and all shortest
 such walks are of this form (two shortest ways and an edge, as Thomassen's condition on three paths
-holds on the cover; Erickson and Whittlesey 2005). Without walls these are a tree and an edge. No
-vertex is visited with more than eight sums: on knots something may be missed.
+holds on the cover; Erickson and Whittlesey 2005). Without walls these are a tree and an edge.
+
+No vertex is visited with more than a few sums, so something may be missed. Ways around a knotted
+tube differ in how often they cross the wall that is paired with the partner: these sums, and zero,
+are always kept. All others are of ways in and out of holes nearby. There may be very many of them,
+and if they came first, none would be left for a walk that passes by.
 */
 class Class_search
 {
@@ -323,10 +330,16 @@ public:
   /// before searches with other targets or walls. The walls are the loops of the sums `along` if
   /// \p are_walls_along, else those of `across`.
   /// With distances from a partner, walks begin near it, and ways are followed only that may
-  /// be part of one that crosses it and is short enough.
-  void start(bool are_walls_along, const Partner_distances* partner = nullptr) {
+  /// be part of one that crosses it and is short enough. A search that \p is_lean visits no vertex
+  /// with more than two sums.
+  void
+  start(bool are_walls_along, const Partner_distances* partner = nullptr, bool is_lean = false) {
     are_walls_along_ = are_walls_along;
     partner_ = partner;
+    most_others_ = is_lean ? 1 : partner != nullptr ? 2 : 8;
+    kept_.assign(1, 0);
+    if(partner != nullptr && !is_lean)
+      keep_windings(wall(mesh_.weight(partner->loop() ^ 1)));
     for(Index v : bounded_)
       lower_bounds_[v] = 0.f;
     bounded_.clear();
@@ -340,7 +353,7 @@ public:
     visits_ = &visits;
     shortest_ = targets.limit();
     is_cut_off_ = false;
-    Label first{0.f, root, no_index, no_index, no_index, false, 0, {}};
+    Label first{0.f, root, no_index, no_index, no_index, false, false, 0, {}};
     if(partner_ != nullptr) {
       first.copy = partner_->first_copy(root);
       offset_ = partner_->distance(root);
@@ -363,7 +376,7 @@ public:
   double lower_bound(Index v) const { return lower_bounds_[v]; }
 
 private:
-  static constexpr int most_labels = 8; // of one vertex
+  static constexpr std::uint64_t most_windings = 3;
 
   struct Label
   {
@@ -373,12 +386,22 @@ private:
     Index step;   // from it
     Index next;   // of the same vertex
     bool is_settled;
-    int copy; // of the surface cut open along the partner
+    bool is_other; // than those that are always kept
+    int copy;      // of the surface cut open along the partner
     Class_sums sums;
   };
 
   std::uint64_t wall(const Class_sums& s) const { return are_walls_along_ ? s.along : s.across; }
   std::uint64_t kind(const Class_sums& s) const { return are_walls_along_ ? s.across : s.along; }
+
+  void keep_windings(std::uint64_t sum) {
+    for(std::uint64_t i = 1; i <= most_windings; ++i)
+      kept_.insert(kept_.end(), {i * sum, 0 - i * sum});
+  }
+
+  bool is_kept(std::uint64_t sum) const {
+    return std::find(kept_.begin(), kept_.end(), sum) != kept_.end();
+  }
 
   // Whether no walk that goes this way is short enough.
   bool is_too_far(const Label& way) const {
@@ -415,25 +438,30 @@ private:
   }
 
   void relax(const Label& way) {
-    int number = 0;
-    for(Index m = first_[way.vertex]; m != no_index; m = labels_[m].next, ++number) {
+    int others = 0;
+    for(Index m = first_[way.vertex]; m != no_index; m = labels_[m].next) {
       Label& other = labels_[m];
+      others += other.is_other;
       if(wall(other.sums) != wall(way.sums))
         continue;
       if(kind(other.sums) != kind(way.sums))
         note(way, other);
       if(!other.is_settled && way.distance < other.distance && !is_too_far(way)) {
         const Index next = other.next;
+        const bool is_other = other.is_other;
         other = way;
         other.next = next;
+        other.is_other = is_other;
         queue_.push(way.distance, m);
       }
       return;
     }
     if(2. * way.distance >= targets_->limit() || is_too_far(way))
       return;
-    if(number < most_labels)
-      reach(way.vertex, way);
+    Label label = way;
+    label.is_other = !is_kept(wall(way.sums));
+    if(!label.is_other || others < most_others_)
+      reach(way.vertex, label);
     else
       is_cut_off_ = true;
   }
@@ -512,7 +540,9 @@ private:
   std::vector<float> lower_bounds_; // by vertex
   Distance_queue<float> queue_;
   bool are_walls_along_ = false;
-  bool is_cut_off_ = false; // at a vertex that has been reached with too many sums
+  std::vector<std::uint64_t> kept_; // sums of walls
+  int most_others_ = 0;             // at a vertex
+  bool is_cut_off_ = false;         // at a vertex that has been reached with too many sums
   double shortest_ = 0.;
   double offset_ = 0.; // of the root from the partner
   const Partner_distances* partner_ = nullptr;

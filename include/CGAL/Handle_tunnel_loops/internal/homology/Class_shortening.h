@@ -100,8 +100,7 @@ public:
         is_open_[i] = is_to_be_shortened(i);
       overestimate_ = 1.;
       const double left = repeat(visits());
-      if(open_long_ones())
-        repeat(part_for_long_ones * left);
+      search_long_ones(part_for_long_ones * left);
       take_sums();
     }
     return std::move(sources_);
@@ -133,6 +132,7 @@ private:
   static constexpr double around_tube = 4.; // the longest loop that cells may be made for, over it
   static constexpr double much_longer = 2.; // than others
   static constexpr double part_for_long_ones = 0.25, part_after_sums = 0.1;
+  static constexpr double visits_of_vertex = 4.;     // by a lean search, with what distances take
   static constexpr double crossings_for_visit = 32.; // at most, on sums
 
   bool is_small() const { return double(mesh_.number_of_vertices()) <= few_vertices; }
@@ -194,13 +194,26 @@ private:
   // Where it is not known what bounds, no class is better than another.
   bool is_to_be_shortened(Index i) const { return (*is_pure_)[i / 2] || !are_pairs_kept_; }
 
-  // Of loops that are closed there may be some for which only the likely tasks were done. Opens
-  // those that are long: most is to be gained there.
-  bool open_long_ones() {
+  // Most is to be gained from long loops. There may be some for which only the likely tasks were
+  // done; and where one passes a row of holes, these are all in one cell if cells are as large as
+  // the loop suggests. Among small ones a lean search is all that there are visits for.
+  void search_long_ones(double visits) {
+    open_long_ones([this](Index i) { return is_known_[i] == 0; });
+    repeat(visits);
+    const std::vector<double> patience =
+        std::exchange(patience_, std::vector<double>(loops_->size(), visits_of_vertex));
+    overestimate_ = 1.;
+    is_lean_ = true;
+    open_long_ones([](Index) { return true; });
+    repeat(visits);
+    is_lean_ = false;
+    patience_ = patience;
+  }
+
+  template <typename Predicate> void open_long_ones(const Predicate& is_wanted) {
     const double enough = much_longer * total_length() / double(lengths_.size());
     for(Index i = 0; i < lengths_.size(); ++i)
-      is_open_[i] = is_to_be_shortened(i) && !is_known_[i] && lengths_[i] > enough;
-    return is_any_open();
+      is_open_[i] = is_to_be_shortened(i) && lengths_[i] > enough && is_wanted(i);
   }
 
   // Sums of loops, a search for those that have taken the place of others, and sums of these.
@@ -306,21 +319,24 @@ private:
   }
 
   // All tasks thoroughly if there are visits enough, else all, or the likely ones; and what is
-  // spent on each.
+  // spent on each. Of a lean search it is the likely ones in any case.
   std::vector<Task> tasks_within(double visits, const std::vector<Class_vector>& duals) {
     const double least_part = (std::min)(1., larger_part * part_);
     const double expected = overestimate_ * visits;
-    std::vector<Task> chosen = tasks(duals, false);
+    std::vector<Task> chosen = tasks(duals, is_lean_);
     part_ = 1.;
     is_thorough_ = true;
-    Search_plan efforts = plan_of_part(chosen, part_for_small_cells * expected, part_);
-    is_thorough_ = !efforts.is_tight();
-    if(!is_thorough_)
+    are_all_tasks_ = !is_lean_;
+    Search_plan efforts =
+        plan_of_part(chosen, (is_lean_ ? 1. : part_for_small_cells) * expected, part_);
+    if(!is_lean_ && efforts.is_tight()) {
+      is_thorough_ = false;
       efforts = plan(chosen, expected, least_part);
-    are_all_tasks_ = !efforts.is_tight();
-    if(!are_all_tasks_) {
-      chosen = tasks(duals, true);
-      efforts = plan(chosen, expected, least_part);
+      are_all_tasks_ = !efforts.is_tight();
+      if(!are_all_tasks_) {
+        chosen = tasks(duals, true);
+        efforts = plan(chosen, expected, least_part);
+      }
     }
     for(std::size_t n = 0; n < chosen.size(); ++n)
       chosen[n].effort = efforts.effort(n);
@@ -442,8 +458,8 @@ private:
           {part_ * (is_refined() ? refined_edges : poor_edges) * lengths_[i], &duals[i]});
     Search_targets targets(std::move(wanted));
     const auto [ground, level] = scale(part_ * task.length, task.partner);
-    ground->search(level, task.partner, is_pure && is_tunnel, task.effort.spacing, targets,
-                   task.left);
+    ground->search(level, task.partner, {is_pure && is_tunnel, is_lean_, task.effort.spacing},
+                   targets, task.left);
     std::vector<Candidate> candidates;
     for(const Search_targets::Found& found : targets.take_found()) {
       if(found.walk.size() < 3)
@@ -625,6 +641,7 @@ private:
   const std::vector<char>* is_pure_ = nullptr;
   bool is_prepared_ = false; // the grounds to search on
   bool are_pairs_kept_ = true;
+  bool is_lean_ = false;          // the search, of long loops
   bool is_thorough_ = false;      // the search, of the round: all tasks, on small cells
   bool are_all_tasks_ = false;    // not only the likely ones, in the round
   bool are_all_searched_ = false; // to their end, in the last round

@@ -83,12 +83,10 @@ public:
   /// see `Partner_search::run()`.
   void search(int level,
               Index partner,
-              bool are_walls_along,
-              double spacing,
+              const Search_manner& manner,
               Search_targets& targets,
               std::size_t& visits) {
-    searches_.at(level).borrow()->run((*loops_)[partner], partner, are_walls_along, spacing,
-                                      targets, visits);
+    searches_.at(level).borrow()->run((*loops_)[partner], partner, manner, targets, visits);
   }
 
   /// the loop on the mesh along a walk that was found, tightened, or straight if there is a coarse

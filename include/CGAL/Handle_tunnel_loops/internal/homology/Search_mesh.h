@@ -384,6 +384,9 @@ public:
     return has_walks() ? sums_[step] : classes_->sums_at(v, step - begin(v));
   }
 
+  /// what a walk crosses that crosses a loop once.
+  const Class_sums& weight(Index loop) const { return classes_->weight(loop); }
+
   /// the corner of the mesh that stands for a vertex on the edges along which steps lead.
   Index corner(Index v) const { return subdivision_ == nullptr ? v : subdivision_->corners[v]; }
 
