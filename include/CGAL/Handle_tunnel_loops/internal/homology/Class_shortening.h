@@ -100,7 +100,7 @@ public:
         is_open_[i] = is_to_be_shortened(i);
       overestimate_ = 1.;
       const double left = repeat(visits());
-      search_long_ones(part_for_long_ones * left);
+      search_long_ones((std::max)(part_for_long_ones * left, least_for_long_ones * visits()));
       take_sums();
     }
     return std::move(sources_);
@@ -132,8 +132,9 @@ private:
   static constexpr double around_tube = 4.; // the longest loop that cells may be made for, over it
   static constexpr double much_longer = 2.; // than others
   static constexpr double part_for_long_ones = 0.25, part_after_sums = 0.1;
-  static constexpr double visits_of_vertex = 4.;     // by a lean search, with what distances take
-  static constexpr double crossings_for_visit = 32.; // at most, on sums
+  static constexpr double least_for_long_ones = 0.05; // of visits, also if none are left
+  static constexpr double visits_of_vertex = 4.;      // by a lean search, with what distances take
+  static constexpr double crossings_for_visit = 32.;  // at most, on sums
 
   bool is_small() const { return double(mesh_.number_of_vertices()) <= few_vertices; }
 
