@@ -145,7 +145,7 @@ private:
   double visits() const {
     const double part = part_of_vertices(few_vertices);
     return effort_ * (coarse_ground_ ? part_on_coarse : 1.) *
-           (std::min)(most_visits, 4. * most_visits * part * std::sqrt(part));
+           (std::min)(most_visits, 2. * most_visits * part * std::sqrt(part));
   }
 
   // As many, at least, as to go over a coarse mesh once.
