@@ -190,6 +190,27 @@ TEST(Contact_search, sees_folds_at_hubs) {
   }
 }
 
+// A disc around a hub, of which one triangle has an angle of nearly 180 degrees there, and one of
+// the others comes up through it or not.
+TEST(Contact_search, sees_folds_through_flat_angles_at_hubs) {
+  constexpr std::uint32_t n = 200;
+  for(const double opening : {1e-2, 1e-4, 1e-7})
+    for(const bool is_folded : {false, true}) {
+      Soup soup;
+      soup.points = {{0., 0., 0.}, {1., 0., 0.}, {-1., opening, 0.}};
+      for(std::uint32_t i = 1; i < n; ++i) {
+        const double angle = CGAL_PI * (1. + double(i) / n);
+        soup.points.push_back({std::cos(angle), 0.1 * std::sin(CGAL_PI * i / n), std::sin(angle)});
+      }
+      if(is_folded)
+        soup.points[2 + n / 2] = {0.02, 1., 0.5};
+      for(std::uint32_t i = 1; i <= n; ++i)
+        soup.triangles.push_back({0, i, i + 1});
+      soup.triangles.push_back({0, n + 1, 1});
+      EXPECT_EQ(search(soup).has_contact, is_folded) << opening;
+    }
+}
+
 TEST(Placed_boxes, ends_soon_after_what_is_looked_for) {
   constexpr std::size_t n = 4000;
   const auto box = [](std::size_t i) {

@@ -453,14 +453,28 @@ private:
     for(std::size_t i = 0; i < places.size(); ++i) {
       const double u = 1. - places[i], v = places[i];
       const Point p = {u * a[0] + v * b[0], u * a[1] + v * b[1], u * a[2] + v * b[2]};
-      if(largest(p) < least) {
-        segments.push_back({{}, {{{-1., -1., -1.}, {1., 1., 1.}, {1., -1., 1.}}}});
-        return;
-      }
+      if(largest(p) < least)
+        return append_cube(segments);
       ends[i] = direction(origin, p);
     }
     for(std::size_t i = 1; i < places.size(); ++i)
       segments.push_back({{}, {ends[i - 1], ends[i], ends[i]}});
+  }
+
+  // All of its surface.
+  static void append_cube(std::vector<Triangle>& segments) {
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      for(const double side : {-1., 1.}) {
+        const auto corner = [axis, side](double x, double y) {
+          Point p{};
+          p[axis] = side;
+          p[(axis + 1) % 3] = x;
+          p[(axis + 2) % 3] = y;
+          return p;
+        };
+        segments.push_back({{}, {corner(-1., -1.), corner(1., -1.), corner(1., 1.)}});
+        segments.push_back({{}, {corner(-1., -1.), corner(1., 1.), corner(-1., 1.)}});
+      }
   }
 
   static double largest(const Point& d) {
