@@ -173,6 +173,27 @@ TEST(Near_pairs, AreFewWhereAllBoxesMeet) {
   EXPECT_FALSE(impl::near_pairs(flat)); // one has no area
 }
 
+// How many pairs are looked at with so many triangles done.
+std::size_t number_of_pairs(impl::Pair_budget& budget, std::size_t done) {
+  std::size_t number = 0;
+  while(!budget.is_spent(done))
+    ++number;
+  return number;
+}
+
+TEST(Pair_budget, GrowsWithWhatIsDone) {
+  impl::Pair_budget of_many(10000), halfway(10000), of_few(8);
+  const std::size_t at_once = number_of_pairs(of_many, 0);
+  EXPECT_GT(at_once, 10000u);
+  EXPECT_NEAR(double(number_of_pairs(halfway, 5000) - at_once), 64. * 10000., 1.);
+  // All of a few are done at once, so that a closer look at a million costs as many pairs of them.
+  number_of_pairs(of_few, 8);
+  EXPECT_TRUE(of_few.is_over());
+  of_few.extend(1000000);
+  EXPECT_FALSE(of_few.is_over());
+  EXPECT_NEAR(double(number_of_pairs(of_few, 8)), 128. * 1000000., 2.);
+}
+
 // A disc in an end of a drum, which the faces at the hub are around, and where it is moved to.
 TEST(Near_pairs, TellWhetherCapsMeetASurface) {
   generators::Random random(4);

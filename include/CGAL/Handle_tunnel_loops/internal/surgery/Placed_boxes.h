@@ -44,9 +44,9 @@ public:
     tree_ = Box_tree<3>(std::move(boxes));
   }
 
-  /// whether `f(i, j, done)` holds for any of these and of others whose boxes meet, while so many
-  /// of the others are done, or will be: they come in groups; `box(i)` and `other_box(j)` are what
-  /// the boxes were made from. Ends soon after the first.
+  /// whether `f(i, j, done)` holds for any of these and of others whose boxes meet; so many of the
+  /// others, which come in groups, are done once the group of `j` is. `box(i)` and `other_box(j)`
+  /// are what the boxes were made from. Ends soon after the first.
   template <typename Box_of, typename Box_of_other, typename Predicate>
   bool any_meeting(const Placed_boxes& others,
                    const Box_of& box,
@@ -57,9 +57,9 @@ public:
     for_each_index(
         execution, others.tree_.size(),
         [&](std::size_t other) {
-          if(!is_found && meets_group(others, other, box, other_box, [&](Index i, Index j) {
-               return is_found || f(i, j, other * group_size);
-             }))
+          const std::size_t done = (std::min)((other + 1) * group_size, others.order_.size());
+          if(!is_found && meets_group(others, other, box, other_box,
+                                      [&](Index i, Index j) { return is_found || f(i, j, done); }))
             is_found = true;
         },
         grain);

@@ -50,7 +50,7 @@ Contact_search contact_search(Execution execution, std::size_t n, const Triangle
 class Pair_budget
 {
 public:
-  /// of so many triangles, of which each is done after the other.
+  /// of so many triangles, of which each is done after the other, or some at once.
   explicit Pair_budget(std::size_t number_of_triangles)
       : to_do_(double((std::max)(number_of_triangles, std::size_t(1))))
       , size_(to_do_) {}
@@ -61,10 +61,11 @@ public:
     return budget;
   }
 
-  /// to be called for each pair, with how many triangles were done before: whether there were
-  /// enough of them.
+  /// to be called for each pair, with how many triangles are done once those of the pair are:
+  /// whether there were enough pairs.
   bool is_spent(std::size_t done) {
-    is_over_ = number_ >= at_first_ + largest_crowding * size_ * (double(done) / to_do_);
+    const double part = (std::min)(1., double(done) / to_do_);
+    is_over_ = number_ >= at_first_ + largest_crowding * size_ * part;
     ++number_;
     return is_over_;
   }
