@@ -84,7 +84,8 @@ public:
   }
 
   /// of those points of some triangles that are above the others, as their normals point, or below
-  /// if \p outward is negative.
+  /// if \p outward is negative. Triangles that lie below where they are asked are believed to come
+  /// up through the others: what is above only beyond their rim may be missed.
   double above(double outward, Triangles triangles) const {
     if(to_.empty())
       return 0.;
