@@ -313,10 +313,11 @@ same sum, they are a closed walk that crosses the walls as often forth as back, 
 such walks are of this form (two shortest ways and an edge, as Thomassen's condition on three paths
 holds on the cover; Erickson and Whittlesey 2005). Without walls these are a tree and an edge.
 
-No vertex is visited with more than a few sums, so something may be missed. Ways around a knotted
-tube differ in how often they cross the wall that is paired with the partner: these sums, and zero,
-are always kept. All others are of ways in and out of holes nearby. There may be very many of them,
-and if they came first, none would be left for a walk that passes by.
+No vertex is visited with more than a few sums, so something may be missed. Zero is always kept. So
+are, up to three times and unless the search is lean, the sums of ways around a knotted tube, which
+differ in how often they cross the wall that is paired with the partner. All others are of ways in
+and out of holes nearby. There may be very many of them, and if they came first, none would be left
+for a walk that passes by.
 */
 class Class_search
 {

@@ -208,6 +208,7 @@ private:
     open_long_ones([](Index) { return true; });
     repeat(visits);
     is_lean_ = false;
+    overestimate_ = 1.;
     patience_ = patience;
   }
 
