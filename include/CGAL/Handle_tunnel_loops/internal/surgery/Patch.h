@@ -371,9 +371,10 @@ private:
       return placed_.meets(face);
     if(!boxes_)
       boxes_ = placed_.placed_boxes();
-    const std::vector<Index> near =
+    const std::vector<Index> close_ones =
         boxes_->meeting(face.box(), [this](Index i) { return placed_.box(i); });
-    return std::any_of(near.begin(), near.end(), [&](Index i) { return placed_.meets(i, face); });
+    return std::any_of(close_ones.begin(), close_ones.end(),
+                       [&](Index i) { return placed_.meets(i, face); });
   }
 
   // None if there are too many.
