@@ -73,7 +73,8 @@ public:
       if(has_within(enough - radius, center, beside))
         continue;
       if(!has_within(most, center, beside)) {
-        const auto nearest = tree_.closest_point_and_primitive(center);
+        // From there, as the tree would build another one to know where to begin.
+        const auto nearest = tree_.closest_point_and_primitive(center, {(*beside)[0], beside});
         most = (std::max)(most, std::sqrt(CGAL::squared_distance(center, nearest.first)));
         beside = nearest.second;
       }
