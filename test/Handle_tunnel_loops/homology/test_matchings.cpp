@@ -231,7 +231,7 @@ TEST(Match_loops, CrossAnOddNumberOfTimesAndOnceIfTheyCan) {
           can_be_paired(all, [&](Index i, Index j) { return abs(numbers[i][j]) == 1; });
       (can_cross_once ? once : not_once) += 1;
 
-      match_loops(mesh, pairs);
+      match_loops(Execution(), mesh, pairs);
       ASSERT_EQ(pairs.size(), genus);
       std::vector<Crossing_loop> matched;
       for(const Flat_pair& pair : pairs) {

@@ -188,8 +188,8 @@ protected:
     curves.edges = {{0, 1, 2, 4}};
     curves.corners = {{2, 3, 4, 0}};
     curves.walks.add(0, 1, 1);
-    curves.walks.finish(1);
-    curves.crossings.finish(1);
+    curves.walks.finish(Execution(), 1);
+    curves.crossings.finish(Execution(), 1);
     curves.outward = {1, 1};
     const Linking found = linking_of(curves);
     contacts = found.contacts.size();
@@ -365,8 +365,8 @@ protected:
     }
     for(Index c = 0; c < m; ++c)
       curves.corners.push_back({0, 1 + n + c, 1 + n + (c + 1) % m, 0});
-    curves.walks.finish(n);
-    curves.crossings.finish(n);
+    curves.walks.finish(Execution(), n);
+    curves.crossings.finish(Execution(), n);
     curves.outward = {1, 1};
     const Linking found = linking_of(curves);
     for(const Contact& contact : found.contacts)
@@ -450,8 +450,8 @@ TEST(Touched_edge, IsSeenFromElsewhereIfAFaceIsSeenAsALine) {
   curves.walks.add(0, 1, 1);
   curves.crossings.add(0, 0, 1);
   curves.crossings.add(1, 1, -1);
-  curves.walks.finish(2);
-  curves.crossings.finish(2);
+  curves.walks.finish(Execution(), 2);
+  curves.crossings.finish(Execution(), 2);
   curves.outward = {1, 1};
   EXPECT_TRUE(linking_of(curves).contacts.empty());
 }
@@ -500,7 +500,7 @@ TEST(Chains_of_loops, AddUp) {
         chains.add(element, loop, value);
         expected[{element, loop}] += value;
       }
-    chains.finish(elements);
+    chains.finish(Execution(), elements);
     std::map<std::pair<Index, Index>, int> found;
     for(Index element = 0; element < elements; ++element)
       for(const Matrix_entry& t : chains.of(element)) {

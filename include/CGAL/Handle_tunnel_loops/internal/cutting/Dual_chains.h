@@ -63,7 +63,8 @@ public:
 
   /// throws `std::invalid_argument` if the loops are no basis.
   std::vector<Chain> dual_to(const std::vector<Crossing_loop>& loops) const {
-    const Edge_crossings crossings(problem_.mesh, Crossing_index(problem_.mesh, loops));
+    const Edge_crossings crossings(Execution(), problem_.mesh,
+                                   Crossing_index(problem_.mesh, loops));
     Sparse_sum<std::int64_t> numbers;
     std::vector<Class_vector> rows(loops.size()); // by loop, how often cycles cross it
     for(Index i = 0; i < cycles_.size(); ++i) {

@@ -28,10 +28,15 @@ class Cells
 {
 public:
   /// all vertices are open: in no cell.
-  explicit Cells(const Flat_mesh& mesh)
+  Cells(Execution execution, const Flat_mesh& mesh)
       : mesh_(mesh)
-      , links_(mesh.number_of_vertices(), Link{no_index, no_index})
-      , is_alone_(mesh.number_of_vertices(), 0) {}
+      , links_(mesh.number_of_vertices())
+      , is_alone_(mesh.number_of_vertices()) {
+    for_each_index(execution, links_.size(), [this](std::size_t v) {
+      open(static_cast<Index>(v));
+      is_alone_[v] = 0;
+    });
+  }
 
   /// What is known of a vertex: its cell, `no_index` if it is open, and the next vertex on the way
   /// to the centre, `no_index` there.
@@ -62,19 +67,20 @@ public:
   /// ring; of several cells beside a vertex the one with the least name takes it. Those are left
   /// open that no cell comes to.
   template <typename Predicate>
-  void grow(Execution execution, std::vector<Index> open, const Predicate& may_grow) {
+  void grow(Execution execution, Uninitialized_vector<Index> open, const Predicate& may_grow) {
     Uninitialized_vector<Link> links;
     for(std::size_t before = 0; before != open.size();) {
       before = open.size();
       links.resize(before);
       for_each_index(execution, before, [&](std::size_t i) { links[i] = link(open[i], may_grow); });
-      open = collect<Index>(execution, before, [&](std::size_t begin, std::size_t end) {
-        std::vector<Index> left;
-        for(std::size_t i = begin; i < end; ++i)
-          if(!take(open[i], links[i]))
-            left.push_back(open[i]);
-        return left;
-      });
+      open = collect_many<Uninitialized_vector<Index>>(
+          execution, before, [&](std::size_t begin, std::size_t end) {
+            std::vector<Index> left;
+            for(std::size_t i = begin; i < end; ++i)
+              if(!take(open[i], links[i]))
+                left.push_back(open[i]);
+            return left;
+          });
     }
   }
 
@@ -106,8 +112,8 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  std::vector<Link> links_;    // by vertex
-  std::vector<char> is_alone_; // by vertex
+  Uninitialized_vector<Link> links_;    // by vertex
+  Uninitialized_vector<char> is_alone_; // by vertex
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

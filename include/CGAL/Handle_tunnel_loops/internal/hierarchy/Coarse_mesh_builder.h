@@ -19,11 +19,14 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -56,7 +59,7 @@ public:
       : execution_(execution)
       , mesh_(mesh)
       , seeds_(std::move(seeds))
-      , cells_(mesh)
+      , cells_(execution, mesh)
       , rings_([this] { return std::make_unique<Cell_ring>(mesh_, cells_); }) {
     CGAL_precondition(spacing > 0);
     start(spacing);
@@ -115,25 +118,30 @@ private:
     for(Index seed : seeds_)
       cells_.add_cell(seed);
     // A cell around a vertex of many neighbours would take them all, and be beside everything.
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+    for_each_index(execution_, mesh_.number_of_vertices(), [this](std::size_t i) {
+      const Index v = static_cast<Index>(i);
       if(mesh_.is_hub(v) || mesh_.ring(v).size() > many_neighbors)
         cells_.add_vertex(v);
-    const std::vector<Index> open = vertices_with([&](Index v) { return !cells_.is_centre(v); });
-    cells_.grow(execution_, open, [](Index) { return true; });
-    for(Index v : open) // in a small component, of which all centres have many neighbours
-      if(cells_.cell(v) == no_index)
-        cells_.add_vertex(v);
+    });
+    cells_.grow(execution_,
+                vertices_with<Uninitialized_vector<Index>>(
+                    [&](Index v) { return !cells_.is_centre(v); }),
+                [](Index) { return true; });
+    // Those in a small component of which all centres have many neighbours.
+    for(Index v : vertices_with([&](Index v) { return cells_.cell(v) == no_index; }))
+      cells_.add_vertex(v);
   }
 
-  template <typename Predicate> std::vector<Index> vertices_with(const Predicate& predicate) const {
-    return collect<Index>(execution_, mesh_.number_of_vertices(),
-                          [&](std::size_t begin, std::size_t end) {
-                            std::vector<Index> own;
-                            for(Index v = static_cast<Index>(begin); v < end; ++v)
-                              if(predicate(v))
-                                own.push_back(v);
-                            return own;
-                          });
+  template <typename Vertices = std::vector<Index>, typename Predicate>
+  Vertices vertices_with(const Predicate& predicate) const {
+    return collect_many<Vertices>(execution_, mesh_.number_of_vertices(),
+                                  [&](std::size_t begin, std::size_t end) {
+                                    std::vector<Index> own;
+                                    for(Index v = static_cast<Index>(begin); v < end; ++v)
+                                      if(predicate(v))
+                                        own.push_back(v);
+                                    return own;
+                                  });
   }
 
   std::vector<Index> centres() const {
@@ -174,17 +182,30 @@ private:
         Cell_rings::grain);
   }
 
-  std::vector<Index> vertices_of(const std::vector<Index>& cells) const {
-    std::vector<Index> all, own;
-    for(Index cell : cells) {
-      cells_.list(cell, own);
-      all.insert(all.end(), own.begin(), own.end());
-    }
-    return all;
+  // Concatenates what `f(vertices, result)` appends for each cell with these vertices.
+  template <typename Function>
+  std::vector<Index> collect_of_cells(const std::vector<Index>& cells, const Function& f) const {
+    return collect<Index>(
+        execution_, cells.size(),
+        [&](std::size_t begin, std::size_t end) {
+          std::vector<Index> all, vertices;
+          for(std::size_t i = begin; i < end; ++i) {
+            cells_.list(cells[i], vertices);
+            f(vertices, all);
+          }
+          return all;
+        },
+        Cell_rings::grain);
   }
 
-  static std::vector<Index> sorted(std::vector<Index> numbers) {
-    std::sort(numbers.begin(), numbers.end());
+  std::vector<Index> vertices_of(const std::vector<Index>& cells) const {
+    return collect_of_cells(cells, [](const std::vector<Index>& own, std::vector<Index>& all) {
+      all.insert(all.end(), own.begin(), own.end());
+    });
+  }
+
+  std::vector<Index> sorted(std::vector<Index> numbers) const {
+    sort(execution_, numbers.begin(), numbers.end(), std::less<>());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     return numbers;
   }
@@ -198,13 +219,23 @@ private:
 
   // The cells, and those beside them.
   std::vector<Index> with_neighbors(const std::vector<Index>& cells) {
-    std::vector<Index> all = cells;
-    for(Index v : vertices_of(cells)) {
-      work_ += mesh_.ring(v).size();
-      for(Index u : mesh_.ring(v))
-        if(cells_.cell(u) != cells_.cell(v) && cells_.cell(u) != all.back())
-          all.push_back(cells_.cell(u));
-    }
+    std::atomic<std::size_t> work{0};
+    std::vector<Index> all =
+        collect_of_cells(cells, [&](const std::vector<Index>& own, std::vector<Index>& all) {
+          const std::size_t first = all.size();
+          std::size_t number_of_edges = 0;
+          all.push_back(own.front()); // the cell
+          for(Index v : own) {
+            number_of_edges += mesh_.ring(v).size();
+            for(Index u : mesh_.ring(v))
+              if(cells_.cell(u) != all.back())
+                all.push_back(cells_.cell(u));
+          }
+          std::sort(all.begin() + first, all.end());
+          all.erase(std::unique(all.begin() + first, all.end()), all.end());
+          work += number_of_edges;
+        });
+    work_ += work;
     return sorted(std::move(all));
   }
 
@@ -248,7 +279,7 @@ private:
         added.push_back(own[k * own.size() / parts_of_unfit_cell]);
       number_of_cells_ += parts_of_unfit_cell - 1;
     }
-    std::vector<Index> open;
+    Uninitialized_vector<Index> open;
     grows_.resize(mesh_.number_of_vertices(), 0);
     for(Index v : vertices)
       if(!cells_.is_alone(v))

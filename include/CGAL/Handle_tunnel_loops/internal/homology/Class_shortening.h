@@ -378,7 +378,7 @@ private:
 
   // Returns whether anything was looked for.
   bool find_candidates(double& visits) {
-    classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
+    classes_ = std::make_unique<Loop_classes>(execution_, mesh_, *loops_);
     const std::vector<Class_vector> duals = dual_classes();
     std::vector<Task> tasks = tasks_within(visits, duals);
     prepare_grounds(tasks);
@@ -500,7 +500,7 @@ private:
 
   // Shorter sums of two loops, at least one of which is fresh. Returns whether there are any.
   bool find_sums() {
-    classes_ = std::make_unique<Loop_classes>(mesh_, *loops_);
+    classes_ = std::make_unique<Loop_classes>(execution_, mesh_, *loops_);
     Workspace_pool<Neighbor_sums> neighbor_sums([&] {
       return std::make_unique<Neighbor_sums>(execution_, mesh_, *loops_, classes_->index(),
                                              lengths_);

@@ -47,12 +47,13 @@ class Loop_classes
 {
 public:
   /// \p loops are a basis.
-  Loop_classes(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
+  Loop_classes(Execution execution, const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
       : index_(mesh, loops)
-      , crossings_(std::make_shared<const Edge_crossings>(mesh, index_))
-      , sums_([] { return std::make_unique<Sparse_sum<std::int64_t>>(); }) {
-    for(const Crossing_loop& loop : loops)
-      rows_.push_back(numbers(loop));
+      , crossings_(std::make_shared<const Edge_crossings>(execution, mesh, index_))
+      , sums_([] { return std::make_unique<Sparse_sum<std::int64_t>>(); })
+      , rows_(loops.size()) {
+    for_each_index(
+        execution, loops.size(), [&](std::size_t i) { rows_[i] = numbers(loops[i]); }, 16);
     // The rows of the transpose of J, which is -J.
     std::vector<Class_vector> transposed = rows_;
     for(Class_vector& row : transposed)
@@ -235,14 +236,15 @@ private:
 /// pairs the loops of a basis so that each pair crosses once, if that can be, or else an odd number
 /// of times, which always can: a skew-symmetric matrix of determinant 1 has an odd Pfaffian, and
 /// that is a sum over matchings.
-inline void match_loops(const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
+inline void
+match_loops(Execution execution, const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
   std::vector<Crossing_loop> loops;
   for(Flat_pair& pair : pairs) {
     loops.push_back(std::move(pair.handle));
     loops.push_back(std::move(pair.tunnel));
   }
-  const Loop_classes classes(mesh, loops);
+  const Loop_classes classes(execution, mesh, loops);
   for(const bool once : {true, false}) {
     Graph graph(loops.size());
     for(Index i = 0; i < loops.size(); ++i)

@@ -61,7 +61,7 @@ public:
   /// before, or `no_index` if it is new.
   std::vector<Index> run(std::vector<Flat_pair>& pairs, const Loop_relations& relations) {
     loops_ = loops_of(pairs);
-    classes_ = std::make_unique<Loop_classes>(mesh_, loops_);
+    classes_ = std::make_unique<Loop_classes>(execution_, mesh_, loops_);
     const Loop_sides sides(*classes_, relations);
     std::map<std::size_t, std::vector<Index>> pairs_of_component;
     is_pure_.assign(pairs.size(), 0);

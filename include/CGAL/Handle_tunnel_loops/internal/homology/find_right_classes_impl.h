@@ -133,7 +133,7 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     shortening->forget_pairs();
     if(options.do_shorten)
       right_classes::shorten(*shortening, pairs, std::vector<char>(pairs.size(), 0), before);
-    match_loops(mesh, pairs);
+    match_loops(execution, mesh, pairs);
     relations.reset();
   }
   if(is_any_loose && options.do_shorten)

@@ -82,9 +82,9 @@ public:
       points_.see_along(next_direction());
     add_touches();
     add_crossings(execution);
-    add_up(linking_);
+    add_up(execution, linking_);
     std::sort(contacts_.begin(), contacts_.end());
-    find_defect();
+    find_defect(execution);
   }
 
   /// what has been computed.
@@ -123,14 +123,14 @@ private:
         crossings, [this](Index e) { return curves_.walks.of(e); }, is_kept);
   }
 
-  void find_defect() {
+  void find_defect(Execution execution) {
     defect_ = linking_;
     for(const Matrix_entry& e : linking_)
       defect_.push_back({e.column, e.row, -e.value});
     for(const Matrix_entry& e : intersections_)
       if(curves_.is_any_asked_for(e.row, e.column))
         defect_.push_back({e.row, e.column, -curves_.outward[e.row] * e.value});
-    add_up(defect_);
+    add_up(execution, defect_);
   }
 
   void add_contact(const Contact& contact) {
@@ -343,7 +343,7 @@ private:
   // The order of pieces along a space-filling curve, in slabs: what is seen at one place may be of
   // loops that are far apart. `height(i)` is half of a height.
   template <typename Height>
-  static std::vector<Index>
+  static Uninitialized_vector<Index>
   order(Execution execution, const std::vector<Seen_box>& boxes, const Height& height) {
     constexpr double slabs = 8.;
     Seen_box all = Seen_box::empty();
@@ -367,7 +367,8 @@ private:
   // Pieces of the walks: those that are near each other together.
   struct Pieces
   {
-    std::vector<Index> begins, numbers; // the numbers in the order of the tree
+    std::vector<Index> begins;
+    Uninitialized_vector<Index> numbers; // in the order of the tree
     Box_tree<5> tree;
   };
 
@@ -375,7 +376,7 @@ private:
 
   // Those of walks of which all numbers are asked for, unless that is all of them.
   Pieces pieces_asked_for(const Pieces& all) const {
-    std::vector<Index> numbers;
+    Uninitialized_vector<Index> numbers;
     std::vector<Seen_box> boxes;
     for(std::size_t i = 0; !curves_.is_asked_for.empty() && i < all.numbers.size(); ++i) {
       bool is_any = false;
@@ -399,7 +400,7 @@ private:
       for(Index e = begins[i]; e < begins[i + 1]; ++e)
         boxes[i].extend(box_around(seen_edge(e).box, extent_of_edge(e)));
     });
-    std::vector<Index> numbers = order(execution, boxes, [&](std::size_t i) {
+    Uninitialized_vector<Index> numbers = order(execution, boxes, [&](std::size_t i) {
       return curves_.vertices[curves_.edges[begins[i]].source][2] / 2.;
     });
     for(std::size_t i = 0; i < sorted.size(); ++i)
@@ -422,7 +423,7 @@ private:
             add_crossings(is_any_asked_for(begins[i], begins[i + 1]) ? all : some, begins[i],
                           begins[i + 1], crossed);
           }
-          add_up(crossed);
+          add_up(Execution(), crossed);
           return numbers_of_copies(begins[begin], begins[end], crossed);
         },
         256);

@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <CGAL/assertions.h>
 
@@ -22,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <string>
@@ -45,8 +48,8 @@ struct Matrix_entry
 using Sparse_matrix = std::vector<Matrix_entry>;
 
 /// sorts entries, adds up those at the same place, and leaves out zeros.
-inline void add_up(std::vector<Matrix_entry>& entries) {
-  std::sort(entries.begin(), entries.end());
+inline void add_up(Execution execution, std::vector<Matrix_entry>& entries) {
+  sort(execution, entries.begin(), entries.end(), std::less<>());
   std::size_t kept = 0;
   for(std::size_t i = 0; i < entries.size();) {
     Matrix_entry sum = entries[i];
@@ -231,8 +234,8 @@ public:
   }
 
   /// adds up what was added to one element for one loop. To be called once, after the last `add()`.
-  void finish(std::size_t number_of_elements) {
-    add_up(terms_);
+  void finish(Execution execution, std::size_t number_of_elements) {
+    add_up(execution, terms_);
     begin_.assign(number_of_elements + 1, 0);
     for(const Matrix_entry& term : terms_)
       ++begin_[term.row + 1];

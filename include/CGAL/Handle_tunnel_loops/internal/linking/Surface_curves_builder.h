@@ -27,10 +27,10 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <climits>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -45,13 +45,14 @@ inline int binary_exponent(double x) {
 }
 
 /// how far most points spread along an axis: half the median distance to the median, or if this is
-/// zero half the largest.
+/// zero half the largest. Of many, some are looked at.
 inline double spread_along(int axis, const std::vector<Vector>& points) {
   if(points.empty())
     return 0.;
+  constexpr std::size_t enough = 10000;
   std::vector<double> numbers;
-  for(const Vector& p : points)
-    numbers.push_back(p[axis] / 2.);
+  for(std::size_t i = 0; i < points.size(); i += 1 + points.size() / enough)
+    numbers.push_back(points[i][axis] / 2.);
   const auto median = [&] {
     const auto middle = numbers.begin() + numbers.size() / 2;
     std::nth_element(numbers.begin(), middle, numbers.end());
@@ -66,14 +67,16 @@ inline double spread_along(int axis, const std::vector<Vector>& points) {
 
 /// the exponent that is nearest to the wanted one and lets all bits of all coordinates survive.
 inline int allowed_exponent(int axis, const std::vector<Vector>& points, int wanted) {
-  int lowest = INT_MAX, highest = INT_MIN;
-  for(const Vector& p : points)
-    if(p[axis] != 0.) {
-      lowest = (std::min)(lowest, binary_exponent(p[axis]));
-      highest = (std::max)(highest, binary_exponent(p[axis]));
-    }
-  if(lowest > highest)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double least = infinity, most = 0.;
+  for(const Vector& p : points) {
+    const double size = std::abs(p[axis]);
+    least = size > 0. ? (std::min)(least, size) : least;
+    most = (std::max)(most, size);
+  }
+  if(most == 0.)
     return 0;
+  const int lowest = binary_exponent(least), highest = binary_exponent(most);
   constexpr int largest = 1000, smallest = -960;
   return (std::min)((std::max)(wanted, (std::min)(0, smallest - lowest)),
                     (std::max)(0, largest - highest));
@@ -151,9 +154,10 @@ public:
     choose_view();
     number_edges(execution, walks);
     for_each_loop(execution, walks, [&](std::size_t i) {
+      add_steps(walks[i], pieces[i]);
       add_copy(pieces[i].entered, static_cast<Index>(i), pieces[i]);
     });
-    join(walks, pieces);
+    join(execution, pieces);
     curves_.outward = std::move(outward);
     return std::move(curves_);
   }
@@ -166,7 +170,7 @@ private:
     std::size_t index_bound = 0;
     std::vector<vertex_descriptor> vertices; // seen here first
     std::vector<Surface_curves::Corner> corners;
-    std::vector<std::pair<Index, int>> crossings; // edges, and the sense
+    std::vector<std::pair<Index, int>> steps, crossings; // edges, and the sense
   };
 
   template <typename Function>
@@ -360,6 +364,14 @@ private:
     return no_index;
   }
 
+  void add_steps(const Walk& walk, Piece& piece) const {
+    for(halfedge_descriptor h : walk) {
+      piece.steps.emplace_back(find_edge(h), is_reversed(h) ? -1 : 1);
+      CGAL_assertion_msg(piece.steps.back().first != no_index,
+                         "the edges of the walks are numbered");
+    }
+  }
+
   // ---- copies
 
   void add_copy(const Walk& entered, Index loop, Piece& piece) const {
@@ -384,20 +396,18 @@ private:
   }
 
   // Puts the loops together in their order.
-  void join(const std::vector<Walk>& walks, const std::vector<Piece>& pieces) {
-    for(std::size_t i = 0; i < walks.size(); ++i) {
+  void join(Execution execution, const std::vector<Piece>& pieces) {
+    for(std::size_t i = 0; i < pieces.size(); ++i) {
       const auto loop = static_cast<Index>(i);
-      for(halfedge_descriptor h : walks[i]) {
-        CGAL_assertion_msg(find_edge(h) != no_index, "the edges of the walks are numbered");
-        curves_.walks.add(find_edge(h), loop, is_reversed(h) ? -1 : 1);
-      }
+      for(const auto& [edge, sense] : pieces[i].steps)
+        curves_.walks.add(edge, loop, sense);
       for(const auto& [edge, sense] : pieces[i].crossings)
         curves_.crossings.add(edge, loop, sense);
       curves_.corners.insert(curves_.corners.end(), pieces[i].corners.begin(),
                              pieces[i].corners.end());
     }
-    curves_.walks.finish(curves_.edges.size());
-    curves_.crossings.finish(curves_.edges.size());
+    curves_.walks.finish(execution, curves_.edges.size());
+    curves_.crossings.finish(execution, curves_.edges.size());
   }
 
   const TriangleMesh& tm_;

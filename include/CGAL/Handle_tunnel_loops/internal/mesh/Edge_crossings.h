@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,7 +29,8 @@ namespace CGAL::Handle_tunnel_loops::internal {
 The loops of a `Crossing_index` that cross each edge in net numbers, added up.
 
 Where loops cross many edges at the same vertices, that is much less than the entries there. An
-edge is known at both ends, and has a number at each.
+edge is known at both ends, and has a number at each. After the edges of a vertex comes a number
+that is of none, with terms that are zero: so all edges can be added up at the same time.
 */
 class Edge_crossings
 {
@@ -40,13 +42,23 @@ public:
     int number;
   };
 
-  Edge_crossings(const Flat_mesh& mesh, const Crossing_index& index)
+  Edge_crossings(Execution execution, const Flat_mesh& mesh, const Crossing_index& index)
       : mesh_(mesh)
-      , first_(mesh.number_of_vertices(), no_index) {
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      if(index.has_crossing(v))
-        add_edges(v, index);
-    begins_.push_back(static_cast<Index>(terms_.size()));
+      , first_(mesh.number_of_vertices())
+      , terms_(index.entries().size()) {
+    for_each_index(execution, first_.size(), [&](std::size_t v) {
+      first_[v] = has_crossing(v, index) ? mesh.ring(static_cast<Index>(v)).size() + 1 : 0;
+    });
+    begins_.resize(sum_before_each(execution, first_) + 1);
+    begins_.back() = static_cast<Index>(terms_.size());
+    execution.for_ranges(first_.size(), 16384, [&](std::size_t begin, std::size_t end) {
+      std::vector<Crossing_entry> entries;
+      for(std::size_t v = begin; v < end; ++v)
+        if(has_crossing(v, index))
+          add_edges(static_cast<Index>(v), index, entries);
+        else
+          first_[v] = no_index;
+    });
   }
 
   std::size_t number_of_edges() const { return begins_.size() - 1; }
@@ -78,34 +90,40 @@ public:
   }
 
 private:
-  void add_edges(Index v, const Crossing_index& index) {
-    first_[v] = static_cast<Index>(begins_.size());
+  static bool has_crossing(std::size_t v, const Crossing_index& index) {
+    return index.has_crossing(static_cast<Index>(v));
+  }
+
+  // There are no more terms than entries.
+  void add_edges(Index v, const Crossing_index& index, std::vector<Crossing_entry>& entries) {
     // By neighbor, and there by loop.
-    entries_.assign(index.entries().begin() + index.begins()[v],
-                    index.entries().begin() + index.begins()[v + 1]);
+    entries.assign(index.entries().begin() + index.begins()[v],
+                   index.entries().begin() + index.begins()[v + 1]);
     const auto is_before = [](const Crossing_entry& a, const Crossing_entry& b) {
       return a.other < b.other;
     };
-    std::stable_sort(entries_.begin(), entries_.end(), is_before);
+    std::stable_sort(entries.begin(), entries.end(), is_before);
+    Index edge = first_[v], place = index.begins()[v];
     for(Index u : mesh_.ring(v)) {
-      begins_.push_back(static_cast<Index>(terms_.size()));
+      begins_[edge++] = place;
       const auto [begin, end] =
-          std::equal_range(entries_.begin(), entries_.end(), Crossing_entry{u, 0, 0}, is_before);
+          std::equal_range(entries.begin(), entries.end(), Crossing_entry{u, 0, 0}, is_before);
       for(auto e = begin; e != end;) {
         Term term{e->loop, 0};
         for(; e != end && e->loop == term.loop; ++e)
           term.number += e->sign;
         if(term.number != 0)
-          terms_.push_back(term);
+          terms_[place++] = term;
       }
     }
+    begins_[edge] = place;
+    std::fill(terms_.begin() + place, terms_.begin() + index.begins()[v + 1], Term{0, 0});
   }
 
   const Flat_mesh& mesh_;
-  std::vector<Index> first_;  // edge, by vertex
-  std::vector<Index> begins_; // of the terms, by edge
-  std::vector<Term> terms_;
-  std::vector<Crossing_entry> entries_; // of a vertex
+  Uninitialized_vector<Index> first_;  // edge, by vertex
+  Uninitialized_vector<Index> begins_; // of the terms, by edge
+  Uninitialized_vector<Term> terms_;   // those of a vertex from where its entries are
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

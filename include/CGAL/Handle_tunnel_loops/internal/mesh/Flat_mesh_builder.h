@@ -344,7 +344,8 @@ private:
     mesh_.points.resize(n_with_hubs);
     mesh_.original.resize(n_with_hubs);
     mesh_.row_begin.resize(n_with_hubs + 1);
-    flat_index_.assign(index_bound_, no_index);
+    flat_index_.resize(index_bound_);
+    for_each_index(execution_, index_bound_, [this](std::size_t c) { flat_index_[c] = no_index; });
     std::vector<vertex_descriptor> sorted(n);
     for_each_index(execution_, n, [&](std::size_t i) {
       const vertex_descriptor v = vertices_[order_[i]];
@@ -378,7 +379,7 @@ private:
       else if(has_repetition(ring))
         parallel_edges.see(i);
     });
-    std::vector<Index>().swap(order_);
+    Uninitialized_vector<Index>().swap(order_);
     rings_.clear();
     if(several_fans.found())
       throw_vertex_defect(Mesh_defect::NON_MANIFOLD_VERTEX, mesh_.original[several_fans.get()],
@@ -411,7 +412,7 @@ private:
     mesh_.find_places_in_long_rings();
   }
 
-  static bool is_permutation(std::vector<Index> numbers) {
+  static bool is_permutation(Uninitialized_vector<Index> numbers) {
     std::sort(numbers.begin(), numbers.end());
     for(std::size_t i = 0; i < numbers.size(); ++i)
       if(numbers[i] != i)
@@ -471,8 +472,8 @@ private:
   Rings_of_mesh<TriangleMesh, VertexIndexMap> rings_; // in the order of the mesh
   Boundary_curves curves_;
   Uninitialized_vector<Vector> points_; // in the order of the mesh
-  std::vector<Index> order_;            // by flat index, the place in the order of the mesh
-  std::vector<Index> flat_index_;       // by caller's index
+  Uninitialized_vector<Index> order_;      // by flat index, the place in the order of the mesh
+  Uninitialized_vector<Index> flat_index_; // by caller's index
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Loop_converter.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -23,7 +24,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -118,21 +118,21 @@ public:
   }
 
   /// loops that were found on the arrays.
-  std::vector<Loop> loops(const std::vector<const Crossing_loop*>& found) const {
-    const std::vector<Index> vertices = own_vertices();
-    const Loop_converter<Flat_graph, decltype(point()), Kernel> convert(graph_, point(), Kernel(),
-                                                                        vertices);
-    std::vector<Loop> loops;
-    for(const Crossing_loop* loop : found)
-      loops.push_back(convert(*loop, Loop_type::HANDLE, loops.size()));
+  std::vector<Loop> loops(Execution execution,
+                          const std::vector<const Crossing_loop*>& found) const {
+    const Own_vertices vertices = own_vertices();
+    const Converter convert(graph_, point(), Kernel(), vertices);
+    std::vector<Loop> loops(found.size());
+    for_each_index(
+        execution, found.size(),
+        [&](std::size_t i) { loops[i] = convert(*found[i], Loop_type::HANDLE, i); }, 8);
     return loops;
   }
 
   /// pairs that were found on the arrays.
   std::vector<Pair> pairs(const std::vector<Flat_pair>& found) const {
-    const std::vector<Index> vertices = own_vertices();
-    const Loop_converter<Flat_graph, decltype(point()), Kernel> convert(graph_, point(), Kernel(),
-                                                                        vertices);
+    const Own_vertices vertices = own_vertices();
+    const Converter convert(graph_, point(), Kernel(), vertices);
     std::vector<Pair> pairs;
     for(const Flat_pair& pair : found)
       pairs.emplace_back(convert(pair.handle, Loop_type::HANDLE, pairs.size()),
@@ -166,11 +166,20 @@ public:
   }
 
 private:
-  std::vector<Index> own_vertices() const {
-    std::vector<Index> vertices(graph_.mesh().first_hub);
-    std::iota(vertices.begin(), vertices.end(), Index(0));
-    return vertices;
-  }
+  // The vertices but for the hubs, by number: themselves.
+  struct Own_vertices
+  {
+    Index number;
+    Index size() const { return number; }
+    Index operator[](Index v) const { return v; }
+  };
+  using Converter =
+      Loop_converter<Flat_graph,
+                     boost::iterator_property_map<std::vector<Point>::const_iterator, Identity>,
+                     Kernel,
+                     Own_vertices>;
+
+  Own_vertices own_vertices() const { return {graph_.mesh().first_hub}; }
 
   // Of what is decided by geometry, nothing depends on where a hub is.
   Point middle(Ring curve) const {

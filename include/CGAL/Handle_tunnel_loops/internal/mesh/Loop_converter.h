@@ -29,10 +29,15 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Turns loops on the flat mesh into loops on the caller's mesh, which has no hubs: where a loop
-/// crosses an edge to one, it is at the vertex on the boundary.
-template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits> class Loop_converter
+/// crosses an edge to one, it is at the vertex on the boundary. `Vertices` is an array of the
+/// caller's vertices, by index in the flat mesh.
+template <typename TriangleMesh,
+          typename VertexPointMap,
+          typename GeomTraits,
+          typename Vertices =
+              std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>>
+class Loop_converter
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using FT = typename GeomTraits::FT;
 
@@ -43,7 +48,7 @@ public:
   Loop_converter(const TriangleMesh& tm,
                  VertexPointMap point,
                  const GeomTraits& traits,
-                 const std::vector<vertex_descriptor>& vertices)
+                 const Vertices& vertices)
       : tm_(tm)
       , point_(point)
       , traits_(traits)
@@ -130,7 +135,7 @@ private:
   const TriangleMesh& tm_;
   VertexPointMap point_;
   const GeomTraits& traits_;
-  const std::vector<vertex_descriptor>& vertices_;
+  const Vertices& vertices_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

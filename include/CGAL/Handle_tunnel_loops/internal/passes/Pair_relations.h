@@ -81,7 +81,7 @@ private:
                         bool do_link,
                         std::vector<char> is_asked_for) {
     const Flat_mesh& mesh = surface_.mesh().mesh();
-    const std::vector<Flat_surface::Loop> loops = surface_.loops(flat_loops);
+    const std::vector<Flat_surface::Loop> loops = surface_.loops(execution, flat_loops);
     std::vector<const Flat_surface::Loop*> pointers;
     for(const Flat_surface::Loop& loop : loops)
       pointers.push_back(&loop);

@@ -126,16 +126,39 @@ void for_each_index(Execution execution,
   });
 }
 
+/// `f(begin, end)`, vectors computed range by range, in the order of the ranges.
+template <typename T, typename Function>
+std::vector<std::vector<T>>
+collect_parts(Execution execution, std::size_t n, const Function& f, std::size_t grain) {
+  std::vector<std::vector<T>> parts((n + grain - 1) / grain);
+  execution.for_ranges(
+      n, grain, [&](std::size_t begin, std::size_t end) { parts[begin / grain] = f(begin, end); });
+  return parts;
+}
+
 /// concatenates `f(begin, end)`, vectors computed range by range, in the order of the ranges.
 template <typename T, typename Function>
 std::vector<T>
 collect(Execution execution, std::size_t n, const Function& f, std::size_t grain = 16384) {
-  std::vector<std::vector<T>> parts((n + grain - 1) / grain);
-  execution.for_ranges(
-      n, grain, [&](std::size_t begin, std::size_t end) { parts[begin / grain] = f(begin, end); });
   std::vector<T> all;
-  for(const std::vector<T>& part : parts)
+  for(const std::vector<T>& part : collect_parts<T>(execution, n, f, grain))
     all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// the same for what is large: an `Uninitialized_vector` is filled by all threads.
+template <typename Vector, typename Function>
+Vector
+collect_many(Execution execution, std::size_t n, const Function& f, std::size_t grain = 16384) {
+  const auto parts = collect_parts<typename Vector::value_type>(execution, n, f, grain);
+  std::vector<std::size_t> begins(parts.size() + 1, 0);
+  for(std::size_t i = 0; i < parts.size(); ++i)
+    begins[i + 1] = begins[i] + parts[i].size();
+  Vector all(begins.back());
+  for_each_index(
+      execution, parts.size(),
+      [&](std::size_t i) { std::copy(parts[i].begin(), parts[i].end(), all.begin() + begins[i]); },
+      1);
   return all;
 }
 

@@ -95,7 +95,7 @@ inline std::uint32_t every_third_bit(std::uint32_t x) {
 /// in one cell by their numbers. Meshes come in any order; a field that walks them in file order
 /// waits for memory.
 template <typename Point>
-std::vector<Index> space_filling_order(Execution execution, std::size_t n, const Point& point) {
+Uninitialized_vector<Index> space_filling_order(Execution execution, std::size_t n, const Point& point) {
   struct Numbered_cell
   {
     std::uint32_t cell;
@@ -114,7 +114,7 @@ std::vector<Index> space_filling_order(Execution execution, std::size_t n, const
   });
   radix_sort<30>(execution, numbered, [](const Numbered_cell& c) { return c.cell; });
 
-  std::vector<Index> order(n);
+  Uninitialized_vector<Index> order(n);
   for_each_index(execution, n, [&](std::size_t i) { order[i] = numbered[i].number; });
   return order;
 }
