@@ -13,62 +13,20 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/Angle_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Flip_shortening.h>
-#include <CGAL/Handle_tunnel_loops/internal/shortening/Unfolded_strip.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/shortening/Strip_path.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// takes out, from a loop without backtracks, turns around a vertex, which are no way at all. Every
-/// path becomes shorter by that: after a turn it is on an edge where it was before, and nearer by
-/// the edge. The edges are those of a loop or of a strip. Linear.
-template <typename Edge> void remove_turns(const Flat_mesh& mesh, std::vector<Edge>& edges) {
-  struct Begins // the first of the edges, one after the other, that end at a vertex
-  {
-    std::size_t at_left, at_right;
-  };
-  std::vector<Begins> begins(edges.size());
-  std::size_t kept = 0; // edges
-  const auto note_begins = [&] {
-    begins[kept] = {kept, kept};
-    if(kept > 0 && edges[kept].left == edges[kept - 1].left)
-      begins[kept].at_left = begins[kept - 1].at_left;
-    if(kept > 0 && edges[kept].right == edges[kept - 1].right)
-      begins[kept].at_right = begins[kept - 1].at_right;
-  };
-  // If the last edge is the first one at a vertex again, it takes its place.
-  const auto drop_turn = [&](Index v, std::size_t first) {
-    if(kept - first < 3 || kept - first < mesh.ring(v).size())
-      return;
-    edges[first] = edges[kept];
-    kept = first;
-    note_begins();
-  };
-  for(const Edge& edge : edges) {
-    edges[kept] = edge;
-    note_begins();
-    drop_turn(edge.left, begins[kept].at_left);
-    drop_turn(edge.right, begins[kept].at_right);
-    ++kept;
-  }
-  // All of it may be turns around one vertex.
-  const bool is_turn =
-      kept > 1 && (begins[kept - 1].at_left == 0 || begins[kept - 1].at_right == 0);
-  edges.erase(edges.begin() + (is_turn ? 0 : kept), edges.end());
-}
 
 /// Along vertices of the boundary, with the hub to the right or to the left.
 struct Way_around_cap
@@ -190,7 +148,7 @@ public:
   Loop_tightening(Execution execution, const Flat_mesh& mesh)
       : execution_(execution)
       , mesh_(mesh)
-      , strip_(mesh) {}
+      , path_(mesh) {}
 
   /// Each round moves the loop by about one ring of triangles. There are enough of them for a way
   /// as long as the loop, however fine the mesh is, within a share of work. Where that is not
@@ -232,14 +190,72 @@ public:
     remove_backtracks(loop);
     lead_around_caps(mesh_, loop);
     remove_turns(mesh_, loop);
+    tighten_whole(loop, maximum_number_of_rounds - tighten_arcs(loop, maximum_number_of_rounds));
+    CGAL_expensive_postcondition(are_consecutive(mesh_, loop));
+  }
+
+private:
+  static constexpr std::size_t rounds_to_straighten = 16, least_rounds = 200;
+  static constexpr double gain_worth_having = 0.99;
+
+  // Of a long loop, arcs of about so many crossings are tightened by themselves for some rounds.
+  static constexpr std::size_t size_of_arc = 512, rounds_of_arc = 32, fewest_arcs = 4;
+  static constexpr double gain_worth_a_turn = 1e-4;
+
+  // Tightens a long loop between points that are held for some rounds, then between others, until
+  // that gains nothing any more: in all threads, and the same in any number of them. Returns how
+  // many rounds these were.
+  std::size_t tighten_arcs(Crossing_loop& loop, std::size_t maximum_number_of_rounds) const {
+    std::size_t rounds = 0;
+    for(double gain = 1.; gain >= gain_worth_a_turn && loop.size() >= fewest_arcs * size_of_arc &&
+                          rounds + rounds_of_arc < maximum_number_of_rounds;
+        rounds += rounds_of_arc)
+    {
+      std::rotate(loop.begin(), loop.begin() + size_of_arc / 2, loop.end());
+      const Crossing_loop before = loop;
+      const std::size_t n = loop.size() / size_of_arc;
+      std::vector<Crossing_loop> arcs(n);
+      for_each_index(
+          execution_, n,
+          [&](std::size_t i) {
+            const std::size_t begin = i * loop.size() / n, end = (i + 1) * loop.size() / n;
+            arcs[i].assign(loop.begin() + begin, loop.begin() + end);
+            arcs[i].push_back(loop[end == loop.size() ? 0 : end]);
+            tighten_way(arcs[i]);
+            arcs[i].pop_back();
+          },
+          1);
+      loop.clear();
+      for(const Crossing_loop& arc : arcs)
+        loop.insert(loop.end(), arc.begin(), arc.end());
+      gain = 1. - length(mesh_, loop) / length(mesh_, before);
+      if(!(gain >= 0.))
+        loop = before;
+    }
+    return rounds;
+  }
+
+  // Tightens a way between its first and last crossing, which stay where they are.
+  void tighten_way(Crossing_loop& way) const {
+    Strip_path path(mesh_);
+    path.assign(way);
+    const double first = way.front().ratio, last = way.back().ratio;
+    const std::size_t largest_size = 2 * way.size();
+    for(std::size_t round = 1; round <= rounds_of_arc && path.size() <= largest_size; ++round) {
+      path.pull_way(first, last);
+      path.set_crossings(way);
+      if(!path.change_sides_of_way())
+        break;
+    }
+  }
+
+  void tighten_whole(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     Crossing_loop best = loop;
     double best_length = length(mesh_, best), previous_length = best_length;
-    next_.clear();
-    for(const Crossing& c : loop)
-      next_.push_back({c.left, c.right, 0});
+    path_.assign(loop);
     // On the mesh, not in the plane: on slivers rounding can make the two differ.
     const auto keep_if_best = [&] {
-      set_crossings(loop);
+      path_.set_crossings(loop);
       const double current = length(mesh_, loop);
       if(current <= best_length) {
         best = loop;
@@ -252,51 +268,41 @@ public:
                       largest_work = 2 * maximum_number_of_rounds * (loop.size() + 64);
     std::size_t work = 0;
     for(std::size_t round = 1;
-        round <= maximum_number_of_rounds && next_.size() >= 3 && next_.size() <= largest_size &&
+        round <= maximum_number_of_rounds && path_.size() >= 3 && path_.size() <= largest_size &&
         work <= largest_work && idle_rounds < most_idle_rounds();
         ++round)
     {
       execution_.look();
-      work += next_.size();
+      work += path_.size();
       const std::size_t start = next_start();
-      ratio_at_start_ = round == 1 ? loop[start].ratio : ratio_of(next_[start]);
-      strip_.assign(next_, start);
-      find_bends();
-      const double current = funnel_.length();
+      const double current =
+          path_.pull_loop(start, round == 1 ? loop[start].ratio : path_.ratio_of(start));
       const bool is_measured = round % 8 == 0 || round == maximum_number_of_rounds;
       if(is_measured)
         keep_if_best();
-      const bool changed = change_sides();
+      const bool changed = path_.change_sides_of_loop();
       idle_rounds = changed || current < 0.999 * previous_length ? 0 : idle_rounds + 1;
       if(idle_rounds >= most_idle_rounds() && !is_measured)
         keep_if_best();
       previous_length = current;
     }
-    if(next_.empty())
+    if(path_.size() == 0)
       best.clear();
     loop = std::move(best);
-    CGAL_expensive_postcondition(are_consecutive(mesh_, loop));
   }
-
-private:
-  using Bend = Funnel::Bend;
-  using Portal = Strip::Portal;
-
-  static constexpr std::size_t rounds_to_straighten = 16, least_rounds = 200, short_loop = 16;
-  static constexpr double gain_worth_having = 0.99;
 
   // The place where the path is held moves by an irrational part of the loop each time; on a short
   // loop it comes to all places.
   std::size_t next_start() const {
-    std::size_t start = static_cast<std::size_t>(double(next_.size()) * 0.381966);
-    while(next_.size() <= short_loop && std::gcd(start, next_.size()) != 1)
+    std::size_t start = static_cast<std::size_t>(double(path_.size()) * 0.381966);
+    while(path_.size() <= Strip_path::short_loop && std::gcd(start, path_.size()) != 1)
       ++start;
     return start;
   }
 
   // Around a corner of a short loop it may go only while it is held at one certain place.
   int most_idle_rounds() const {
-    return next_.size() <= short_loop ? (std::max)(2, static_cast<int>(next_.size())) : 2;
+    return path_.size() <= Strip_path::short_loop ? (std::max)(2, static_cast<int>(path_.size())) : 2;
   }
 
   // Flips move a loop over many vertices, one after the other, and rounds make it let go of many
@@ -315,203 +321,9 @@ private:
     }
   }
 
-  // At the ends exactly: the funnel has to tell whether the path is held at a corner.
-  static Point_2 between(const Point_2& l, const Point_2& r, double ratio) {
-    return {rounded_product(1. - ratio, l[0]) + rounded_product(ratio, r[0]),
-            rounded_product(1. - ratio, l[1]) + rounded_product(ratio, r[1])};
-  }
-
-  void find_bends() {
-    const std::vector<Point_2>&left = strip_.left(), &right = strip_.right();
-    const std::uint32_t n = static_cast<std::uint32_t>(strip_.size());
-    funnel_.start({0, between(left[0], right[0], ratio_at_start_)});
-    for(std::uint32_t i = 1; i < n; ++i) {
-      if(i == 1 || strip_[i].left == strip_[i - 1].left)
-        funnel_.narrow(Funnel::RIGHT, {i, right[i]});
-      if(i == 1 || strip_[i].left != strip_[i - 1].left)
-        funnel_.narrow(Funnel::LEFT, {i, left[i]});
-    }
-    funnel_.finish({n, between(left[n], right[n], ratio_at_start_)});
-  }
-
-  // The loop of the strip, crossing the portals where the path does.
-  void set_crossings(Crossing_loop& loop) const {
-    loop.clear();
-    for(const Portal& portal : strip_)
-      loop.push_back({portal.left, portal.right, ratio_at_start_});
-    for_each_ratio(1, loop.size(), [&](std::size_t i, double ratio) { loop[i].ratio = ratio; });
-  }
-
-  // What `set_crossings()` would say of one portal.
-  double ratio_of(const Portal& portal) const {
-    if(portal.place == 0 || portal.place >= Strip::new_at_left)
-      return portal.place == 0 ? ratio_at_start_ : portal.place == Strip::new_at_left ? 0. : 1.;
-    double ratio = 0.;
-    for_each_ratio(portal.place, portal.place + std::size_t(1),
-                   [&](std::size_t, double r) { ratio = r; });
-    return ratio;
-  }
-
-  // Calls `f(i, ratio)` for the portals from `first` up to `end`, which is excluded; what it is
-  // told last of a portal holds.
-  template <typename Function>
-  void for_each_ratio(std::size_t first, std::size_t end, const Function& f) const {
-    const std::vector<Bend>& bends = funnel_.bends();
-    for(std::size_t b = 0; b + 1 < bends.size(); ++b)
-      for(std::size_t i = (std::max)(std::size_t(bends[b].portal), first);
-          i < (std::min)(bends[b + 1].portal + std::size_t(1), end); ++i)
-        f(i, crossing_ratio(i, b));
-    // All the portals that end at a corner are passed exactly there.
-    for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
-      const Fan fan = fan_of(bends[b]);
-      for(std::size_t i = (std::max)(fan.first, first); i < (std::min)(fan.last + 1, end); ++i)
-        f(i, fan.at_left ? 0. : 1.);
-    }
-  }
-
-  // Where the path goes through a vertex but for rounding, it goes through the vertex.
-  double crossing_ratio(std::size_t i, std::size_t b) const {
-    const Point_2 &from = funnel_.bends()[b].point, &left = strip_.left()[i];
-    const Point_2 direction = minus(funnel_.bends()[b + 1].point, from);
-    const double across = cross(minus(strip_.right()[i], left), direction);
-    const double ratio = across == 0. ? 0.5 : cross(minus(from, left), direction) / across;
-    constexpr double rounding = 1e-12;
-    return ratio < rounding ? 0. : ratio > 1. - rounding ? 1. : ratio;
-  }
-
-  // A maximal run of portals that end at one corner, at which the path bends.
-  struct Fan
-  {
-    std::size_t first, last;
-    bool at_left;
-  };
-
-  // Says what the strip of the next round is.
-  bool change_sides() {
-    const std::vector<Bend>& bends = funnel_.bends();
-    next_.clear();
-    std::size_t done = 0; // portals of the strip
-    const std::size_t beside = strip_.size() > short_loop ? 1 : 0;
-    for(std::size_t b = 1; b + 1 < bends.size(); ++b) {
-      const Fan fan = fan_of(bends[b]);
-      // The strip cannot be led around a corner that lies where it is held. Of a long one, what is
-      // beside that is left for the next round.
-      if(fan.first <= (std::max)(done, beside) || fan.last + 1 + beside >= strip_.size())
-        continue;
-      const std::size_t turns = portals_of_turns(fan);
-      if(turns == 0 && !is_shorter_on_other_side(fan, bends[b - 1].point, bends[b + 1].point))
-        continue;
-      append_portals(done, fan.first);
-      if(turns > 0)
-        append_portals(fan.first + turns, fan.last + 1);
-      else
-        append_other_side(fan);
-      done = fan.last + 1;
-    }
-    append_portals(done, strip_.size());
-    remove_backtracks_at_ends(next_);
-    if(done > 0)
-      remove_turns(mesh_, next_);
-    return done > 0;
-  }
-
-  void append_portals(std::size_t first, std::size_t end) {
-    while(first < end && !next_.empty() && is_backtrack(next_.back(), strip_[first])) {
-      next_.pop_back();
-      ++first;
-    }
-    next_.insert(next_.end(), strip_.begin() + first, strip_.begin() + end);
-  }
-
-  void append(const Portal& portal) {
-    if(!next_.empty() && is_backtrack(next_.back(), portal))
-      next_.pop_back();
-    else
-      next_.push_back(portal);
-  }
-
-  Index end_of(std::size_t i, bool at_left) const {
-    return at_left ? strip_[i].left : strip_[i].right;
-  }
-
-  // The positions, in the ring of the corner, of the vertices that the strip passes before and
-  // after the fan: those on its other side are from the one to the other.
-  std::pair<Index, Index> other_side(const Fan& fan, const Ring& ring) const {
-    const Index first = ring.position(end_of(fan.first - 1, fan.at_left)),
-                last = ring.position(end_of(fan.last + 1, fan.at_left));
-    CGAL_assertion(first < ring.size() && last < ring.size());
-    return {first, last};
-  }
-
-  Fan fan_of(const Bend& bend) const {
-    const bool at_left = strip_.left()[bend.portal] == bend.point;
-    const Index corner = end_of(bend.portal, at_left);
-    CGAL_assertion_msg(at_left || strip_.right()[bend.portal] == bend.point,
-                       "a path bends at an end of a portal");
-    const auto ends_there = [&](std::size_t i) { return end_of(i, at_left) == corner; };
-    Fan fan = {bend.portal, bend.portal, at_left};
-    while(fan.first > 0 && ends_there(fan.first - 1))
-      --fan.first;
-    while(fan.last + 1 < strip_.size() && ends_there(fan.last + 1))
-      ++fan.last;
-    return fan;
-  }
-
-  // Whole turns around the corner: the path goes through it, and does not need them.
-  std::size_t portals_of_turns(const Fan& fan) const {
-    const std::size_t turn = mesh_.ring(end_of(fan.first, fan.at_left)).size();
-    return (fan.last + 1 - fan.first) / turn * turn;
-  }
-
-  static bool add_angle(const Point_2& a, const Point_2& b, Angle_sum& sum) {
-    return sum.add(dot(a, b), std::abs(cross(a, b)));
-  }
-
-  bool add_corner(Index v, Index a, Index b, Angle_sum& sum) const {
-    const Vector p = mesh_.points[a] - mesh_.points[v], q = mesh_.points[b] - mesh_.points[v];
-    return sum.add(dot(p, q), norm(cross(p, q)));
-  }
-
-  // Whether the faces on the other side of the corner, from the way in to the way out, span less
-  // than a straight angle.
-  bool is_shorter_on_other_side(const Fan& fan, const Point_2& before, const Point_2& after) const {
-    const std::vector<Point_2>& ends = fan.at_left ? strip_.left() : strip_.right();
-    const Point_2 corner = ends[fan.first];
-    Angle_sum sum;
-    if(!add_angle(minus(before, corner), minus(ends[fan.first - 1], corner), sum))
-      return false;
-    const Index v = end_of(fan.first, fan.at_left);
-    const Ring ring = mesh_.ring(v);
-    const auto [first, last] = other_side(fan, ring);
-    for(Index p = first; p != last;) {
-      const Index q = fan.at_left ? ring.previous(p) : ring.next(p);
-      if(mesh_.is_hub(ring[q]) || !add_corner(v, ring[p], ring[q], sum))
-        return false;
-      p = q;
-    }
-    return add_angle(minus(ends[fan.last + 1], corner), minus(after, corner), sum);
-  }
-
-  // The strip comes from the triangle before the fan and goes to the one after it; between them it
-  // now passes the spokes that it did not pass.
-  void append_other_side(const Fan& fan) {
-    const Index corner = end_of(fan.first, fan.at_left);
-    const Ring ring = mesh_.ring(corner);
-    const auto [first, last] = other_side(fan, ring);
-    for(Index p = first;; p = fan.at_left ? ring.previous(p) : ring.next(p)) {
-      append(fan.at_left ? Portal{ring[p], corner, Strip::new_at_right}
-                         : Portal{corner, ring[p], Strip::new_at_left});
-      if(p == last)
-        break;
-    }
-  }
-
   Execution execution_;
   const Flat_mesh& mesh_;
-  Strip strip_;
-  Funnel funnel_;
-  double ratio_at_start_ = 0.; // where the path is held
-  std::vector<Portal> next_;   // the strip of the next round
+  Strip_path path_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -131,12 +131,12 @@ private:
   Chain chains_[2];
 };
 
-/// The strip of triangles that a loop passes, and its layout in the plane. From round to round most
-/// of its triangles stay, so each keeps its shape.
+/// The strip of triangles that a loop or a way passes, and its layout in the plane. From round to
+/// round most of its triangles stay, so each keeps its shape.
 class Strip
 {
 public:
-  /// An edge that the loop crosses, with the triangle ahead of it.
+  /// An edge that is crossed, with the triangle ahead of it.
   struct Portal
   {
     Index left, right;
@@ -152,12 +152,19 @@ public:
   explicit Strip(const Flat_mesh& mesh)
       : mesh_(mesh) {}
 
-  /// lays out the given portals, beginning with number `start`.
-  void assign(const std::vector<Portal>& portals, std::size_t start) {
+  /// lays out the portals of a loop, beginning with number `start`.
+  void assign_loop(const std::vector<Portal>& portals, std::size_t start) {
     CGAL_precondition(start < portals.size());
     portals_.assign(portals.begin() + start, portals.end());
     portals_.insert(portals_.end(), portals.begin(), portals.begin() + start);
-    lay_out();
+    lay_out(portals_.size());
+  }
+
+  /// lays out the portals of a way, which ends on the last one.
+  void assign_way(const std::vector<Portal>& portals) {
+    CGAL_precondition(!portals.empty());
+    portals_ = portals;
+    lay_out(portals_.size() - 1);
   }
 
   std::size_t size() const { return portals_.size(); }
@@ -165,13 +172,13 @@ public:
   std::vector<Portal>::const_iterator begin() const { return portals_.begin(); }
   std::vector<Portal>::const_iterator end() const { return portals_.end(); }
 
-  /// the ends of the portals in the plane; portal n is the first one again.
+  /// the ends of the portals in the plane; after the last one of a loop comes the first again.
   const std::vector<Point_2>& left() const { return left_; }
   const std::vector<Point_2>& right() const { return right_; }
 
 private:
-  void lay_out() {
-    const std::size_t n = portals_.size();
+  // As many triangles, each ahead of a portal.
+  void lay_out(std::size_t n) {
     left_.resize(n + 1);
     right_.resize(n + 1);
     Point_2 l = {0., 0.}, r = {0., -std::sqrt(squared_length(portals_[0].left, portals_[0].right))};
@@ -179,7 +186,7 @@ private:
       left_[i] = l;
       right_[i] = r;
       Portal& from = portals_[i];
-      const Portal& to = portals_[i + 1 == n ? 0 : i + 1];
+      const Portal& to = portals_[i + 1 == portals_.size() ? 0 : i + 1];
       const bool keeps_left = to.left == from.left;
       CGAL_assertion_msg(keeps_left || to.right == from.right, "portals lie in one triangle");
       const Index apex = keeps_left ? to.right : to.left;
@@ -191,6 +198,8 @@ private:
     }
     left_[n] = l;
     right_[n] = r;
+    if(n < portals_.size())
+      portals_[n].place = static_cast<Index>(n);
   }
 
   // Of lengths in the unit box. With smaller ones, quotients are not in the range of numbers.
