@@ -220,7 +220,7 @@ private:
   // The cells, and those beside them.
   std::vector<Index> with_neighbors(const std::vector<Index>& cells) {
     std::atomic<std::size_t> work{0};
-    std::vector<Index> all =
+    std::vector<Index> with_own =
         collect_of_cells(cells, [&](const std::vector<Index>& own, std::vector<Index>& all) {
           const std::size_t first = all.size();
           std::size_t number_of_edges = 0;
@@ -236,7 +236,7 @@ private:
           work += number_of_edges;
         });
     work_ += work;
-    return sorted(std::move(all));
+    return sorted(std::move(with_own));
   }
 
   // Of cells that are not fit those that can be divided: in place of a vertex, those beside it.

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
@@ -69,7 +70,9 @@ public:
     {
       Pass_options options = options_;
       options.do_log_fronts = options.do_keep_layers = options.do_keep_times = false;
-      passes_ = make_(coarse_->mesh, coarse_->mesh.seeds, options);
+      passes_ = !do_levels_pay()
+                    ? make_(coarse_->mesh, coarse_->mesh.seeds, options)
+                    : coarse_passes(execution_, coarse_->mesh, coarse_->mesh.seeds, options, make_);
     }
     passes().initial_pass(progress, statistics);
     if(passes_ && options_.asks_for_fronts())
@@ -127,6 +130,10 @@ private:
   // On meshes of fewer vertices the passes take less time than what comes after them.
   static constexpr std::size_t least_vertices = 10000;
 
+  // A coarse mesh of more has a coarse mesh of its own, where that leaves each handle so many that
+  // loops are found in the classes that are looked for.
+  static constexpr std::size_t least_vertices_for_levels = 100000, least_vertices_of_handle = 100;
+
   // A mesh of fewer is searched through itself, if its fields are; and so is one of which more are
   // left.
   static constexpr std::size_t least_vertices_for_searches = 40000;
@@ -147,6 +154,12 @@ private:
     if(coarse_)
       builder_.reset();
     return coarse_ && double(coarse_->mesh.number_of_vertices()) <= most_vertices;
+  }
+
+  bool do_levels_pay() const {
+    const std::size_t n = coarse_->mesh.number_of_vertices();
+    return n >= least_vertices_for_levels &&
+           n / vertices_of_cell >= least_vertices_of_handle * mesh_.genus;
   }
 
   bool is_any_long(const std::vector<Flat_pair>& pairs) const {
