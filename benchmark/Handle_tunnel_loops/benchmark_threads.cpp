@@ -57,8 +57,8 @@ double measure(const std::string& name,
       stages[i].push_back(statistics.seconds[i]);
   }
   const double seconds = median(total);
-  std::printf("| %s | %zu | %zu | %d | %.3f | **%.2f** |", name.c_str(),
-              statistics.number_of_faces, statistics.genus, number_of_threads, seconds,
+  std::printf("| %s | %zu | %zu | %d | %.3f | **%.2f** |", name.c_str(), statistics.number_of_faces,
+              statistics.genus, number_of_threads, seconds,
               number_of_threads == 1 ? 1. : seconds_of_one_thread / seconds);
   for(const std::vector<double>& seconds_of_stage : stages)
     std::printf(" %.3f |", median(seconds_of_stage));

@@ -335,7 +335,8 @@ TEST(Search_mesh, CountsWhatItsWalksCross) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Flat_mesh mesh = flat_mesh_of(recipe);
     const Crossing_index index(mesh, random_loops(mesh, random, 8));
-    const Edge_classes classes(std::make_shared<const Edge_crossings>(Execution(), mesh, index), {1, 0, 1, 0});
+    const Edge_classes classes(std::make_shared<const Edge_crossings>(Execution(), mesh, index),
+                               {1, 0, 1, 0});
     for(const std::size_t more : {0, 500}) {
       Search_mesh finer(mesh);
       if(more > 0)

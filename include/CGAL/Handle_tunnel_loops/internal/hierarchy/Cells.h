@@ -73,14 +73,14 @@ public:
       before = open.size();
       links.resize(before);
       for_each_index(execution, before, [&](std::size_t i) { links[i] = link(open[i], may_grow); });
-      open = collect_many<Uninitialized_vector<Index>>(
-          execution, before, [&](std::size_t begin, std::size_t end) {
-            std::vector<Index> left;
-            for(std::size_t i = begin; i < end; ++i)
-              if(!take(open[i], links[i]))
-                left.push_back(open[i]);
-            return left;
-          });
+      open = collect_many<Uninitialized_vector<Index>>(execution, before,
+                                                       [&](std::size_t begin, std::size_t end) {
+                                                         std::vector<Index> left;
+                                                         for(std::size_t i = begin; i < end; ++i)
+                                                           if(!take(open[i], links[i]))
+                                                             left.push_back(open[i]);
+                                                         return left;
+                                                       });
     }
   }
 

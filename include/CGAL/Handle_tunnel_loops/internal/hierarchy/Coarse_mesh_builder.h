@@ -123,9 +123,9 @@ private:
       if(mesh_.is_hub(v) || mesh_.ring(v).size() > many_neighbors)
         cells_.add_vertex(v);
     });
-    cells_.grow(execution_,
-                vertices_with<Uninitialized_vector<Index>>(
-                    [&](Index v) { return !cells_.is_centre(v); }),
+    cells_.grow(execution_, vertices_with<Uninitialized_vector<Index>>([&](Index v) {
+                  return !cells_.is_centre(v);
+                }),
                 [](Index) { return true; });
     // Those in a small component of which all centres have many neighbours.
     for(Index v : vertices_with([&](Index v) { return cells_.cell(v) == no_index; }))

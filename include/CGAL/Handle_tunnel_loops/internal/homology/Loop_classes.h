@@ -48,7 +48,7 @@ class Loop_classes
 public:
   /// \p loops are a basis.
   Loop_classes(Execution execution, const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-      : index_(mesh, loops)
+      : index_(execution, mesh, loops)
       , crossings_(std::make_shared<const Edge_crossings>(execution, mesh, index_))
       , sums_([] { return std::make_unique<Sparse_sum<std::int64_t>>(); })
       , rows_(loops.size()) {
@@ -236,8 +236,7 @@ private:
 /// pairs the loops of a basis so that each pair crosses once, if that can be, or else an odd number
 /// of times, which always can: a skew-symmetric matrix of determinant 1 has an odd Pfaffian, and
 /// that is a sum over matchings.
-inline void
-match_loops(Execution execution, const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
+inline void match_loops(Execution execution, const Flat_mesh& mesh, std::vector<Flat_pair>& pairs) {
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
   std::vector<Crossing_loop> loops;
   for(Flat_pair& pair : pairs) {

@@ -230,16 +230,40 @@ private:
   }
 
   // By loop, around the walk and around the copy.
-  void find_extents() {
-    extents_of_walks_.assign(curves_.outward.size(), Extent::empty());
-    extents_of_copies_ = extents_of_walks_;
-    for(std::size_t e = 0; e < curves_.edges.size(); ++e)
-      for(const Matrix_entry& walk : curves_.walks.of(e))
-        for(Index v : {curves_.edges[e].source, curves_.edges[e].target})
-          extents_of_walks_[walk.column].extend(place(v));
-    for(const Corner& corner : curves_.corners)
-      for(Index v : {corner.apex, corner.from, corner.to})
-        extents_of_copies_[corner.loop].extend(place(v));
+  void find_extents(Execution execution) {
+    extents_of_walks_ =
+        extents(execution, curves_.edges.size(), [this](std::size_t e, auto extend) {
+          for(const Matrix_entry& walk : curves_.walks.of(e))
+            for(Index v : {curves_.edges[e].source, curves_.edges[e].target})
+              extend(walk.column, v);
+        });
+    extents_of_copies_ =
+        extents(execution, curves_.corners.size(), [this](std::size_t c, auto extend) {
+          const Corner& corner = curves_.corners[c];
+          for(Index v : {corner.apex, corner.from, corner.to})
+            extend(corner.loop, v);
+        });
+  }
+
+  // By loop, around the vertices of which `f(i, extend)` tells by `extend(loop, v)`. Loops follow
+  // each other.
+  template <typename Function>
+  std::vector<Extent> extents(Execution execution, std::size_t n, const Function& f) const {
+    using Part = std::pair<Index, Extent>;
+    std::vector<Extent> extents(curves_.outward.size(), Extent::empty());
+    for(const auto& [loop, extent] :
+        collect<Part>(execution, n, [&](std::size_t begin, std::size_t end) {
+          std::vector<Part> parts;
+          for(std::size_t i = begin; i < end; ++i)
+            f(i, [&](Index loop_of_vertex, Index v) {
+              if(parts.empty() || parts.back().first != loop_of_vertex)
+                parts.emplace_back(loop_of_vertex, Extent::empty());
+              parts.back().second.extend(place(v));
+            });
+          return parts;
+        }))
+      extents[loop].extend(extent);
+    return extents;
   }
 
   Extent place(Index v) const { return {curves_.vertices[v], curves_.vertices[v]}; }
@@ -286,23 +310,39 @@ private:
   // Loops that were put together of others cut many corners in common.
   void gather_copies(Execution execution) {
     const std::vector<Place> places = places_of_corners(execution);
-    std::vector<std::pair<Index, Index>> groups; // the first corner, and where they begin
-    for(Index i = 0; i < places.size(); ++i)
-      if(i == 0 || !places[i].is_at(places[i - 1]))
-        groups.emplace_back(places[i].corner, i);
+    using Group = std::pair<Index, Index>; // the first corner, and where they begin
+    std::vector<Group> groups =
+        collect<Group>(execution, places.size(), [&](std::size_t begin, std::size_t end) {
+          std::vector<Group> own;
+          for(std::size_t i = begin; i < end; ++i)
+            if(i == 0 || !places[i].is_at(places[i - 1]))
+              own.emplace_back(places[i].corner, static_cast<Index>(i));
+          return own;
+        });
     sort(execution, groups.begin(), groups.end(), std::less<>());
-    copies_.reserve(places.size());
-    copies_begin_.reserve(groups.size() + 1);
-    for(const auto& [first, begin] : groups) {
-      copies_begin_.push_back(static_cast<Index>(copies_.size()));
-      for(Index i = begin; i < places.size() && places[i].is_at(places[begin]); ++i) {
-        const Corner& corner = curves_.corners[places[i].corner];
-        if(i == begin || copies_.back().loop != corner.loop)
-          copies_.push_back({places[i].corner, corner.loop, 0});
-        copies_.back().number += corner.from == curves_.corners[first].from ? 1 : -1;
-      }
+    copies_begin_.resize(groups.size() + 1);
+    copies_ = collect_many<Uninitialized_vector<Copy>>(
+        execution, groups.size(), [&](std::size_t begin, std::size_t end) {
+          std::vector<Copy> own;
+          for(std::size_t g = begin; g < end; ++g) {
+            const std::size_t before = own.size();
+            append_copies(places, groups[g].second, own);
+            copies_begin_[g] = static_cast<Index>(own.size() - before);
+          }
+          return own;
+        });
+    sum_before_each(execution, copies_begin_);
+  }
+
+  // Those at the place of which the first is given.
+  void append_copies(const std::vector<Place>& places, Index first, std::vector<Copy>& own) const {
+    const std::size_t before = own.size();
+    for(Index i = first; i < places.size() && places[i].is_at(places[first]); ++i) {
+      const Corner& corner = curves_.corners[places[i].corner];
+      if(own.size() == before || own.back().loop != corner.loop)
+        own.push_back({places[i].corner, corner.loop, 0});
+      own.back().number += corner.from == curves_.corners[places[first].corner].from ? 1 : -1;
     }
-    copies_begin_.push_back(static_cast<Index>(copies_.size()));
   }
 
   // The copies that cut the same corner, by the order of the first of them.
@@ -409,7 +449,7 @@ private:
   }
 
   void add_crossings(Execution execution) {
-    find_extents();
+    find_extents(execution);
     const Pieces all = pieces_of_walks(execution), some = pieces_asked_for(all);
     gather_copies(execution);
     const std::vector<Index> begins = begins_of_pieces(
@@ -527,7 +567,7 @@ private:
   Sparse_matrix linking_, intersections_, defect_; // see `Linking`
   int number_of_attempts_ = 0;
   std::vector<Extent> extents_of_walks_, extents_of_copies_; // by loop
-  std::vector<Copy> copies_;                                 // those of one corner together
+  Uninitialized_vector<Copy> copies_;                        // those of one corner together
   std::vector<Index> copies_begin_;                          // by corner
   std::mutex mutex_;                                         // for contacts_
   std::vector<Contact> contacts_;

@@ -43,23 +43,23 @@ class Crossing_index
 {
 public:
   Crossing_index(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
+      : Crossing_index(Execution(), mesh, loops) {}
+
+  Crossing_index(Execution execution,
+                 const Flat_mesh& mesh,
+                 const std::vector<Crossing_loop>& loops)
       : begin_(mesh.number_of_vertices() + 1, 0) {
     for(const Crossing_loop& loop : loops)
       for(const Crossing& c : loop) {
-        ++begin_[c.left];
-        ++begin_[c.right];
+        ++begin_[c.left + 1];
+        ++begin_[c.right + 1];
       }
-    Index sum = 0;
-    for(Index& b : begin_) {
-      sum += b;
-      b = sum;
-    }
-    entries_.resize(sum);
-    // Backwards, so that the entries of a vertex are sorted by loop.
-    for(std::size_t j = loops.size(); j-- > 0;)
+    entries_.resize(sum_before_each(execution, begin_));
+    // What is at v + 1 is where the entries of v begin, and in the end where they do end.
+    for(Index j = 0; j < loops.size(); ++j)
       for(const Crossing& c : loops[j]) {
-        entries_[--begin_[c.left]] = {c.right, static_cast<Index>(j), 1};
-        entries_[--begin_[c.right]] = {c.left, static_cast<Index>(j), -1};
+        entries_[begin_[c.left + 1]++] = {c.right, j, 1};
+        entries_[begin_[c.right + 1]++] = {c.left, j, -1};
       }
   }
 

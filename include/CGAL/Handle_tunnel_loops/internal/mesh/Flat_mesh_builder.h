@@ -471,7 +471,7 @@ private:
   std::vector<vertex_descriptor> vertices_;           // in the order of the mesh, then sorted
   Rings_of_mesh<TriangleMesh, VertexIndexMap> rings_; // in the order of the mesh
   Boundary_curves curves_;
-  Uninitialized_vector<Vector> points_; // in the order of the mesh
+  Uninitialized_vector<Vector> points_;    // in the order of the mesh
   Uninitialized_vector<Index> order_;      // by flat index, the place in the order of the mesh
   Uninitialized_vector<Index> flat_index_; // by caller's index
 };

@@ -302,7 +302,8 @@ private:
 
   // Around a corner of a short loop it may go only while it is held at one certain place.
   int most_idle_rounds() const {
-    return path_.size() <= Strip_path::short_loop ? (std::max)(2, static_cast<int>(path_.size())) : 2;
+    return path_.size() <= Strip_path::short_loop ? (std::max)(2, static_cast<int>(path_.size()))
+                                                  : 2;
   }
 
   // Flips move a loop over many vertices, one after the other, and rounds make it let go of many

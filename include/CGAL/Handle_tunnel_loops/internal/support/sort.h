@@ -95,7 +95,8 @@ inline std::uint32_t every_third_bit(std::uint32_t x) {
 /// in one cell by their numbers. Meshes come in any order; a field that walks them in file order
 /// waits for memory.
 template <typename Point>
-Uninitialized_vector<Index> space_filling_order(Execution execution, std::size_t n, const Point& point) {
+Uninitialized_vector<Index>
+space_filling_order(Execution execution, std::size_t n, const Point& point) {
   struct Numbered_cell
   {
     std::uint32_t cell;
