@@ -221,7 +221,7 @@ public:
   /// leads a loop around what has taken the place of another handle. It is given up if it comes to
   /// a vertex twice then, or becomes much longer. Returns whether it was led.
   bool lead_around(const Surgery_mesh& mesh, const Detour& detour, std::size_t loop) {
-    CGAL_precondition(!is_done());
+    CGAL_precondition(task_->is_left());
     constexpr double most_growth = 1.5;
     Closed_walk& walk = walks_[loop];
     if(walk.size() < 3 || is_intact(mesh, walk))

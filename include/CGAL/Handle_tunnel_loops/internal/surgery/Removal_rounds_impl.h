@@ -103,11 +103,13 @@ private:
   void start(std::vector<Removal_task>& tasks) {
     candidates_.clear();
     are_all_wanted_ = number_with(Removal_task::State::KEPT, tasks) == 0;
-    for(Removal_task& task : tasks)
-      if(!task.is_done()) {
+    for(Removal_task& task : tasks) {
+      if(!task.is_done())
         task.time = Removal_task::none;
-        candidates_.emplace_back(task);
-      }
+      else if(!task.has_failed() || !task.is_settled)
+        continue; // but those that are settled may be removed with others
+      candidates_.emplace_back(task);
+    }
     for_each_index(
         execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_loops(mesh_); },
         16);
@@ -179,8 +181,9 @@ private:
     return false;
   }
 
-  // Whether a region holds no other handles than those of candidates. If all are, those of which
-  // most lies in it are as good as the ones that it holds: their loops leave it and come back.
+  // Whether a region holds no other handles than those of candidates, also of such that could not
+  // be removed so far. If all are, those of which most lies in it are as good as the ones that it
+  // holds: their loops leave it and come back.
   bool find_companions(Removal_candidate& candidate) {
     Handle_surgery& surgery = *candidate.surgery();
     surgery.companions.clear();
@@ -190,7 +193,7 @@ private:
     std::vector<std::pair<double, std::size_t>> others; // which are not inside, by what is not
     for(std::size_t i = 0; i < candidates_.size(); ++i) {
       Removal_candidate& other = candidates_[i];
-      if(&other == &candidate || other.is_done())
+      if(&other == &candidate || !other.task().is_left())
         continue;
       if(is_inside(other, surgery))
         surgery.companions.push_back(&other.task());
@@ -265,6 +268,9 @@ private:
     const Handle_surgery& surgery = *candidate.surgery();
     if(!surgery.has_caps())
       return candidate.fail(surgery.obstacle());
+    if(!std::all_of(surgery.companions.begin(), surgery.companions.end(),
+                    [](const Removal_task* companion) { return companion->is_left(); }))
+      return; // others are in the region now
     Placed_patch placed(mesh_, surgery.patch(), mesh_.vertex_bound());
     // What was put in in this round is part of the mesh in the next one only.
     if(std::any_of(put_in_.begin(), put_in_.end(),
@@ -333,7 +339,7 @@ private:
     make_set(beside);
     for(const Loop& loop : beside) {
       Removal_candidate& candidate = candidates_[loop.first];
-      if(!candidate.is_done() && candidate.lead_around(mesh_, detour, loop.second))
+      if(candidate.task().is_left() && candidate.lead_around(mesh_, detour, loop.second))
         note(loop);
     }
   }

@@ -89,6 +89,9 @@ struct Removal_task
   bool is_done() const { return state != State::OPEN; }
   bool has_failed() const { return state == State::REFUSED || state == State::DAMAGED; }
 
+  /// whether it may be removed still, if only with others.
+  bool is_left() const { return !is_done() || has_failed(); }
+
   /// what was tried with it: of the same handle, also as another task or on another copy of the
   /// surface.
   std::shared_ptr<std::vector<Caps_in_vain>> in_vain =
@@ -125,7 +128,7 @@ struct Removal_task
 
   /// was removed together with another one.
   void become_like(const Removal_task& other) {
-    CGAL_precondition(!is_done() && other.state == State::REMOVED);
+    CGAL_precondition(is_left() && other.state == State::REMOVED);
     state = other.state;
     is_whole = other.is_whole;
     for(std::size_t i = 0; i < choices.size(); ++i)
@@ -177,10 +180,8 @@ struct Removal_task
 
 /// how many are not done, or could not be.
 inline std::size_t number_left(const std::vector<Removal_task>& tasks) {
-  using State = Removal_task::State;
-  return static_cast<std::size_t>(std::count_if(tasks.begin(), tasks.end(), [](const auto& task) {
-    return task.state != State::REMOVED && task.state != State::KEPT;
-  }));
+  return static_cast<std::size_t>(std::count_if(
+      tasks.begin(), tasks.end(), [](const Removal_task& task) { return task.is_left(); }));
 }
 
 inline std::size_t number_with(Removal_task::State state, const std::vector<Removal_task>& tasks) {
