@@ -3,6 +3,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Index_table.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Growing_faces.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -26,10 +28,14 @@ namespace impl = CGAL::Handle_tunnel_loops::internal;
 using impl::Index;
 using impl::Surgery_mesh;
 
-Surgery_mesh surgery_mesh_of(const char* kind, std::size_t faces, std::size_t genus) {
-  Mesh mesh = mesh_of({kind, {faces, genus, 0}});
+Surgery_mesh surgery_mesh_of(Mesh& mesh) {
   impl::Mesh_link<Mesh, std::decay_t<decltype(mesh.points())>> link(mesh, mesh.points());
   return link.read(impl::Execution(), get(CGAL::vertex_index, mesh), get(CGAL::face_index, mesh));
+}
+
+Surgery_mesh surgery_mesh_of(const char* kind, std::size_t faces, std::size_t genus) {
+  Mesh mesh = mesh_of({kind, {faces, genus, 0}});
+  return surgery_mesh_of(mesh);
 }
 
 TEST(Index_table, IsAMap) {
@@ -228,6 +234,77 @@ TEST(Near_pairs, TellWhetherCapsMeetASurface) {
     number_of_contacts += meets;
   }
   EXPECT_GT(number_of_contacts, 2);
+}
+
+// ---- what caps may cross
+
+// ... by definition, of some faces and all others; pairs are counted for each of the faces.
+struct Contacts_by_definition
+{
+  Contacts_by_definition(const Surgery_mesh& mesh, const Faces& faces)
+      : most(1024 + 8 * faces.size()) {
+    for(Index f = 0; f < mesh.face_bound(); ++f)
+      for(Index g : faces)
+        if(f != g && impl::are_in_contact(placed_triangle(mesh, f), placed_triangle(mesh, g))) {
+          const bool is_own = impl::is_in(f, faces);
+          met.insert(f);
+          ++(is_own ? number_of_own : number_of_others);
+        }
+  }
+
+  bool are_too_many() const { return number_of_own > most || number_of_others > most; }
+
+  const std::size_t most;
+  std::size_t number_of_own = 0, number_of_others = 0; // own ones count for either face
+  std::set<Index> met;
+};
+
+// Faces that go to and fro in a cube, so that most boxes meet.
+Surgery_mesh scattered_mesh(std::size_t faces, generators::Random& random) {
+  Mesh mesh = mesh_of({"torus", {faces, 1, 0}});
+  for(const auto v : mesh.vertices())
+    mesh.point(v) = {random.uniform(0., 1.), random.uniform(0., 1.), random.uniform(0., 1.)};
+  return surgery_mesh_of(mesh);
+}
+
+TEST(Former_contacts, AreThoseOfEachFace) {
+  generators::Random random(5);
+  int number_with_own = 0, number_with_too_many = 0;
+  const Surgery_mesh meshes[] = {surgery_mesh_of("random", 600, 5), scattered_mesh(3000, random)};
+  for(int run = 0; run < 24; ++run) {
+    const Surgery_mesh& mesh = meshes[run % 2];
+    Faces faces, all;
+    for(std::size_t i = 0; i < 1 + random.below(run < 12 ? 6 : 30); ++i)
+      faces.push_back(static_cast<Index>(random.below(mesh.face_bound())));
+    impl::make_set(faces);
+    for(Index f = 0; f < mesh.face_bound(); ++f)
+      all.push_back(f);
+    random.shuffle(all);
+    impl::Mesh_contacts contacts(mesh);
+    contacts.update(impl::Execution());
+    const Contacts_by_definition expected(mesh, faces);
+    impl::Former_contacts former(mesh, contacts, faces);
+    std::size_t number_met = 0;
+    for(Index f : all)
+      if(!impl::is_in(f, faces)) {
+        const bool meets = former.are_with(f);
+        number_met += meets;
+        EXPECT_EQ(meets, expected.met.count(f) == 1 && !former.are_known_to_be_too_many());
+      }
+    EXPECT_LE(number_met, expected.most);
+    EXPECT_EQ(former.are_too_many(), expected.are_too_many()) << run;
+    EXPECT_EQ(former.are_known_to_be_too_many(), expected.are_too_many()) << run;
+    if(expected.number_of_own <= expected.most) {
+      EXPECT_EQ(former.are_own(), expected.number_of_own > 0) << run;
+      for(Index f : faces)
+        EXPECT_EQ(former.are_of_own(f), expected.met.count(f) == 1) << run;
+    }
+    number_with_own += expected.number_of_own > 0;
+    number_with_too_many += expected.are_too_many();
+  }
+  EXPECT_GT(number_with_own, 0);
+  EXPECT_GT(number_with_too_many, 0);
+  EXPECT_LT(number_with_too_many, 24);
 }
 
 } // namespace test_near_faces

@@ -1,0 +1,132 @@
+// In which order handles are tried, and which are removed together.
+
+#include "Meshes_of_soups.h"
+
+#include "generators/Random.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace test_removal_rounds {
+
+namespace impl = CGAL::Handle_tunnel_loops::internal;
+using impl::Index;
+using impl::Removal_effort;
+using impl::Removal_task;
+using State = Removal_task::State;
+
+// A surface under surgery, and a task for each of its handles.
+struct Handles
+{
+  Handles(const char* kind, std::size_t faces, std::size_t genus)
+      : input(mesh_of({kind, {faces, genus, 0}})) {
+    impl::Mesh_link<Mesh, std::decay_t<decltype(input.points())>> link(input, input.points());
+    const auto vertex_index = get(CGAL::vertex_index, input);
+    mesh = link.read(impl::Execution(), vertex_index, get(CGAL::face_index, input));
+    Pairs pairs;
+    CGAL::handle_tunnel_loops(input, std::back_inserter(pairs));
+    for(const auto& pair : pairs) {
+      tasks.emplace_back();
+      tasks.back().pair = tasks.size() - 1;
+      for(const auto* loop : {&pair.handle(), &pair.tunnel()})
+        tasks.back().choices.push_back(impl::loop_choice(*loop, input, vertex_index));
+      tasks.back().divide_lengths(link.unit());
+    }
+  }
+
+  void remove(Removal_effort effort, bool force = false) {
+    remove_handles(impl::Execution(), mesh, tasks, effort, force, [](double) {});
+  }
+
+  std::ptrdiff_t euler_characteristic() const {
+    std::ptrdiff_t vertices = 0, faces = 0;
+    for(Index v = 0; v < mesh.vertex_bound(); ++v)
+      vertices += mesh.outgoing(v) != impl::no_index;
+    for(Index f = 0; f < mesh.face_bound(); ++f)
+      faces += mesh.is_alive(f);
+    return vertices - faces / 2;
+  }
+
+  Mesh input;
+  impl::Surgery_mesh mesh;
+  std::vector<Removal_task> tasks;
+};
+
+// Faces are numbered in the order in which they are put in.
+TEST(Handles_that_come_first, AreRemovedBeforeAllOthers) {
+  generators::Random random(1);
+  const Handles handles("multi-torus", 3000, 8);
+  for(int run = 0; run < 8; ++run) {
+    Handles some = handles;
+    for(Removal_task& task : some.tasks)
+      task.comes_first = random.below(2) == 0;
+    some.remove(Removal_effort::ALL_LOOPS);
+    Index last_of_first = 0, first_of_others = (std::numeric_limits<Index>::max)();
+    for(const Removal_task& task : some.tasks) {
+      ASSERT_EQ(task.state, State::REMOVED);
+      if(task.comes_first)
+        last_of_first = (std::max)(last_of_first, task.end_of_faces);
+      else
+        first_of_others = (std::min)(first_of_others, task.end_of_faces);
+    }
+    EXPECT_LT(last_of_first, first_of_others) << run;
+  }
+}
+
+// A loop that stays at a vertex has no region, which is known before any caps are made.
+TEST(Handles_that_come_first, LetOthersBeTriedWhenTheyFail) {
+  generators::Random random(2);
+  const Handles handles("multi-torus", 1500, 4);
+  for(int run = 0; run < 8; ++run) {
+    Handles some = handles;
+    const std::size_t number_lost = 1 + random.below(3);
+    for(std::size_t i = 0; i < number_lost; ++i) {
+      some.tasks[i].comes_first = true;
+      for(impl::Loop_choice& loop : some.tasks[i].choices) {
+        const Index v = loop.places.front().source, w = loop.places.front().target;
+        loop.places.assign(3, {v, w, 0.});
+      }
+    }
+    random.shuffle(some.tasks);
+    some.remove(Removal_effort::ANY);
+    for(const Removal_task& task : some.tasks)
+      EXPECT_EQ(task.state, task.comes_first ? State::REFUSED : State::REMOVED) << run;
+  }
+}
+
+// What has failed before, alone, is no reason to leave a region alone that holds it as well.
+TEST(Handles_that_failed, AreTakenOutTogetherWithOthers) {
+  using Choice = impl::Region_choice;
+  const Handles handles("sponge", 500, 12);
+  const auto number = static_cast<std::ptrdiff_t>(handles.tasks.size());
+  std::ptrdiff_t most_together = 0;
+  for(std::size_t first = 0; first < handles.tasks.size(); ++first)
+    for(std::size_t loop : {0, 1})
+      for(int rings : {3, 6, 10}) {
+        Handles some = handles;
+        for(Removal_task& task : some.tasks) {
+          task.state = State::REFUSED;
+          task.is_settled = true;
+        }
+        some.tasks[first].state = State::OPEN;
+        some.tasks[first].region = Choice{Choice::WHOLE, loop, rings};
+        some.remove(Removal_effort::ANY, true);
+        const auto left = static_cast<std::ptrdiff_t>(number_left(some.tasks));
+        EXPECT_EQ(some.euler_characteristic(), 2 - 2 * left);
+        most_together = (std::max)(most_together, number - left);
+      }
+  EXPECT_GT(most_together, 1);
+}
+
+} // namespace test_removal_rounds
