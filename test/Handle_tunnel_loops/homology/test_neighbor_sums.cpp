@@ -66,4 +66,40 @@ TEST(Neighbor_sums, TakeOutATurn) {
   EXPECT_TRUE(sums_of_second(mesh, straight, true).empty());
 }
 
+// Each loop has the same share for each of its crossings.
+TEST(Neighbor_sums, ShareTheirWorkBySize) {
+  Random random(2);
+  for(int run = 0; run < 20; ++run) {
+    std::vector<Crossing_loop> loops(1 + run);
+    double size = 0.;
+    for(Crossing_loop& loop : loops) {
+      loop.resize(static_cast<std::size_t>(random.uniform(1., 1000.)));
+      size += double(loop.size());
+    }
+    const double work = random.uniform(0., 1e8);
+    const std::vector<double> shares = shares_by_size(loops, work);
+    ASSERT_EQ(shares.size(), loops.size());
+    for(std::size_t i = 0; i < loops.size(); ++i)
+      EXPECT_NEAR(shares[i] * size, work * double(loops[i].size()), 1e-9 * work * size);
+  }
+}
+
+// With more work all is found that was found with less, and nothing with too little for a sum.
+TEST(Neighbor_sums, EndWithTheirWork) {
+  Random random(1);
+  const Flat_torus torus(columns, rows, 1., 1.5, random);
+  const Flat_mesh mesh = flat_mesh_of(torus.soup());
+  const std::vector<Crossing_loop> wound = loops_with_turns(mesh, 1);
+  std::size_t before = 0, number_of_steps = 0;
+  for(double work = 1.; work < 1e5; work *= 2.) {
+    const std::size_t number = sums_of_second(mesh, wound, true, work).size();
+    EXPECT_GE(number, before) << work;
+    EXPECT_TRUE(number == 0 || work >= double(wound[1].size()));
+    number_of_steps += number > before;
+    before = number;
+  }
+  EXPECT_EQ(before, 1u);
+  EXPECT_EQ(number_of_steps, 1u);
+}
+
 } // namespace test_neighbor_sums

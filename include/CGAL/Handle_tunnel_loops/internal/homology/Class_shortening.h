@@ -220,7 +220,7 @@ private:
 
   // Sums of loops, a search for those that have taken the place of others, and sums of these.
   void take_sums() {
-    share_work_for_sums(crossings_for_visit * visits());
+    work_for_sums_ = shares_by_size(*loops_, crossings_for_visit * visits());
     const double before = total_length();
     std::fill(is_open_.begin(), is_open_.end(), 0);
     sweep_sums();
@@ -228,14 +228,6 @@ private:
       repeat(part_after_sums * visits());
       sweep_sums();
     }
-  }
-
-  // As many sums for each, about: those of long loops take more.
-  void share_work_for_sums(double work) {
-    const double by_crossing = work / double(size_of_loops());
-    work_for_sums_.clear();
-    for(const Crossing_loop& loop : *loops_)
-      work_for_sums_.push_back(by_crossing * double(loop.size()));
   }
 
   // As long as it pays.

@@ -28,6 +28,18 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// what each loop may take of some work: as many sums for each, about, as those of long loops take
+/// more.
+inline std::vector<double> shares_by_size(const std::vector<Crossing_loop>& loops, double work) {
+  double size = 0.;
+  for(const Crossing_loop& loop : loops)
+    size += double(loop.size());
+  std::vector<double> shares;
+  for(const Crossing_loop& loop : loops)
+    shares.push_back(work / size * double(loop.size()));
+  return shares;
+}
+
 /*!
 Shorter sums of a loop with one beside it, forwards or backwards: the step of a lattice reduction,
 with the lengths that sums have once they are tightened.
