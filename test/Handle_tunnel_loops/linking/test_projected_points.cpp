@@ -546,7 +546,7 @@ TEST(Matrix, IsMultipliedRowByRow) {
       for(const Matrix_entry& f : row(e.column))
         if(is_kept(e.row, f.column))
           expected.push_back({e.row, f.column, e.value * f.value});
-    add_up(expected);
+    add_up(Execution(), expected);
     const Sparse_matrix found = product(a, row, is_kept);
     ASSERT_EQ(found.size(), expected.size());
     for(std::size_t i = 0; i < found.size(); ++i)
