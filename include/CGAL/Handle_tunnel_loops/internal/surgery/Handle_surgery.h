@@ -232,6 +232,27 @@ private:
           mesh, vertices_of(mesh, Cut_region::faces_at(mesh, region_->border_vertices(mesh))));
   }
 
+  // Where the surface was in the way of other caps it is looked at first: it may well be so again,
+  // and says more than what the caps do to each other.
+  std::optional<Obstacle>
+  contact_of_caps(const Patch& patch, const Placed_patch& placed, const Mesh_contacts& contacts) {
+    const Obstacle each_other{Obstacle::CAPS_CROSS, "the caps would meet each other"},
+        surface{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
+    if(!placed.has_areas())
+      return each_other;
+    const bool is_surface_first = obstacle_.kind >= Obstacle::SURFACE_IN_THE_WAY;
+    if(is_surface_first && caps_meet_surface(placed, contacts))
+      return surface;
+    if(caps_meet_each_other(patch, placed)) {
+      in_vain_->met_each_other = true;
+      return each_other;
+    }
+    if((!is_surface_first && caps_meet_surface(placed, contacts)) ||
+       (former_ && former_->are_too_many()))
+      return surface;
+    return std::nullopt;
+  }
+
   std::optional<Obstacle> obstacle_to(const Patch& patch,
                                       const Surgery_mesh& mesh,
                                       const Mesh_contacts& contacts,
@@ -239,13 +260,8 @@ private:
                                       const Intended_change& intended) {
     const Placed_patch placed(mesh, patch);
     reach_.extend(placed.box());
-    const bool have_areas = placed.has_areas();
-    if(!have_areas || caps_meet_each_other(patch, placed)) {
-      in_vain_->met_each_other |= have_areas;
-      return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
-    }
-    if(caps_meet_surface(placed, contacts) || (former_ && former_->are_too_many()))
-      return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
+    if(const auto obstacle = contact_of_caps(patch, placed, contacts))
+      return obstacle;
     const Judged_change change = judge.change(mesh, out_, patch, intended);
     const std::string why = judge.objection(change, intended);
     if(!why.empty())
