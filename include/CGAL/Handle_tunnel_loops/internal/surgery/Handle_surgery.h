@@ -103,22 +103,9 @@ public:
       return;
     if(intended.may_cross)
       former_ = std::make_unique<Former_contacts>(mesh, contacts, out_);
-    if(former_ && curve_ && former_->are_likely_too_many() && former_->are_too_many())
-      return in_vain_.reset(); // which is known sooner than what its caps meet
-    const auto is_wanted = [&](const Patch& patch) {
-      if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
-        obstacle_.take(*obstacle);
-        return false;
-      }
-      patch_ = patch;
-      return has_caps_ = true;
-    };
-    if(region_)
-      for_each_cap(mesh, *region_, is_wanted);
-    else
-      for(const auto side : sides_of_membranes(intended, judge.outward()))
-        if(!has_caps_)
-          for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_), side, is_wanted);
+    // Which is known sooner than what caps meet.
+    if(!(former_ && curve_ && former_->are_likely_too_many() && former_->are_too_many()))
+      make_caps(mesh, contacts, judge, intended);
     if(has_caps_)
       in_vain_.reset();
     else
@@ -155,6 +142,27 @@ private:
     for(Index f : faces)
       box.extend(placed_triangle(mesh, f).box());
     return box;
+  }
+
+  // The first ones that nothing is in the way of.
+  void make_caps(const Surgery_mesh& mesh,
+                 const Mesh_contacts& contacts,
+                 const Shape_judge& judge,
+                 const Intended_change& intended) {
+    const auto is_wanted = [&](const Patch& patch) {
+      if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
+        obstacle_.take(*obstacle);
+        return false;
+      }
+      patch_ = patch;
+      return has_caps_ = true;
+    };
+    if(region_)
+      for_each_cap(mesh, *region_, is_wanted);
+    else
+      for(const auto side : sides_of_membranes(intended, judge.outward()))
+        if(!has_caps_)
+          for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_), side, is_wanted);
   }
 
   // Solid is taken away between membranes inside.
@@ -221,10 +229,12 @@ private:
                        [&](Index f) { return placed.meets(placed_triangle(mesh, f)); });
   }
 
-  // Where the surface crosses itself all over there is no face that tells.
+  // Where the surface crosses itself all over, all that it crosses tells.
   void describe_failure(const Surgery_mesh& mesh) {
-    if(former_ && former_->are_known_to_be_too_many())
-      return in_vain_.reset();
+    if(former_ && former_->are_known_to_be_too_many()) {
+      const std::vector<Index> met = former_->met();
+      in_vain_->met.insert(in_vain_->met.end(), met.begin(), met.end());
+    }
     in_vain_->obstacle = obstacle_;
     in_vain_->reach = reach_;
     if(region_) // caps are made to fit two rings of faces around them
