@@ -263,6 +263,20 @@ TEST(Coarse_mesh, KeepsIntersectionNumbersOfLoops) {
       }
 }
 
+// A coarse mesh has one of its own.
+TEST(Coarse_mesh, KeepsIntersectionNumbersThroughTwoLevels) {
+  Random random(3);
+  for(const Flat_mesh& mesh : meshes())
+    if(mesh.seeds.size() == 1) {
+      const Coarse_mesh coarse = coarse_mesh_of(mesh, 4), coarser = coarse_mesh_of(coarse.mesh, 4);
+      const std::vector<Crossing_loop> loops = random_loops(coarser.mesh, random, 8),
+                                       up = lifted(coarse, lifted(coarser, loops));
+      for(const Crossing_loop& loop : up)
+        expect_crossing_loop(mesh, loop);
+      EXPECT_EQ(intersections(mesh, up), intersections(coarser.mesh, loops));
+    }
+}
+
 // They are walks on the surface, pushed aside.
 TEST(Coarse_mesh, LiftsLoopsThroughNoHub) {
   Random random(2);

@@ -35,8 +35,8 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Loops, testing::ValuesIn(recipes), [](const a
 });
 
 // As good, and proved as well.
-TEST_P(Loops, AreAsShortFromACoarseMesh) {
-  const Mesh mesh = mesh_of(GetParam());
+void expect_as_short(const Recipe& recipe) {
+  const Mesh mesh = mesh_of(recipe);
   Solver solver(mesh);
   Pairs coarse, fine;
   solver.find_loops(std::back_inserter(coarse));
@@ -50,6 +50,19 @@ TEST_P(Loops, AreAsShortFromACoarseMesh) {
   EXPECT_EQ(certificate.tunnels_bound_outside_alone,
             solver.certificate().tunnels_bound_outside_alone);
   EXPECT_LE(total_length(coarse), 1.02 * total_length(fine));
+}
+
+TEST_P(Loops, AreAsShortFromACoarseMesh) { expect_as_short(GetParam()); }
+
+// So large that the coarse mesh has one of its own.
+TEST(Loops_of_large_meshes, AreAsShortFromTwoCoarseMeshes) {
+  if(are_few_cases_tried())
+    GTEST_SKIP() << "takes long";
+  for(const Recipe& recipe : {Recipe{"torus", {3500000, 1, 0}}, Recipe{"lattice", {3500000, 5, 0}}})
+  {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    expect_as_short(recipe);
+  }
 }
 
 // The log of fronts, layers and times are those of the mesh itself.

@@ -50,7 +50,7 @@ TEST(Loop_classes, HaveCoordinatesThatAddUp) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Flat_mesh mesh = flat_mesh_of(recipe);
     const std::vector<Crossing_loop> loops = loops_of_basis(soup_of(recipe));
-    const Loop_classes classes({}, mesh, loops);
+    const Loop_classes classes(Execution(), mesh, loops);
     ASSERT_EQ(classes.size(), loops.size());
     for(int round = 0; round < 3; ++round) {
       const std::vector<Class_vector> rows = wound_up(random, loops.size(), 20, 10);
@@ -62,7 +62,7 @@ TEST(Loop_classes, HaveCoordinatesThatAddUp) {
         EXPECT_EQ(classes.class_with(numbers), rows[i]);
       }
       // The other way around: these loops are a basis, too.
-      const Loop_classes others({}, mesh, sums);
+      const Loop_classes others(Execution(), mesh, sums);
       for(const Crossing_loop& loop : loops) {
         const std::optional<Class_vector> back = others.class_with(others.numbers(loop));
         ASSERT_TRUE(back);
@@ -80,7 +80,7 @@ TEST(Loop_classes, HaveDuals) {
     const std::vector<Crossing_loop> first = loops_of_basis(soup_of(recipe));
     const std::vector<Crossing_loop> loops =
         combined(mesh, first, wound_up(random, first.size(), 15, 5));
-    const Loop_classes classes({}, mesh, loops);
+    const Loop_classes classes(Execution(), mesh, loops);
     for(Index t = 0; t < loops.size(); ++t) {
       const std::optional<Class_vector> dual = classes.class_with({{t, 1}});
       ASSERT_TRUE(dual);
@@ -96,7 +96,7 @@ TEST(Class_exchange, KeepsCoordinates) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Flat_mesh mesh = flat_mesh_of(recipe);
     const std::vector<Crossing_loop> loops = loops_of_basis(soup_of(recipe));
-    const Loop_classes classes({}, mesh, loops);
+    const Loop_classes classes(Execution(), mesh, loops);
     const std::size_t n = loops.size();
     Class_exchange exchange(classes);
     std::vector<Class_vector> members; // in the first basis
@@ -235,7 +235,7 @@ public:
       , loops_(loops_of_basis(soup_of(recipe)))
       , is_pure_(loops_.size() / 2, is_pure)
       , search_mesh_(mesh_)
-      , classes_({}, mesh_, loops_)
+      , classes_(Execution(), mesh_, loops_)
       , edge_classes_(classes_.edge_crossings(), is_pure_) {
     if(finer > 0)
       search_mesh_.refine(finer);

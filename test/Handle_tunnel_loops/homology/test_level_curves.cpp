@@ -29,7 +29,7 @@ TEST(Level_curves, HaveTheClassOfASum) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Flat_mesh mesh = flat_mesh_of(recipe);
     const std::vector<Crossing_loop> loops = loops_of_basis(soup_of(recipe));
-    const Loop_classes classes({}, mesh, loops);
+    const Loop_classes classes(Execution(), mesh, loops);
     for(const Class_vector& a : wound_up(random, loops.size(), 40, 20)) {
       const Level_curves level(mesh, loops, a);
       Class_vector numbers;
@@ -82,7 +82,7 @@ TEST(Loop_sum, OfManyLoopsThatCancelIsShort) {
     const std::vector<Crossing_loop> loops = loops_of_basis(soup_of(recipe));
     const std::vector<Crossing_loop> longer =
         combined(mesh, loops, wound_up(random, loops.size(), 100, 3));
-    const Loop_classes classes({}, mesh, longer);
+    const Loop_classes classes(Execution(), mesh, longer);
     double before = 0.;
     std::size_t after = 0;
     for(const Crossing_loop& loop : loops) {

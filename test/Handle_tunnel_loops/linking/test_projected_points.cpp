@@ -515,7 +515,7 @@ TEST(Chains_of_loops, AddUp) {
 
 TEST(Matrix, AddsUpWhatIsAtOnePlace) {
   Sparse_matrix matrix = {{1, 2, 3}, {0, 5, 1}, {1, 2, -1}, {4, 4, 7}, {4, 4, -7}, {1, 0, 2}};
-  add_up(matrix);
+  add_up(Execution(), matrix);
   ASSERT_EQ(matrix.size(), 3u);
   EXPECT_TRUE(matrix[0].row == 0 && matrix[0].column == 5 && matrix[0].value == 1);
   EXPECT_TRUE(matrix[1].row == 1 && matrix[1].column == 0 && matrix[1].value == 2);
@@ -530,7 +530,7 @@ TEST(Matrix, IsMultipliedRowByRow) {
       for(std::size_t i = random.below(30); i > 0; --i)
         matrix.push_back({static_cast<Index>(random.below(5)), static_cast<Index>(random.below(5)),
                           random.below(2) ? 1 : -1});
-      add_up(matrix);
+      add_up(Execution(), matrix);
       return matrix;
     };
     const Sparse_matrix a = random_matrix(), b = random_matrix();
@@ -546,7 +546,7 @@ TEST(Matrix, IsMultipliedRowByRow) {
       for(const Matrix_entry& f : row(e.column))
         if(is_kept(e.row, f.column))
           expected.push_back({e.row, f.column, e.value * f.value});
-    add_up(expected);
+    add_up(Execution(), expected);
     const Sparse_matrix found = product(a, row, is_kept);
     ASSERT_EQ(found.size(), expected.size());
     for(std::size_t i = 0; i < found.size(); ++i)

@@ -12,14 +12,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace test_loop_tightening {
 
 using CGAL::Handle_tunnel_loops::internal::Crossing;
+using CGAL::Handle_tunnel_loops::internal::Execution;
 using CGAL::Handle_tunnel_loops::internal::length;
 using CGAL::Handle_tunnel_loops::internal::Loop_tightening;
 using CGAL::Handle_tunnel_loops::internal::pushed_left;
+using CGAL::Handle_tunnel_loops::internal::remove_spurs;
 
 bool is_same(const Crossing& a, const Crossing& b) {
   return a.left == b.left && a.right == b.right && a.ratio == b.ratio;
@@ -70,6 +73,44 @@ TEST(Tightening, KeepsTheClassOnRandomSurfaces) {
 TEST(Tightening, EndsWherePointsCoincide) {
   for_each_surface_with_coinciding_points(
       [](const Flat_mesh& mesh, unsigned seed) { expect_tightened(mesh, seed); });
+}
+
+// Through one random vertex after the other, along at least so many edges.
+Crossing_loop long_loop(const Flat_mesh& mesh, Random& random, std::size_t edges) {
+  const auto random_vertex = [&] { return static_cast<Index>(random.below(mesh.first_hub)); };
+  const Index first = random_vertex();
+  Vertex_walk walk;
+  Index last = first;
+  const auto append_way = [&](Index next) {
+    const Vertex_walk way = path(mesh, last, next);
+    walk.insert(walk.end(), way.begin(), way.end());
+    last = next;
+  };
+  while(walk.size() < edges)
+    append_way(random_vertex());
+  append_way(first);
+  remove_spurs(walk);
+  return pushed_left(mesh, walk);
+}
+
+// A long loop is tightened in arcs, side by side: the same in one thread and in many.
+TEST(Tightening, KeepsTheClassOfLongLoopsInAnyNumberOfThreads) {
+  Random random(11);
+  for(const Recipe& recipe : {Recipe{"torus", {20000, 1, 0}}, Recipe{"gyroid", {20000, 5, 0}},
+                              Recipe{"random", {3000, 4, 2}}, Recipe{"lattice", {2000, 3, 0}}})
+  {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Flat_mesh mesh = flat_mesh_of(recipe);
+    const Crossing_index index(mesh, random_loops(mesh, random, 20));
+    const Crossing_loop loop = long_loop(mesh, random, 1500);
+    Crossing_loop one = loop, many = loop;
+    Loop_tightening(mesh).tighten(one, 300);
+    Loop_tightening(Execution::parallel(), mesh).tighten(many, 300);
+    expect_crossing_loop(mesh, one);
+    EXPECT_LT(length(mesh, one), 0.9 * length(mesh, loop));
+    EXPECT_EQ(index.intersections(one), index.intersections(loop));
+    EXPECT_TRUE(std::equal(one.begin(), one.end(), many.begin(), many.end(), is_same));
+  }
 }
 
 TEST(Tightening, FindsTheCircleAroundATube) {

@@ -169,9 +169,9 @@ private:
     if(is_refined())
       fine_ground_.levels().refine(
           is_any_new ? 0. : *std::min_element(lengths_.begin(), lengths_.end()));
-    fine_ground_.levels().prepare(visits());
+    fine_ground_.levels().prepare(execution_, visits());
     if(coarse_ground_) {
-      coarse_ground_->levels().prepare(std::numeric_limits<double>::infinity());
+      coarse_ground_->levels().prepare(execution_, std::numeric_limits<double>::infinity());
       longest_on_fine_ground_ = least_length_on_coarse_mesh(mesh_);
     }
   }
@@ -285,9 +285,10 @@ private:
   }
 
   void measure() {
-    lengths_.clear();
-    for(const Crossing_loop& loop : *loops_)
-      lengths_.push_back(length(mesh_, loop));
+    lengths_.resize(loops_->size());
+    for_each_index(
+        execution_, lengths_.size(),
+        [this](std::size_t i) { lengths_[i] = length(mesh_, (*loops_)[i]); }, 16);
   }
 
   // A loop to search along, for loops of about the same length that have to cross it.

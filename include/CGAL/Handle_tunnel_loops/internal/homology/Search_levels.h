@@ -44,10 +44,10 @@ public:
   }
 
   /// makes ready for so many visits of vertices in all.
-  void prepare(double visits) {
+  void prepare(Execution execution, double visits) {
     if(visits > double(mesh_.number_of_vertices())) {
-      base_.measure();
-      const double area = base_.area();
+      base_.measure(execution);
+      const double area = base_.area(execution);
       if(area > 0.)
         density_ = double(base_.number_of_vertices()) / area;
     }

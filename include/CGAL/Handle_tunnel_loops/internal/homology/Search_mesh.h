@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
 #include <climits>
@@ -300,13 +301,15 @@ public:
   }
 
   /// computes the lengths of all edges once: it pays if many searches follow.
-  void measure() {
+  void measure(Execution execution = {}) {
     if(has_walks())
       return;
     lengths_.resize(mesh_.neighbor.size());
-    for(Index v = 0; v < number_of_vertices(); ++v)
+    for_each_index(execution, number_of_vertices(), [this](std::size_t i) {
+      const Index v = static_cast<Index>(i);
       for(Index s = begin(v); s != end(v); ++s)
         lengths_[s] = length_of_edge(v, head(s));
+    });
   }
 
   /// counts what the steps cross, for all that asks for it until this is called again.
@@ -434,21 +437,31 @@ public:
   }
 
   /// of the surface.
-  double area() const {
+  double area(Execution execution = {}) const {
+    constexpr std::size_t grain = 16384;
+    std::vector<double> sums((mesh_.number_of_vertices() + grain - 1) / grain, 0.);
+    execution.for_ranges(mesh_.number_of_vertices(), grain,
+                         [&](std::size_t begin_of_range, std::size_t end_of_range) {
+                           for(std::size_t v = begin_of_range; v < end_of_range; ++v)
+                             sums[begin_of_range / grain] += area_at(static_cast<Index>(v));
+                         });
+    return std::accumulate(sums.begin(), sums.end(), 0.);
+  }
+
+private:
+  // Of the faces of which a vertex is the first.
+  double area_at(Index v) const {
+    const Ring ring = mesh_.ring(v);
     double sum = 0.;
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
-      const Ring ring = mesh_.ring(v);
-      for(Index p = 0; p < ring.size(); ++p) {
-        const Index a = ring[p], b = ring[ring.next(p)];
-        if(v < a && v < b && !mesh_.is_hub(v) && !mesh_.is_spoke(a, b))
-          sum += 0.5 *
-                 norm(cross(mesh_.points[a] - mesh_.points[v], mesh_.points[b] - mesh_.points[v]));
-      }
+    for(Index p = 0; p < ring.size(); ++p) {
+      const Index a = ring[p], b = ring[ring.next(p)];
+      if(v < a && v < b && !mesh_.is_hub(v) && !mesh_.is_spoke(a, b))
+        sum +=
+            0.5 * norm(cross(mesh_.points[a] - mesh_.points[v], mesh_.points[b] - mesh_.points[v]));
     }
     return sum;
   }
 
-private:
   using Place = Intrinsic_triangulation::Place;
 
   struct Subdivision

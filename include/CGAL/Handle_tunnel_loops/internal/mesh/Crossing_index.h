@@ -13,10 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -44,24 +44,21 @@ class Crossing_index
 {
 public:
   Crossing_index(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-      : Crossing_index(Execution(), mesh, loops) {}
+      : begin_(mesh.number_of_vertices() + 1, 0) {
+    count(loops);
+    const Index last = begin_.back();
+    std::exclusive_scan(begin_.begin(), begin_.end(), begin_.begin(), Index(0));
+    fill(loops, begin_.back() + last);
+  }
 
+  /// \p execution is an `Execution`, which this header, being one of kernels, knows nothing of.
+  template <typename Execution>
   Crossing_index(Execution execution,
                  const Flat_mesh& mesh,
                  const std::vector<Crossing_loop>& loops)
       : begin_(mesh.number_of_vertices() + 1, 0) {
-    for(const Crossing_loop& loop : loops)
-      for(const Crossing& c : loop) {
-        ++begin_[c.left + 1];
-        ++begin_[c.right + 1];
-      }
-    entries_.resize(sum_before_each(execution, begin_));
-    // What is at v + 1 is where the entries of v begin, and in the end where they do end.
-    for(Index j = 0; j < loops.size(); ++j)
-      for(const Crossing& c : loops[j]) {
-        entries_[begin_[c.left + 1]++] = {c.right, j, 1};
-        entries_[begin_[c.right + 1]++] = {c.left, j, -1};
-      }
+    count(loops);
+    fill(loops, sum_before_each(execution, begin_));
   }
 
   bool has_crossing(Index v) const { return begin_[v] != begin_[v + 1]; }
@@ -114,6 +111,25 @@ private:
 
   Iterator begin(Index v) const { return entries_.begin() + begin_[v]; }
   Iterator end(Index v) const { return entries_.begin() + begin_[v + 1]; }
+
+  // The entries of v at v + 1.
+  void count(const std::vector<Crossing_loop>& loops) {
+    for(const Crossing_loop& loop : loops)
+      for(const Crossing& c : loop) {
+        ++begin_[c.left + 1];
+        ++begin_[c.right + 1];
+      }
+  }
+
+  // At v + 1 is where the entries of v begin, and in the end where they end.
+  void fill(const std::vector<Crossing_loop>& loops, std::size_t number) {
+    entries_.resize(number);
+    for(Index j = 0; j < loops.size(); ++j)
+      for(const Crossing& c : loops[j]) {
+        entries_[begin_[c.left + 1]++] = {c.right, j, 1};
+        entries_[begin_[c.right + 1]++] = {c.left, j, -1};
+      }
+  }
 
   static Sparse_numbers without_zeros(Sparse_numbers numbers) {
     for(auto it = numbers.begin(); it != numbers.end();)

@@ -125,14 +125,12 @@ inline void lead_around_caps(const Flat_mesh& mesh, Crossing_loop& loop) {
 /*!
 Tightens a loop without changing its homotopy class, towards a closed geodesic.
 
-Two moves alternate. The loop is replaced by the shortest path through the strip of triangles that
-it passes, from one of its places back to the same (the strip is laid out in the plane, the path
-found with a funnel; the place moves from round to round). And where that path bends at a vertex and
-the faces on the other side of the vertex span less than a straight angle, the strip is led around
-that other side; where the strip goes all around the vertex, the turn is left out. All are
-homotopies whatever the numbers say: rounding can cost length, not the class. A round costs as much
-as there are edges that the loop crosses; where these are very many, edges are flipped between the
-rounds.
+Two moves alternate: the loop is replaced by the shortest path through the strip of triangles that
+it passes, from one of its places back to the same, and the strip is led around the other side of
+vertices where that is shorter (see `Strip_path`). The place moves from round to round. A round
+costs as much as there are edges that the loop crosses; where these are very many, edges are flipped
+between the rounds. Of a long loop arcs are tightened side by side, as long as that gains much;
+only the whole loop moves as a whole.
 
 A loop that crosses a cap of a boundary curve is led along that curve first, the shorter way around,
 which is homotopic on the surface with its caps. No strip is led around the side of a vertex on
@@ -144,7 +142,7 @@ public:
   explicit Loop_tightening(const Flat_mesh& mesh)
       : Loop_tightening(Execution(), mesh) {}
 
-  /// as above; ends early where the execution is watched. There is one thread only.
+  /// as above; ends early where the execution is watched.
   Loop_tightening(Execution execution, const Flat_mesh& mesh)
       : execution_(execution)
       , mesh_(mesh)

@@ -103,22 +103,9 @@ public:
       return;
     if(intended.may_cross)
       former_ = std::make_unique<Former_contacts>(mesh, contacts, out_);
-    if(former_ && curve_ && former_->are_likely_too_many() && former_->are_too_many())
-      return in_vain_.reset(); // which is known sooner than what its caps meet
-    const auto is_wanted = [&](const Patch& patch) {
-      if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
-        obstacle_.take(*obstacle);
-        return false;
-      }
-      patch_ = patch;
-      return has_caps_ = true;
-    };
-    if(region_)
-      for_each_cap(mesh, *region_, is_wanted);
-    else
-      for(const auto side : sides_of_membranes(intended, judge.outward()))
-        if(!has_caps_)
-          for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_), side, is_wanted);
+    // Which is known sooner than what caps meet.
+    if(!(former_ && curve_ && former_->are_likely_too_many() && former_->are_too_many()))
+      make_caps(mesh, contacts, judge, intended);
     if(has_caps_)
       in_vain_.reset();
     else
@@ -155,6 +142,27 @@ private:
     for(Index f : faces)
       box.extend(placed_triangle(mesh, f).box());
     return box;
+  }
+
+  // The first ones that nothing is in the way of.
+  void make_caps(const Surgery_mesh& mesh,
+                 const Mesh_contacts& contacts,
+                 const Shape_judge& judge,
+                 const Intended_change& intended) {
+    const auto is_wanted = [&](const Patch& patch) {
+      if(const auto obstacle = obstacle_to(patch, mesh, contacts, judge, intended)) {
+        obstacle_.take(*obstacle);
+        return false;
+      }
+      patch_ = patch;
+      return has_caps_ = true;
+    };
+    if(region_)
+      for_each_cap(mesh, *region_, is_wanted);
+    else
+      for(const auto side : sides_of_membranes(intended, judge.outward()))
+        if(!has_caps_)
+          for_each_membrane(mesh, *curve_, Divided_strip(mesh, *curve_), side, is_wanted);
   }
 
   // Solid is taken away between membranes inside.
@@ -221,15 +229,38 @@ private:
                        [&](Index f) { return placed.meets(placed_triangle(mesh, f)); });
   }
 
-  // Where the surface crosses itself all over there is no face that tells.
+  // Where the surface crosses itself all over, all that it crosses tells.
   void describe_failure(const Surgery_mesh& mesh) {
-    if(former_ && former_->are_known_to_be_too_many())
-      return in_vain_.reset();
+    if(former_ && former_->are_known_to_be_too_many()) {
+      const std::vector<Index> met = former_->met();
+      in_vain_->met.insert(in_vain_->met.end(), met.begin(), met.end());
+    }
     in_vain_->obstacle = obstacle_;
     in_vain_->reach = reach_;
     if(region_) // caps are made to fit two rings of faces around them
       in_vain_->around = Cut_region::faces_at(
           mesh, vertices_of(mesh, Cut_region::faces_at(mesh, region_->border_vertices(mesh))));
+  }
+
+  // Where the surface was in the way of other caps it is looked at first: it may well be so again,
+  // and says more than what the caps do to each other.
+  std::optional<Obstacle>
+  contact_of_caps(const Patch& patch, const Placed_patch& placed, const Mesh_contacts& contacts) {
+    const Obstacle each_other{Obstacle::CAPS_CROSS, "the caps would meet each other"},
+        surface{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
+    if(!placed.has_areas())
+      return each_other;
+    const bool is_surface_first = obstacle_.kind >= Obstacle::SURFACE_IN_THE_WAY;
+    if(is_surface_first && caps_meet_surface(placed, contacts))
+      return surface;
+    if(caps_meet_each_other(patch, placed)) {
+      in_vain_->met_each_other = true;
+      return each_other;
+    }
+    if((!is_surface_first && caps_meet_surface(placed, contacts)) ||
+       (former_ && former_->are_too_many()))
+      return surface;
+    return std::nullopt;
   }
 
   std::optional<Obstacle> obstacle_to(const Patch& patch,
@@ -239,13 +270,8 @@ private:
                                       const Intended_change& intended) {
     const Placed_patch placed(mesh, patch);
     reach_.extend(placed.box());
-    const bool have_areas = placed.has_areas();
-    if(!have_areas || caps_meet_each_other(patch, placed)) {
-      in_vain_->met_each_other |= have_areas;
-      return Obstacle{Obstacle::CAPS_CROSS, "the caps would meet each other"};
-    }
-    if(caps_meet_surface(placed, contacts) || (former_ && former_->are_too_many()))
-      return Obstacle{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
+    if(const auto obstacle = contact_of_caps(patch, placed, contacts))
+      return obstacle;
     const Judged_change change = judge.change(mesh, out_, patch, intended);
     const std::string why = judge.objection(change, intended);
     if(!why.empty())

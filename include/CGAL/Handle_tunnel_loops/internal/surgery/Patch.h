@@ -327,7 +327,8 @@ public:
     const auto [answer, is_new] = answers_.insert(face, 0);
     if(is_new && meets(placed_triangle(mesh_, face))) {
       *answer = 1;
-      are_too_many_ = ++number_met_ > most();
+      met_.push_back(face);
+      are_too_many_ = met_.size() > most();
     }
     return *answer != 0 && !are_too_many_;
   }
@@ -337,9 +338,16 @@ public:
   bool are_too_many() {
     own();
     if(!are_others_counted_ && !are_too_many_) {
-      std::size_t number = 0;
+      std::vector<Index> met; // once for each of the faces that it meets
       are_too_many_ = contacts_.meets(
-          placed_, faces_, [&](Index) { return ++number <= most(); }, Pair_budget::unlimited());
+          placed_, faces_,
+          [&](Index face) {
+            met.push_back(face);
+            return met.size() <= most();
+          },
+          Pair_budget::unlimited());
+      if(are_too_many_)
+        met_ = std::move(met);
     }
     are_others_counted_ = true;
     return are_too_many_;
@@ -360,6 +368,13 @@ public:
 
   /// whether that is so and has been found. If it has not, all other answers are right.
   bool are_known_to_be_too_many() const { return are_too_many_; }
+
+  /// faces of the surface because of which they are: for as long as all of them are there.
+  std::vector<Index> met() const {
+    std::vector<Index> faces = met_;
+    make_set(faces);
+    return faces;
+  }
 
 private:
   std::size_t most() const { return 1024 + 8 * faces_.size(); }
@@ -401,7 +416,7 @@ private:
   const Placed_patch placed_;
   std::optional<std::vector<Index>> own_; // in ascending order, once they were asked for
   Index_table answers_;                   // by face, whether it is met
-  std::size_t number_met_ = 0;            // of these
+  std::vector<Index> met_;                // of these; or those that are too many
   std::size_t number_of_questions_ = 0;   // that these are to
   std::optional<Placed_boxes> boxes_;     // of the faces
   bool are_others_counted_ = false;
