@@ -98,7 +98,10 @@ int main(int argc, char* argv[]) {
     std::printf("| mesh | faces | genus | threads | loops s | over one thread |");
     for(std::size_t i = 0; i < number_of_stages_of_loops; ++i)
       std::printf(" %s |", HTL::stage_name(static_cast<HTL::Stage>(i)));
-    std::printf("\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    std::printf("\n|---|---|---|---|---|---|");
+    for(std::size_t i = 0; i < number_of_stages_of_loops; ++i)
+      std::printf("---|");
+    std::printf("\n");
     for(const std::string& input : inputs)
       measure(input, number_of_runs);
   } catch(const std::exception& e) {

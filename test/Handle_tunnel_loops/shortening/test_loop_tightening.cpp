@@ -113,6 +113,15 @@ TEST(Tightening, KeepsTheClassOfLongLoopsInAnyNumberOfThreads) {
   }
 }
 
+// That arcs are tightened first takes nothing from the whole.
+TEST(Tightening, FindsTheCircleAlongManyEdges) {
+  const Flat_mesh torus = flat_mesh_of({"torus", {500000, 1, 0}});
+  Crossing_loop loop = loop_around_hole(torus, 1.);
+  ASSERT_GT(loop.size(), 2048u);
+  Loop_tightening(Execution::parallel(), torus).tighten(loop, 600);
+  EXPECT_NEAR(length(torus, loop), 2. * pi * inner_radius, 0.001 * 2. * pi * inner_radius);
+}
+
 TEST(Tightening, FindsTheCircleAroundATube) {
   const Flat_mesh torus = flat_mesh_of({"torus", {8000, 1, 0}});
   for(const double swing : {0.1, 0.4, 0.8}) {

@@ -61,7 +61,8 @@ template <typename ConcurrencyTag> struct Passes_of_tag
 };
 
 /// makes ready what the passes of a tag need, for a mesh of so many vertices: what counts is the
-/// mesh that the fields are on.
+/// mesh that the fields are on. That it may be a coarse mesh of a coarse mesh is not known yet:
+/// then what has been made ready may not be used.
 template <typename ConcurrencyTag>
 std::future<void> head_start(const Solver_options& options, std::size_t number_of_vertices) {
   using Tag = Passes_of_tag<ConcurrencyTag>;

@@ -182,13 +182,15 @@ public:
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
-  /// latest after the given number of rounds. A loop that becomes a point is empty.
+  /// latest after the given number of rounds, of a long loop once more of its arcs. A loop that
+  /// becomes a point is empty.
   void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     CGAL_expensive_precondition(are_consecutive(mesh_, loop));
     remove_backtracks(loop);
     lead_around_caps(mesh_, loop);
     remove_turns(mesh_, loop);
-    tighten_whole(loop, maximum_number_of_rounds - tighten_arcs(loop, maximum_number_of_rounds));
+    tighten_arcs(loop, maximum_number_of_rounds);
+    tighten_whole(loop, maximum_number_of_rounds);
     CGAL_expensive_postcondition(are_consecutive(mesh_, loop));
   }
 
@@ -201,13 +203,16 @@ private:
   static constexpr double gain_worth_a_turn = 1e-4;
 
   // Tightens a long loop between points that are held for some rounds, then between others, until
-  // that gains nothing any more: in all threads, and the same in any number of them. Returns how
-  // many rounds these were.
-  std::size_t tighten_arcs(Crossing_loop& loop, std::size_t maximum_number_of_rounds) const {
-    std::size_t rounds = 0;
-    for(double gain = 1.; gain >= gain_worth_a_turn && loop.size() >= fewest_arcs * size_of_arc &&
-                          rounds + rounds_of_arc < maximum_number_of_rounds;
-        rounds += rounds_of_arc)
+  // that gains little: in all threads, and the same in any number of them. The rounds of the whole
+  // are not fewer for that: an arc gains less in one, and nothing where it is beside one vertex.
+  void tighten_arcs(Crossing_loop& loop, std::size_t maximum_number_of_rounds) const {
+    const std::size_t largest_size = 8 * loop.size(),
+                      most_turns = maximum_number_of_rounds / rounds_of_arc;
+    double gain = 1.;
+    for(std::size_t turn = 0;
+        turn < most_turns && gain >= gain_worth_a_turn &&
+        loop.size() >= fewest_arcs * size_of_arc && loop.size() <= largest_size;
+        ++turn)
     {
       std::rotate(loop.begin(), loop.begin() + size_of_arc / 2, loop.end());
       const Crossing_loop before = loop;
@@ -230,7 +235,6 @@ private:
       if(!(gain >= 0.))
         loop = before;
     }
-    return rounds;
   }
 
   // Tightens a way between its first and last crossing, which stay where they are.
