@@ -118,7 +118,7 @@ TEST(Tightening, FindsTheCircleAlongManyEdges) {
   const Flat_mesh torus = flat_mesh_of({"torus", {500000, 1, 0}});
   Crossing_loop loop = loop_around_hole(torus, 1.);
   ASSERT_GT(loop.size(), 2048u);
-  Loop_tightening(Execution::parallel(), torus).tighten(loop, 600);
+  Loop_tightening(Execution::parallel(), torus).tighten(loop, 100);
   EXPECT_NEAR(length(torus, loop), 2. * pi * inner_radius, 0.001 * 2. * pi * inner_radius);
 }
 
