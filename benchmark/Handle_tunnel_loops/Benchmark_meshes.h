@@ -10,9 +10,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file Benchmark_meshes.h
@@ -28,6 +30,27 @@ inline double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
+
+/// What a benchmark of some meshes is told: -n RUNS, and the meshes.
+struct Requested_runs
+{
+  Requested_runs(int argc,
+                 char* argv[],
+                 int runs_if_not_said,
+                 std::vector<std::string> usual_inputs)
+      : number(runs_if_not_said) {
+    for(int i = 1; i < argc; ++i)
+      if(std::string(argv[i]) == "-n" && i + 1 < argc)
+        number = (std::max)(1, std::atoi(argv[++i]));
+      else
+        inputs.push_back(argv[i]);
+    if(inputs.empty())
+      inputs = std::move(usual_inputs);
+  }
+
+  int number;
+  std::vector<std::string> inputs;
+};
 
 inline void write_off(const CGAL::Handle_tunnel_loops::generators::Soup& soup,
                       const std::string& file) {

@@ -7,35 +7,17 @@
 // Without arguments: the suite of the README, on generated meshes. Each figure is the median of the
 // runs.
 
-#include "Benchmark_meshes.h"
 #include "Counting_allocation.h"
+#include "Stages_of_loops.h"
 
-#include <CGAL/handle_tunnel_loops.h>
-
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-using Pair = CGAL::Handle_tunnel_pair<Mesh>;
-namespace HTL = CGAL::Handle_tunnel_loops;
-
 namespace {
-
-// All but the last, which is of Reeb graphs.
-constexpr std::size_t number_of_stages_of_loops = static_cast<std::size_t>(HTL::Stage::DIFFUSION);
-
-HTL::Statistics find_loops(const Mesh& mesh) {
-  std::vector<Pair> pairs;
-  CGAL::Handle_tunnel_loops_solver<Mesh> solver(CGAL::Parallel_if_available_tag(), mesh,
-                                                CGAL::parameters::default_values());
-  solver.find_loops<CGAL::Parallel_if_available_tag>(std::back_inserter(pairs));
-  return solver.statistics();
-}
 
 void measure(const std::string& input, int number_of_runs) {
   const Off_file off(input);
@@ -51,10 +33,11 @@ void measure(const std::string& input, int number_of_runs) {
       throw std::runtime_error("cannot read " + file);
     const double t1 = seconds_now();
     const double t2 = seconds_now();
-    statistics = find_loops(mesh);
+    statistics = find_loops<CGAL::Parallel_if_available_tag>(mesh);
     const double t3 = seconds_now();
     if(run == 0)
-      bytes = double(counting_allocation::peak_bytes([&] { find_loops(mesh); }));
+      bytes = double(counting_allocation::peak_bytes(
+          [&] { find_loops<CGAL::Parallel_if_available_tag>(mesh); }));
     reading.push_back(t1 - t0);
     total.push_back(t3 - t2);
     ratio.push_back((t3 - t2) / (t1 - t0));
@@ -73,24 +56,15 @@ void measure(const std::string& input, int number_of_runs) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  int number_of_runs = 3;
-  std::vector<std::string> inputs;
-  for(int i = 1; i < argc; ++i)
-    if(std::string(argv[i]) == "-n" && i + 1 < argc)
-      number_of_runs = (std::max)(1, std::atoi(argv[++i]));
-    else
-      inputs.push_back(argv[i]);
-  if(inputs.empty())
-    inputs = {"torus:1000000:1",      "multi-torus:1000000:50", "multi-torus:1000000:250",
-              "gyroid:1000000:250",   "lattice:1000000:250",    "gyroid:1700000:1500",
-              "lattice:1700000:1500", "sponge:1000000:250"};
+  const Requested_runs runs(argc, argv, 3,
+                            {"torus:1000000:1", "multi-torus:1000000:50", "multi-torus:1000000:250",
+                             "gyroid:1000000:250", "lattice:1000000:250", "gyroid:1700000:1500",
+                             "lattice:1700000:1500", "sponge:1000000:250"});
   try {
     std::printf("| mesh | faces | genus | reading s | loops s | ratio | bytes per face |");
-    for(std::size_t i = 0; i < number_of_stages_of_loops; ++i)
-      std::printf(" %s |", HTL::stage_name(static_cast<HTL::Stage>(i)));
-    std::printf("\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for(const std::string& input : inputs)
-      measure(input, number_of_runs);
+    print_stages_of_head(7);
+    for(const std::string& input : runs.inputs)
+      measure(input, runs.number);
   } catch(const std::exception& e) {
     std::cerr << "Error: " << e.what() << '\n';
     return EXIT_FAILURE;

@@ -11,7 +11,6 @@
 #include "app/mend/mesh_reader.h"
 #include "app/solve/backends.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -84,16 +83,9 @@ void measure(const std::string& input, int number_of_runs, Browser* browser) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  int number_of_runs = 3;
-  std::vector<std::string> inputs;
-  for(int i = 1; i < argc; ++i)
-    if(std::string(argv[i]) == "-n" && i + 1 < argc)
-      number_of_runs = (std::max)(1, std::atoi(argv[++i]));
-    else
-      inputs.push_back(argv[i]);
-  if(inputs.empty())
-    inputs = {"torus:1000000:1", "multi-torus:1000000:250", "gyroid:1000000:250",
-              "lattice:1000000:250"};
+  const Requested_runs runs(
+      argc, argv, 3,
+      {"torus:1000000:1", "multi-torus:1000000:250", "gyroid:1000000:250", "lattice:1000000:250"});
   try {
     std::printf("| mesh | faces | pairs | reading s | page s | ratio | MB | bytes per face | load "
                 "s | frame s | moving s |\n"
@@ -101,8 +93,8 @@ int main(int argc, char* argv[]) {
     std::unique_ptr<Browser> browser;
     if(!Browser::program().empty())
       browser = std::make_unique<Browser>(1200, 800);
-    for(const std::string& input : inputs)
-      measure(input, number_of_runs, browser.get());
+    for(const std::string& input : runs.inputs)
+      measure(input, runs.number, browser.get());
   } catch(const std::exception& e) {
     std::cerr << "Error: " << e.what() << '\n';
     return EXIT_FAILURE;

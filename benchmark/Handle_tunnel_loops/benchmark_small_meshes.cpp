@@ -3,30 +3,18 @@
 //
 //   benchmark_small_meshes [-n CALLS] [KIND:FACES:GENUS | FILE]...
 
-#include "Benchmark_meshes.h"
 #include "Counting_allocation.h"
-
-#include <CGAL/handle_tunnel_loops.h>
+#include "Stages_of_loops.h"
 
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace HTL = CGAL::Handle_tunnel_loops;
-
 namespace {
-
-HTL::Statistics find_loops(const Mesh& mesh) {
-  std::vector<CGAL::Handle_tunnel_pair<Mesh>> pairs;
-  CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
-  solver.find_loops(std::back_inserter(pairs));
-  return solver.statistics();
-}
 
 void measure(const std::string& input, int number_of_calls) {
   const Off_file off(input);
@@ -51,21 +39,14 @@ void measure(const std::string& input, int number_of_calls) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  int number_of_calls = 2000;
-  std::vector<std::string> inputs;
-  for(int i = 1; i < argc; ++i)
-    if(std::string(argv[i]) == "-n" && i + 1 < argc)
-      number_of_calls = (std::max)(1, std::atoi(argv[++i]));
-    else
-      inputs.push_back(argv[i]);
-  if(inputs.empty())
-    inputs = {"torus:1000:1", "torus:3100:1", "multi-torus:4000:5", "gyroid:4000:5",
-              "lattice:4000:5"};
+  const Requested_runs runs(
+      argc, argv, 2000,
+      {"torus:1000:1", "torus:3100:1", "multi-torus:4000:5", "gyroid:4000:5", "lattice:4000:5"});
   try {
     std::printf("| mesh | faces | genus | ms a call | of these classes | allocations |\n");
     std::printf("|---|---|---|---|---|---|\n");
-    for(const std::string& input : inputs)
-      measure(input, number_of_calls);
+    for(const std::string& input : runs.inputs)
+      measure(input, runs.number);
   } catch(const std::exception& e) {
     std::cerr << "Error: " << e.what() << '\n';
     return EXIT_FAILURE;

@@ -6,9 +6,7 @@
 // Without arguments: generated meshes. Each figure is the median of the runs. More threads than
 // there are processors are not asked for.
 
-#include "Benchmark_meshes.h"
-
-#include <CGAL/handle_tunnel_loops.h>
+#include "Stages_of_loops.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -18,26 +16,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-using Pair = CGAL::Handle_tunnel_pair<Mesh>;
-namespace HTL = CGAL::Handle_tunnel_loops;
-
 namespace {
-
-// All but the last, which is of Reeb graphs.
-constexpr std::size_t number_of_stages_of_loops = static_cast<std::size_t>(HTL::Stage::DIFFUSION);
-
-HTL::Statistics find_loops(const Mesh& mesh) {
-  std::vector<Pair> pairs;
-  CGAL::Handle_tunnel_loops_solver<Mesh> solver(CGAL::Parallel_tag(), mesh,
-                                                CGAL::parameters::default_values());
-  solver.find_loops<CGAL::Parallel_tag>(std::back_inserter(pairs));
-  return solver.statistics();
-}
 
 // A line of the table; returns the seconds of the whole.
 double measure(const std::string& name,
@@ -51,7 +34,7 @@ double measure(const std::string& name,
   std::array<std::vector<double>, number_of_stages_of_loops> stages;
   HTL::Statistics statistics;
   for(int run = 0; run < number_of_runs; ++run) {
-    statistics = find_loops(mesh);
+    statistics = find_loops<CGAL::Parallel_tag>(mesh);
     total.push_back(statistics.total_seconds());
     for(std::size_t i = 0; i < stages.size(); ++i)
       stages[i].push_back(statistics.seconds[i]);
@@ -85,25 +68,13 @@ void measure(const std::string& input, int number_of_runs) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  int number_of_runs = 3;
-  std::vector<std::string> inputs;
-  for(int i = 1; i < argc; ++i)
-    if(std::string(argv[i]) == "-n" && i + 1 < argc)
-      number_of_runs = (std::max)(1, std::atoi(argv[++i]));
-    else
-      inputs.push_back(argv[i]);
-  if(inputs.empty())
-    inputs = {"torus:10000000:1", "lattice:10000000:3", "gyroid:1000000:250"};
+  const Requested_runs runs(argc, argv, 3,
+                            {"torus:10000000:1", "lattice:10000000:3", "gyroid:1000000:250"});
   try {
     std::printf("| mesh | faces | genus | threads | loops s | over one thread |");
-    for(std::size_t i = 0; i < number_of_stages_of_loops; ++i)
-      std::printf(" %s |", HTL::stage_name(static_cast<HTL::Stage>(i)));
-    std::printf("\n|---|---|---|---|---|---|");
-    for(std::size_t i = 0; i < number_of_stages_of_loops; ++i)
-      std::printf("---|");
-    std::printf("\n");
-    for(const std::string& input : inputs)
-      measure(input, number_of_runs);
+    print_stages_of_head(6);
+    for(const std::string& input : runs.inputs)
+      measure(input, runs.number);
   } catch(const std::exception& e) {
     std::cerr << "Error: " << e.what() << '\n';
     return EXIT_FAILURE;

@@ -57,7 +57,7 @@ TEST_P(Loops, AreAsShortFromACoarseMesh) { expect_as_short(GetParam()); }
 // So large that the coarse mesh has one of its own.
 TEST(Loops_of_large_meshes, AreAsShortFromTwoCoarseMeshes) {
   if(are_few_cases_tried())
-    GTEST_SKIP() << "takes long";
+    GTEST_SKIP() << "takes long: runs with HTL_TEST_CASES=all";
   for(const Recipe& recipe : {Recipe{"torus", {3500000, 1, 0}}, Recipe{"lattice", {3500000, 5, 0}}})
   {
     SCOPED_TRACE(testing::PrintToString(recipe));

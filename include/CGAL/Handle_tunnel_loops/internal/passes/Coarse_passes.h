@@ -70,9 +70,9 @@ public:
     {
       Pass_options options = options_;
       options.do_log_fronts = options.do_keep_layers = options.do_keep_times = false;
-      passes_ = !do_levels_pay()
-                    ? make_(coarse_->mesh, coarse_->mesh.seeds, options)
-                    : coarse_passes(execution_, coarse_->mesh, coarse_->mesh.seeds, options, make_);
+      passes_ = do_levels_pay()
+                    ? coarse_passes(execution_, coarse_->mesh, coarse_->mesh.seeds, options, make_)
+                    : make_(coarse_->mesh, coarse_->mesh.seeds, options);
     }
     passes().initial_pass(progress, statistics);
     if(passes_ && options_.asks_for_fronts())
