@@ -13,6 +13,7 @@
 #include "write/files.h"
 #include "write/mesh_writer.h"
 #include "write/skeleton_formats.h"
+#include "write/tables.h"
 
 #include <algorithm>
 #include <utility>
@@ -71,8 +72,11 @@ void write_skeleton_polylines(Text_writer& out, const Skeleton_answer& answer) {
 }
 
 constexpr File_format<void(Text_writer&, const Skeleton_answer&)> skeleton_formats[] = {
-    {".swc", write_swc}, {".vtp", write_skeleton_vtp},        {".obj", write_skeleton_obj},
-    {".ply", write_skeleton_ply}, {".polylines.txt", write_skeleton_polylines},
+    {".swc", write_swc},
+    {".vtp", write_skeleton_vtp},
+    {".obj", write_skeleton_obj},
+    {".ply", write_skeleton_ply},
+    {".polylines.txt", write_skeleton_polylines},
 };
 
 } // namespace
@@ -111,6 +115,23 @@ void check_skeleton_lines_format(const std::string& file) { check_format(file, s
 
 void export_skeleton_lines(const std::string& file, const Skeleton_answer& answer) {
   write_file(file, skeleton_formats, answer);
+}
+
+void save_skeleton(const std::string& file, const Skeleton_answer& answer, const Run_record& run) {
+  constexpr File_format<void()> all[] = {
+      {".json", nullptr},          {".csv", nullptr},     {".swc", nullptr},
+      {".vtp", nullptr},           {".obj", nullptr},     {".ply", nullptr},
+      {".polylines.txt", nullptr}, {".graphml", nullptr}, {".dot", nullptr}};
+  format_of(file, all);
+  if(boost::algorithm::iends_with(file, ".json"))
+    write_skeleton_json(file, answer, run);
+  else if(boost::algorithm::iends_with(file, ".csv"))
+    write_arc_csv(file, answer);
+  else if(boost::algorithm::iends_with(file, ".graphml") ||
+          boost::algorithm::iends_with(file, ".dot"))
+    write_skeleton_graph(file, answer);
+  else
+    export_skeleton_lines(file, answer);
 }
 
 void export_coloured_mesh(const std::string& file,

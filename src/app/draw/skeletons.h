@@ -13,6 +13,7 @@
 #include "draw/lines.h"
 #include "draw/surfaces.h"
 #include "solve/skeleton_solver.h"
+#include "write/documents.h"
 
 #include <string>
 #include <vector>
@@ -59,6 +60,9 @@ void check_skeleton_lines_format(const std::string& file);
 
 /// writes the arcs, in the format that the name of the file tells.
 void export_skeleton_lines(const std::string& file, const Skeleton_answer& answer);
+
+/// writes a skeleton in any of these formats, or as a graph, a table or JSON, as the name tells.
+void save_skeleton(const std::string& file, const Skeleton_answer& answer, const Run_record& run);
 
 /// writes the mesh as PLY, each vertex with the number and the tint of its arc, and the number of
 /// the point of the skeleton that it belongs to.
