@@ -165,9 +165,6 @@ htl_window::Scene scene_of(const View& view,
   return scene;
 }
 
-// Around lines that are inside.
-constexpr double opacity_around_bones = 0.45;
-
 htl_window::Scene scene_of_parts(const View& view,
                                  const std::string& title,
                                  const std::string& mesh_file,

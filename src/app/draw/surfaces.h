@@ -73,7 +73,11 @@ struct Drawn_surface
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Colour> colours; ///< of the triangles, or none
+  double opacity = 1.;         ///< in models, 0 to 1
 };
+
+/// of a surface in pages and models, if lines are inside.
+constexpr double opacity_around_bones = 0.4;
 
 Drawn_surface drawn_surface(const Mesh& mesh);
 

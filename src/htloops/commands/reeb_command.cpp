@@ -118,8 +118,9 @@ void write_files(const Reeb_command_options& options,
     for(Exported_line& line : lines.lines)
       line.colour = {30, 30, 30}; // what differs from arc to arc is the surface around them
     const std::vector<Colour> tints = tints_of(answer);
-    const Drawn_surface surface =
+    Drawn_surface surface =
         drawn_surface(arc_surface(mesh, answer), [&tints](std::size_t arc) { return tints[arc]; });
+    surface.opacity = opacity_around_bones;
     if(!options.picture.file.empty())
       export_picture(around_bones(options.picture), options.view, surface, lines);
     if(!options.gltf_file.empty())

@@ -60,8 +60,9 @@ void draw(const Skeleton_command_options& options,
   if(options.picture.file.empty() && options.gltf_file.empty())
     return;
   const auto [cut, tints] = skeleton_surface(mesh, answer);
-  const Drawn_surface surface =
+  Drawn_surface surface =
       drawn_surface(cut, [&colours = tints](std::size_t part) { return colours[part]; });
+  surface.opacity = opacity_around_bones;
   const Exported_lines bones = bones_of(answer, options.has_tubes);
   if(!options.picture.file.empty())
     export_picture(around_bones(options.picture), options.view, surface, bones);
@@ -126,11 +127,10 @@ void add_output_options(CLI::App& command, Skeleton_command_options& options) {
              "the mesh with vertices coloured by arc");
   add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
   add_picture_options(command, options, "the skeleton", true, words_of_opacity_around_bones);
-  if(has_pictures)
-    command.add_flag("--tubes", options.has_tubes, "bones in the picture as thick as the mesh is")
-        ->needs("--picture");
   add_page_option(command, options, "the mesh and the skeleton");
   add_gltf_option(command, options, "the arcs");
+  command.add_flag("--tubes", options.has_tubes,
+                   "bones as thick as the solid, in the picture and as glTF");
   add_view_options(command, options);
 }
 
