@@ -13,19 +13,93 @@
 #include "solve/certification.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/arc_shapes.h>
 #include <CGAL/certify_curve_skeleton.h>
 #include <CGAL/curve_skeleton.h>
 
 #include <boost/graph/connected_components.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
 
 namespace htloops {
 namespace {
 
 double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+using Ends = std::array<std::size_t, 2>;
+
+/// Finds the edges of a graph that are no bridges: each edge that is not in a spanning forest
+/// closes a cycle with the ways up from its ends, which are then contracted.
+class Edges_on_cycles
+{
+public:
+  Edges_on_cycles(const std::vector<Ends>& ends,
+                  const std::vector<std::vector<std::size_t>>& edges_at)
+      : ends_(ends)
+      , edges_at_(edges_at)
+      , edge_up_(edges_at.size(), Skeleton_answer::none)
+      , depth_(edges_at.size(), Skeleton_answer::none)
+      , top_(edges_at.size())
+      , is_on_cycle_(ends.size(), 0) {}
+
+  std::vector<char> find() {
+    std::iota(top_.begin(), top_.end(), std::size_t(0));
+    for(std::size_t point = 0; point < depth_.size(); ++point)
+      if(depth_[point] == Skeleton_answer::none)
+        add_tree(point);
+    for(std::size_t edge = 0; edge < ends_.size(); ++edge)
+      if(edge_up_[ends_[edge][0]] != edge && edge_up_[ends_[edge][1]] != edge)
+        close(edge);
+    return std::move(is_on_cycle_);
+  }
+
+private:
+  std::size_t other_end(std::size_t edge, std::size_t point) const {
+    return ends_[edge][0] == point ? ends_[edge][1] : ends_[edge][0];
+  }
+
+  void add_tree(std::size_t root) {
+    depth_[root] = 0;
+    std::vector<std::size_t> waiting = {root};
+    while(!waiting.empty()) {
+      const std::size_t point = waiting.back();
+      waiting.pop_back();
+      for(const std::size_t edge : edges_at_[point])
+        if(const std::size_t next = other_end(edge, point); depth_[next] == Skeleton_answer::none) {
+          depth_[next] = depth_[point] + 1;
+          edge_up_[next] = edge;
+          waiting.push_back(next);
+        }
+    }
+  }
+
+  std::size_t top_of(std::size_t point) {
+    while(top_[point] != point)
+      point = top_[point] = top_[top_[point]];
+    return point;
+  }
+
+  void close(std::size_t edge) {
+    is_on_cycle_[edge] = 1;
+    std::size_t a = top_of(ends_[edge][0]), b = top_of(ends_[edge][1]);
+    while(a != b) {
+      if(depth_[a] < depth_[b])
+        std::swap(a, b);
+      is_on_cycle_[edge_up_[a]] = 1;
+      a = top_[a] = top_of(other_end(edge_up_[a], a));
+    }
+  }
+
+  const std::vector<Ends>& ends_;                         // by edge
+  const std::vector<std::vector<std::size_t>>& edges_at_; // by point
+  std::vector<std::size_t> edge_up_, depth_;              // by point, in a spanning forest
+  std::vector<std::size_t> top_;                          // by point
+  std::vector<char> is_on_cycle_;
+};
 
 /// Finds the arcs of a graph, each from both of its ends.
 class Arc_finder
@@ -40,6 +114,7 @@ public:
       ends_.push_back({source(e, graph), target(e, graph)});
     }
     is_told_.assign(ends_.size(), 0);
+    is_on_cycle_ = Edges_on_cycles(ends_, edges_at_).find();
   }
 
   std::vector<Skeleton_arc> find() {
@@ -61,6 +136,7 @@ private:
   void follow(std::size_t start, std::size_t edge) {
     Skeleton_arc arc;
     arc.points = {start};
+    arc.is_on_cycle = is_on_cycle_[edge] != 0;
     for(;;) {
       is_told_[edge] = 1;
       const std::size_t last = arc.points.back();
@@ -90,26 +166,10 @@ private:
 
   const Skeleton_graph& graph_;
   std::vector<std::vector<std::size_t>> edges_at_; // by point
-  std::vector<std::array<std::size_t, 2>> ends_;   // by edge
-  std::vector<char> is_told_;
+  std::vector<Ends> ends_;                         // by edge
+  std::vector<char> is_told_, is_on_cycle_;        // by edge
   std::vector<Skeleton_arc> arcs_;
 };
-
-struct Numbered
-{
-  std::size_t index = 0;
-};
-
-// Those that are no bridges of the graph.
-void mark_arcs_on_cycles(std::size_t number_of_points, std::vector<Skeleton_arc>& arcs) {
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Numbered>
-      graph(number_of_points);
-  for(std::size_t i = 0; i < arcs.size(); ++i)
-    add_edge(arcs[i].points.front(), arcs[i].points.back(), {i}, graph);
-  const std::vector<bool> is_on_cycle = CGAL::Handle_tunnel_loops::internal::arcs_on_cycles(graph);
-  for(std::size_t i = 0; i < arcs.size(); ++i)
-    arcs[i].is_on_cycle = is_on_cycle[i];
-}
 
 std::vector<std::size_t> points_of_vertices(const Mesh& mesh, const Skeleton_graph& graph) {
   std::vector<std::size_t> points(mesh.number_of_vertices(), Skeleton_answer::none);
@@ -222,11 +282,7 @@ find_skeleton(const Mesh& mesh, const Skeleton_options& options, Progress& progr
   return answer;
 }
 
-std::vector<Skeleton_arc> arcs_of(const Skeleton_graph& graph) {
-  std::vector<Skeleton_arc> arcs = Arc_finder(graph).find();
-  mark_arcs_on_cycles(num_vertices(graph), arcs);
-  return arcs;
-}
+std::vector<Skeleton_arc> arcs_of(const Skeleton_graph& graph) { return Arc_finder(graph).find(); }
 
 double chord_of(const Skeleton_graph& graph, const Skeleton_arc& arc) {
   return distance(graph[arc.points.front()].point, graph[arc.points.back()].point);

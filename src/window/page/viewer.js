@@ -278,7 +278,7 @@ class Viewer {
     gl.uniform1i(uniforms.wanted, wanted);
     const { depth: factor, offset } = this.camera.matrix();
     const pixels = this.frame[1] / 2 / this.camera.extent[1]; // of a unit of length, at the depth 1
-    gl.uniform1f(uniforms.thick, this.isThick ? Math.max(...this.scale) * pixels : 0);
+    gl.uniform1f(uniforms.thick, this.isThick && this.isRound ? Math.max(...this.scale) * pixels : 0);
     gl.uniform3f(uniforms.round, factor, offset, this.isRound ? pixels : 0);
     const { texture, count } = this.lines[this.detail === 'coarse' ? 'coarse' : 'full'];
     gl.uniform1i(uniforms.points, 1);
