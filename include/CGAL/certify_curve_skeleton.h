@@ -103,6 +103,35 @@ std::vector<Index> walk_of(const Loop& loop, const TriangleMesh& tm, const Index
   return walk;
 }
 
+/// what can be proved of a skeleton on the arrays of a surface, of which pairs of loops are known.
+template <typename Prepared, typename VertexIndexMap, typename FaceIndexMap, typename PairRange>
+Skeleton_certificate certify_skeleton(Execution execution,
+                                      const Prepared& surface,
+                                      const std::vector<Vector>& places,
+                                      VertexIndexMap vertex_index,
+                                      FaceIndexMap face_index,
+                                      const Flat_skeleton& skeleton,
+                                      const PairRange& pairs,
+                                      const Point_name& point_name = {}) {
+  const std::vector<Index> flat = indices_in_arrays(surface, vertex_index);
+  const auto index = [&](const auto v) { return flat[get(vertex_index, v)]; };
+  std::vector<std::vector<Index>> walks;
+  const auto certify = [&] {
+    return certify_skeleton(execution, surface.mesh, places, skeleton, walks,
+                            face_numbers(surface, face_index), point_name);
+  };
+  for(const auto& pair : pairs)
+    walks.push_back(walk_of(pair.handle(), surface.tm, index));
+  const Skeleton_certificate certificate = certify();
+  if(!certificate.connected || !certificate.inside || certificate.basis)
+    return certificate;
+  // Handle loops are those of the solid, which is beyond the wall of a cavity; all loops of a basis
+  // tell of both sides.
+  for(const auto& pair : pairs)
+    walks.push_back(walk_of(pair.tunnel(), surface.tm, index));
+  return certify();
+}
+
 } // namespace Handle_tunnel_loops::internal
 
 /*!
@@ -184,24 +213,8 @@ certify_curve_skeleton(const TriangleMesh& tm,
   const auto point = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, tm));
   const impl::Prepared_surface surface(execution, tm, vertex_index, point);
-  const std::vector<impl::Vector> places = impl::places_of_vertices(execution, surface);
-  const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
-  const auto index = [&](const auto v) { return flat[get(vertex_index, v)]; };
-  const impl::Flat_skeleton arrays = impl::flat_skeleton(skeleton);
-  std::vector<std::vector<impl::Index>> walks;
-  const auto certify = [&] {
-    return impl::certify_skeleton(execution, surface.mesh, places, arrays, walks,
-                                  impl::face_numbers(surface, face_index));
-  };
-  for(const auto& pair : pairs)
-    walks.push_back(impl::walk_of(pair.handle(), tm, index));
-  Handle_tunnel_loops::Skeleton_certificate certificate = certify();
-  if(!certificate.connected || !certificate.inside || certificate.basis)
-    return certificate;
-  // Handle loops that do not bound inside may not tell all; all loops of a basis do.
-  for(const auto& pair : pairs)
-    walks.push_back(impl::walk_of(pair.tunnel(), tm, index));
-  return certify();
+  return impl::certify_skeleton(execution, surface, impl::places_of_vertices(execution, surface),
+                                vertex_index, face_index, impl::flat_skeleton(skeleton), pairs);
 }
 
 } // namespace CGAL

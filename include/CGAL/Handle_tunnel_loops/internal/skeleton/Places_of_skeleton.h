@@ -29,7 +29,7 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Finds out which component each part of a skeleton belongs to, and which of its leaves are inlets,
-from where they are alone.
+from where they are alone; what is known already stays.
 
 A part may lie in several components at once, one within the other. Those that hold the fewest parts
 choose first, the part that the fewest hold; the parts that are left belong to the innermost one
@@ -45,17 +45,20 @@ public:
       , tree_(execution, mesh, places) {}
 
   void find(Flat_skeleton& skeleton) const {
-    skeleton.component_of.assign(skeleton.points.size(), 0);
-    skeleton.is_inlet.assign(skeleton.points.size(), 0);
-    const Skeleton_cycles cycles(skeleton);
-    const std::vector<Index> component = components_of_parts(skeleton, cycles);
-    for(Index p = 0; p < skeleton.points.size(); ++p)
-      skeleton.component_of[p] = component[cycles.part_of(p)];
-    if(mesh_.number_of_hubs > 0)
+    if(skeleton.component_of.empty())
+      find_components(skeleton);
+    if(skeleton.is_inlet.empty())
       find_inlets(skeleton);
   }
 
 private:
+  void find_components(Flat_skeleton& skeleton) const {
+    const Skeleton_cycles cycles(skeleton);
+    const std::vector<Index> component = components_of_parts(skeleton, cycles);
+    for(Index p = 0; p < skeleton.points.size(); ++p)
+      skeleton.component_of.push_back(component[cycles.part_of(p)]);
+  }
+
   std::vector<Index> components_of_parts(const Flat_skeleton& skeleton,
                                          const Skeleton_cycles& cycles) const {
     const std::size_t n = cycles.parts().size();
@@ -114,6 +117,7 @@ private:
   }
 
   void find_inlets(Flat_skeleton& skeleton) const {
+    skeleton.is_inlet.assign(skeleton.points.size(), 0);
     std::vector<Index> degree(skeleton.points.size(), 0);
     for(const auto& edge : skeleton.edges)
       for(Index p : edge)

@@ -44,13 +44,15 @@ public:
                    std::vector<Vector> places,
                    const Flat_skeleton& skeleton,
                    const std::vector<Vertex_walk>& walks,
-                   const Face_number& face_number)
+                   const Face_number& face_number,
+                   const Point_name& point_name)
       : execution_(execution)
       , mesh_(mesh)
       , places_(std::move(places))
       , skeleton_(skeleton)
       , walks_(walks)
       , face_number_(face_number)
+      , point_name_(point_name)
       , parts_of_component_(mesh.seeds.size()) {}
 
   Skeleton_certificate run() {
@@ -82,9 +84,13 @@ private:
       fail("... and " + std::to_string(lines.size() - most) + " more " + kind);
   }
 
-  static std::string name(const Edge& edge) {
-    return edge[0] == edge[1] ? "point " + std::to_string(edge[0])
-                              : "edge " + std::to_string(edge[0]) + "-" + std::to_string(edge[1]);
+  std::string name(Index point) const {
+    return point_name_ ? point_name_(point) : std::to_string(point);
+  }
+
+  std::string name(const Edge& edge) const {
+    return edge[0] == edge[1] ? "point " + name(edge[0])
+                              : "edge " + name(edge[0]) + "-" + name(edge[1]);
   }
 
   std::string of_component(Index c) const {
@@ -100,7 +106,7 @@ private:
   bool has_known_components() {
     for(Index p = 0; p < skeleton_.points.size(); ++p)
       if(skeleton_.component_of[p] >= mesh_.seeds.size()) {
-        fail("point " + std::to_string(p) + " is said to be of component " +
+        fail("point " + name(p) + " is said to be of component " +
              std::to_string(skeleton_.component_of[p]) + ", and the mesh has " +
              std::to_string(mesh_.seeds.size()));
         return false;
@@ -163,11 +169,11 @@ private:
       note_outside(skeleton_.edges[e], face == no_index ? nullptr : &tree.corners(face), lines);
     }
     for(Index p : test.points_outside())
-      lines.push_back("point " + std::to_string(p) + " does not lie inside" +
+      lines.push_back("point " + name(p) + " does not lie inside" +
                       of_component(skeleton_.component_of[p]));
     for(Index p = 0; p < skeleton_.points.size(); ++p)
       if(skeleton_.is_inlet[p] && inlets.hub(p) == no_index)
-        lines.push_back("point " + std::to_string(p) +
+        lines.push_back("point " + name(p) +
                         " is no inlet: no leaf in the middle of a boundary curve");
     certificate_.inside = lines.empty();
     fail(lines, "that are not inside");
@@ -311,6 +317,7 @@ private:
   const Flat_skeleton& skeleton_;
   const std::vector<Vertex_walk>& walks_;
   const Face_number& face_number_;
+  const Point_name& point_name_;
   std::vector<std::size_t> genera_;                    // by component
   std::vector<std::vector<Index>> parts_of_component_; // by component
   std::vector<char> is_outside_;                       // by edge

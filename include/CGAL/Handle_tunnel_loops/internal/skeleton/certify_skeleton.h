@@ -22,6 +22,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -29,20 +30,26 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// the caller's number of a face of the surface, by its corners in the arrays, counterclockwise.
 using Face_number = std::function<std::size_t(Index, Index, Index)>;
 
+/// what a point of a skeleton is called.
+using Point_name = std::function<std::string(Index)>;
+
 /// proves what there is to prove of a skeleton. \p places are the coordinates of the vertices as
 /// the caller has them, hubs included (`place_hubs()`). \p loops are closed walks on the edges, by
 /// their vertices: for each component as many as its genus, which are independent in the space
 /// outside, as handle loops are; more do no harm, nor do other loops, but that less can be proved.
-/// That the surface does not cross or touch itself is not looked at.
+/// That the surface does not cross or touch itself is not looked at. Points are called by their
+/// numbers, or by
+/// \p point_name if that is something.
 CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
                                                     const Flat_mesh& mesh,
                                                     const std::vector<Vector>& places,
                                                     const Flat_skeleton& skeleton,
                                                     const std::vector<std::vector<Index>>& loops,
-                                                    const Face_number& face_number);
+                                                    const Face_number& face_number,
+                                                    const Point_name& point_name = {});
 
-/// finds out, of a skeleton of which only points and edges are known, which points are inlets and
-/// what component each part belongs to.
+/// finds out which points of a skeleton are inlets and what component each part belongs to, if
+/// these arrays are empty.
 CGAL_HTL_CORE void find_places(Execution execution,
                                const Flat_mesh& mesh,
                                const std::vector<Vector>& places,

@@ -26,8 +26,9 @@ CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
                                                     const std::vector<Vector>& places,
                                                     const Flat_skeleton& skeleton,
                                                     const std::vector<std::vector<Index>>& loops,
-                                                    const Face_number& face_number) {
-  return Skeleton_checker(execution, mesh, places, skeleton, loops, face_number).run();
+                                                    const Face_number& face_number,
+                                                    const Point_name& point_name) {
+  return Skeleton_checker(execution, mesh, places, skeleton, loops, face_number, point_name).run();
 }
 
 CGAL_HTL_CORE void find_places(Execution execution,
