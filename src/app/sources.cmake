@@ -43,6 +43,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/obj_reader.cpp
   read/off_reader.cpp
   read/ply_reader.cpp
+  read/skeleton_reader.cpp
   read/soup.cpp
   read/soup_diagnosis.cpp
   read/sources.cpp

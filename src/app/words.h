@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_WORDS_H
 #define HTLOOPS_WORDS_H
 
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <sstream>
@@ -36,6 +37,14 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   for(std::string line; std::getline(stream, line);)
     lines.push_back(line);
   return lines;
+}
+
+/// that a file is about another mesh, by numbers of vertices and faces.
+inline std::string mesh_difference(const std::array<std::size_t, 2>& expected,
+                                   const std::array<std::size_t, 2>& found) {
+  return "it is about a mesh of " + std::to_string(expected[0]) + " vertices and " +
+         std::to_string(expected[1]) + " faces; this one has " + std::to_string(found[0]) +
+         " and " + std::to_string(found[1]);
 }
 
 } // namespace htloops

@@ -10,9 +10,8 @@
 #include "read/loops_reader.h"
 
 #include "failure.h"
+#include "read/json_node.h"
 #include "words.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,173 +22,63 @@
 namespace htloops {
 namespace {
 
-using Json = nlohmann::json;
-
 const char known_format[] = "htloops/1";
 
-// A value in a document that knows, for messages, where it stands: which member or element it is,
-// and of what. The outer node must live as long as the inner one.
-struct Node
-{
-  static constexpr std::size_t no_index = static_cast<std::size_t>(-1);
-
-  const Json& value;
-  const Node* outer = nullptr;
-  const char* name = "";
-  std::size_t index = no_index;
-
-  bool has(const char* key) const { return value.is_object() && value.contains(key); }
-
-  Node member(const char* key) const {
-    if(!value.is_object())
-      fail("is not an object");
-    const auto found = value.find(key);
-    if(found == value.end())
-      fail("has no member '" + std::string(key) + "'");
-    return {*found, this, key};
-  }
-
-  // calls visit(node) for each element; `what` is what an element is called.
-  template <typename Visit> void for_each(const char* what, Visit visit) const {
-    if(!value.is_array())
-      fail("is not an array");
-    std::size_t position = 0;
-    for(const Json& element : value)
-      visit(Node{element, this, what, position++});
-  }
-
-  std::array<double, 3> point() const {
-    check_is_triple();
-    return {number(value[0]), number(value[1]), number(value[2])};
-  }
-
-  Location_record location() const {
-    check_is_triple();
-    return {integer(value[0]), integer(value[1]), number(value[2])};
-  }
-
-  std::size_t count() const {
-    if(!value.is_number_unsigned())
-      fail("is not a count");
-    return value.get<std::size_t>();
-  }
-
-  double number() const { return number(value); }
-
-  std::string text() const {
-    if(!value.is_string())
-      fail("is not a text");
-    return value.get<std::string>();
-  }
-
-  std::array<long long, 3> integers() const {
-    check_is_triple();
-    for(const Json& x : value)
-      if(!x.is_number_integer())
-        fail("has something that is not an integer");
-    return {value[0].get<long long>(), value[1].get<long long>(), value[2].get<long long>()};
-  }
-
-  bool is(const char* text) const { return value.is_string() && value == text; }
-
-  std::size_t size() const { return value.size(); }
-
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw Failure(Exit_code::UNREADABLE_FILE, place() + " " + problem);
-  }
-
-private:
-  std::string place() const {
-    if(outer == nullptr)
-      return "the document";
-    const std::string own =
-        index == no_index ? name : std::string(name) + " " + std::to_string(index);
-    return outer->outer == nullptr ? own : outer->place() + ", " + own;
-  }
-
-  void check_is_triple() const {
-    if(!value.is_array() || value.size() != 3)
-      fail("is not an array of three numbers");
-  }
-
-  long long integer(const Json& x) const {
-    if(!x.is_number_integer())
-      fail("has a vertex index that is not an integer");
-    // An index that is too large for its type is out of range anyway.
-    constexpr auto largest = (std::numeric_limits<long long>::max)();
-    return x.is_number_unsigned() && x.get<unsigned long long>() > largest ? largest
-                                                                           : x.get<long long>();
-  }
-
-  // JSON has no infinity; null stands for it.
-  double number(const Json& x) const {
-    if(x.is_null())
-      return std::numeric_limits<double>::infinity();
-    if(!x.is_number())
-      fail(&x == &value ? "is not a number" : "has something that is not a number");
-    return x.get<double>();
-  }
-};
-
-// What older files do not say.
-template <typename Value, typename Read>
-void read_if_said(const Node& node, const char* key, std::optional<Value>& value, Read read) {
-  if(node.has(key))
-    value = (node.member(key).*read)();
-}
-
-Loop_record read_loop(const Node& node) {
+Loop_record read_loop(const Json_node& node) {
   Loop_record loop;
   loop.length = node.member("length").number();
-  read_if_said(node, "bounds", loop.bounds, &Node::text);
-  read_if_said(node, "bounds_alone", loop.bounds_alone, &Node::text);
-  const Node locations = node.member("locations"), points = node.member("points");
+  read_if_said(node, "bounds", loop.bounds, &Json_node::text);
+  read_if_said(node, "bounds_alone", loop.bounds_alone, &Json_node::text);
+  const Json_node locations = node.member("locations"), points = node.member("points");
   loop.locations.reserve(locations.size());
-  locations.for_each("position",
-                     [&](const Node& location) { loop.locations.push_back(location.location()); });
+  locations.for_each("position", [&](const Json_node& node_of_location) {
+    const auto [source, target, ratio] = node_of_location.location();
+    loop.locations.push_back({source, target, ratio});
+  });
   loop.points.reserve(points.size());
-  points.for_each("position", [&](const Node& point) { loop.points.push_back(point.point()); });
+  points.for_each("position",
+                  [&](const Json_node& point) { loop.points.push_back(point.point()); });
   return loop;
 }
 
 // Files of before there were two kinds do not say.
-Basis_kind basis_kind(const Node& document) {
+Basis_kind basis_kind(const Json_node& document) {
   if(!document.has("basis"))
     return Basis_kind::PURE;
-  const Node basis = document.member("basis");
+  const Json_node basis = document.member("basis");
   for(const Basis_kind kind : {Basis_kind::PURE, Basis_kind::SHORTEST})
     if(basis.is(name_of(kind)))
       return kind;
   basis.fail("is neither pure nor shortest");
 }
 
-Loops_record read_document(const Node& document) {
+Loops_record read_document(const Json_node& document) {
   if(!document.member("format").is(known_format))
     document.fail("is not of the format " + std::string(known_format));
   Loops_record record;
-  const Node mesh = document.member("mesh");
+  const Json_node mesh = document.member("mesh");
   record.number_of_vertices = mesh.member("vertices").count();
   record.number_of_faces = mesh.member("faces").count();
-  read_if_said(mesh, "components", record.number_of_components, &Node::count);
-  read_if_said(mesh, "boundaries", record.number_of_boundaries, &Node::count);
-  read_if_said(mesh, "genus", record.genus, &Node::count);
+  read_if_said(mesh, "components", record.number_of_components, &Json_node::count);
+  read_if_said(mesh, "boundaries", record.number_of_boundaries, &Json_node::count);
+  read_if_said(mesh, "genus", record.genus, &Json_node::count);
   record.basis_kind = basis_kind(document);
-  const Node pairs = document.member("pairs");
+  const Json_node pairs = document.member("pairs");
   record.pairs.reserve(pairs.size());
-  pairs.for_each("pair", [&](const Node& pair) {
+  pairs.for_each("pair", [&](const Json_node& pair) {
     record.pairs.push_back(
         {read_loop(pair.member("handle")), read_loop(pair.member("tunnel")), {}});
     read_if_said(pair, "size", record.pairs.back().size,
-                 static_cast<double (Node::*)() const>(&Node::number));
+                 static_cast<double (Json_node::*)() const>(&Json_node::number));
   });
   if(document.has("linking")) {
     record.linking.emplace();
     document.member("linking").for_each(
-        "entry", [&](const Node& entry) { record.linking->push_back(entry.integers()); });
+        "entry", [&](const Json_node& entry) { record.linking->push_back(entry.integers()); });
   }
   record.has_boundaries = document.has("boundaries");
   if(record.has_boundaries)
-    document.member("boundaries").for_each("boundary", [&](const Node& curve) {
+    document.member("boundaries").for_each("boundary", [&](const Json_node& curve) {
       record.boundaries.push_back({read_loop(curve), std::nullopt});
       if(curve.has("waist"))
         record.boundaries.back().waist = read_loop(curve.member("waist"));
@@ -252,10 +141,8 @@ private:
     const std::size_t vertices = mesh_.number_of_vertices(), faces = mesh_.number_of_faces();
     if(record_.number_of_vertices == vertices && record_.number_of_faces == faces)
       return true;
-    add_problem(MISPLACED, "it is about a mesh of " + std::to_string(record_.number_of_vertices) +
-                               " vertices and " + std::to_string(record_.number_of_faces) +
-                               " faces; this one has " + std::to_string(vertices) + " and " +
-                               std::to_string(faces));
+    add_problem(MISPLACED, mesh_difference({record_.number_of_vertices, record_.number_of_faces},
+                                           {vertices, faces}));
     return false;
   }
 
@@ -365,16 +252,7 @@ private:
 
 } // namespace
 
-Loops_record read_loops_json(const Input_file& file) {
-  try {
-    const Json document = Json::parse(file.content());
-    return read_document(Node{document});
-  } catch(const Json::exception& exception) {
-    throw Failure(Exit_code::UNREADABLE_FILE, file.name() + " is not JSON: " + exception.what());
-  } catch(const Failure& failure) {
-    throw Failure(failure.code(), file.name() + ": " + failure.what());
-  }
-}
+Loops_record read_loops_json(const Input_file& file) { return read_json(file, read_document); }
 
 Bound_loops bind_loops(const Loops_record& record, const Mesh& mesh) {
   return Binder(record, mesh).bind();

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Boundary_check.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/self_contact.h>
+#include <CGAL/certify_curve_skeleton.h>
 
 namespace htloops {
 namespace {
@@ -32,6 +33,27 @@ public:
 private:
   const std::function<void()>& look_;
 };
+
+using Prepared_mesh =
+    internal::Prepared_surface<Mesh, boost::property_map<Mesh, CGAL::vertex_point_t>::const_type>;
+
+// With the caps that close its boundary curves.
+bool touches_itself_with_caps(internal::Execution execution, const Prepared_mesh& surface) {
+  const internal::Flat_surface closed(surface.mesh, surface.coordinates(execution));
+  return internal::touches_itself(execution, closed.mesh(), closed.point(), closed.vertex_index());
+}
+
+internal::Flat_skeleton as_arrays(const Skeleton_lines& skeleton) {
+  internal::Flat_skeleton arrays;
+  for(const Point& p : skeleton.points)
+    arrays.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto& [p, q] : skeleton.edges)
+    arrays.edges.push_back({static_cast<internal::Index>(p), static_cast<internal::Index>(q)});
+  for(const std::size_t component : skeleton.components)
+    arrays.component_of.push_back(static_cast<internal::Index>(component));
+  arrays.is_inlet = skeleton.is_inlet;
+  return arrays;
+}
 
 } // namespace
 
@@ -58,6 +80,27 @@ bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {
   const auto execution = internal::execution_of<CGAL::Parallel_if_available_tag>();
   return internal::touches_itself(execution.watched_by(watch), mesh, get(CGAL::vertex_point, mesh),
                                   get(boost::vertex_index, mesh));
+}
+
+CGAL::Handle_tunnel_loops::Skeleton_certificate
+certify_skeleton(const Mesh& mesh,
+                 const Skeleton_lines& skeleton,
+                 const Pairs& pairs,
+                 const std::function<void()>& look) {
+  Watch_by_function watch(look);
+  const auto execution =
+      internal::execution_of<CGAL::Parallel_if_available_tag>().watched_by(watch);
+  const auto vertex_index = get(boost::vertex_index, mesh);
+  const Prepared_mesh surface(execution, mesh, vertex_index, get(CGAL::vertex_point, mesh));
+  const std::vector<internal::Vector> places = internal::places_of_vertices(execution, surface);
+  internal::Flat_skeleton arrays = as_arrays(skeleton);
+  internal::find_places(execution, surface.mesh, places, arrays);
+  auto certificate = internal::certify_skeleton(
+      execution, surface, places, vertex_index, get(boost::face_index, mesh), arrays, pairs,
+      [&](internal::Index p) { return skeleton.names[p]; });
+  if(touches_itself_with_caps(execution, surface))
+    internal::note_self_contact(certificate);
+  return certificate;
 }
 
 } // namespace htloops

@@ -11,7 +11,10 @@
 #define HTLOOPS_CERTIFICATION_H
 
 #include "mesh_types.h"
+#include "skeleton_lines.h"
 #include "solve/answer.h"
+
+#include <CGAL/Handle_tunnel_loops/Skeleton_certificate.h>
 
 #include <functional>
 #include <string>
@@ -33,6 +36,14 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
 /// `Interrupted` soon after a signal.
 bool touches_itself(
     const Mesh& mesh, const std::function<void()>& look = [] {});
+
+/// what can be proved of a skeleton, given the loops of its mesh. Components and inlets are found
+/// by their places if they are not known. Throws `Interrupted` soon after a signal.
+CGAL::Handle_tunnel_loops::Skeleton_certificate certify_skeleton(
+    const Mesh& mesh,
+    const Skeleton_lines& skeleton,
+    const Pairs& pairs,
+    const std::function<void()>& look = [] {});
 
 } // namespace htloops
 

@@ -8,6 +8,8 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/interrupt.h"
+#include "app/read/skeleton_reader.h"
+#include "app/solve/backends.h"
 #include "app/solve/certification.h"
 #include "app/words.h"
 #include "app/write/mesh_writer.h"
@@ -15,6 +17,7 @@
 #include "commands/claims.h"
 #include "commands/command.h"
 #include "commands/options.h"
+#include "terminal/terminal.h"
 
 #include <memory>
 
@@ -73,11 +76,8 @@ std::vector<std::string> findings(const Loops_record& record,
   return all;
 }
 
-void run(const Check_options& options) {
-  check_mesh_format(options.written_mesh_file);
-  const Mesh mesh = read_mesh(options);
-  write_read_mesh(options, mesh);
-  const Loops_record record = read_loops_json(options.loops_file);
+void check_loops(const Check_options& options, const Mesh& mesh, const Input_file& file) {
+  const Loops_record record = read_loops_json(file);
   const Bound_loops loops = bind_loops(record, mesh);
   if(!loops.are_placed) { // so nothing can be said of them
     std::vector<std::string> all = loops.problems;
@@ -95,21 +95,65 @@ void run(const Check_options& options) {
               false);
 }
 
+std::string praise_of_skeleton(const Skeleton_lines& skeleton, std::size_t genus) {
+  return "the skeleton of " + counted(skeleton.points.size(), "point", "points") + " and " +
+         counted(skeleton.edges.size(), "edge", "edges") +
+         " lies inside and does not meet itself; " +
+         (genus == 0   ? "it has no cycles, as there are no handles"
+          : genus == 1 ? "its cycle is a basis of H1 of the solid"
+                       : "its " + std::to_string(genus) + " cycles are a basis of H1 of the solid");
+}
+
+void check_skeleton(const Check_options& options, const Mesh& mesh, const Input_file& file) {
+  const Skeleton_record record = read_skeleton(file);
+  const std::array<std::size_t, 2> size = {mesh.number_of_vertices(), mesh.number_of_faces()};
+  if(record.mesh_size && *record.mesh_size != size)
+    require_none(options.loops_file, {mesh_difference(*record.mesh_size, size)});
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  const Answer loops = host_backend.solve(mesh, Solve_options(), bar);
+  const auto certificate = certify_skeleton(mesh, record.lines, loops.pairs, throw_if_interrupted);
+  require_none(options.loops_file, lines_of(certificate.failure));
+  if(!options.is_quiet)
+    show_text(options.loops_file + ": " + praise_of_skeleton(record.lines, loops.statistics.genus) +
+                  "\n",
+              false);
+}
+
+void run(const Check_options& options) {
+  check_mesh_format(options.written_mesh_file);
+  const Mesh mesh = read_mesh(options);
+  write_read_mesh(options, mesh);
+  const Input_file file(options.loops_file);
+  if(is_skeleton_file(file))
+    check_skeleton(options, mesh, file);
+  else
+    check_loops(options, mesh, file);
+}
+
 constexpr char check_description[] =
-    R"(Checks that the loops of a file are a basis of H1(S; Z) of their mesh, that each tunnel loop
-crosses its handle loop once, and which of them bound inside and outside the surface.
+    R"(Checks the loops, or the curve skeleton, of a file.
+
+Loops have to be a basis of H1(S; Z) of their mesh, and each tunnel loop has to cross its handle
+loop once; it is said which of them bound inside and outside the surface.
 
 The certificate is computed from the two files alone. What the JSON says besides has to agree
 with it: points, lengths, sizes, sides, linking numbers, the genus. All that is wrong is said,
 the worst first. Of the shortest basis it is not asked that pairs cross once. A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel
 loop that have each other's names are one.
+
+A skeleton has to lie strictly inside, but for leaves in the middle of boundary curves, must not
+meet itself, and its cycles have to be a basis of H1 of the solid, in each component as if the
+others were away; all of it is decided exactly. It is what 'htloops skeleton' wrote as .json, or any
+.obj (lines), .vtp (text), .swc, .graphml (x, y, z) or .polylines.txt. Edges that leave are named by
+the points of the file, with the face, from 0, that they leave through.
 )";
 
 constexpr char check_examples[] =
-    R"(Exit codes: 0 all is well, 1 the loops fail, 3 a file cannot be read, 4 the mesh is unfit.
+    R"(Exit codes: 0 all is well, 1 the loops or the skeleton fail, 3 a file cannot be read, 4 the mesh is unfit.
 
 Example:
   htloops check cup.off cup.json && echo 'a basis'
+  htloops check vessel.stl centerlines.vtp
 )";
 
 } // namespace
@@ -117,8 +161,9 @@ Example:
 void add_check_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Check_options>();
   CLI::App* check = app.add_subcommand("check", check_description)->group("Commands");
-  add_mesh_argument(*check, *options, "the mesh that the loops were computed on");
-  add_input(*check, "LOOPS.json", options->loops_file, "what 'htloops loops MESH -o' wrote");
+  add_mesh_argument(*check, *options, "the mesh that they were computed on");
+  add_input(*check, "FILE", options->loops_file,
+            "loops, as 'htloops loops MESH -o' wrote them, or a skeleton");
   add_remedy_options(*check, *options);
   check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*check, check_examples);

@@ -49,9 +49,14 @@ CGAL_HTL_CORE std::vector<int> signs_of_volumes(
 /// Where a triangle is seen from a point if one looks up or down from it.
 enum class Seen_triangle { NOWHERE, ABOVE, HERE, BELOW };
 
-/// says it exactly. The point is moved aside by an infinitesimal amount, so that it lies above no
-/// edge.
-CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& point);
+/// says it exactly, from the point half way between a and b. It is moved aside by an infinitesimal
+/// amount, so that it lies above no edge.
+CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& a, const Vector& b);
+
+/// the same from a point.
+inline Seen_triangle see_triangle(const Triangle& t, const Vector& point) {
+  return see_triangle(t, point, point);
+}
 
 /// On which side of the components of a surface the solid is.
 struct Solid_sides

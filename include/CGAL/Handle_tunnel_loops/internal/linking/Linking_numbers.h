@@ -553,11 +553,7 @@ private:
     const int side = points_.side(a, b, p, q);
     if(side == 0)
       return std::nullopt;
-    // If a line is seen as a point all turns are zero, and it crosses nothing.
-    const int sense = points_.turn_of_moved(a, b, q);
-    if(sense == points_.turn_of_moved(a, b, p) ||
-       points_.turn_to_moved(p, q, a) == points_.turn_to_moved(p, q, b))
-      return 0;
+    const int sense = points_.crossing_of_moved(a, b, p, q);
     return side == sense ? sense : 0;
   }
 

@@ -98,6 +98,16 @@ public:
     return sense != 0 ? sense : -turn_to_step(p, q);
   }
 
+  /// the sense in which the line from a to b, moved aside, is seen to cross that from p to q: 1 if
+  /// q is to the left of it then, 0 if it does not cross. A line that is seen as a point crosses
+  /// nothing.
+  int crossing_of_moved(const Point& a, const Point& b, const Point& p, const Point& q) const {
+    const int sense = turn_of_moved(a, b, q);
+    return sense == turn_of_moved(a, b, p) || turn_to_moved(p, q, a) == turn_to_moved(p, q, b)
+               ? 0
+               : sense;
+  }
+
   /// 1 if s lies on the side of the plane through p, q and r from which these are seen to turn
   /// counterclockwise; 0 if it lies on the plane.
   int side(const Point& p, const Point& q, const Point& r, const Point& s) const {

@@ -112,6 +112,20 @@ inline std::array<int, 3> even_axes(std::vector<Vector>& points) {
   return exponents;
 }
 
+/// turns and scales points so that little lies behind each other, seen along z; linking numbers
+/// stay what they are. Returns how far along x and y the view may be inclined: no more than it
+/// would be if axes were not scaled, as of what is long, parts far from each other would be seen at
+/// the same place.
+inline std::array<double, 2> prepare_view(std::vector<Vector>& points) {
+  constexpr int least = -10; // walls are seen at an angle, however flat all is
+  turn_shortest_axis_to_z(points);
+  const std::array<int, 3> exponents = even_axes(points);
+  std::array<double, 2> tilts;
+  for(int d : {0, 1})
+    tilts[d] = std::ldexp(1., (std::min)(0, (std::max)(least, exponents[d] - exponents[2])));
+  return tilts;
+}
+
 /// The key of an edge of a walk, and the place of that edge in the sequence of all walks.
 using Edge_position = std::pair<std::uint64_t, std::size_t>;
 
@@ -151,7 +165,7 @@ public:
       pieces[i].index_bound = index_bound(walks[i], pieces[i].entered);
     });
     number_vertices(execution, walks, pieces);
-    choose_view();
+    curves_.tilts = prepare_view(curves_.vertices);
     number_edges(execution, walks);
     for_each_loop(execution, walks, [&](std::size_t i) {
       add_steps(walks[i], pieces[i]);
@@ -292,17 +306,6 @@ private:
 
   void set_number(std::size_t i, Index number) {
     numbers_[i].store(number, std::memory_order_relaxed);
-  }
-
-  // Linking numbers stay what they are. A view is inclined no more than it would be if axes were
-  // not scaled: of what is long, parts far from each other would be seen at the same place.
-  void choose_view() {
-    constexpr int least = -10; // walls are seen at an angle, however flat all is
-    turn_shortest_axis_to_z(curves_.vertices);
-    const std::array<int, 3> exponents = even_axes(curves_.vertices);
-    for(int d : {0, 1})
-      curves_.tilts[d] =
-          std::ldexp(1., (std::min)(0, (std::max)(least, exponents[d] - exponents[2])));
   }
 
   // ---- edges

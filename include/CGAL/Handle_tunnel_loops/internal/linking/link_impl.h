@@ -55,11 +55,11 @@ CGAL_HTL_CORE std::vector<int> signs_of_volumes(
   return signs;
 }
 
-CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& point) {
-  const std::vector<Vector> vertices = {t[0], t[1], t[2], point};
+CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& a, const Vector& b) {
+  const std::vector<Vector> vertices = {t[0], t[1], t[2], a, b};
   const Projected_points points(vertices, {0., 0.});
   const Projected_points::Point corners[] = {points.vertex(0), points.vertex(1), points.vertex(2)},
-                                seen_from = points.vertex(3);
+                                seen_from = points.midpoint(3, 4);
   const int sense = points.turn(corners[0], corners[1], corners[2]);
   for(int i = 0; i < 3; ++i)
     if(sense == 0 || points.turn_to_moved(corners[i], corners[(i + 1) % 3], seen_from) != sense)

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Skeleton_certificate.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// the caller's number of a face of the surface, by its corners in the arrays, counterclockwise.
+using Face_number = std::function<std::size_t(Index, Index, Index)>;
+
+/// what a point of a skeleton is called.
+using Point_name = std::function<std::string(Index)>;
+
+/// proves what there is to prove of a skeleton. \p places are the coordinates of the vertices as
+/// the caller has them, hubs included (`place_hubs()`). \p loops are closed walks on the edges, by
+/// their vertices: for each component as many as its genus, which are independent in the space
+/// outside, as handle loops are; more do no harm, nor do other loops, but that less can be proved.
+/// That the surface does not cross or touch itself is not looked at. Points are called by their
+/// numbers, or by
+/// \p point_name if that is something.
+CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
+                                                    const Flat_mesh& mesh,
+                                                    const std::vector<Vector>& places,
+                                                    const Flat_skeleton& skeleton,
+                                                    const std::vector<std::vector<Index>>& loops,
+                                                    const Face_number& face_number,
+                                                    const Point_name& point_name = {});
+
+/// finds out which points of a skeleton are inlets and what component each part belongs to, if
+/// these arrays are empty.
+CGAL_HTL_CORE void find_places(Execution execution,
+                               const Flat_mesh& mesh,
+                               const std::vector<Vector>& places,
+                               Flat_skeleton& skeleton);
+
+/// takes back what means nothing on a surface that crosses or touches itself.
+CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate);
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton_impl.h>
+#endif
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_H

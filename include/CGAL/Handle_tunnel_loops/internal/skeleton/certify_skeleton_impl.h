@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Places_of_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_checker.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
+                                                    const Flat_mesh& mesh,
+                                                    const std::vector<Vector>& places,
+                                                    const Flat_skeleton& skeleton,
+                                                    const std::vector<std::vector<Index>>& loops,
+                                                    const Face_number& face_number,
+                                                    const Point_name& point_name) {
+  return Skeleton_checker(execution, mesh, places, skeleton, loops, face_number, point_name).run();
+}
+
+CGAL_HTL_CORE void find_places(Execution execution,
+                               const Flat_mesh& mesh,
+                               const std::vector<Vector>& places,
+                               Flat_skeleton& skeleton) {
+  Places_of_skeleton(execution, mesh, places).find(skeleton);
+}
+
+CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate) {
+  certificate.inside = certificate.basis = false;
+  certificate.failure =
+      "the surface crosses or touches itself: nothing is proved of what lies in it" +
+      std::string(certificate.failure.empty() ? "" : "\n") + certificate.failure;
+}
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_IMPL_H

@@ -1,0 +1,461 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/skeleton_reader.h"
+
+#include "read/formats.h"
+#include "read/json_node.h"
+#include "read/sources.h"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+// Collects points and lines, and leaves out what no line uses.
+class Line_collector
+{
+public:
+  /// Points at the same place are one if `are_merged`.
+  explicit Line_collector(const Input_file& file, bool are_merged = false)
+      : file_(file)
+      , are_merged_(are_merged) {}
+
+  std::size_t add_point(const Point& p, const std::string& name) {
+    if(!is_finite(p))
+      fail_to_read(file_.name(), "point " + name + " is not finite");
+    const std::size_t number = numbers_.size();
+    const auto place = std::make_pair(std::array<double, 3>{p.x(), p.y(), p.z()}, number);
+    numbers_.push_back(are_merged_ ? places_.insert(place).first->second : number);
+    lines_.points.push_back(p);
+    lines_.names.push_back(name);
+    is_used_.push_back(0);
+    return number;
+  }
+
+  std::size_t number_of_points() const { return numbers_.size(); }
+
+  void set_component(std::size_t point, std::size_t component) {
+    lines_.components.resize(is_used_.size());
+    lines_.components[numbers_[point]] = component;
+  }
+
+  void set_inlet(std::size_t point, bool is_inlet) {
+    lines_.is_inlet.resize(is_used_.size());
+    lines_.is_inlet[numbers_[point]] = is_inlet;
+  }
+
+  /// a point that is there without a line, too.
+  void use(std::size_t point) { is_used_[checked(point)] = 1; }
+
+  void add_edge(std::size_t p, std::size_t q) {
+    use(p);
+    use(q);
+    if(!are_merged_ || numbers_[p] != numbers_[q])
+      lines_.edges.push_back({numbers_[p], numbers_[q]});
+  }
+
+  void add_line(const std::vector<std::size_t>& points) {
+    if(points.size() == 1)
+      use(points.front());
+    for(std::size_t i = 1; i < points.size(); ++i)
+      add_edge(points[i - 1], points[i]);
+  }
+
+  Skeleton_lines finish() {
+    Skeleton_lines used;
+    std::vector<std::size_t> number(is_used_.size());
+    for(std::size_t i = 0; i < number.size(); ++i)
+      if(is_used_[i] != 0) {
+        number[i] = used.points.size();
+        used.points.push_back(lines_.points[i]);
+        used.names.push_back(lines_.names[i]);
+        if(!lines_.components.empty())
+          used.components.push_back(lines_.components[i]);
+        if(!lines_.is_inlet.empty())
+          used.is_inlet.push_back(lines_.is_inlet[i]);
+      }
+    if(used.points.empty())
+      fail_to_read(file_.name(), "there are no lines in it");
+    for(const auto& [p, q] : lines_.edges)
+      used.edges.push_back({number[p], number[q]});
+    return used;
+  }
+
+private:
+  std::size_t checked(std::size_t point) const {
+    if(point >= numbers_.size())
+      fail_to_read(file_.name(), "a line passes a point that is not there");
+    return numbers_[point];
+  }
+
+  const Input_file& file_;
+  bool are_merged_;
+  Skeleton_lines lines_;
+  std::vector<std::size_t> numbers_; // by point as it was added, the first at its place
+  std::vector<char> is_used_;
+  std::map<std::array<double, 3>, std::size_t> places_;
+};
+
+// ---- JSON
+
+constexpr char json_format[] = "htloops skeleton";
+
+Skeleton_record read_document(const Input_file& file, const Json_node& document) {
+  if(!document.member("format").is(json_format))
+    document.fail("is not of the format " + std::string(json_format));
+  if(document.member("version").count() != 1)
+    document.fail("is of a version of its format that this program does not know");
+  Line_collector lines(file);
+  document.member("points").for_each("point", [&](const Json_node& node) {
+    const auto [x, y, z] = node.point();
+    lines.use(lines.add_point(Point(x, y, z), std::to_string(lines.number_of_points())));
+  });
+  document.member("edges").for_each("edge", [&](const Json_node& node) {
+    const auto [p, q] = node.counts();
+    lines.add_edge(p, q);
+  });
+  std::size_t number = 0;
+  const Json_node components = document.member("components");
+  if(components.size() != lines.number_of_points())
+    components.fail("are not as many as points");
+  components.for_each("component", [&](const Json_node& component) {
+    lines.set_component(number, component.count());
+    lines.set_inlet(number++, false);
+  });
+  document.member("inlets").for_each("inlet", [&](const Json_node& inlet) {
+    if(inlet.count() >= lines.number_of_points())
+      inlet.fail("is no point");
+    lines.set_inlet(inlet.count(), true);
+  });
+  const Json_node mesh = document.member("mesh");
+  return {lines.finish(), {{mesh.member("vertices").count(), mesh.member("faces").count()}}};
+}
+
+Skeleton_record read_skeleton_json(const Input_file& file) {
+  return read_json(file, [&](const Json_node& document) { return read_document(file, document); });
+}
+
+// ---- lines of text
+
+double coordinate(Text_source& text) {
+  double x;
+  if(!text.read(x))
+    text.fail("a point has no three coordinates");
+  return x;
+}
+
+Point read_point(Text_source& text) {
+  const double x = coordinate(text), y = coordinate(text), z = coordinate(text);
+  return Point(x, y, z);
+}
+
+// A point of a line, "3", "-1" or "3/7", of so many.
+std::size_t obj_index(Text_source& text, std::size_t n) {
+  const std::string word(text.word());
+  char* end = nullptr;
+  const long long i = std::strtoll(word.c_str(), &end, 10), size = static_cast<long long>(n);
+  if(end == word.c_str() || i == 0 || i > size || i < -size)
+    text.fail(in_quotes(word) + " is none of the " + std::to_string(n) + " points so far");
+  return static_cast<std::size_t>(i > 0 ? i - 1 : size + i);
+}
+
+Skeleton_record read_skeleton_obj(const Input_file& file) {
+  Line_collector lines(file);
+  const std::string content = join_continued_lines(std::string(file.content()));
+  Text_source text(file.name(), content);
+  for(; text.skip_to_content(); text.skip_line()) {
+    const std::string_view what = text.word();
+    if(what == "v")
+      lines.add_point(read_point(text), std::to_string(lines.number_of_points() + 1));
+    else if(what == "l" || what == "p") {
+      std::vector<std::size_t> points;
+      while(!text.is_at_line_end())
+        points.push_back(obj_index(text, lines.number_of_points()));
+      if(what == "l")
+        lines.add_line(points);
+      else
+        for(const std::size_t p : points)
+          lines.use(p);
+    }
+  }
+  return {lines.finish(), {}};
+}
+
+// id, type, x, y, z, radius, id of the parent or -1. A cycle is cut where a point is there twice.
+Skeleton_record read_swc(const Input_file& file) {
+  Line_collector lines(file, true);
+  Text_source text(file.name(), file.content());
+  std::map<long long, std::size_t> number;
+  std::vector<long long> parents;
+  for(; text.skip_to_content(); text.skip_line()) {
+    long long id = 0, type = 0, parent = 0;
+    if(!text.read(id) || !text.read(type))
+      text.fail("a line does not begin with the number and the type of a point");
+    const Point point = read_point(text);
+    double radius;
+    if(!text.read(radius) || !text.read(parent))
+      text.fail("a point has no radius or no parent");
+    const std::size_t n = lines.add_point(point, std::to_string(id));
+    if(!number.emplace(id, n).second)
+      text.fail("the number " + std::to_string(id) + " is there twice");
+    lines.use(n);
+    parents.push_back(parent);
+  }
+  for(std::size_t i = 0; i < parents.size(); ++i)
+    if(parents[i] >= 0) {
+      const auto parent = number.find(parents[i]);
+      if(parent == number.end())
+        fail_to_read(file.name(), "there is no point " + std::to_string(parents[i]) +
+                                      ", which is to be a parent");
+      lines.add_edge(parent->second, i);
+    }
+  return {lines.finish(), {}};
+}
+
+// Of CGAL: on each line, how many points, and their coordinates.
+Skeleton_record read_polylines(const Input_file& file) {
+  Line_collector lines(file, true);
+  Text_source text(file.name(), file.content());
+  for(std::size_t line = 1; text.skip_to_content(); ++line) {
+    long long n = 0;
+    if(!text.read(n) || n < 1)
+      text.fail("a line does not begin with the number of its points");
+    std::vector<std::size_t> points;
+    for(long long i = 1; i <= n; ++i)
+      points.push_back(lines.add_point(read_point(text), "(line " + std::to_string(line) +
+                                                             ", point " + std::to_string(i) + ")"));
+    lines.add_line(points);
+    if(!text.is_at_line_end())
+      text.fail("a line has more numbers than its points need");
+  }
+  return {lines.finish(), {}};
+}
+
+// ---- XML
+
+using Tree = boost::property_tree::ptree;
+
+Tree read_xml(const Input_file& file) {
+  Tree tree;
+  std::istringstream stream{std::string(file.content())};
+  try {
+    boost::property_tree::read_xml(stream, tree);
+  } catch(const boost::property_tree::xml_parser_error& error) {
+    fail_to_read(file.name(),
+                 "it is not XML: " + error.message() + " in line " + std::to_string(error.line()));
+  }
+  return tree;
+}
+
+std::string attribute(const Tree& tree, const std::string& name) {
+  return tree.get("<xmlattr>." + name, std::string());
+}
+
+std::vector<double> numbers(const Input_file& file, const std::string& content) {
+  Text_source text(file.name(), content);
+  std::vector<double> numbers;
+  while(text.skip_to_content()) {
+    double x;
+    if(!text.read(x))
+      fail_to_read(file.name(),
+                   "there is no number where one should be: " + in_quotes(text.word()));
+    numbers.push_back(x);
+  }
+  return numbers;
+}
+
+class Vtp_reader
+{
+public:
+  explicit Vtp_reader(const Input_file& file)
+      : file_(file)
+      , lines_(file, true) {}
+
+  Skeleton_record read() {
+    const Tree tree = read_xml(file_);
+    const auto poly_data = tree.get_child_optional("VTKFile.PolyData");
+    if(!poly_data)
+      fail_to_read(file_.name(), "it is no PolyData of VTK");
+    for(const auto& [name, piece] : *poly_data)
+      if(name == "Piece")
+        read_piece(piece);
+    return {lines_.finish(), {}};
+  }
+
+private:
+  using Cells = std::vector<std::vector<std::size_t>>;
+
+  // An array of a section; empty if there is none.
+  std::vector<double>
+  array(const Tree& piece, const std::string& section, const std::string& name) const {
+    if(const auto arrays = piece.get_child_optional(section))
+      for(const auto& [kind, array] : *arrays)
+        if(kind == "DataArray" && (name.empty() || attribute(array, "Name") == name)) {
+          if(attribute(array, "format") != "ascii")
+            fail_to_read(file_.name(),
+                         "its arrays are not text: only those of the format \"ascii\" "
+                         "can be read here");
+          return numbers(file_, array.data());
+        }
+    return {};
+  }
+
+  Cells cells(const Tree& piece, const std::string& section, std::size_t first) const {
+    const std::vector<double> points = array(piece, section, "connectivity");
+    Cells cells;
+    std::size_t begin = 0;
+    for(const double end : array(piece, section, "offsets")) {
+      cells.emplace_back();
+      for(; begin < end && begin < points.size(); ++begin)
+        cells.back().push_back(first + index(points[begin]));
+    }
+    return cells;
+  }
+
+  std::size_t index(double number) const {
+    if(!(number >= 0. && number < 1e15))
+      fail_to_read(file_.name(), "a line passes a point that is not there");
+    return static_cast<std::size_t>(number);
+  }
+
+  void read_piece(const Tree& piece) {
+    const std::vector<double> points = array(piece, "Points", ""),
+                              inlets = array(piece, "PointData", "Inlet"),
+                              components = array(piece, "CellData", "Component");
+    const std::size_t first = lines_.number_of_points(), n = points.size() / 3;
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t p = lines_.add_point(
+          Point(points[3 * i], points[3 * i + 1], points[3 * i + 2]), std::to_string(first + i));
+      if(inlets.size() == n)
+        lines_.set_inlet(p, inlets[i] != 0.);
+    }
+    Cells all = cells(piece, "Verts", first), more = cells(piece, "Lines", first);
+    all.insert(all.end(), more.begin(), more.end());
+    for(std::size_t c = 0; c < all.size(); ++c) {
+      lines_.add_line(all[c]);
+      if(c < components.size())
+        for(const std::size_t p : all[c])
+          lines_.set_component(p, index(components[c]));
+    }
+  }
+
+  const Input_file& file_;
+  Line_collector lines_;
+};
+
+class Graphml_reader
+{
+public:
+  explicit Graphml_reader(const Input_file& file)
+      : file_(file)
+      , lines_(file) {}
+
+  Skeleton_record read() {
+    const Tree tree = read_xml(file_);
+    const auto root = tree.get_child_optional("graphml");
+    const auto graph = tree.get_child_optional("graphml.graph");
+    if(!root || !graph)
+      fail_to_read(file_.name(), "it is no GraphML");
+    for(const auto& [kind, key] : *root)
+      if(kind == "key")
+        name_of_key_[attribute(key, "id")] = attribute(key, "attr.name");
+    for(const auto& [kind, node] : *graph)
+      if(kind == "node")
+        add_node(node);
+    for(const auto& [kind, edge] : *graph)
+      if(kind == "edge")
+        lines_.add_edge(number_of(attribute(edge, "source")), number_of(attribute(edge, "target")));
+    return {lines_.finish(), {}};
+  }
+
+private:
+  // A name with a dot, as of an attribute of XML, is no path.
+  static std::string attribute(const Tree& tree, const std::string& name) {
+    const auto attributes = tree.get_child_optional("<xmlattr>");
+    return attributes ? attributes->get(Tree::path_type(name, '/'), std::string()) : std::string();
+  }
+
+  void add_node(const Tree& node) {
+    std::map<std::string, std::string> data;
+    for(const auto& [kind, value] : node)
+      if(kind == "data") {
+        const auto name = name_of_key_.find(attribute(value, "key"));
+        data[name == name_of_key_.end() ? attribute(value, "key") : name->second] = value.data();
+      }
+    const std::string id = attribute(node, "id");
+    const auto number = [&](const char* name) {
+      const std::vector<double> all = numbers(file_, data[name]);
+      if(all.size() != 1)
+        fail_to_read(file_.name(), "the node " + id + " has no " + name);
+      return all.front();
+    };
+    const double x = number("x"), y = number("y"), z = number("z");
+    const std::size_t n = lines_.add_point(Point(x, y, z), id);
+    lines_.use(n);
+    if(!number_of_.emplace(id, n).second)
+      fail_to_read(file_.name(), "the node " + id + " is there twice");
+    if(data.count("component") != 0)
+      lines_.set_component(n, static_cast<std::size_t>(number("component")));
+    if(data.count("inlet") != 0)
+      lines_.set_inlet(n, data["inlet"] == "true" || data["inlet"] == "1");
+  }
+
+  std::size_t number_of(const std::string& id) const {
+    const auto it = number_of_.find(id);
+    if(it == number_of_.end())
+      fail_to_read(file_.name(), "an edge leads to the node " + id + ", which is not there");
+    return it->second;
+  }
+
+  const Input_file& file_;
+  Line_collector lines_;
+  std::map<std::string, std::string> name_of_key_; // by id
+  std::map<std::string, std::size_t> number_of_;   // of a node, by id
+};
+
+Skeleton_record read_vtp(const Input_file& file) { return Vtp_reader(file).read(); }
+Skeleton_record read_graphml(const Input_file& file) { return Graphml_reader(file).read(); }
+
+struct Format
+{
+  const char* ending;
+  Skeleton_record (*read)(const Input_file&);
+};
+
+constexpr Format formats[] = {
+    {".obj", read_skeleton_obj}, {".vtp", read_vtp},        {".swc", read_swc},
+    {".graphml", read_graphml},  {".cgal", read_polylines}, {".polylines.txt", read_polylines},
+};
+
+} // namespace
+
+bool is_skeleton_file(const Input_file& file) {
+  for(const Format& format : formats)
+    if(file.is_of_format(format.ending))
+      return true;
+  return file.content().find("\"" + std::string(json_format) + "\"") != std::string_view::npos;
+}
+
+Skeleton_record read_skeleton(const Input_file& file) {
+  for(const Format& format : formats)
+    if(file.is_of_format(format.ending))
+      return format.read(file);
+  return read_skeleton_json(file);
+}
+
+} // namespace htloops

@@ -1,0 +1,424 @@
+// The certificate of a skeleton says what holds by definition, of good skeletons and of such as are
+// wrong in one way each, and names what is wrong.
+
+#include "Generated_soups.h"
+#include "Meshes_of_soups.h"
+#include "Skeleton_definitions.h"
+#include "Solids.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Exact_meeting.h>
+#include <CGAL/certify_curve_skeleton.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_skeleton_certificate {
+
+using Graph = CGAL::Curve_skeleton<Mesh>;
+using CGAL::Handle_tunnel_loops::Skeleton_certificate;
+using Line = std::vector<Vector>;
+
+// ---- meshes
+
+// A tube around a circle of the plane z = 0, with so many corners across and along it.
+Soup torus(double radius, double thickness, int across, int along) {
+  Soup soup;
+  constexpr double turn = 2. * 3.14159265358979;
+  for(int i = 0; i < along; ++i)
+    for(int j = 0; j < across; ++j) {
+      const double u = turn * i / along, v = turn * (j + 0.5) / across,
+                   r = radius + thickness * std::cos(v);
+      soup.points.push_back({r * std::cos(u), r * std::sin(u), thickness * std::sin(v)});
+    }
+  const auto number = [&](int i, int j) {
+    return static_cast<std::uint32_t>(i % along * across + j % across);
+  };
+  for(int i = 0; i < along; ++i)
+    for(int j = 0; j < across; ++j) {
+      soup.triangles.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
+      soup.triangles.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
+    }
+  return soup;
+}
+
+// A tube along x, open at both ends.
+Soup pipe(double length, double thickness, int across, int along) {
+  Soup soup;
+  constexpr double turn = 2. * 3.14159265358979;
+  for(int i = 0; i <= along; ++i)
+    for(int j = 0; j < across; ++j)
+      soup.points.push_back({length * i / along, thickness * std::cos(turn * j / across),
+                             thickness * std::sin(turn * j / across)});
+  const auto number = [&](int i, int j) {
+    return static_cast<std::uint32_t>(i * across + j % across);
+  };
+  for(int i = 0; i < along; ++i)
+    for(int j = 0; j < across; ++j) {
+      soup.triangles.push_back({number(i, j), number(i, j + 1), number(i + 1, j + 1)});
+      soup.triangles.push_back({number(i, j), number(i + 1, j + 1), number(i + 1, j)});
+    }
+  return soup;
+}
+
+Soup together(Soup soup, const Soup& other) {
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  for(const auto& [a, b, c] : other.triangles)
+    soup.triangles.push_back({first + a, first + b, first + c});
+  return soup;
+}
+
+Soup moved(Soup soup, const Vector& by) {
+  for(auto& p : soup.points)
+    for(int d = 0; d < 3; ++d)
+      p[d] += by[d];
+  return soup;
+}
+
+// ---- skeletons
+
+std::size_t add_point(Graph& graph, const Vector& p, std::size_t component = 0) {
+  const auto v = add_vertex(graph);
+  graph[v].point = Mesh::Point(p[0], p[1], p[2]);
+  graph[v].component = component;
+  return v;
+}
+
+// Points along a line, as new vertices.
+void add_line(Graph& graph, const Line& line, bool is_closed, std::size_t component = 0) {
+  const std::size_t first = num_vertices(graph);
+  for(const Vector& p : line) {
+    const std::size_t v = add_point(graph, p, component);
+    if(v != first)
+      add_edge(v - 1, v, graph);
+  }
+  if(is_closed)
+    add_edge(num_vertices(graph) - 1, first, graph);
+}
+
+// Around the axis z, so many times, rising and falling so far to come back without meeting itself.
+Line wound(double radius, int times, double amplitude, int points, double spread = 0.) {
+  Line line;
+  for(int i = 0; i < points * times; ++i) {
+    const double t = 2. * 3.14159265358979 * i / points, s = t / times;
+    line.emplace_back((radius + spread * std::cos(s)) * std::cos(t),
+                      (radius + spread * std::cos(s)) * std::sin(t), amplitude * std::sin(s));
+  }
+  return line;
+}
+
+// Of the lines of `line`, without the point at the end that is the first once more.
+Line opened(Line line) {
+  line.pop_back();
+  return line;
+}
+
+Skeleton_certificate check(const Mesh& mesh, const Graph& graph) {
+  const auto pairs = find_loops(mesh);
+  const Skeleton_certificate certificate = CGAL::certify_curve_skeleton(mesh, graph, pairs);
+  const auto skeleton = skeleton_definitions::skeleton_of(graph);
+  const auto truth = skeleton_definitions::truth(mesh, skeleton, pairs);
+  EXPECT_EQ(certificate.connected, truth.is_connected) << certificate.failure;
+  EXPECT_EQ(certificate.inside, truth.is_inside) << certificate.failure;
+  EXPECT_EQ(certificate.embedded, truth.is_embedded) << certificate.failure;
+  EXPECT_EQ(certificate.basis, truth.is_basis) << certificate.failure;
+  EXPECT_EQ(certificate.failure.empty(), static_cast<bool>(certificate)) << certificate.failure;
+  std::set<skeleton_definitions::Edge> outside;
+  for(const auto& e : certificate.edges_outside)
+    outside.insert({e.edge.first, e.edge.second});
+  EXPECT_EQ(outside, truth.edges_outside);
+  return certificate;
+}
+
+void expect_failure(const Skeleton_certificate& certificate, const std::string& words) {
+  EXPECT_FALSE(certificate);
+  EXPECT_NE(certificate.failure.find(words), std::string::npos) << certificate.failure;
+}
+
+// ---- closed surfaces
+
+TEST(Skeleton_certificate, IsGivenForCenterLines) {
+  const Mesh ring = mesh_of(torus(2., 0.5, 8, 20));
+  Graph circle;
+  add_line(circle, wound(2., 1, 0., 30), true);
+  EXPECT_TRUE(check(ring, circle));
+  add_edge(0, add_point(circle, {2.2, 0., 0.}), circle); // a limb
+  EXPECT_TRUE(check(ring, circle));
+  const Mesh knot = mesh_of(trefoil_tube());
+  Graph trefoil_line;
+  add_line(trefoil_line, opened(trefoil()), true);
+  EXPECT_TRUE(check(knot, trefoil_line));
+  const Mesh ball = mesh_of(Recipe{"sphere", {200, 0, 0}});
+  Graph point;
+  add_point(point, {0.01, 0.02, 0.03});
+  EXPECT_TRUE(check(ball, point));
+}
+
+// A circle and a diameter: two handles.
+Mesh theta_surface() {
+  return mesh_of(surface_of(united(tube(circle({0, 0, 0}, {2, 0, 0}, {0, 2, 0}), 0.4),
+                                   tube({{-2, 0, 0}, {2, 0, 0}}, 0.4)),
+                            3., 0.25));
+}
+
+Graph theta_graph() {
+  Graph graph;
+  add_line(graph, wound(2., 1, 0., 40), true);
+  std::size_t last = 20;
+  for(const double x : {-1., 0.1, 1.}) {
+    const std::size_t v = add_point(graph, {x, 0.02, 0.});
+    add_edge(last, v, graph);
+    last = v;
+  }
+  add_edge(last, 0, graph);
+  return graph;
+}
+
+TEST(Skeleton_certificate, KnowsTwoHandles) {
+  const Mesh mesh = theta_surface();
+  EXPECT_TRUE(check(mesh, theta_graph()));
+  // Twice around the same hole: the cycles are dependent.
+  Graph twice;
+  add_line(twice, wound(2., 2, 0.1, 40, 0.1), true);
+  add_edge(0, 20, twice); // across the hole, but along the diameter
+  expect_failure(check(mesh, twice), "determinant of their linking numbers");
+}
+
+TEST(Skeleton_certificate, IsRefusedToLinesThatWindTwiceOrNotAtAll) {
+  const Mesh ring = mesh_of(torus(2., 0.7, 12, 24));
+  Graph twice;
+  add_line(twice, wound(2., 2, 0.2, 30, 0.2), true);
+  const Skeleton_certificate c = check(ring, twice);
+  EXPECT_TRUE(c.connected && c.inside && c.embedded);
+  expect_failure(c, "the 1 cycle are no basis: the determinant of their linking numbers with the "
+                    "handle loops is 2, not 1");
+  Graph small;
+  add_line(small, {{2., 0., 0.}, {2.2, 0., 0.1}, {2.1, 0.2, 0.}}, true);
+  expect_failure(check(ring, small), "is 0, not 1");
+  Graph tree;
+  add_line(tree, {{2., 0., 0.}, {2.2, 0., 0.1}}, false);
+  expect_failure(check(ring, tree), "has 0 cycles, and the genus is 1");
+  Graph pieces;
+  add_line(pieces, wound(2., 1, 0., 30), true);
+  add_point(pieces, {2.2, 0., 0.1});
+  expect_failure(check(ring, pieces), "is in 2 pieces");
+  expect_failure(check(ring, Graph()), "the skeleton is missing");
+}
+
+TEST(Skeleton_certificate, NamesEdgesThatLeave) {
+  const Mesh ring = mesh_of(torus(2., 0.5, 8, 20));
+  Graph chords;
+  add_line(chords, wound(2., 1, 0., 4), true);
+  const Skeleton_certificate c = check(ring, chords);
+  EXPECT_EQ(c.edges_outside.size(), 4u);
+  expect_failure(c, "edge 0-1 leaves through face ");
+  for(const auto& e : c.edges_outside) {
+    ASSERT_TRUE(e.face);
+    using namespace CGAL::Handle_tunnel_loops::internal;
+    Exact_triangle t;
+    int i = 0;
+    for(const auto v : CGAL::vertices_around_face(ring.halfedge(Mesh::Face_index(*e.face)), ring)) {
+      const auto& p = ring.point(v);
+      t[i++] = exact_point({p.x(), p.y(), p.z()});
+    }
+    const auto place = [&](std::size_t v) {
+      const auto& p = chords[v].point;
+      return exact_point({p.x(), p.y(), p.z()});
+    };
+    EXPECT_TRUE(do_meet(Exact_segment{place(e.edge.first), place(e.edge.second)}, t));
+  }
+  Graph far;
+  add_line(far, wound(5., 1, 0., 8), true);
+  const Skeleton_certificate d = check(ring, far);
+  expect_failure(d, "edge 0-1 lies outside");
+  EXPECT_FALSE(d.edges_outside[0].face);
+  Graph point;
+  add_point(point, {0., 0., 0.});
+  expect_failure(check(mesh_of(Recipe{"sphere", {200, 0, 0}}), far), "lies outside");
+  expect_failure(check(ring, point), "point 0 does not lie inside");
+}
+
+// To a vertex, to the middle of an edge, along an edge, along a face.
+TEST(Skeleton_certificate, IsRefusedWhereTheSurfaceIsTouched) {
+  const Mesh ring = mesh_of(torus(2., 0.5, 8, 20));
+  const auto at = [&](std::uint32_t v) {
+    const auto& p = ring.point(Mesh::Vertex_index(v));
+    return Vector(p.x(), p.y(), p.z());
+  };
+  for(const Line& limb :
+      {Line{at(0)}, Line{at(0), at(1)}, Line{0.5 * (at(0) + at(1))}, Line{at(0), at(8)}})
+  {
+    Graph graph;
+    add_line(graph, wound(2., 1, 0., 30), true);
+    std::size_t last = 0;
+    for(const Vector& p : limb) {
+      add_edge(last, add_point(graph, p), graph);
+      last = num_vertices(graph) - 1;
+    }
+    check(ring, graph);
+  }
+}
+
+TEST(Skeleton_certificate, NamesEdgesThatMeet) {
+  const Mesh ball = mesh_of(transformed(soup_of({"sphere", {400, 0, 0}}), 4., 0.));
+  const auto found = [&](const std::vector<Vector>& points,
+                         const std::vector<std::array<std::size_t, 2>>& edges) {
+    Graph graph;
+    for(const Vector& p : points)
+      add_point(graph, p);
+    for(const auto& [p, q] : edges)
+      add_edge(p, q, graph);
+    return check(ball, graph);
+  };
+  const Vector o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), xy(1, 1, 0), z(0, 0, 1);
+  EXPECT_TRUE(found({o, x, y, z}, {{0, 1}, {0, 2}, {0, 3}}));
+  EXPECT_TRUE(found({-x, o, x}, {{0, 1}, {1, 2}}));
+  // Across, from behind, upon each other, doubled, without length, at a point that is not common.
+  expect_failure(found({o, xy, x, y}, {{0, 1}, {1, 2}, {2, 3}}), "edge 0-1 meets edge 2-3");
+  expect_failure(found({o, 2. * x, x, z}, {{0, 1}, {0, 3}, {3, 2}}), "edge 0-1 meets edge 3-2");
+  expect_failure(found({o, x, 2. * x}, {{0, 1}, {0, 2}}), "edge 0-1 meets edge 0-2");
+  expect_failure(found({o, x, z}, {{0, 1}, {1, 2}, {0, 1}}), "edge 0-1 meets edge 0-1");
+  expect_failure(found({o, o, x}, {{0, 1}, {1, 2}}), "edge 0-1 has no length");
+  expect_failure(found({o, x, z, x}, {{0, 1}, {0, 2}, {2, 3}}), "edge 0-1 meets edge 2-3");
+  expect_failure(found({o, x, 0.5 * x}, {{0, 1}}), "edge 0-1 meets point 2");
+}
+
+// ---- several components
+
+// A ring with a hollow core: both components have a cycle, one beside the other.
+TEST(Skeleton_certificate, TakesEachComponentByItself) {
+  Soup core = torus(2., 0.3, 8, 24);
+  reverse_orientation(core);
+  const Mesh mesh = mesh_of(together(torus(2., 0.9, 12, 24), core));
+  const auto with = [&](double radius_of_outer, double radius_of_inner) {
+    Graph graph;
+    add_line(graph, wound(radius_of_outer, 1, 0., 40), true, 0);
+    add_line(graph, wound(radius_of_inner, 1, 0., 40), true, 1);
+    return check(mesh, graph);
+  };
+  EXPECT_TRUE(with(2.6, 2.));
+  EXPECT_TRUE(with(2.1, 2.)); // within the core it is inside, too
+  expect_failure(with(2., 2.6), "edge 40-41 lies outside of component 1");
+  expect_failure(with(2.27, 2.), "of component 1");
+  // Rings that are linked with each other.
+  const Mesh chain = mesh_of(linked_rings());
+  Graph rings;
+  const bool is_first = chain.point(Mesh::Vertex_index(0)).x() < -0.5;
+  add_line(rings, opened(circle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})), true, is_first ? 0 : 1);
+  add_line(rings, opened(circle({1, 0, 0}, {1, 0, 0}, {0, 0, 1})), true, is_first ? 1 : 0);
+  check(chain, rings);
+  Graph joined = rings;
+  add_edge(0, 60, joined);
+  expect_failure(check(chain, joined), "joins components");
+  for(const auto v : CGAL::make_range(vertices(rings)))
+    rings[v].component = 7;
+  expect_failure(CGAL::certify_curve_skeleton(chain, rings, find_loops(chain)),
+                 "is said to be of component 7, and the mesh has 2");
+}
+
+// ---- boundaries
+
+TEST(Skeleton_certificate, LetsInletsLieOnCaps) {
+  const Mesh mesh = mesh_of(pipe(4., 0.5, 9, 10));
+  const auto with = [&](const Line& line, bool are_inlets) {
+    Graph graph;
+    add_line(graph, line, false);
+    if(are_inlets)
+      graph[0].is_inlet = graph[num_vertices(graph) - 1].is_inlet = true;
+    return check(mesh, graph);
+  };
+  const Vector first(0, 0, 0), last(4, 0, 0);
+  // The middle of the curve is rounded in one way or the other.
+  EXPECT_TRUE(with({first, {2, 0.1, 0}, last}, true));
+  EXPECT_TRUE(with({first, last}, true));
+  EXPECT_TRUE(with({{0.1, 0, 0}, {3.9, 0, 0}}, false));
+  expect_failure(with({first, {2, 0, 0}, last}, false),
+                 "leaves through the cap of the boundary curve");
+  expect_failure(with({first, {0, 0.1, 0}, {2, 0.1, 0}, last}, true), "leaves through the cap");
+  expect_failure(with({first, {-1, 0, 0}, {-1, 1, 0}, {5, 1, 0}, {5, 0, 0}, last}, true),
+                 "outside");
+  CGAL::Handle_tunnel_loops::Skeleton_certificate c;
+  Graph graph;
+  add_line(graph, {{0.1, 0, 0}, {2, 0, 0}}, false);
+  graph[0].is_inlet = true;
+  expect_failure(CGAL::certify_curve_skeleton(mesh, graph, Pairs()), "point 0 is no inlet");
+}
+
+// A torus without the faces around a vertex; its faces may look inside.
+TEST(Skeleton_certificate, KnowsHandlesBesideBoundaries) {
+  Soup soup = torus(2., 0.5, 8, 20);
+  soup.triangles.erase(
+      std::remove_if(soup.triangles.begin(), soup.triangles.end(),
+                     [](const auto& t) { return t[0] == 0 || t[1] == 0 || t[2] == 0; }),
+      soup.triangles.end());
+  for(int i = 0; i < 2; ++i) {
+    const Mesh mesh = mesh_of(soup);
+    Graph graph;
+    add_line(graph, wound(2., 1, 0., 30), true);
+    const Skeleton_certificate c = CGAL::certify_curve_skeleton(mesh, graph, find_loops(mesh));
+    EXPECT_TRUE(c) << c.failure;
+    reverse_orientation(soup);
+  }
+}
+
+// ---- random lines
+
+// In a tube, and in part out of it: whatever they do is said as it is by definition.
+TEST(Skeleton_certificate, IsAsByDefinitionForRandomLines) {
+  const Mesh mesh = theta_surface();
+  std::mt19937 random(1);
+  std::normal_distribution<double> shift(0., 0.12);
+  for(int n = number_of_cases(40); n > 0; --n) {
+    Graph graph = theta_graph();
+    for(const auto v : CGAL::make_range(vertices(graph))) {
+      const auto& p = graph[v].point;
+      graph[v].point =
+          Mesh::Point(p.x() + shift(random), p.y() + shift(random), p.z() + shift(random));
+    }
+    check(mesh, graph);
+  }
+}
+
+// Small integers: in a plane, on a line, at one place.
+TEST(Exact_meeting, IsAsByDefinition) {
+  using namespace CGAL::Handle_tunnel_loops::internal;
+  namespace definitions = skeleton_definitions;
+  std::mt19937 random(2);
+  const auto place = [&random] {
+    std::uniform_int_distribution<int> number(-2, 2);
+    return CGAL::Handle_tunnel_loops::internal::Vector{
+        double(number(random)), double(number(random)), double(number(random)) / 2.};
+  };
+  for(int n = number_of_cases(20000); n > 0; --n) {
+    const auto a = place(), b = place(), c = place(), d = place(), e = place();
+    const Exact_segment s = {exact_point(a), exact_point(b)}, u = {exact_point(c), exact_point(d)};
+    const Exact_triangle t = {exact_point(c), exact_point(d), exact_point(e)};
+    const auto exact = [](const auto& p) { return definitions::exact_place({p[0], p[1], p[2]}); };
+    const definitions::Exact::Segment_3 exact_s(exact(a), exact(b)), exact_u(exact(c), exact(d));
+    const definitions::Exact::Triangle_3 exact_t(exact(c), exact(d), exact(e));
+    if(exact_s.is_degenerate())
+      continue;
+    if(!exact_u.is_degenerate()) {
+      EXPECT_EQ(do_meet(s, u), CGAL::do_intersect(exact_s, exact_u));
+    }
+    if(exact_t.is_degenerate())
+      continue;
+    EXPECT_EQ(do_meet(s, t), CGAL::do_intersect(exact_s, exact_t));
+    if(exact(e) == exact(a) || exact(e) == exact(b))
+      continue;
+    if(a != c) {
+      EXPECT_EQ(do_meet_beyond_corner(s[0], t),
+                definitions::leads_along(exact(c), exact(a), exact_t));
+    }
+  }
+}
+
+} // namespace test_skeleton_certificate
