@@ -82,11 +82,10 @@ bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {
                                   get(boost::vertex_index, mesh));
 }
 
-CGAL::Handle_tunnel_loops::Skeleton_certificate
-certify_skeleton(const Mesh& mesh,
-                 const Skeleton_lines& skeleton,
-                 const Pairs& pairs,
-                 const std::function<void()>& look) {
+Skeleton_proof certify_skeleton(const Mesh& mesh,
+                                const Skeleton_lines& skeleton,
+                                const Pairs& pairs,
+                                const std::function<void()>& look) {
   Watch_by_function watch(look);
   const auto execution =
       internal::execution_of<CGAL::Parallel_if_available_tag>().watched_by(watch);
@@ -95,12 +94,14 @@ certify_skeleton(const Mesh& mesh,
   const std::vector<internal::Vector> places = internal::places_of_vertices(execution, surface);
   internal::Flat_skeleton arrays = as_arrays(skeleton);
   internal::find_places(execution, surface.mesh, places, arrays);
-  auto certificate = internal::certify_skeleton(
+  Skeleton_proof proof;
+  proof.certificate = internal::certify_skeleton(
       execution, surface, places, vertex_index, get(boost::face_index, mesh), arrays, pairs,
       [&](internal::Index p) { return skeleton.names[p]; });
-  if(touches_itself_with_caps(execution, surface))
-    internal::note_self_contact(certificate);
-  return certificate;
+  proof.does_mesh_touch_itself = touches_itself_with_caps(execution, surface);
+  if(proof.does_mesh_touch_itself)
+    internal::note_self_contact(proof.certificate);
+  return proof;
 }
 
 } // namespace htloops

@@ -37,9 +37,16 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
 bool touches_itself(
     const Mesh& mesh, const std::function<void()>& look = [] {});
 
+/// What can be proved of a skeleton.
+struct Skeleton_proof
+{
+  CGAL::Handle_tunnel_loops::Skeleton_certificate certificate;
+  bool does_mesh_touch_itself; ///< then there is no inside, and the certificate says so
+};
+
 /// what can be proved of a skeleton, given the loops of its mesh. Components and inlets are found
 /// by their places if they are not known. Throws `Interrupted` soon after a signal.
-CGAL::Handle_tunnel_loops::Skeleton_certificate certify_skeleton(
+Skeleton_proof certify_skeleton(
     const Mesh& mesh,
     const Skeleton_lines& skeleton,
     const Pairs& pairs,

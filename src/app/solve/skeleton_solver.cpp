@@ -13,7 +13,6 @@
 #include "solve/certification.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/certify_curve_skeleton.h>
 #include <CGAL/curve_skeleton.h>
 
 #include <boost/graph/connected_components.hpp>
@@ -187,6 +186,19 @@ Pairs find_pairs(const Mesh& mesh, const Skeleton_options& options, Progress& pr
   return choose_backend("host").solve(mesh, how, progress).pairs;
 }
 
+Skeleton_lines lines_of(const Skeleton_graph& graph) {
+  Skeleton_lines lines;
+  for(const auto v : CGAL::make_range(vertices(graph))) {
+    lines.points.push_back(graph[v].point);
+    lines.names.push_back(std::to_string(v));
+    lines.components.push_back(graph[v].component);
+    lines.is_inlet.push_back(graph[v].is_inlet ? 1 : 0);
+  }
+  for(const auto e : CGAL::make_range(edges(graph)))
+    lines.edges.push_back({source(e, graph), target(e, graph)});
+  return lines;
+}
+
 void add_certificate(const Mesh& mesh,
                      const Skeleton_options& options,
                      Progress& progress,
@@ -194,18 +206,12 @@ void add_certificate(const Mesh& mesh,
   const Stopwatch stopwatch;
   const Pairs pairs = find_pairs(mesh, options, progress);
   progress.start("certificate");
-  answer.certificate = CGAL::certify_curve_skeleton<CGAL::Parallel_if_available_tag>(
-      mesh, answer.graph, pairs, CGAL::parameters::callback(progress.callback()));
-  answer.does_mesh_touch_itself = touches_itself(mesh, [&progress] {
+  Skeleton_proof proof = certify_skeleton(mesh, lines_of(answer.graph), pairs, [&progress] {
     if(!progress.update(1.))
       throw CGAL::Handle_tunnel_loops::Interrupted_exception();
   });
-  if(answer.does_mesh_touch_itself) {
-    answer.certificate->inside = answer.certificate->basis = false;
-    answer.certificate->failure =
-        "the mesh crosses or touches itself: where it does, there is no inside\n" +
-        answer.certificate->failure;
-  }
+  answer.certificate = std::move(proof.certificate);
+  answer.does_mesh_touch_itself = proof.does_mesh_touch_itself;
   answer.certificate_seconds = stopwatch.seconds();
 }
 
