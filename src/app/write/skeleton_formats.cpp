@@ -220,7 +220,9 @@ void write_skeleton_obj(Text_writer& out, const Skeleton_answer& answer) {
   }
 }
 
-void check_skeleton_graph_format(const std::string& file) { check_format(file, skeleton_graph_formats); }
+void check_skeleton_graph_format(const std::string& file) {
+  check_format(file, skeleton_graph_formats);
+}
 
 void write_skeleton_graph(const std::string& file, const Skeleton_answer& answer) {
   write_file(file, skeleton_graph_formats, answer);

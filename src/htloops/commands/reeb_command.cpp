@@ -115,8 +115,10 @@ void write_files(const Reeb_command_options& options,
     export_coloured_mesh(options.parts_file, mesh, answer);
   if(!options.picture.file.empty() || !options.gltf_file.empty()) {
     Exported_lines lines = lines_of(answer);
-    for(Exported_line& line : lines.lines)
+    for(Exported_line& line : lines.lines) {
       line.colour = {30, 30, 30}; // what differs from arc to arc is the surface around them
+      line.width = 1.4;
+    }
     const std::vector<Colour> tints = tints_of(answer);
     Drawn_surface surface =
         drawn_surface(arc_surface(mesh, answer), [&tints](std::size_t arc) { return tints[arc]; });

@@ -112,9 +112,10 @@ void run(const Skeleton_command_options& options) {
     show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds),
               is_output_taken(options));
   if(answer.certificate && !*answer.certificate && !answer.does_mesh_touch_itself)
-    throw Failure(Exit_code::NOT_CERTIFIED,
-                  "the skeleton of " + options.mesh_file +
-                      " fails its certificate:" + indented(lines_of(answer.certificate->failure)));
+    throw Failure(
+        Exit_code::NOT_CERTIFIED,
+        "the skeleton of " + options.mesh_file + " fails its certificate" +
+            (options.is_quiet ? ":" + indented(lines_of(answer.certificate->failure)) : ""));
 }
 
 void add_output_options(CLI::App& command, Skeleton_command_options& options) {
