@@ -88,27 +88,23 @@ void add_arcs(const Skeleton_answer& answer, py::dict& record) {
 
 using Ends = std::pair<std::size_t, std::size_t>;
 
-py::object record_of_proof(const std::optional<Skeleton_certificate>& certificate) {
-  if(!certificate)
-    return py::none();
+py::dict record_of_proof(const Skeleton_certificate& certificate) {
   std::vector<Ends> outside;
-  for(const auto& edge : certificate->edges_outside)
+  for(const auto& edge : certificate.edges_outside)
     outside.push_back(edge.edge);
-  return py::dict("connected"_a = certificate->connected, "inside"_a = certificate->inside,
-                  "embedded"_a = certificate->embedded, "basis"_a = certificate->basis,
-                  "failure"_a = certificate->failure, "edges_outside"_a = outside);
+  return py::dict("connected"_a = certificate.connected, "inside"_a = certificate.inside,
+                  "embedded"_a = certificate.embedded, "basis"_a = certificate.basis,
+                  "failure"_a = certificate.failure, "edges_outside"_a = outside);
 }
 
 py::dict curve_skeleton(const py::array& points,
                         const py::array& triangles,
                         double shortest_limb,
-                        bool certify,
                         int threads,
                         Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Skeleton_options options;
   options.shortest_limb = shortest_limb;
-  options.do_certify = certify;
   Skeleton_answer answer;
   std::vector<std::size_t> arcs;
   compute(threads, watch, [&] {
@@ -118,7 +114,7 @@ py::dict curve_skeleton(const py::array& points,
   const auto& statistics = answer.statistics;
   py::dict record("point_of_vertex"_a = array_of(signed_numbers(answer.vertex_point)),
                   "arc_of_vertex"_a = array_of(signed_numbers(arcs)),
-                  "certificate"_a = record_of_proof(answer.certificate),
+                  "certificate"_a = record_of_proof(answer.certificate()),
                   "counts"_a = py::dict("faces"_a = statistics.number_of_faces,
                                         "components"_a = statistics.number_of_components,
                                         "boundaries"_a = statistics.number_of_boundaries,
@@ -154,9 +150,7 @@ Skeleton_graph graph_of(const py::dict& record) {
   return graph;
 }
 
-std::optional<Skeleton_certificate> certificate_of(const py::dict& record) {
-  if(record["certificate"].is_none())
-    return std::nullopt;
+Skeleton_certificate certificate_of(const py::dict& record) {
   const py::dict told = record["certificate"];
   Skeleton_certificate certificate;
   certificate.connected = told["connected"].cast<bool>();
@@ -174,7 +168,7 @@ Skeleton_answer answer_of(const py::dict& record) {
   Skeleton_answer answer;
   answer.graph = graph_of(record);
   answer.arcs = htloops::arcs_of(answer.graph);
-  answer.certificate = certificate_of(record);
+  answer.statistics.certificate = certificate_of(record);
   for(const std::int64_t point : numbers_of<std::int64_t>(record, "point_of_vertex"))
     answer.vertex_point.push_back(point < 0 ? Skeleton_answer::none
                                             : static_cast<std::size_t>(point));

@@ -57,7 +57,6 @@ def curve_skeleton(
     points: np.ndarray,
     triangles: np.ndarray,
     shortest_limb: float,
-    certify: bool,
     threads: int,
     watch: Watch,
 ) -> _Record: ...

@@ -60,11 +60,8 @@ class CurveSkeleton:
         self.arc_of_vertex: np.ndarray = record["arc_of_vertex"]  #: by vertex; -1 if on none
         self.number_of_cycles: int = record["number_of_cycles"]  #: independent ones
         self.genus: int = record["counts"]["genus"]  #: of the surface, summed over its components
-        proved = record["certificate"]
-        #: what has been proved; None if that was not asked for
-        self.certificate: Optional[SkeletonCertificate] = (
-            None if proved is None else SkeletonCertificate(**proved)
-        )
+        #: what has been proved
+        self.certificate = SkeletonCertificate(**record["certificate"])
 
     def __repr__(self) -> str:
         return (
@@ -110,9 +107,8 @@ class CurveSkeleton:
 def curve_skeleton(
     V: Any,
     F: Any = None,
-    shortest_limb: float = 1.0,
+    shortest_limb: float = 2.0,
     *,
-    certify: bool = True,
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> CurveSkeleton:
@@ -124,9 +120,8 @@ def curve_skeleton(
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    shortest_limb : limbs that reach less far than so many times the radius at their base are left out;
-        cycles never are
-    certify : whether anything is to be proved
+    shortest_limb : limbs that are shorter than so many times their mean radius are left out; cycles
+        never are
     threads, progress : as for `loops`
     """
     points, triangles = arrays(V, F)
@@ -141,7 +136,6 @@ def curve_skeleton(
             points,
             triangles,
             limb,
-            bool(certify),
             threads_of(threads),
         )
     )

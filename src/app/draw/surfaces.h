@@ -77,7 +77,7 @@ struct Drawn_surface
 };
 
 /// of a surface in pages and models, if lines are inside.
-constexpr double opacity_around_bones = 0.4;
+constexpr double opacity_around_bones = 0.5;
 
 Drawn_surface drawn_surface(const Mesh& mesh);
 

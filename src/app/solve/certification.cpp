@@ -82,10 +82,11 @@ bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {
                                   get(boost::vertex_index, mesh));
 }
 
-Skeleton_proof certify_skeleton(const Mesh& mesh,
-                                const Skeleton_lines& skeleton,
-                                const Pairs& pairs,
-                                const std::function<void()>& look) {
+CGAL::Handle_tunnel_loops::Skeleton_certificate
+certify_skeleton(const Mesh& mesh,
+                 const Skeleton_lines& skeleton,
+                 const Pairs& pairs,
+                 const std::function<void()>& look) {
   Watch_by_function watch(look);
   const auto execution =
       internal::execution_of<CGAL::Parallel_if_available_tag>().watched_by(watch);
@@ -94,14 +95,26 @@ Skeleton_proof certify_skeleton(const Mesh& mesh,
   const std::vector<internal::Vector> places = internal::places_of_vertices(execution, surface);
   internal::Flat_skeleton arrays = as_arrays(skeleton);
   internal::find_places(execution, surface.mesh, places, arrays);
-  Skeleton_proof proof;
-  proof.certificate = internal::certify_skeleton(
+  auto certificate = internal::certify_skeleton(
       execution, surface, places, vertex_index, get(boost::face_index, mesh), arrays, pairs,
       [&](internal::Index p) { return skeleton.names[p]; });
-  proof.does_mesh_touch_itself = touches_itself_with_caps(execution, surface);
-  if(proof.does_mesh_touch_itself)
-    internal::note_self_contact(proof.certificate);
-  return proof;
+  if(touches_itself_with_caps(execution, surface))
+    internal::note_self_contact(certificate);
+  return certificate;
+}
+
+bool note_self_contact(const Mesh& mesh,
+                       CGAL::Handle_tunnel_loops::Skeleton_certificate& certificate,
+                       const std::function<void()>& look) {
+  Watch_by_function watch(look);
+  const auto execution =
+      internal::execution_of<CGAL::Parallel_if_available_tag>().watched_by(watch);
+  const Prepared_mesh surface(execution, mesh, get(boost::vertex_index, mesh),
+                              get(CGAL::vertex_point, mesh));
+  const bool touches_itself = touches_itself_with_caps(execution, surface);
+  if(touches_itself)
+    internal::note_self_contact(certificate);
+  return touches_itself;
 }
 
 } // namespace htloops

@@ -37,19 +37,19 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
 bool touches_itself(
     const Mesh& mesh, const std::function<void()>& look = [] {});
 
-/// What can be proved of a skeleton.
-struct Skeleton_proof
-{
-  CGAL::Handle_tunnel_loops::Skeleton_certificate certificate;
-  bool does_mesh_touch_itself; ///< then there is no inside, and the certificate says so
-};
-
 /// what can be proved of a skeleton, given the loops of its mesh. Components and inlets are found
 /// by their places if they are not known. Throws `Interrupted` soon after a signal.
-Skeleton_proof certify_skeleton(
+CGAL::Handle_tunnel_loops::Skeleton_certificate certify_skeleton(
     const Mesh& mesh,
     const Skeleton_lines& skeleton,
     const Pairs& pairs,
+    const std::function<void()>& look = [] {});
+
+/// whether a mesh, with the caps that close its boundary curves, touches itself; what means nothing
+/// then is taken back from a certificate. Throws `Interrupted` soon after a signal.
+bool note_self_contact(
+    const Mesh& mesh,
+    CGAL::Handle_tunnel_loops::Skeleton_certificate& certificate,
     const std::function<void()>& look = [] {});
 
 } // namespace htloops

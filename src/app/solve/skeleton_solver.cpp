@@ -9,7 +9,6 @@
 
 #include "solve/skeleton_solver.h"
 
-#include "solve/backends.h"
 #include "solve/certification.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
@@ -178,43 +177,6 @@ std::vector<std::size_t> points_of_vertices(const Mesh& mesh, const Skeleton_gra
   return points;
 }
 
-// The handle loops, which tell what cycles have to be linked with, need not be the shortest.
-Pairs find_pairs(const Mesh& mesh, const Skeleton_options& options, Progress& progress) {
-  Solve_options how;
-  how.number_of_threads = options.number_of_threads;
-  how.search_effort = 0.;
-  return choose_backend("host").solve(mesh, how, progress).pairs;
-}
-
-Skeleton_lines lines_of(const Skeleton_graph& graph) {
-  Skeleton_lines lines;
-  for(const auto v : CGAL::make_range(vertices(graph))) {
-    lines.points.push_back(graph[v].point);
-    lines.names.push_back(std::to_string(v));
-    lines.components.push_back(graph[v].component);
-    lines.is_inlet.push_back(graph[v].is_inlet ? 1 : 0);
-  }
-  for(const auto e : CGAL::make_range(edges(graph)))
-    lines.edges.push_back({source(e, graph), target(e, graph)});
-  return lines;
-}
-
-void add_certificate(const Mesh& mesh,
-                     const Skeleton_options& options,
-                     Progress& progress,
-                     Skeleton_answer& answer) {
-  const Stopwatch stopwatch;
-  const Pairs pairs = find_pairs(mesh, options, progress);
-  progress.start("certificate");
-  Skeleton_proof proof = certify_skeleton(mesh, lines_of(answer.graph), pairs, [&progress] {
-    if(!progress.update(1.))
-      throw CGAL::Handle_tunnel_loops::Interrupted_exception();
-  });
-  answer.certificate = std::move(proof.certificate);
-  answer.does_mesh_touch_itself = proof.does_mesh_touch_itself;
-  answer.certificate_seconds = stopwatch.seconds();
-}
-
 // For a point that two arcs or more leave: the unit vectors to where they leave its ball.
 class Arcs_at_points
 {
@@ -281,9 +243,12 @@ find_skeleton(const Mesh& mesh, const Skeleton_options& options, Progress& progr
       CGAL::parameters::skeleton_options(how, CGAL::parameters::callback(progress.callback())));
   answer.vertex_point = points_of_vertices(mesh, answer.graph);
   answer.arcs = arcs_of(answer.graph);
-  answer.skeleton_seconds = stopwatch.seconds();
-  if(options.do_certify)
-    add_certificate(mesh, options, progress, answer);
+  answer.does_mesh_touch_itself =
+      note_self_contact(mesh, answer.statistics.certificate, [&progress] {
+        if(!progress.update(1.))
+          throw CGAL::Handle_tunnel_loops::Interrupted_exception();
+      });
+  answer.total_seconds = stopwatch.seconds();
   progress.end();
   return answer;
 }

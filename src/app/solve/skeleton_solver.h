@@ -51,16 +51,17 @@ struct Skeleton_answer
   std::vector<std::size_t> vertex_point; ///< by vertex of the mesh
   std::vector<Skeleton_arc> arcs;
   CGAL::Handle_tunnel_loops::Skeleton_statistics statistics;
-  std::optional<Skeleton_certificate> certificate; ///< none if not asked for
-  bool does_mesh_touch_itself = false;             ///< then there is no inside to prove
+  bool does_mesh_touch_itself = false; ///< then there is no inside to prove
   int number_of_threads = 1;
-  double skeleton_seconds = 0., certificate_seconds = 0.; ///< without reading and writing
+  double total_seconds = 0.; ///< without reading and writing
+
+  /// what has been proved.
+  const Skeleton_certificate& certificate() const { return statistics.certificate; }
 };
 
 /// How a skeleton is computed.
 struct Skeleton_options : CGAL::Handle_tunnel_loops::Skeleton_options
 {
-  bool do_certify = true;
   int number_of_threads = 0; ///< 0: as many as the machine has
 };
 

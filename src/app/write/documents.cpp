@@ -397,12 +397,12 @@ void write_skeleton_json(const std::string& file,
   out.member("options", run.options);
   out.member("threads", answer.number_of_threads);
   out.member("timings", {{"read", run.read_seconds},
-                         {"skeleton", answer.skeleton_seconds},
-                         {"certificate", answer.certificate_seconds}});
+                         {"loops", answer.statistics.seconds_of_loops},
+                         {"skeleton", answer.statistics.seconds_of_skeleton},
+                         {"total", answer.total_seconds}});
   out.member("balls", answer.statistics.number_of_balls);
   out.member("cycles", number_of_cycles(graph));
-  if(answer.certificate)
-    out.member("certificate", json_of(*answer.certificate));
+  out.member("certificate", json_of(answer.certificate()));
   out.array("points", points, [&](auto v) { return json_of_point(graph[v].point); });
   out.member("radii", array_of(points, [&](auto v) { return graph[v].radius; }));
   out.array("edges", CGAL::make_range(edges(graph)), [&](auto e) {

@@ -180,20 +180,18 @@ std::string words_of_proof(const Skeleton_answer& answer) {
 
 // What has been proved, or why it has not.
 std::string words_of_certificate(const Skeleton_answer& answer) {
-  if(!answer.certificate)
-    return "nothing is proved, as asked for\n";
-  if(*answer.certificate)
+  if(answer.certificate())
     return words_of_proof(answer);
   constexpr std::size_t most_lines = 5;
-  const std::vector<std::string> failures = lines_of(answer.certificate->failure);
+  const std::vector<std::string> failures = lines_of(answer.certificate().failure);
   std::string text = "not certified:\n";
   for(std::size_t i = 0; i < (std::min)(failures.size(), most_lines); ++i)
     text += "  " + failures[i] + "\n";
   if(failures.size() > most_lines)
     text += "  and " + std::to_string(failures.size() - most_lines) + " more such lines\n";
   const std::size_t edges = num_edges(answer.graph);
-  return text + std::to_string(edges - answer.certificate->edges_outside.size()) + " of " +
-         counted(edges, "edge meets", "edges meet") + " no face\n";
+  return text + "of " + counted(edges, "edge ", "edges ") +
+         std::to_string(edges - answer.certificate().edges_outside.size()) + " lie inside\n";
 }
 
 constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
@@ -446,11 +444,10 @@ std::string summary(const Skeleton_answer& answer, double read_seconds) {
   text += ": " + counted(answer.arcs.size(), "arc", "arcs") + ", " +
           counted(number_of_cycles(answer.graph), "cycle", "cycles") +
           words_of_nodes(answer.graph) + "\n" + words_of_certificate(answer) +
-          formatted("%.2f s", answer.skeleton_seconds);
-  if(answer.certificate)
-    text += formatted(" and %.2f s for the certificate,", answer.certificate_seconds);
-  return text + formatted(" after %.2f s of reading, ", read_seconds) +
-         counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
+          formatted("%.2f s, loops %.2f s of them, after %.2f s of reading, ", answer.total_seconds,
+                    answer.statistics.seconds_of_loops, read_seconds);
+  return text + counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") +
+         "\n";
 }
 
 void write_arc_csv(const std::string& target, const Skeleton_answer& answer) {

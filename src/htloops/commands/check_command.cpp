@@ -111,8 +111,8 @@ void check_skeleton(const Check_options& options, const Mesh& mesh, const Input_
     require_none(options.loops_file, {mesh_difference(*record.mesh_size, size)});
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   const Answer loops = host_backend.solve(mesh, Solve_options(), bar);
-  const auto proof = certify_skeleton(mesh, record.lines, loops.pairs, throw_if_interrupted);
-  require_none(options.loops_file, lines_of(proof.certificate.failure));
+  const auto certificate = certify_skeleton(mesh, record.lines, loops.pairs, throw_if_interrupted);
+  require_none(options.loops_file, lines_of(certificate.failure));
   if(!options.is_quiet)
     show_text(options.loops_file + ": " + praise_of_skeleton(record.lines, loops.statistics.genus) +
                   "\n",

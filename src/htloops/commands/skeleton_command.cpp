@@ -35,7 +35,6 @@ struct Skeleton_command_options : Common_options
   bool show_all = false;
   bool has_tubes = false;
   Skeleton_options skeleton;
-  bool do_not_certify = false;
 };
 
 void check_options(const Skeleton_command_options& options) {
@@ -48,7 +47,6 @@ void check_options(const Skeleton_command_options& options) {
 
 Skeleton_answer solve(const Mesh& mesh, const Skeleton_command_options& options) {
   Skeleton_options how = options.skeleton;
-  how.do_certify = !options.do_not_certify;
   how.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   return find_skeleton(mesh, how, bar);
@@ -111,11 +109,11 @@ void run(const Skeleton_command_options& options) {
   if(!options.is_quiet)
     show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds),
               is_output_taken(options));
-  if(answer.certificate && !*answer.certificate && !answer.does_mesh_touch_itself)
+  if(!answer.certificate() && !answer.does_mesh_touch_itself)
     throw Failure(
         Exit_code::NOT_CERTIFIED,
         "the skeleton of " + options.mesh_file + " fails its certificate" +
-            (options.is_quiet ? ":" + indented(lines_of(answer.certificate->failure)) : ""));
+            (options.is_quiet ? ":" + indented(lines_of(answer.certificate().failure)) : ""));
 }
 
 void add_output_options(CLI::App& command, Skeleton_command_options& options) {
@@ -139,13 +137,11 @@ void add_computation_options(CLI::App& command, Skeleton_command_options& option
   command.option_defaults()->group("How to compute");
   command
       .add_option("--shortest-limb", options.skeleton.shortest_limb,
-                  "limbs that reach less far than K times the radius at their base are left\n"
-                  "out, cycles never; default: 1")
+                  "limbs that are shorter than K times their mean radius are left out, cycles\n"
+                  "never; default: 2")
       ->option_text("K")
       ->check(CLI::NonNegativeNumber)
       ->check(why_not_finite);
-  command.add_flag("--no-certificate", options.do_not_certify,
-                   "prove nothing, which takes loops of the mesh to be found");
   add_threads_option(command, options);
 }
 

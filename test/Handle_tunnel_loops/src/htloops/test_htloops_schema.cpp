@@ -179,16 +179,11 @@ TEST(Skeleton_schema, fits_what_is_written) {
   for(::Soup soup : {soup_of(Recipe{"multi-torus", {3000, 3, 0}}), soup_with_holes()}) {
     soup.points.push_back({0., 0., 0.}); // without faces
     const Mesh mesh = mesh_of<Mesh>(soup);
-    for(const bool do_certify : {true, false}) {
-      Skeleton_options options;
-      options.do_certify = do_certify;
-      write_skeleton_json(folder.path("a.json"), find_skeleton(mesh, options, told),
-                          {"a.off", {{"shortest_limb", 1.}}, 0.5});
-      document = json::parse(folder.read("a.json"));
-      schema.expect_fits(document);
-      EXPECT_TRUE(document["vertex_point"].back().is_null());
-      EXPECT_EQ(document.contains("certificate"), do_certify);
-    }
+    write_skeleton_json(folder.path("a.json"), find_skeleton(mesh, {}, told),
+                        {"a.off", {{"shortest_limb", 1.}}, 0.5});
+    document = json::parse(folder.read("a.json"));
+    schema.expect_fits(document);
+    EXPECT_TRUE(document["vertex_point"].back().is_null());
   }
   schema.expect_refuses(document, {[](json& d) { d["version"] = 2; },
                                    [](json& d) { d["points"][0].erase(0); },
