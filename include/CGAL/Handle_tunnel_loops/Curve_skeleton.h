@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Skeleton_certificate.h>
+
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -74,9 +76,9 @@ namespace Handle_tunnel_loops {
 /// What a skeleton is to be like: the value of the named parameter `skeleton_options`.
 struct Skeleton_options
 {
-  /// limbs are left out that reach less far out of the ball around the place where they begin than
-  /// this many times the radius of that ball; not negative. Cycles never are.
-  double shortest_limb = 1.;
+  /// limbs are left out that are shorter than this many times their own mean radius, which is their
+  /// mean girth over two pi; not negative. Cycles never are.
+  double shortest_limb = 2.;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
@@ -89,6 +91,11 @@ struct Skeleton_statistics
   std::size_t number_of_boundaries = 0; ///< boundary curves of the mesh
   std::size_t genus = 0;                ///< sum over the components
   std::size_t number_of_balls = 0;      ///< that the skeleton was chosen from
+  double seconds_of_loops = 0.;         ///< for a basis of loops, which cycles are chosen by
+  double seconds_of_skeleton = 0.;      ///< for all else
+
+  /// what has been proved of the skeleton, by the loops.
+  Skeleton_certificate certificate;
 };
 
 } // namespace Handle_tunnel_loops

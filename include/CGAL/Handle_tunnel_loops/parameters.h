@@ -50,6 +50,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_layer_map_t, vertex_layer_map, ver
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_value_map_t, vertex_value_map, vertex_value_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(source_vertices_t, source_vertices, source_vertices)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(reeb_options_t, reeb_options, reeb_options)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(skeleton_options_t, skeleton_options, skeleton_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map_t, vertex_arc_map, vertex_arc_map)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(removal_options_t, removal_options, removal_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(known_loops_t, known_loops, known_loops)

@@ -70,12 +70,16 @@ public:
     length_of_pieces_ = 4. * sum / static_cast<double>((std::max)(count, std::size_t(1)));
   }
 
+  std::size_t size() const { return faces_.size(); }
   const Corners& corners(Index face) const { return faces_[face]; }
 
   Triangle triangle(Index face) const {
     const Corners& v = faces_[face];
     return {points_[v[0]], points_[v[1]], points_[v[2]]};
   }
+
+  /// the boxes around the faces.
+  const Box_tree<3>& tree() const { return tree_; }
 
   /// whether `f(face)` holds for any face that is near a segment: its box meets that of one of the
   /// pieces into which a long one is divided.

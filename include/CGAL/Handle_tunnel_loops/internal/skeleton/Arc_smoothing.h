@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_ARC_SMOOTHING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_ARC_SMOOTHING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/*!
+Draws the arcs of a skeleton as a person would: smooth, and in the middle.
+
+Each bend stays within a part of its ball, so that a smooth arc is inside if its bends are close
+together; and is moved to the middle across the arc. Where an arc still leaves the solid it is left
+as it was.
+*/
+class Arc_smoothing
+{
+public:
+  using Balls = std::vector<Inner_ball>;
+
+  Arc_smoothing(const Wall& wall, const Inner_balls& balls)
+      : wall_(wall)
+      , balls_(balls) {}
+
+  /// an arc by the balls along it, of which the first and the last stay where they are; the same
+  /// for a cycle, which is open at its first place.
+  Balls operator()(const Balls& arc) const {
+    Balls smooth = with_bends(arc);
+    make_smooth(smooth);
+    for(int round = 0; round < rounds_of_centring; ++round) {
+      make_central(smooth);
+      make_smooth(smooth);
+    }
+    measure(smooth);
+    smooth = without_needless_bends(smooth);
+    return is_inside(smooth) ? smooth : arc;
+  }
+
+private:
+  static constexpr int rounds_of_smoothing = 12, rounds_of_centring = 2;
+  static constexpr double mobility = 0.25; // of a bend, in its radius
+  static constexpr double spacing = 0.5;   // of bends, in their radius
+
+  Balls with_bends(const Balls& arc) const {
+    constexpr double most = 16.;
+    Balls all = {arc.front()};
+    for(std::size_t i = 1; i < arc.size(); ++i) {
+      const Inner_ball &a = arc[i - 1], &b = arc[i];
+      const double length = norm(b.centre - a.centre), radius = (std::max)(a.radius, b.radius);
+      const int n = static_cast<int>(
+          (std::min)(most, radius > 0. ? std::ceil(length / (spacing * radius)) : 1.));
+      for(int k = 1; k < n; ++k) {
+        const double t = double(k) / n;
+        const Vector p = (1. - t) * a.centre + t * b.centre;
+        const double limit = (std::min)(a.radius + t * length, b.radius + (1. - t) * length);
+        all.push_back({p, wall_.nearest(p, limit).distance});
+      }
+      all.push_back(b);
+    }
+    return all;
+  }
+
+  static void make_smooth(Balls& arc) {
+    std::vector<Vector> points;
+    for(const Inner_ball& ball : arc)
+      points.push_back(ball.centre);
+    for(int round = 0; round < rounds_of_smoothing; ++round)
+      for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
+        const Vector target = 0.5 * (points[i - 1] + points[i + 1]);
+        points[i] = near_centre(arc[i], 0.5 * (points[i] + target));
+      }
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
+      arc[i].radius -= norm(points[i] - arc[i].centre); // at least so large
+      arc[i].centre = points[i];
+    }
+  }
+
+  static Vector near_centre(const Inner_ball& ball, const Vector& p) {
+    const Vector off = p - ball.centre;
+    const double distance = norm(off), most = mobility * ball.radius;
+    return distance > most ? ball.centre + (most / distance) * off : p;
+  }
+
+  // Moves bends across the arc, towards the middles of larger balls.
+  void make_central(Balls& arc) const {
+    const Balls before = arc;
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
+      const Vector along = before[i + 1].centre - before[i - 1].centre;
+      const double length = norm(along);
+      const Inner_ball larger = balls_.pushed({before[i].centre, 2. * before[i].radius});
+      if(!(length > 0.) || !(larger.radius > 0.))
+        continue;
+      const Vector tangent = (1. / length) * along, way = larger.centre - before[i].centre,
+                   across = way - dot(way, tangent) * tangent;
+      constexpr double most = 0.5;
+      const double distance = norm(across), far_enough = most * before[i].radius;
+      const Vector step = distance > far_enough ? (far_enough / distance) * across : across;
+      const Vector p = before[i].centre + step;
+      const double radius = wall_.nearest(p, 2. * larger.radius).distance;
+      if(radius > before[i].radius)
+        arc[i] = {p, radius};
+    }
+  }
+
+  void measure(Balls& arc) const {
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i)
+      arc[i].radius = wall_.nearest(arc[i].centre, 2. * arc[i].radius).distance;
+  }
+
+  // Leaves out bends that are on the way, or so close to the next that they make no difference.
+  static Balls without_needless_bends(const Balls& arc) {
+    constexpr double flatness = 0.02, least_spacing = 0.3, most_spacing = 2.;
+    Balls kept = {arc.front()};
+    std::size_t last = 0;
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
+      const double length = norm(arc[i + 1].centre - arc[last].centre), radius = arc[i].radius;
+      const bool is_straight =
+          length < most_spacing * radius && deviation(arc, last, i + 1) < flatness * radius;
+      if(!is_straight && norm(arc[i].centre - arc[last].centre) > least_spacing * radius) {
+        kept.push_back(arc[i]);
+        last = i;
+      }
+    }
+    kept.push_back(arc.back());
+    return kept;
+  }
+
+  // Of the places between two from the segment between these.
+  static double deviation(const Balls& arc, std::size_t first, std::size_t last) {
+    const Vector a = arc[first].centre, way = arc[last].centre - a;
+    const double square = dot(way, way);
+    double most = 0.;
+    for(std::size_t i = first + 1; i < last; ++i) {
+      const Vector off = arc[i].centre - a;
+      const double t = square > 0. ? (std::max)(0., (std::min)(1., dot(off, way) / square)) : 0.;
+      most = (std::max)(most, norm(off - t * way));
+    }
+    return most;
+  }
+
+  bool is_inside(const Balls& arc) const {
+    for(std::size_t i = 1; i < arc.size(); ++i)
+      if(wall_.meets(arc[i - 1].centre, arc[i].centre))
+        return false;
+    return true;
+  }
+
+  const Wall& wall_;
+  const Inner_balls& balls_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_ARC_SMOOTHING_H

@@ -1,0 +1,287 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_BALL_GRAPH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_BALL_GRAPH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Way_along_wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// A graph inside a surface: balls and segments between their centres.
+struct Ball_graph
+{
+  using Edge = std::array<Index, 2>;
+
+  std::vector<Inner_ball> balls;
+  std::vector<Index> component;         ///< by ball
+  std::vector<char> is_inlet;           ///< by ball, whether it is only a place: the hub of a cap
+  std::vector<Edge> edges;              ///< the smaller number first, sorted
+  std::vector<Index> ball_of_sample;    ///< by sample
+  std::vector<Index> row_begin, beside; ///< the edges at a ball
+
+  /// calls `f(ball, edge)` for what is beside a ball.
+  template <typename Function> void for_each_beside(Index ball, const Function& f) const {
+    for(Index i = row_begin[ball]; i < row_begin[ball + 1]; ++i) {
+      const Edge& edge = edges[beside[i]];
+      f(edge[0] == ball ? edge[1] : edge[0], beside[i]);
+    }
+  }
+  double length(Index edge) const {
+    return norm(balls[edges[edge][1]].centre - balls[edges[edge][0]].centre);
+  }
+
+  /// sorts the edges and finds those at each ball.
+  void link() {
+    for(Edge& e : edges)
+      if(e[0] > e[1])
+        std::swap(e[0], e[1]);
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    row_begin.assign(balls.size() + 1, 0);
+    for(const Edge& e : edges)
+      for(Index v : e)
+        ++row_begin[v + 1];
+    std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
+    std::vector<Index> next(row_begin.begin(), row_begin.end() - 1);
+    beside.resize(2 * edges.size());
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      for(Index v : edges[i])
+        beside[next[v]++] = static_cast<Index>(i);
+  }
+};
+
+/*!
+Builds the graph of the balls of samples. Of balls with nearly the same centre the largest stays.
+Two are joined if regions of their samples meet: by a segment if that is inside, which it is if the
+balls overlap; or else by way of places nearer to the surface, where the two are beside each other.
+*/
+class Ball_graph_builder
+{
+public:
+  Ball_graph_builder(Execution execution,
+                     const Wall& wall,
+                     const Surface_pieces& pieces,
+                     const Inner_balls& balls,
+                     const Surface_samples& samples)
+      : execution_(execution)
+      , wall_(wall)
+      , pieces_(pieces)
+      , balls_(balls)
+      , samples_(samples) {}
+
+  Ball_graph build() {
+    choose_balls();
+    join_neighbors();
+    graph_.link();
+    return std::move(graph_);
+  }
+
+  /// adds closed ways along the wall by these pieces to a graph that has been built.
+  void add_ways_along_wall(const std::vector<std::vector<Index>>& paths, Ball_graph& graph) {
+    graph_ = std::move(graph);
+    for(const std::vector<Index>& path : paths) {
+      const Index sample = samples_.region(path.front());
+      const std::vector<Vector> around = way_along_wall_.around(path);
+      if(around.empty())
+        continue;
+      std::vector<Vector> way = balls_.way(place(sample), face(sample));
+      std::reverse(way.begin(), way.end());
+      Index last = append(graph_.ball_of_sample[sample], way);
+      const Index first = last = append(last, {around.front()});
+      last = append(last, {around.begin() + 1, around.end()});
+      graph_.edges.push_back({last, first}); // along the normal
+    }
+    graph_.link();
+    graph = std::move(graph_);
+  }
+
+private:
+  using Pair = std::pair<Index, Index>;
+
+  static constexpr double part_of_radius = 0.35; // between centres that are told from each other
+
+  const Inner_ball& ball(Index sample) const { return samples_.samples()[sample].ball; }
+
+  void choose_balls() {
+    const std::size_t n = samples_.samples().size();
+    std::vector<Box<3>> boxes(n);
+    Box<3> all = Box<3>::empty();
+    for(std::size_t i = 0; i < n; ++i) {
+      const Vector& c = ball(static_cast<Index>(i)).centre;
+      all.extend({c, c});
+    }
+    const Uninitialized_vector<Index> places =
+        space_filling_order(execution_, n, [&](std::size_t i) {
+          Vector p = ball(static_cast<Index>(i)).centre - all.low;
+          for(int d = 0; d < 3; ++d)
+            p[d] = all.high[d] > all.low[d] ? p[d] / (all.high[d] - all.low[d]) : 0.;
+          return p;
+        });
+    for(std::size_t i = 0; i < n; ++i)
+      boxes[i] = {ball(places[i]).centre, ball(places[i]).centre};
+    const Box_tree<3> tree(std::move(boxes));
+    std::vector<Index> order(n);
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return ball(a).radius > ball(b).radius; });
+    graph_.ball_of_sample.assign(n, no_index);
+    for(Index s : order)
+      if(graph_.ball_of_sample[s] == no_index)
+        add_ball(s, places, tree);
+  }
+
+  void add_ball(Index s, const Uninitialized_vector<Index>& places, const Box_tree<3>& tree) {
+    const Index component = component_of(s), number = add_ball(ball(s), component);
+    const double extent = part_of_radius * ball(s).radius;
+    const Vector& centre = ball(s).centre;
+    const Vector corner = {extent, extent, extent};
+    tree.for_each_meeting({centre - corner, centre + corner}, [&](Index i, const Box<3>&) {
+      const Index other = places[i];
+      if(graph_.ball_of_sample[other] == no_index && component_of(other) == component &&
+         norm(ball(other).centre - centre) < extent)
+        graph_.ball_of_sample[other] = number;
+    });
+    graph_.ball_of_sample[s] = number;
+  }
+
+  Index add_ball(const Inner_ball& ball, Index component) {
+    graph_.balls.push_back(ball);
+    graph_.component.push_back(component);
+    graph_.is_inlet.push_back(0);
+    return static_cast<Index>(graph_.balls.size() - 1);
+  }
+
+  void join_neighbors() {
+    std::vector<Pair> pairs = samples_.neighbors(execution_);
+    // The first of those between the same balls.
+    const auto balls_of = [&](const Pair& p) {
+      const Index a = graph_.ball_of_sample[p.first], b = graph_.ball_of_sample[p.second];
+      return a < b ? Pair(a, b) : Pair(b, a);
+    };
+    std::vector<Pair> ends;
+    for(const Pair& p : pairs)
+      if(const Pair b = balls_of(p); b.first != b.second)
+        ends.push_back(b);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<char> is_inside(ends.size());
+    for_each_index(
+        execution_, ends.size(),
+        [&](std::size_t i) {
+          is_inside[i] = is_way_free(graph_.balls[ends[i].first], graph_.balls[ends[i].second]);
+        },
+        256);
+    for(std::size_t i = 0; i < ends.size(); ++i)
+      if(is_inside[i])
+        graph_.edges.push_back({ends[i].first, ends[i].second});
+    for(const Pair& p : pairs) {
+      const Pair b = balls_of(p);
+      if(b.first != b.second &&
+         !is_inside[std::lower_bound(ends.begin(), ends.end(), b) - ends.begin()])
+        join_by_detour(p.first, p.second);
+    }
+  }
+
+  bool is_way_free(const Inner_ball& a, const Inner_ball& b) const {
+    constexpr double sure = 0.9;
+    return norm(b.centre - a.centre) < sure * (a.radius + b.radius) ||
+           !wall_.meets(a.centre, b.centre);
+  }
+
+  // From the centres towards the surface, until there is a free way.
+  void join_by_detour(Index a, Index b) {
+    const std::vector<Vector> from = balls_.way(place(a), face(a)),
+                              to = balls_.way(place(b), face(b));
+    if(from.empty() || to.empty())
+      return;
+    if(!wall_.meets(from.back(), to.back())) {
+      join(a, {from.back(), to.back()}, b);
+      return;
+    }
+    std::vector<Vector> between = free_way(a, from.front(), b, to.front());
+    if(between.empty())
+      between = way_along_wall_(a, b);
+    if(between.empty())
+      return;
+    between.insert(between.begin(), from.rbegin(), from.rend());
+    between.insert(between.end(), to.begin(), to.end());
+    join(a, between, b);
+  }
+
+  // Straight from one to the other of two ways from the surface to these places, as far from the
+  // surface as may be.
+  std::vector<Vector> free_way(Index a, const Vector& from, Index b, const Vector& to) const {
+    constexpr int most_halvings = 12;
+    double part = 1.;
+    for(int i = 0; i < most_halvings; ++i, part *= 0.5) {
+      const Vector p = place(a) + part * (from - place(a)), q = place(b) + part * (to - place(b));
+      if(!wall_.meets(p, q))
+        return {p, q};
+    }
+    return {};
+  }
+
+  Index component_of(Index sample) const { return wall_.component(face(sample)); }
+  Vector place(Index sample) const { return pieces_.centre(samples_.samples()[sample].piece); }
+  Index face(Index sample) const { return pieces_.face(samples_.samples()[sample].piece); }
+
+  // By these places, the first and last of which are inside the balls of the samples.
+  void join(Index a, const std::vector<Vector>& places, Index b) {
+    const Index last = append(graph_.ball_of_sample[a], places), end = graph_.ball_of_sample[b];
+    if(last != end)
+      graph_.edges.push_back({last, end});
+  }
+
+  // Leads on from a ball by these places. Returns the last ball.
+  Index append(Index before, const std::vector<Vector>& places) {
+    for(const Vector& p : places)
+      if(p != graph_.balls[before].centre) {
+        const Inner_ball ball = {p, wall_.nearest(p, ball_limit(p, before)).distance};
+        const Index next = add_ball(ball, graph_.component[before]);
+        graph_.edges.push_back({before, next});
+        before = next;
+      }
+    return before;
+  }
+
+  // The distance to the surface changes no faster than one goes.
+  double ball_limit(const Vector& p, Index before) const {
+    return graph_.balls[before].radius + norm(p - graph_.balls[before].centre);
+  }
+
+  Execution execution_;
+  const Wall& wall_;
+  const Surface_pieces& pieces_;
+  const Inner_balls& balls_;
+  const Surface_samples& samples_;
+  Way_along_wall way_along_wall_{wall_, pieces_, balls_, samples_};
+  Ball_graph graph_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_BALL_GRAPH_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INLET_WAYS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INLET_WAYS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// Leads ways from the middles of boundary curves to the nearest balls of what is beside the
+/// curves.
+class Inlet_ways
+{
+public:
+  Inlet_ways(const Flat_mesh& mesh,
+             const std::vector<Vector>& points,
+             const Wall& wall,
+             const Surface_pieces& pieces,
+             const Surface_samples& samples)
+      : mesh_(mesh)
+      , points_(points)
+      , wall_(wall)
+      , pieces_(pieces)
+      , samples_(samples) {}
+
+  /// adds them to a graph. Returns the ends. A curve has none if nothing is to be seen from its
+  /// middle.
+  std::vector<Index> add(Ball_graph& graph) const {
+    std::vector<Index> ends;
+    for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub) {
+      const Index ball = ball_seen_from(hub, graph);
+      if(ball == no_index)
+        continue;
+      ends.push_back(static_cast<Index>(graph.balls.size()));
+      graph.balls.push_back({points_[hub], distance_to_curve(hub)});
+      graph.component.push_back(mesh_.component[hub]);
+      graph.is_inlet.push_back(1);
+      graph.edges.push_back({ball, ends.back()});
+    }
+    if(!ends.empty())
+      graph.link();
+    return ends;
+  }
+
+private:
+  Index ball_seen_from(Index hub, const Ball_graph& graph) const {
+    std::vector<Index> balls;
+    const Ring curve = mesh_.ring(hub);
+    for(Index v : curve)
+      for(Index u : mesh_.ring(v))
+        if(const Index f = pieces_.face_left_of(v, u); !wall_.is_of_cap(f))
+          balls.push_back(graph.ball_of_sample[samples_.region(pieces_.piece_at(f, points_[v]))]);
+    std::sort(balls.begin(), balls.end());
+    balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
+    const auto distance = [&](Index b) { return norm(graph.balls[b].centre - points_[hub]); };
+    std::stable_sort(balls.begin(), balls.end(),
+                     [&](Index a, Index b) { return distance(a) < distance(b); });
+    for(Index b : balls)
+      if(is_seen(points_[hub], graph.balls[b].centre))
+        return b;
+    return no_index;
+  }
+
+  // The way begins on the cap.
+  bool is_seen(const Vector& from, const Vector& to) const {
+    constexpr double beyond = 0x1p-20;
+    return !wall_.meets(from + beyond * (to - from), to);
+  }
+
+  double distance_to_curve(Index hub) const {
+    double least = std::numeric_limits<double>::infinity();
+    const Ring curve = mesh_.ring(hub);
+    for(Index i = 0; i < curve.size(); ++i) {
+      const Vector &a = points_[curve[i]], &b = points_[curve[curve.next(i)]];
+      least = (std::min)(least, norm(nearest_point(points_[hub], a, b, b) - points_[hub]));
+    }
+    return least;
+  }
+
+  const Flat_mesh& mesh_;
+  const std::vector<Vector>& points_;
+  const Wall& wall_;
+  const Surface_pieces& pieces_;
+  const Surface_samples& samples_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INLET_WAYS_H

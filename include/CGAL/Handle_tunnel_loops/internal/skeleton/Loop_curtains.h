@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_LOOP_CURTAINS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_LOOP_CURTAINS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/*!
+How segments pass through curtains that hang from closed polylines: the linking number of a closed
+curve with such a loop is how often it passes through the curtain of the loop, counted with sign. So
+these numbers of edges add up to those of all cycles of a graph.
+
+Curtains rise without end along a fixed direction that is likely to be in general position. Numbers
+are computed, not proved: they choose cycles, of which the certificate is another matter.
+*/
+class Loop_curtains
+{
+public:
+  struct Passage
+  {
+    Index loop;
+    int sign;
+  };
+
+  Loop_curtains(Execution execution, const std::vector<std::vector<Vector>>& loops) {
+    for(std::size_t l = 0; l < loops.size(); ++l)
+      for(std::size_t i = 0; i < loops[l].size(); ++i)
+        hems_.push_back({project(loops[l][i]),
+                         project(loops[l][i + 1 < loops[l].size() ? i + 1 : 0]),
+                         static_cast<Index>(l)});
+    sort_along_curve(execution);
+    std::vector<Box<2>> boxes;
+    for(const Hem& hem : hems_)
+      boxes.push_back(box(hem.from, hem.to));
+    tree_ = Box_tree<2>(std::move(boxes));
+  }
+
+  /// calls `f(passage)` for each time that a segment passes through a curtain.
+  template <typename Function>
+  void for_each_passage(const Vector& a, const Vector& b, const Function& f) const {
+    const Place p = project(a), q = project(b);
+    tree_.for_each_meeting(box(p, q), [&](Index i, const Box<2>&) {
+      const Hem& hem = hems_[i];
+      const int side = turn(hem.from, hem.to, p);
+      if(side == turn(hem.from, hem.to, q) || turn(p, q, hem.from) == turn(p, q, hem.to))
+        return;
+      if(is_above(p, q, hem))
+        f(Passage{hem.loop, side});
+    });
+  }
+
+private:
+  struct Place
+  {
+    double x, y, height;
+  };
+  struct Hem
+  {
+    Place from, to;
+    Index loop;
+  };
+
+  static Place project(const Vector& p) {
+    constexpr double tilt_x = 0.1827364501, tilt_y = -0.3172648591;
+    return {p[0] - tilt_x * p[2], p[1] - tilt_y * p[2], p[2]};
+  }
+
+  static Box<2> box(const Place& a, const Place& b) {
+    Box<2> box = {{a.x, a.y}, {a.x, a.y}};
+    box.extend({{b.x, b.y}, {b.x, b.y}});
+    return box;
+  }
+
+  void sort_along_curve(Execution execution) {
+    Box<2> all = Box<2>::empty();
+    for(const Hem& hem : hems_)
+      all.extend(box(hem.from, hem.to));
+    const auto part = [&](double x, int d) {
+      return all.high[d] > all.low[d] ? (x - all.low[d]) / (all.high[d] - all.low[d]) : 0.;
+    };
+    const auto order = space_filling_order(execution, hems_.size(), [&](std::size_t i) {
+      return Vector{part(hems_[i].from.x, 0), part(hems_[i].from.y, 1), 0.};
+    });
+    std::vector<Hem> sorted(hems_.size());
+    for(std::size_t i = 0; i < hems_.size(); ++i)
+      sorted[i] = hems_[order[i]];
+    hems_ = std::move(sorted);
+  }
+
+  // Exact for the rounded places. Three in a line are taken to turn to the right, whatever the
+  // order of the first two: a curve through a place crosses a line through it once or not at all.
+  static int turn(const Place& a, const Place& b, const Place& c) {
+    using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
+    return CGAL::orientation(Point(a.x, a.y), Point(b.x, b.y), Point(c.x, c.y)) == CGAL::LEFT_TURN
+               ? 1
+               : -1;
+  }
+
+  static bool is_above(const Place& p, const Place& q, const Hem& hem) {
+    const double ux = q.x - p.x, uy = q.y - p.y, vx = hem.to.x - hem.from.x,
+                 vy = hem.to.y - hem.from.y, wx = hem.from.x - p.x, wy = hem.from.y - p.y;
+    const double det = ux * vy - uy * vx;
+    const double s = (wx * vy - wy * vx) / det, t = (wx * uy - wy * ux) / det;
+    return p.height + s * (q.height - p.height) >
+           hem.from.height + t * (hem.to.height - hem.from.height);
+  }
+
+  std::vector<Hem> hems_;
+  Box_tree<2> tree_{{}};
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_LOOP_CURTAINS_H

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_DRAFT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_DRAFT_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// A skeleton that is still changed: places, each with a ball inside, and what they are joined to.
+class Skeleton_draft
+{
+public:
+  struct Place
+  {
+    Inner_ball ball;
+    Index component;
+    bool is_inlet = false;
+    std::vector<Index> beside;
+  };
+
+  /// the edges of a graph that are taken, and some balls even if they have no such edge.
+  Skeleton_draft(const Ball_graph& graph,
+                 const std::vector<char>& is_taken,
+                 const std::vector<Index>& roots)
+      : place_of_ball_(graph.balls.size(), no_index) {
+    const auto place_of = [&](Index ball) {
+      Index& place = place_of_ball_[ball];
+      if(place == no_index) {
+        place = static_cast<Index>(places_.size());
+        places_.push_back(
+            {graph.balls[ball], graph.component[ball], graph.is_inlet[ball] != 0, {}});
+      }
+      return place;
+    };
+    std::vector<char> has_edge;
+    for(Index e = 0; e < graph.edges.size(); ++e)
+      if(is_taken[e]) {
+        const Index component = graph.component[graph.edges[e][0]];
+        has_edge.resize((std::max)(has_edge.size(), std::size_t(component) + 1), 0);
+        has_edge[component] = 1;
+        join(place_of(graph.edges[e][0]), place_of(graph.edges[e][1]));
+      }
+    for(Index root : roots)
+      if(root != no_index &&
+         (graph.component[root] >= has_edge.size() || has_edge[graph.component[root]] == 0))
+        place_of(root);
+  }
+
+  std::size_t size() const { return places_.size(); }
+  const Place& operator[](Index p) const { return places_[p]; }
+  Inner_ball& ball(Index p) { return places_[p].ball; }
+  bool is_node(Index p) const { return places_[p].beside.size() != 2; }
+  /// `no_index` of a ball that is not taken.
+  Index place_of_ball(Index ball) const { return place_of_ball_[ball]; }
+
+  /*!
+  draws joints as stars. In the ball around a joint, all ways are replaced by straight ones from its
+  centre to where they leave it: the ball is convex, and joints that come almost at once become one.
+  The largest balls first.
+  */
+  void draw_stars() {
+    std::vector<Index> joints;
+    for(Index p = 0; p < places_.size(); ++p)
+      if(places_[p].beside.size() > 2)
+        joints.push_back(p);
+    std::stable_sort(joints.begin(), joints.end(), [&](Index a, Index b) {
+      return places_[a].ball.radius > places_[b].ball.radius;
+    });
+    for(Index joint : joints)
+      if(places_[joint].beside.size() > 2)
+        draw_star(joint);
+  }
+
+  /// the paths between nodes, each once, by the numbers of their places; and the cycles without a
+  /// node, which begin and end at the same place.
+  std::vector<std::vector<Index>> arcs() const {
+    std::vector<std::vector<Index>> arcs;
+    std::vector<char> is_passed(places_.size(), 0);
+    const auto follow = [&](Index from, Index to) {
+      std::vector<Index> arc = {from, to};
+      while(!is_node(arc.back()) && arc.back() != from) {
+        const Index p = arc.back(), before = arc[arc.size() - 2];
+        is_passed[p] = 1;
+        const std::vector<Index>& beside = places_[p].beside;
+        arc.push_back(beside[0] == before ? beside[1] : beside[0]);
+      }
+      return arc;
+    };
+    for(Index p = 0; p < places_.size(); ++p)
+      if(is_node(p))
+        for(Index other : places_[p].beside)
+          if(is_node(other) ? p < other : is_passed[other] == 0)
+            arcs.push_back(follow(p, other));
+    for(Index p = 0; p < places_.size(); ++p)
+      if(!is_node(p) && is_passed[p] == 0) {
+        arcs.push_back(follow(p, places_[p].beside[0]));
+        is_passed[p] = 1;
+      }
+    return arcs;
+  }
+
+private:
+  void join(Index p, Index q) {
+    places_[p].beside.push_back(q);
+    places_[q].beside.push_back(p);
+  }
+
+  void part(Index p, Index q) {
+    for(const auto& [a, b] : {std::make_pair(p, q), std::make_pair(q, p)}) {
+      std::vector<Index>& beside = places_[a].beside;
+      beside.erase(std::find(beside.begin(), beside.end(), b));
+    }
+  }
+
+  bool is_within(Index p, const Inner_ball& ball) const {
+    return !places_[p].is_inlet &&
+           norm(places_[p].ball.centre - ball.centre) < within * ball.radius;
+  }
+
+  void draw_star(Index joint) {
+    const Inner_ball ball = places_[joint].ball;
+    std::vector<Index> inside = {joint};
+    std::vector<std::pair<Index, Index>> exits;
+    std::size_t edges = 0;
+    is_inside_.resize(places_.size(), 0);
+    is_inside_[joint] = 1;
+    for(std::size_t i = 0; i < inside.size(); ++i)
+      for(Index p : places_[inside[i]].beside) {
+        if(is_inside_[p] != 0)
+          ++edges;
+        else if(is_within(p, ball)) {
+          ++edges;
+          is_inside_[p] = 1;
+          inside.push_back(p);
+        } else
+          exits.emplace_back(inside[i], p);
+      }
+    // Each edge inside has been seen from both ends, but that to a new place from one.
+    const bool is_tree = edges == 2 * (inside.size() - 1);
+    for(Index p : inside)
+      is_inside_[p] = 0;
+    if(inside.size() == 1 || !is_tree)
+      return;
+    for(Index p : inside)
+      while(!places_[p].beside.empty())
+        part(p, places_[p].beside.back());
+    for(std::size_t i = 1; i < inside.size(); ++i)
+      places_[inside[i]].ball.radius = -1.; // is no more
+    for(const auto& [from, to] : exits)
+      lead_out(joint, ball, places_[from].ball.centre, to);
+  }
+
+  // By the place where the segment leaves the ball.
+  void lead_out(Index joint, const Inner_ball& ball, const Vector& from, Index to) {
+    const Vector end = places_[to].ball.centre, way = end - from, off = from - ball.centre;
+    const double a = dot(way, way), b = dot(off, way),
+                 c = dot(off, off) - within * within * ball.radius * ball.radius;
+    const double part = a > 0. ? (std::sqrt((std::max)(0., b * b - a * c)) - b) / a : 0.;
+    const Vector exit = from + (std::max)(0., (std::min)(1., part)) * way;
+    if(exit == end || exit == ball.centre) {
+      join(joint, to);
+      return;
+    }
+    const Index place = static_cast<Index>(places_.size());
+    places_.push_back({{exit, (1. - within) * ball.radius}, places_[joint].component, false, {}});
+    join(joint, place);
+    join(place, to);
+  }
+
+  static constexpr double within = 0.9; // of the radius
+
+  std::vector<Place> places_;
+  std::vector<Index> place_of_ball_;
+  std::vector<char> is_inside_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_DRAFT_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WALL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WALL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Exact_meeting.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// the point of a triangle that is nearest to `p`, about.
+inline Vector nearest_point(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
+  const Vector ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if(d1 <= 0. && d2 <= 0.)
+    return a;
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if(d3 >= 0. && d4 <= d3)
+    return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if(vc <= 0. && d1 >= 0. && d3 <= 0.)
+    return a + (d1 / (d1 - d3)) * ab;
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if(d6 >= 0. && d5 <= d6)
+    return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if(vb <= 0. && d2 >= 0. && d6 <= 0.)
+    return a + (d2 / (d2 - d6)) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if(va <= 0. && d4 - d3 >= 0. && d5 - d6 >= 0.)
+    return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
+  const double sum = va + vb + vc;
+  return sum > 0. ? a + (vb / sum) * ab + (vc / sum) * ac : a;
+}
+
+/// The surface as it is seen from inside. What is said of distances is about right; whether a
+/// segment meets a face is exact.
+class Wall
+{
+public:
+  /// \p points are the places of the vertices, hubs included. All must outlive it.
+  Wall(const Flat_mesh& mesh, const std::vector<Vector>& points, const Face_tree& faces)
+      : mesh_(mesh)
+      , points_(points)
+      , faces_(faces) {}
+
+  std::size_t size() const { return faces_.size(); }
+  const Face_tree::Corners& operator[](Index f) const { return faces_.corners(f); }
+  Index component(Index f) const { return mesh_.component[faces_.corners(f)[0]]; }
+  const Vector& corner(Index f, int k) const { return points_[faces_.corners(f)[k]]; }
+  bool is_of_cap(Index f) const {
+    const Face_tree::Corners& corners = faces_.corners(f);
+    return mesh_.number_of_hubs > 0 &&
+           std::any_of(corners.begin(), corners.end(), [this](Index v) { return mesh_.is_hub(v); });
+  }
+  Vector normal(Index f) const {
+    return cross(corner(f, 1) - corner(f, 0), corner(f, 2) - corner(f, 0));
+  }
+
+  /// A face that is near a point, and where on it.
+  struct Nearest
+  {
+    Index face = no_index;
+    double distance; ///< what was given, if there is no face
+    Vector point;
+  };
+
+  /// a face that is not of a cap and nearer to a point than a distance, if there is one. No other
+  /// is nearer than \p precision, at most 1, times as far. In the middle of the solid, what is
+  /// about equally near is much.
+  Nearest nearest(const Vector& p, double distance, double precision = 1.) const {
+    Nearest best;
+    double limit = distance * distance;
+    faces_.tree().for_each_nearer(
+        limit, [&](const Box<3>& box) { return squared_distance(p, box); },
+        [&](Index f) {
+          if(!is_of_cap(f)) {
+            const Vector q = nearest_point(p, corner(f, 0), corner(f, 1), corner(f, 2));
+            const double square = dot(q - p, q - p);
+            if(square < limit) {
+              limit = square;
+              best.face = f;
+              best.point = q;
+            }
+          }
+          return best.face == no_index ? limit : precision * precision * limit;
+        });
+    best.distance = best.face == no_index ? distance : std::sqrt(limit);
+    return best;
+  }
+
+  /// how far one can go from a point of a face in a direction of length 1 until one meets another
+  /// face, about.
+  double free_way(const Vector& p, const Vector& direction, Index from) const {
+    const Vector inverse = {1. / direction[0], 1. / direction[1], 1. / direction[2]};
+    double limit = std::numeric_limits<double>::infinity();
+    faces_.tree().for_each_nearer(
+        limit, [&](const Box<3>& box) { return way_to_box(p, inverse, box); },
+        [&](Index f) {
+          if(f != from)
+            limit = (std::min)(limit, way_to_face(p, direction, f));
+          return limit;
+        });
+    return limit;
+  }
+
+  /// whether a segment meets the surface or a cap.
+  bool meets(const Vector& a, const Vector& b) const {
+    const Exact_segment segment = {exact_point(a), exact_point(b)};
+    return faces_.any_near(a, b, [&](Index f) {
+      return do_meet(segment, Exact_triangle{exact_point(corner(f, 0)), exact_point(corner(f, 1)),
+                                             exact_point(corner(f, 2))});
+    });
+  }
+
+private:
+  static double squared_distance(const Vector& p, const Box<3>& box) {
+    double sum = 0.;
+    for(int d = 0; d < 3; ++d) {
+      const double off = (std::max)({box.low[d] - p[d], p[d] - box.high[d], 0.});
+      sum += off * off;
+    }
+    return sum;
+  }
+
+  static double way_to_box(const Vector& p, const Vector& inverse, const Box<3>& box) {
+    double first = 0., last = std::numeric_limits<double>::infinity();
+    for(int d = 0; d < 3; ++d) {
+      const double a = (box.low[d] - p[d]) * inverse[d], b = (box.high[d] - p[d]) * inverse[d];
+      if(std::isnan(a) || std::isnan(b))
+        continue; // along a side of the box
+      first = (std::max)(first, (std::min)(a, b));
+      last = (std::min)(last, (std::max)(a, b));
+    }
+    return first <= last * (1. + 1e-9) ? first : std::numeric_limits<double>::infinity();
+  }
+
+  double way_to_face(const Vector& p, const Vector& direction, Index f) const {
+    constexpr double none = (std::numeric_limits<double>::infinity)();
+    const Vector ab = corner(f, 1) - corner(f, 0), ac = corner(f, 2) - corner(f, 0);
+    const Vector h = cross(direction, ac);
+    const double det = dot(ab, h);
+    if(det == 0.)
+      return none;
+    const Vector ap = p - corner(f, 0), q = cross(ap, ab);
+    constexpr double margin = 1e-9;
+    const double u = dot(ap, h) / det, v = dot(direction, q) / det, t = dot(ac, q) / det;
+    return u >= -margin && v >= -margin && u + v <= 1. + margin && t > 0. ? t : none;
+  }
+
+  const Flat_mesh& mesh_;
+  const std::vector<Vector>& points_;
+  const Face_tree& faces_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WALL_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FIND_SKELETON_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FIND_SKELETON_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Curve_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// A skeleton, to which of its points each vertex of the mesh belongs, and what is proved of it.
+struct Found_skeleton
+{
+  Flat_skeleton skeleton;
+  std::vector<Index> point_of_vertex; ///< hubs included
+  std::size_t number_of_balls = 0;
+  Skeleton_certificate certificate;
+};
+
+/// finds a skeleton. \p places are the coordinates of the vertices as the caller has them, hubs
+/// included, \p pairs a basis of loops.
+CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
+                                           const Flat_mesh& mesh,
+                                           const std::vector<Vector>& places,
+                                           const std::vector<Flat_pair>& pairs,
+                                           const Skeleton_options& options,
+                                           const Face_number& face_number);
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#ifndef CGAL_LINKED_WITH_HTL_CORE
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton_impl.h>
+#endif
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FIND_SKELETON_H

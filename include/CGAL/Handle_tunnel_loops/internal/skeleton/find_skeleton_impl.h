@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FIND_SKELETON_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FIND_SKELETON_IMPL_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
+                                           const Flat_mesh& mesh,
+                                           const std::vector<Vector>& places,
+                                           const std::vector<Flat_pair>& pairs,
+                                           const Skeleton_options& options,
+                                           const Face_number& face_number) {
+  return Skeleton_builder(execution, mesh, places, pairs, options, face_number).build();
+}
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FIND_SKELETON_IMPL_H
