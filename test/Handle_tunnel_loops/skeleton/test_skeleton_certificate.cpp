@@ -124,6 +124,10 @@ Line opened(Line line) {
 Skeleton_certificate check(const Mesh& mesh, const Graph& graph) {
   const auto pairs = find_loops(mesh);
   const Skeleton_certificate certificate = CGAL::certify_curve_skeleton(mesh, graph, pairs);
+  const Skeleton_certificate by_threads =
+      CGAL::certify_curve_skeleton<CGAL::Parallel_if_available_tag>(mesh, graph, pairs);
+  EXPECT_EQ(by_threads.failure, certificate.failure);
+  EXPECT_EQ(by_threads.edges_that_meet, certificate.edges_that_meet);
   const auto skeleton = skeleton_definitions::skeleton_of(graph);
   const auto truth = skeleton_definitions::truth(mesh, skeleton, pairs);
   EXPECT_EQ(certificate.connected, truth.is_connected) << certificate.failure;
@@ -367,6 +371,44 @@ TEST(Skeleton_certificate, KnowsHandlesBesideBoundaries) {
     EXPECT_TRUE(c) << c.failure;
     reverse_orientation(soup);
   }
+}
+
+// ---- what only points and edges are known of
+
+TEST(Places_of_skeleton, AreThoseOfComponentsAndInlets) {
+  namespace internal = CGAL::Handle_tunnel_loops::internal;
+  const auto places_of = [](const Mesh& mesh, const Graph& graph) {
+    const auto point = get(CGAL::vertex_point, mesh);
+    const internal::Prepared_surface surface(internal::Execution(), mesh,
+                                             get(boost::vertex_index, mesh), point);
+    internal::Flat_skeleton skeleton = internal::flat_skeleton(graph);
+    skeleton.component_of.clear();
+    skeleton.is_inlet.clear();
+    internal::find_places(internal::Execution(), surface.mesh,
+                          internal::places_of_vertices(internal::Execution(), surface), skeleton);
+    return skeleton;
+  };
+  // Two cycles within the core, of which one is that of the surface around it; then one is not.
+  Soup core = torus(2., 0.3, 8, 24);
+  reverse_orientation(core);
+  const Mesh hollow = mesh_of(together(torus(2., 0.9, 12, 24), core));
+  for(const double radius : {2.1, 2.6}) {
+    Graph graph;
+    add_line(graph, wound(radius, 1, 0., 40), true);
+    add_line(graph, wound(2., 1, 0., 40), true);
+    const auto components = places_of(hollow, graph).component_of;
+    EXPECT_EQ(std::count(components.begin(), components.end(), internal::Index(0)), 40);
+    if(radius > 2.3) {
+      EXPECT_EQ(components.front(), 0u);
+    }
+  }
+  const Mesh vessel = mesh_of(pipe(4., 0.5, 9, 10));
+  Graph line;
+  add_line(line, {{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}, false);
+  EXPECT_EQ(places_of(vessel, line).is_inlet, (std::vector<char>{1, 0, 1}));
+  Graph off;
+  add_line(off, {{1e-6, 0, 0}, {2, 0, 0}, {3, 0, 0}}, false);
+  EXPECT_EQ(places_of(vessel, off).is_inlet, (std::vector<char>{0, 0, 0}));
 }
 
 // ---- random lines
