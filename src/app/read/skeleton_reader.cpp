@@ -378,8 +378,10 @@ public:
       if(kind == "node")
         add_node(node);
     for(const auto& [kind, edge] : *graph)
-      if(kind == "edge")
-        lines_.add_edge(number_of(attribute(edge, "source")), number_of(attribute(edge, "target")));
+      if(kind == "edge") {
+        const std::size_t from = number_of(attribute(edge, "source"));
+        lines_.add_edge(from, number_of(attribute(edge, "target")));
+      }
     return {lines_.finish(), {}};
   }
 
