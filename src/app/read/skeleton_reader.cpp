@@ -175,7 +175,7 @@ std::size_t obj_index(Text_source& text, std::size_t n) {
 }
 
 Skeleton_record read_skeleton_obj(const Input_file& file) {
-  Line_collector lines(file);
+  Line_collector lines(file, true);
   const std::string content = join_continued_lines(std::string(file.content()));
   Text_source text(file.name(), content);
   for(; text.skip_to_content(); text.skip_line()) {
