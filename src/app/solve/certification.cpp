@@ -104,7 +104,7 @@ certify_skeleton(const Mesh& mesh,
       execution, surface, places, vertex_index, get(boost::face_index, mesh), arrays, pairs,
       [&](internal::Index p) { return skeleton.names[p]; });
   if(touches_itself_with_caps(execution, surface))
-    internal::note_self_contact(certificate);
+    internal::note_self_contact(certificate, surface.mesh.number_of_hubs > 0);
   return certificate;
 }
 
