@@ -4,6 +4,7 @@
 #include "Device_agreement.h"
 #include "Same_loops.h"
 #include "Solver_agreement_tests.h"
+#include "Surfaces_for_cells.h"
 #include "label_front_on_device.h"
 #include "random_input.h"
 #include "with.h"
@@ -97,6 +98,19 @@ TEST_F(Gpu, AgreesWithTheHostOnRandomSurfaces) {
     const auto solver = make_cuda_solver(mesh, {});
     expect_agreement(*solver, mesh, static_cast<Index>(random.below(mesh.number_of_vertices())), c);
   }
+}
+
+TEST_F(Gpu, FindsTheCellsOfTheHost) {
+  using namespace surfaces_for_cells;
+  std::vector<Flat_mesh> all = meshes();
+  all.push_back(flat_mesh_of(Recipe{"gyroid", {1000000, 250, 0}})); // more than there are threads
+  for(const Flat_mesh& mesh : all)
+    for(const Index spacing : spacings) {
+      SCOPED_TRACE(testing::Message() << mesh.number_of_vertices() << " / " << spacing);
+      const auto solver = make_cuda_solver(mesh, {});
+      expect_cells_of_host(mesh, spacing,
+                           [&](First_cells& cells) { return solver->find_first_cells(cells); });
+    }
 }
 
 using Device_against_host = Comparison<CGAL::Cuda_tag, CGAL::Sequential_tag, Gpu>;
