@@ -100,17 +100,24 @@ TEST_F(Gpu, AgreesWithTheHostOnRandomSurfaces) {
   }
 }
 
+// By the distance of their centres.
+void expect_cells_of_host(const Flat_mesh& mesh) {
+  for(const Index spacing : surfaces_for_cells::spacings) {
+    SCOPED_TRACE(testing::Message() << mesh.number_of_vertices() << " / " << spacing);
+    const auto solver = make_cuda_solver(mesh, {});
+    surfaces_for_cells::expect_cells_of_host(
+        mesh, spacing, [&](First_cells& cells) { return solver->find_first_cells(cells); });
+  }
+}
+
 TEST_F(Gpu, FindsTheCellsOfTheHost) {
-  using namespace surfaces_for_cells;
-  std::vector<Flat_mesh> all = meshes();
-  all.push_back(flat_mesh_of(Recipe{"gyroid", {1000000, 250, 0}})); // more than there are threads
-  for(const Flat_mesh& mesh : all)
-    for(const Index spacing : spacings) {
-      SCOPED_TRACE(testing::Message() << mesh.number_of_vertices() << " / " << spacing);
-      const auto solver = make_cuda_solver(mesh, {});
-      expect_cells_of_host(mesh, spacing,
-                           [&](First_cells& cells) { return solver->find_first_cells(cells); });
-    }
+  for(const Flat_mesh& mesh : surfaces_for_cells::meshes())
+    expect_cells_of_host(mesh);
+}
+
+// More than there are threads.
+TEST_F(Gpu, FindsManyCells) {
+  expect_cells_of_host(flat_mesh_of(Recipe{"gyroid", {1000000, 250, 0}}));
 }
 
 using Device_against_host = Comparison<CGAL::Cuda_tag, CGAL::Sequential_tag, Gpu>;
