@@ -83,10 +83,15 @@ private:
     std::vector<Vector> points;
     for(const Inner_ball& ball : arc)
       points.push_back(ball.centre);
+    // Forth and back, so that bows do not become flatter.
     for(int round = 0; round < rounds_of_smoothing; ++round)
-      for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
-        const Vector target = 0.5 * (points[i - 1] + points[i + 1]);
-        points[i] = near_centre(arc[i], 0.5 * (points[i] + target));
+      for(const double step : {0.5, -0.52}) {
+        Vector before = points.front();
+        for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
+          const Vector way = 0.5 * (before + points[i + 1]) - points[i];
+          before = points[i];
+          points[i] = near_centre(arc[i], points[i] + step * way);
+        }
       }
     for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
       arc[i].radius -= norm(points[i] - arc[i].centre); // at least so large

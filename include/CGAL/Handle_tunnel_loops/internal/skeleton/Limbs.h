@@ -50,7 +50,8 @@ public:
       , areas_(samples.areas())
       , shortest_limb_(shortest_limb)
       , paths_(graph.balls.size())
-      , reach_(samples.samples().size()) {
+      , reach_(samples.samples().size())
+      , is_beyond_(samples.samples().size(), 0) {
     link(neighbors);
   }
 
@@ -64,7 +65,10 @@ public:
     for(Index s = 0; s < reach_.size(); ++s) {
       const Index b = graph_.ball_of_sample[s];
       reach_[s] = paths_[b].distance + norm(samples_.place(s) - graph_.balls[b].centre);
+      is_beyond_[s] =
+          paths_[b].start != no_index && paths_[b].distance > graph_.balls[paths_[b].start].radius;
     }
+    make_even();
     find_paths(roots, is_taken, [&](Index e) { return Inner_cycles::cost(graph_, e); });
     for(Index end : ends)
       take(end, is_taken);
@@ -97,6 +101,21 @@ private:
   template <typename Function> void for_each_beside(Index sample, const Function& f) const {
     for(Index i = row_begin_[sample]; i < row_begin_[sample + 1]; ++i)
       f(beside_[i]);
+  }
+
+  // Takes means: ways along edges are longer in some directions than in others, by which in thin
+  // plates places would reach farther than all around them that don't.
+  void make_even() {
+    constexpr int number_of_rounds = 2;
+    std::vector<double> means(reach_.size());
+    for(int round = 0; round < number_of_rounds; ++round) {
+      for(Index s = 0; s < reach_.size(); ++s) {
+        double sum = reach_[s];
+        for_each_beside(s, [&](Index other) { sum += reach_[other]; });
+        means[s] = sum / (1 + row_begin_[s + 1] - row_begin_[s]);
+      }
+      reach_.swap(means);
+    }
   }
 
   // From what is taken already and the roots.
@@ -175,7 +194,7 @@ private:
     const Index start = paths_[graph_.ball_of_sample[tip]].start;
     const double base = (std::max)(level, 1.1 * graph_.balls[start].radius);
     const double length = reach_[tip] - base;
-    if(!(length > least_length))
+    if(is_beyond_[tip] == 0 || !(length > least_length))
       return false;
     const double girth = area_beyond(tip, base) / length;
     constexpr double two_pi = 6.283185307179586;
@@ -214,7 +233,8 @@ private:
   std::vector<double> areas_; // by sample
   double shortest_limb_;
   Shortest_paths<Label> paths_;
-  std::vector<double> reach_; // by sample
+  std::vector<double> reach_;   // by sample
+  std::vector<char> is_beyond_; // by sample, whether its ball lies outside of that where ways begin
   std::vector<Index> row_begin_, beside_, visit_;
   Index number_of_visits_ = 0;
 };

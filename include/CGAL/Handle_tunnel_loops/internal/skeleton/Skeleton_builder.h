@@ -149,7 +149,7 @@ public:
 
 private:
   static constexpr double largest_number_of_samples = 60000., number_of_pieces = 50000.,
-                          part_of_diagonal = 0.02;
+                          part_of_diagonal = 0.025;
 
   // ---- the surface
 
