@@ -57,7 +57,7 @@ int main(int argc, char* argv[]) {
     std::cout << "not certified: " << certificate.failure << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "certified: connected, strictly inside, and its cycles are a basis, "
+  std::cout << "certified: connected, inside, embedded, and its cycles are a basis, "
             << statistics.genus << " in all" << std::endl;
   return EXIT_SUCCESS;
 }
