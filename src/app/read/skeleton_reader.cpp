@@ -175,7 +175,7 @@ std::size_t obj_index(Text_source& text, std::size_t n) {
 }
 
 Skeleton_record read_skeleton_obj(const Input_file& file) {
-  Line_collector lines(file);
+  Line_collector lines(file, true);
   const std::string content = join_continued_lines(std::string(file.content()));
   Text_source text(file.name(), content);
   for(; text.skip_to_content(); text.skip_line()) {
@@ -378,8 +378,10 @@ public:
       if(kind == "node")
         add_node(node);
     for(const auto& [kind, edge] : *graph)
-      if(kind == "edge")
-        lines_.add_edge(number_of(attribute(edge, "source")), number_of(attribute(edge, "target")));
+      if(kind == "edge") {
+        const std::size_t from = number_of(attribute(edge, "source"));
+        lines_.add_edge(from, number_of(attribute(edge, "target")));
+      }
     return {lines_.finish(), {}};
   }
 

@@ -30,7 +30,7 @@ struct Skeleton_record
 bool is_skeleton_file(const Input_file& file);
 
 /// reads a skeleton: JSON of htloops, lines of OBJ, PolyData of VTK as text, SWC, GraphML with x, y
-/// and z of nodes, and polylines of CGAL. Where a format has no other means of joining lines,
+/// and z of nodes, and polylines of CGAL. Where a format is one of lines and not of graphs,
 /// points at the same place are one. Throws `Failure` if it is none of these, or wrong.
 Skeleton_record read_skeleton(const Input_file& file);
 

@@ -39,8 +39,13 @@ using Prepared_mesh =
 
 // With the caps that close its boundary curves.
 bool touches_itself_with_caps(internal::Execution execution, const Prepared_mesh& surface) {
+  const auto touches = [execution](const auto& mesh, auto point, auto index) {
+    return internal::touches_itself(execution, mesh, point, index);
+  };
+  if(surface.mesh.number_of_hubs == 0)
+    return touches(surface.tm, surface.point, get(boost::vertex_index, surface.tm));
   const internal::Flat_surface closed(surface.mesh, surface.coordinates(execution));
-  return internal::touches_itself(execution, closed.mesh(), closed.point(), closed.vertex_index());
+  return touches(closed.mesh(), closed.point(), closed.vertex_index());
 }
 
 internal::Flat_skeleton as_arrays(const Skeleton_lines& skeleton) {
@@ -99,7 +104,7 @@ certify_skeleton(const Mesh& mesh,
       execution, surface, places, vertex_index, get(boost::face_index, mesh), arrays, pairs,
       [&](internal::Index p) { return skeleton.names[p]; });
   if(touches_itself_with_caps(execution, surface))
-    internal::note_self_contact(certificate);
+    internal::note_self_contact(certificate, surface.mesh.number_of_hubs > 0);
   return certificate;
 }
 

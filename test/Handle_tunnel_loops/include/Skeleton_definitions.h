@@ -246,6 +246,11 @@ is_in_solid(const Exact_place& p, const std::vector<Triangle>& triangles, std::s
   }
 }
 
+inline bool is_off_faces(const Exact_place& p, const std::vector<Triangle>& triangles) {
+  return std::none_of(triangles.begin(), triangles.end(),
+                      [&p](const Triangle& t) { return t.exact.has_on(p); });
+}
+
 // Whether the segment from a corner of a triangle to a point meets it elsewhere, too: both are
 // convex, so it does so where the segment begins.
 inline bool
@@ -261,7 +266,7 @@ bool is_edge_off_faces(const Skeleton& skeleton,
   const Exact_place a = exact_place(skeleton.points[edge[0]]),
                     b = exact_place(skeleton.points[edge[1]]);
   if(a == b)
-    return true;
+    return is_off_faces(a, surface.triangles);
   const Exact::Segment_3 segment(a, b);
   const Double_box box({skeleton.points[edge[0]], skeleton.points[edge[1]]});
   for(const Triangle& t : surface.triangles) {
@@ -441,10 +446,8 @@ Truth truth(const Mesh& mesh, const Skeleton& skeleton, const Pairs& pairs) {
   for(std::size_t p = 0; p < skeleton.points.size(); ++p)
     if(is_with_edge.count(p) == 0) {
       const Exact_place place = exact_place(skeleton.points[p]);
-      truth.is_inside =
-          truth.is_inside && is_in_solid(place, surface.triangles, skeleton.component[p]);
-      for(const Triangle& t : surface.triangles)
-        truth.is_inside = truth.is_inside && !t.exact.has_on(place);
+      truth.is_inside = truth.is_inside && is_off_faces(place, surface.triangles) &&
+                        is_in_solid(place, surface.triangles, skeleton.component[p]);
       for(const Edge& e : skeleton.edges)
         truth.is_embedded =
             truth.is_embedded && !Exact::Segment_3(exact_place(skeleton.points[e[0]]),

@@ -15,7 +15,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -121,9 +124,12 @@ Line opened(Line line) {
   return line;
 }
 
-Skeleton_certificate check(const Mesh& mesh, const Graph& graph) {
-  const auto pairs = find_loops(mesh);
+Skeleton_certificate check(const Mesh& mesh, const Graph& graph, const Pairs& pairs) {
   const Skeleton_certificate certificate = CGAL::certify_curve_skeleton(mesh, graph, pairs);
+  const Skeleton_certificate by_threads =
+      CGAL::certify_curve_skeleton<CGAL::Parallel_if_available_tag>(mesh, graph, pairs);
+  EXPECT_EQ(by_threads.failure, certificate.failure);
+  EXPECT_EQ(by_threads.edges_that_meet, certificate.edges_that_meet);
   const auto skeleton = skeleton_definitions::skeleton_of(graph);
   const auto truth = skeleton_definitions::truth(mesh, skeleton, pairs);
   EXPECT_EQ(certificate.connected, truth.is_connected) << certificate.failure;
@@ -136,6 +142,10 @@ Skeleton_certificate check(const Mesh& mesh, const Graph& graph) {
     outside.insert({e.edge.first, e.edge.second});
   EXPECT_EQ(outside, truth.edges_outside);
   return certificate;
+}
+
+Skeleton_certificate check(const Mesh& mesh, const Graph& graph) {
+  return check(mesh, graph, find_loops(mesh));
 }
 
 void expect_failure(const Skeleton_certificate& certificate, const std::string& words) {
@@ -369,6 +379,44 @@ TEST(Skeleton_certificate, KnowsHandlesBesideBoundaries) {
   }
 }
 
+// ---- what only points and edges are known of
+
+TEST(Places_of_skeleton, AreThoseOfComponentsAndInlets) {
+  namespace internal = CGAL::Handle_tunnel_loops::internal;
+  const auto places_of = [](const Mesh& mesh, const Graph& graph) {
+    const auto point = get(CGAL::vertex_point, mesh);
+    const internal::Prepared_surface surface(internal::Execution(), mesh,
+                                             get(boost::vertex_index, mesh), point);
+    internal::Flat_skeleton skeleton = internal::flat_skeleton(graph);
+    skeleton.component_of.clear();
+    skeleton.is_inlet.clear();
+    internal::find_places(internal::Execution(), surface.mesh,
+                          internal::places_of_vertices(internal::Execution(), surface), skeleton);
+    return skeleton;
+  };
+  // Two cycles within the core, of which one is that of the surface around it; then one is not.
+  Soup core = torus(2., 0.3, 8, 24);
+  reverse_orientation(core);
+  const Mesh hollow = mesh_of(together(torus(2., 0.9, 12, 24), core));
+  for(const double radius : {2.1, 2.6}) {
+    Graph graph;
+    add_line(graph, wound(radius, 1, 0., 40), true);
+    add_line(graph, wound(2., 1, 0., 40), true);
+    const auto components = places_of(hollow, graph).component_of;
+    EXPECT_EQ(std::count(components.begin(), components.end(), internal::Index(0)), 40);
+    if(radius > 2.3) {
+      EXPECT_EQ(components.front(), 0u);
+    }
+  }
+  const Mesh vessel = mesh_of(pipe(4., 0.5, 9, 10));
+  Graph line;
+  add_line(line, {{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}, false);
+  EXPECT_EQ(places_of(vessel, line).is_inlet, (std::vector<char>{1, 0, 1}));
+  Graph off;
+  add_line(off, {{1e-6, 0, 0}, {2, 0, 0}, {3, 0, 0}}, false);
+  EXPECT_EQ(places_of(vessel, off).is_inlet, (std::vector<char>{0, 0, 0}));
+}
+
 // ---- random lines
 
 // In a tube, and in part out of it: whatever they do is said as it is by definition.
@@ -385,6 +433,86 @@ TEST(Skeleton_certificate, IsAsByDefinitionForRandomLines) {
     }
     check(mesh, graph);
   }
+}
+
+// Eight blocks around a hole, all faces of which are halves of squares.
+Soup block_ring() {
+  Soup soup;
+  std::map<std::array<int, 3>, std::uint32_t> numbers;
+  const auto number = [&](const std::array<int, 3>& p) {
+    const auto [it, is_new] = numbers.emplace(p, static_cast<std::uint32_t>(numbers.size()));
+    if(is_new)
+      soup.points.push_back({double(p[0]), double(p[1]), double(p[2])});
+    return it->second;
+  };
+  const auto is_solid = [](const std::array<int, 3>& p) {
+    return *std::min_element(p.begin(), p.end()) >= 0 && p[0] < 6 && p[1] < 6 && p[2] < 2 &&
+           (p[0] / 2 != 1 || p[1] / 2 != 1);
+  };
+  for(int i = 0; i < 72; ++i)
+    for(int side = 0; side < 6; ++side) {
+      const std::array<int, 3> cell = {i % 6, i / 6 % 6, i / 36};
+      std::array<int, 3> beside = cell, corner = cell;
+      const int d = side / 2;
+      beside[d] += side % 2 == 0 ? -1 : 1;
+      if(!is_solid(cell) || is_solid(beside))
+        continue;
+      corner[d] += side % 2;
+      std::array<std::uint32_t, 4> square;
+      for(int k = 0; k < 4; ++k) {
+        std::array<int, 3> p = corner;
+        p[(d + 1) % 3] += k == 1 || k == 2;
+        p[(d + 2) % 3] += k >= 2;
+        square[side % 2 == 0 ? 3 - k : k] = number(p);
+      }
+      soup.triangles.push_back({square[0], square[1], square[2]});
+      soup.triangles.push_back({square[0], square[2], square[3]});
+    }
+  return soup;
+}
+
+// Between points of a grid of halves: along edges, through vertices, in planes of faces.
+TEST(Skeleton_certificate, IsAsByDefinitionOnGrids) {
+  const Mesh mesh = mesh_of(block_ring());
+  const Pairs pairs = find_loops(mesh);
+  std::mt19937 random(3);
+  const auto up_to = [&random](int n) { return std::uniform_int_distribution<int>(0, n)(random); };
+  // Around the hole, a step at a time between inner points of one block and the next.
+  const std::array<std::array<int, 2>, 8> blocks = {
+      {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+  int number_of_good_ones = 0;
+  for(int n = number_of_cases(400); n > 0; --n) {
+    Line line;
+    const int turns = 1 + up_to(1), margin = up_to(1);
+    for(int i = 0; i < 8 * turns; ++i) {
+      const auto [x, y] = blocks[i % 8];
+      line.emplace_back(2 * x + (margin + up_to(4 - 2 * margin)) / 2.,
+                        2 * y + (margin + up_to(4 - 2 * margin)) / 2.,
+                        (margin + up_to(4 - 2 * margin)) / 2.);
+    }
+    Graph graph;
+    add_line(graph, line, true);
+    for(int i = up_to(2); i > 0; --i)
+      add_edge(up_to(int(line.size()) - 1),
+               add_point(graph, {up_to(12) / 2., up_to(12) / 2., up_to(4) / 2.}), graph);
+    number_of_good_ones += bool(check(mesh, graph, pairs));
+  }
+  EXPECT_GT(number_of_good_ones, 0);
+}
+
+TEST(Skeleton_certificate, DoesNotDependOnScaleNorPlace) {
+  for(const double scale : {1e-150, 1e-5, 1e150})
+    for(const double shift : {0., 1e4}) {
+      const Soup soup = transformed(torus(2., 0.5, 8, 20), scale, scale * shift);
+      Graph graph;
+      for(const Vector& p : wound(2., 1, 0., 30))
+        add_point(graph, scale * p + scale * shift * Vector(1, 1, 1));
+      for(std::size_t i = 0; i < 30; ++i)
+        add_edge(i, (i + 1) % 30, graph);
+      EXPECT_TRUE(check(mesh_of(soup), graph));
+      graph[0].point = graph[15].point;
+      expect_failure(check(mesh_of(soup), graph), "leaves through face");
+    }
 }
 
 // Small integers: in a plane, on a line, at one place.

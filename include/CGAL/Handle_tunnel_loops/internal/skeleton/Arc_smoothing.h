@@ -56,8 +56,9 @@ public:
 
 private:
   static constexpr int rounds_of_smoothing = 12, rounds_of_centring = 2;
-  static constexpr double mobility = 0.25; // of a bend, in its radius
-  static constexpr double spacing = 0.5;   // of bends, in their radius
+  static constexpr double mobility = 0.25;  // of a bend, in its radius
+  static constexpr double spacing = 0.5;    // of bends, in their radius
+  static constexpr double precision = 0.95; // of radii
 
   Balls with_bends(const Balls& arc) const {
     constexpr double most = 16.;
@@ -71,7 +72,7 @@ private:
         const double t = double(k) / n;
         const Vector p = (1. - t) * a.centre + t * b.centre;
         const double limit = (std::min)(a.radius + t * length, b.radius + (1. - t) * length);
-        all.push_back({p, wall_.nearest(p, limit).distance});
+        all.push_back({p, wall_.nearest(p, limit, precision).distance});
       }
       all.push_back(b);
     }
@@ -114,7 +115,7 @@ private:
       const double distance = norm(across), far_enough = most * before[i].radius;
       const Vector step = distance > far_enough ? (far_enough / distance) * across : across;
       const Vector p = before[i].centre + step;
-      const double radius = wall_.nearest(p, 2. * larger.radius).distance;
+      const double radius = wall_.nearest(p, 2. * larger.radius, precision).distance;
       if(radius > before[i].radius)
         arc[i] = {p, radius};
     }
@@ -122,7 +123,7 @@ private:
 
   void measure(Balls& arc) const {
     for(std::size_t i = 1; i + 1 < arc.size(); ++i)
-      arc[i].radius = wall_.nearest(arc[i].centre, 2. * arc[i].radius).distance;
+      arc[i].radius = wall_.nearest(arc[i].centre, 2. * arc[i].radius, precision).distance;
   }
 
   // Leaves out bends that are on the way, or so close to the next that they make no difference.

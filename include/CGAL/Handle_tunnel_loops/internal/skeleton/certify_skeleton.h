@@ -55,8 +55,9 @@ CGAL_HTL_CORE void find_places(Execution execution,
                                const std::vector<Vector>& places,
                                Flat_skeleton& skeleton);
 
-/// takes back what means nothing on a surface that crosses or touches itself.
-CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate);
+/// takes back what means nothing on a surface that crosses or touches itself, or does so \p
+/// with_caps that close its boundary curves.
+CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate, bool with_caps = false);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

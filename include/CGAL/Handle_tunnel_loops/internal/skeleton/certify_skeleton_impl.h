@@ -38,11 +38,13 @@ CGAL_HTL_CORE void find_places(Execution execution,
   Places_of_skeleton(execution, mesh, places).find(skeleton);
 }
 
-CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate) {
+CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate, bool with_caps) {
   certificate.inside = certificate.basis = false;
   certificate.failure =
-      "the surface crosses or touches itself: nothing is proved of what lies in it" +
-      std::string(certificate.failure.empty() ? "" : "\n") + certificate.failure;
+      "the surface" +
+      std::string(with_caps ? ", with the caps that close its boundary curves," : "") +
+      " crosses or touches itself: nothing is proved of what lies in it" +
+      (certificate.failure.empty() ? "" : "\n") + certificate.failure;
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

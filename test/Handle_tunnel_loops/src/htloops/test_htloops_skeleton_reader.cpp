@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+// Skeletons of other programs, and what is wrong with them.
+
+#include "app/failure.h"
+#include "app/read/skeleton_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace test_htloops_skeleton_reader {
+
+using namespace htloops;
+
+Skeleton_record read(const std::string& name, const std::string& content) {
+  const Input_file file = Input_file::in_memory(name, content);
+  EXPECT_TRUE(is_skeleton_file(file));
+  return read_skeleton(file);
+}
+
+// A triangle with a limb, whose end is at a number that only all of its digits tell.
+void expect_triangle_with_limb(const Skeleton_lines& lines) {
+  ASSERT_EQ(lines.points.size(), 4u);
+  EXPECT_EQ(lines.edges.size(), 4u);
+  EXPECT_EQ(lines.points[3], Point(0.1, 1. / 3., -1e-17));
+  std::array<int, 4> degree = {0, 0, 0, 0};
+  for(const auto& edge : lines.edges)
+    for(const std::size_t p : edge)
+      ++degree[p];
+  EXPECT_EQ(degree, (std::array<int, 4>{3, 2, 2, 1}));
+}
+
+const std::string limb_end = "0.1 0.33333333333333331 -1e-17";
+
+TEST(Skeleton_reader, KnowsAllFormats) {
+  expect_triangle_with_limb(read("a.obj", "# lines\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv " + limb_end +
+                                              "\nv 7 7 7\no arc_0\nl 1 2 3 1\nl -5 \\\n 4\n")
+                                .lines);
+  expect_triangle_with_limb(read("a.swc", "# id type x y z radius parent\n1 0 0 0 0 1 -1\n"
+                                          "2 0 1 0 0 1 1\n3 0 0 1 0 1 2\n9 7 0 0 0 1 3\n4 0 " +
+                                              limb_end + " 1 1\n")
+                                .lines);
+  expect_triangle_with_limb(
+      read("a.polylines.txt", "4 0 0 0 1 0 0 0 1 0 0 0 0\n2 0 0 0 " + limb_end + "\n").lines);
+  expect_triangle_with_limb(
+      read("a.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"><PolyData><Piece>"
+                    "<PointData><DataArray Name=\"Inlet\" format=\"ascii\">0 0 0 1</DataArray>"
+                    "</PointData><Points><DataArray type=\"Float64\" format=\"ascii\">0 0 0\n1 0 0 "
+                    "0 1 0 " +
+                        limb_end +
+                        "</DataArray></Points><Lines><DataArray Name=\"connectivity\" "
+                        "format=\"ascii\">0 1 2 0 0 3</DataArray><DataArray Name=\"offsets\" "
+                        "format=\"ascii\">4 6</DataArray></Lines></Piece></PolyData></VTKFile>")
+          .lines);
+  std::string nodes;
+  for(const char* node : {"n0 0 0 0", "n1 1 0 0", "n2 0 1 0"}) {
+    const std::string text(node);
+    nodes += "<node id=\"" + text.substr(0, 2) + "\"><data key=\"d0\">" + text[3] +
+             "</data><data key=\"y\">" + text[5] + "</data><data key=\"z\">" + text[7] +
+             "</data></node>";
+  }
+  const std::string graphml =
+      "<graphml><key id=\"d0\" for=\"node\" attr.name=\"x\" attr.type=\"double\"/><graph>" + nodes +
+      "<node id=\"end\"><data key=\"d0\">0.1</data><data key=\"y\">0.33333333333333331</data><data "
+      "key=\"z\">-1e-17</data></node>"
+      "<edge source=\"n0\" target=\"n1\"/><edge source=\"n1\" target=\"n2\"/><edge source=\"n2\" "
+      "target=\"n0\"/><edge source=\"end\" target=\"n0\"/></graph></graphml>";
+  const Skeleton_lines graph = read("a.graphml", graphml).lines;
+  expect_triangle_with_limb(graph);
+  EXPECT_EQ(graph.names[3], "end");
+  const std::string json =
+      R"({"format": "htloops skeleton", "version": 1, "mesh": {"vertices": 5, "faces": 6},
+          "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.1, 0.33333333333333331, -1e-17]],
+          "radii": [1, 1, 1, 1], "edges": [[0, 1], [1, 2], [2, 0], [0, 3]],
+          "components": [0, 0, 0, 2], "inlets": [3]})";
+  const Skeleton_record record = read("a.json", json);
+  expect_triangle_with_limb(record.lines);
+  EXPECT_EQ(record.lines.components, (std::vector<std::size_t>{0, 0, 0, 2}));
+  EXPECT_EQ(record.lines.is_inlet, (std::vector<char>{0, 0, 0, 1}));
+  EXPECT_EQ((*record.mesh_size)[1], 6u);
+  EXPECT_FALSE(is_skeleton_file(Input_file::in_memory("a.json", R"({"format": "htloops/1"})")));
+}
+
+void expect_problem(const std::string& name, const std::string& content, const std::string& words) {
+  try {
+    read(name, content);
+    ADD_FAILURE() << content;
+  } catch(const Failure& failure) {
+    EXPECT_EQ(failure.code(), Exit_code::UNREADABLE_FILE);
+    EXPECT_NE(std::string(failure.what()).find(words), std::string::npos) << failure.what();
+  }
+}
+
+TEST(Skeleton_reader, SaysWhatIsWrong) {
+  expect_problem("a.obj", "v 0 0 0\nv 1 0 0\nl 1 3\n", "'3' is none of the 2 points so far");
+  expect_problem("a.obj", "v 0 0 0\nv 1 0 0\n", "there are no lines in it");
+  expect_problem("a.obj", "v 0 0\n", "a point has no three coordinates");
+  expect_problem("a.obj", "v 0 0 inf\nl 1\n", "point 1 is not finite");
+  expect_problem("a.swc", "1 0 0 0 0 1 7\n", "there is no point 7, which is to be a parent");
+  expect_problem("a.swc", "1 0 0 0 0 1 -1\n1 0 0 0 0 1 -1\n", "is there twice");
+  expect_problem("a.polylines.txt", "2 0 0 0 1 0\n", "a point has no three coordinates");
+  expect_problem("a.vtp", "<VTKFile><PolyData>", "it is not XML");
+  expect_problem("a.vtp", "<a/>", "it is no PolyData");
+  expect_problem("a.vtp",
+                 "<VTKFile><PolyData><Piece><Points><DataArray format=\"binary\">AAAA</DataArray>"
+                 "</Points></Piece></PolyData></VTKFile>",
+                 "its arrays are not text");
+  expect_problem("a.graphml", "<graphml><graph><node id=\"n0\"/></graph></graphml>",
+                 "the node n0 has no x");
+  expect_problem("a.graphml",
+                 "<graphml><graph><edge source=\"n0\" target=\"n1\"/></graph></graphml>",
+                 "an edge leads to the node n0, which is not there");
+  expect_problem("a.json", R"({"format": "htloops skeleton", "version": 2})", "version");
+  expect_problem("a.json", R"({"format": "htloops skeleton", "version": 1})", "no member 'points'");
+}
+
+} // namespace test_htloops_skeleton_reader
