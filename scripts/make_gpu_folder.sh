@@ -73,13 +73,13 @@ run() {
 } | tee "$results/machine.txt"
 nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv 2>/dev/null |
   tee -a "$results/machine.txt" || true
-few='Gpu_smoke.*:Gpu.AgreesWithTheHostOnRandomSurfaces:Gpu.LabelsFronts*'
+few='Gpu_smoke.*:Gpu.AgreesWithTheHostOnRandomSurfaces:Gpu.LabelsFronts*:Gpu.FindsTheCells*'
 for what in "$@"; do
   case "$what" in
     tests)
       run test_device_passes 120 bin/test_fronts --gtest_filter='*Device_backend.*'
       for name in 'Gpu_smoke.*' 'Gpu.Labels*' 'Gpu.*RandomSurfaces' 'Gpu.*SmoothSurfaces' \
-        'Gpu.FindsTheLoops*' 'On_a_device*' 'Gpu.*Reference' 'Gpu.*Thread*:Gpu.*Stream:Gpu.*Memory'; do
+        'Gpu.FindsTheLoops*' 'Gpu.Finds*Cells*' 'On_a_device*' 'Gpu.*Reference' 'Gpu.*Thread*:Gpu.*Stream:Gpu.*Memory'; do
         run "test_gpu_${name//[^A-Za-z]/}" 120 bin/test_gpu --gtest_filter="$name"
       done
       run test_gpu_again 120 bin/test_gpu --gtest_filter='Gpu.*RandomSurfaces' --gtest_repeat=10

@@ -1,7 +1,8 @@
 // Measures the computation on a CUDA device, from arrays on the host to loops on the host, stage by
 // stage, and the initial pass against its floor: the bytes that its updates move at least, at the
 // bandwidth of the device, and its steps, at the cost of a barrier; beside the host solver on all
-// threads and on two.
+// threads and on two. The first cells of the coarse mesh by themselves, by the host and by the
+// device.
 //
 //   benchmark_device [-n RUNS] [--kernels] [--knobs] [--no-host] [--no-sweep] [KIND:FACES:GENUS]...
 //
@@ -12,6 +13,7 @@
 // no device.
 
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh_builder.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/handle_tunnel_loops.h>
@@ -33,6 +35,7 @@
 #include <cstdlib>
 #include <future>
 #include <iterator>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -158,6 +161,32 @@ impl::Flat_mesh flat_mesh_of(const Mesh& mesh) {
       .build();
 }
 
+// What is before the fields: labelling the cells of a coarse mesh, and a first look at each of
+// them.
+void measure_cells(const impl::Flat_mesh& mesh, int runs) {
+  const auto seconds = [&](const auto& find_first_cells) {
+    std::vector<double> all;
+    for(int i = 0; i <= runs; ++i) {
+      const auto began = Clock::now();
+      impl::Coarse_mesh_builder(impl::execution_of<CGAL::Parallel_if_available_tag>(), mesh,
+                                impl::vertices_of_cell, mesh.seeds, find_first_cells);
+      if(i > 0) // the first run loads the code
+        all.push_back(seconds_since(began));
+    }
+    return median(all);
+  };
+  std::unique_ptr<impl::device::Solver> solver;
+  const auto send_and_find = [&](impl::First_cells& cells) {
+    solver.reset();
+    solver = impl::device::make_cuda_solver(mesh, {});
+    return solver->find_first_cells(cells);
+  };
+  const double of_host = seconds(impl::Find_first_cells()), with_sending = seconds(send_and_find);
+  const double alone = seconds([&](impl::First_cells& c) { return solver->find_first_cells(c); });
+  std::printf("  first cells: host %.4f s; device %.4f s, without sending the mesh %.4f s\n",
+              of_host, with_sending, alone);
+}
+
 // A line for a run, and one for each kernel that takes a hundredth of the device's time.
 void print(const char* name, const benchmark_device::Tuned_run& run) {
   std::printf("  %s:", name);
@@ -269,6 +298,7 @@ void measure(const std::string& request,
   std::printf("  %.0f bytes of the device per face\n",
               double(device.statistics.device_bytes) / double(mesh.number_of_faces()));
   const impl::Flat_mesh flat = flat_mesh_of(mesh);
+  measure_cells(flat, choices.runs);
   if(choices.with_sweep)
     measure_sweep(flat, ceilings, choices.runs);
   if(choices.with_kernels) {

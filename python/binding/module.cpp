@@ -49,5 +49,6 @@ PYBIND11_MODULE(_core, module) {
   htl_python::add_generators(module);
   htl_python::add_loops(module);
   htl_python::add_reeb(module);
+  htl_python::add_skeleton(module);
   htl_python::add_surgery(module);
 }

@@ -1,8 +1,8 @@
-"""The skeleton of a surface, with its cycles, as SWC.
+"""The curve skeleton of a surface, with its cycles, as SWC.
 
     python3 skeleton_to_swc.py [MESH.off [OUT.swc]]
 
-SWC knows trees only: cycles are opened, and comments say which points are the same.
+SWC knows trees only: each cycle is cut at a point that is there twice, and comments say which.
 """
 
 import sys
@@ -14,12 +14,12 @@ import handle_tunnel_loops as htl
 
 def main(mesh=None, out="skeleton.swc"):
     V, F = htl.read(mesh, repair=True) if mesh else htl.generate("bicycle")
-    G = htl.reeb(V, F)
-    on_cycles = G.is_on_cycle.sum()
-    print(f"{len(G.arcs)} arcs, {on_cycles} of them on cycles, of which there are {G.number_of_cycles}")
-    print(f"length {G.lengths.sum():.4g}, median radius {np.median(np.concatenate(G.radii)):.3g}")
-    print(f"{G.to_swc(out)} points in {out}")
-    return G
+    S = htl.curve_skeleton(V, F)
+    print(f"{len(S.arcs)} arcs, {S.is_on_cycle.sum()} of them on cycles, of which there are {S.number_of_cycles}")
+    print(f"length {S.lengths.sum():.4g}, median radius {np.median(S.radii):.3g}")
+    print("proved to lie inside" if S.certificate else f"not proved: {S.certificate.failure}")
+    S.save(out)
+    return S
 
 
 if __name__ == "__main__":

@@ -23,7 +23,8 @@ Functions
 
     loops           the handle and tunnel loops of a mesh
     certify         what has been proved of loops
-    reeb            the Reeb graph of a function on a mesh, or a skeleton
+    curve_skeleton  lines in the middle of the solid inside a mesh, with radii and a proof
+    reeb            the Reeb graph of a function on a mesh
     remove_handles  a mesh without some of its handles
     cut_to_disk     a mesh cut open along a short graph, for parametrization
     dual_cuts       for each loop, a cut that crosses it once, for circuits
@@ -43,6 +44,7 @@ raised). ``threads`` is how many a call takes at most, whatever others take at t
 from ._core import Interrupted, MeshError, version as _version
 from ._loops import Certificate, Loop, Loops, certify, html, loops
 from ._reeb import ReebGraph, reeb
+from ._skeleton import CurveSkeleton, SkeletonCertificate, curve_skeleton
 from ._sources import generate, kinds, read, repair
 from ._surgery import DualCut, cut_to_disk, dual_cuts, remove_handles
 from ._survey import survey
@@ -51,13 +53,16 @@ __version__ = _version.split()[1].rstrip(",")
 
 __all__ = [
     "Certificate",
+    "CurveSkeleton",
     "DualCut",
     "Interrupted",
     "Loop",
     "Loops",
     "MeshError",
     "ReebGraph",
+    "SkeletonCertificate",
     "certify",
+    "curve_skeleton",
     "cut_to_disk",
     "dual_cuts",
     "generate",

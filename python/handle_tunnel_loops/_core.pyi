@@ -53,6 +53,14 @@ def reeb(
     threads: int,
     watch: Watch,
 ) -> _Record: ...
+def curve_skeleton(
+    points: np.ndarray,
+    triangles: np.ndarray,
+    shortest_limb: float,
+    threads: int,
+    watch: Watch,
+) -> _Record: ...
+def save_skeleton(file: str, record: _Record, watch: Watch) -> None: ...
 def remove_handles(
     points: np.ndarray,
     triangles: np.ndarray,

@@ -49,9 +49,9 @@ def test_segmented_volume():
 
 
 def test_skeleton_to_swc(tmp_path):
-    G = example("skeleton_to_swc").main(None, tmp_path / "a.swc")
-    assert G.number_of_cycles > 0
-    assert (tmp_path / "a.swc").read_text().count("# cycle:") == G.number_of_cycles
+    S = example("skeleton_to_swc").main(None, tmp_path / "a.swc")
+    assert S.number_of_cycles > 0
+    assert (tmp_path / "a.swc").read_text().count("# cycle:") == S.number_of_cycles
 
 
 def test_plot_loops(tmp_path):

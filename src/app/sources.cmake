@@ -7,6 +7,7 @@ set(HTLOOPS_APP_SOURCES
   solve/cut_solver.cpp
   solve/host_backend.cpp
   solve/reeb_solver.cpp
+  solve/skeleton_solver.cpp
   solve/removal_solver.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_APP_SOURCES solve/reference_backend.cpp)
@@ -24,7 +25,9 @@ list(APPEND HTLOOPS_APP_SOURCES
   draw/meshes.cpp
   draw/pages.cpp
   draw/pictures.cpp
+  draw/skeletons.cpp
   draw/surfaces.cpp
+  draw/tints.cpp
   draw/view.cpp
   mend/Change_log.cpp
   mend/comparison.cpp
@@ -51,6 +54,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   write/rows.cpp
   write/mesh_writer.cpp
   write/pair_listing.cpp
+  write/skeleton_formats.cpp
   write/tables.cpp)
 
 # Only one file has to be compiled again when the version changes.

@@ -463,7 +463,7 @@ run(2 reeb mesh.off --backend abacus)
 run(2 reeb mesh.off --backend host --height 0,0,1)
 
 # Help is no error.
-foreach(command IN ITEMS "" loops reeb cut remove check generate)
+foreach(command IN ITEMS "" loops reeb skeleton cut remove check generate)
   run(0 ${command} --help)
   expect_match("${output}" "Usage: htloops")
 endforeach()

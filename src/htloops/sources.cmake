@@ -11,5 +11,6 @@ set(HTLOOPS_COMMANDS_SOURCES
   commands/reeb_command.cpp
   commands/remove_command.cpp
   commands/repair_command.cpp
+  commands/skeleton_command.cpp
   commands/tool.cpp
   terminal/terminal.cpp)

@@ -63,6 +63,7 @@ public:
          int height);
 
   Vector_3 in_frame(const Point& p) const;
+  float in_frame(double length) const { return static_cast<float>(length / unit_); }
   Projected_point project(Vector_3 in_frame) const;
 
   /// the point in the camera's frame that is seen at a place of the picture.

@@ -107,57 +107,69 @@ Line_layer::Line_layer(const Camera& camera,
   }
 }
 
-void Line_layer::draw_line(std::uint32_t line, const Line& polyline) {
-  if(polyline.points.empty())
+Line_layer::Place Line_layer::place_on(const Line& line, std::size_t point) const {
+  const Projected_point p = camera_.project(camera_.in_frame(line.points[point]));
+  const float radius = line.radii.empty() ? static_cast<float>(line.width) * radius_
+                                          : camera_.in_frame(line.radii[point]) /
+                                                camera_.pixel_size(p.inverse_depth);
+  return {p, (std::max)(radius, 0.5f)};
+}
+
+void Line_layer::draw_line(std::uint32_t number, const Line& line) {
+  if(line.points.empty())
     return;
-  const Projected_point first = camera_.project(camera_.in_frame(polyline.points.front()));
-  Projected_point last = first;
-  for(const Point& point : polyline.points) {
-    const Projected_point next = camera_.project(camera_.in_frame(point));
+  // A line on a surface that is seen at a low angle is half below it: lift it by more than its
+  // thickness. One that is as thick as what is around it touches the surface from inside.
+  const float lift = line.radii.empty() ? 2.5f : -0.25f;
+  const Place first = place_on(line, 0);
+  Place last = first;
+  for(std::size_t i = 1; i < line.points.size(); ++i) {
+    const Place next = place_on(line, i);
     // A loop has far more points than samples where triangles are tiny.
     if(std::hypot(next.x - last.x, next.y - last.y) < 0.7f)
       continue;
-    draw_segment(line, last, next);
+    draw_segment(number, last, next, lift);
     last = next;
   }
   const bool is_point = last.x == first.x && last.y == first.y;
-  if(polyline.closed || is_point)
-    draw_segment(line, last, first);
+  if(line.closed || is_point)
+    draw_segment(number, last, first, lift);
 }
 
-void Line_layer::draw_segment(std::uint32_t line, Projected_point a, Projected_point b) {
-  const int first_y = (std::max)(0, int((std::min)(a.y, b.y) - radius_));
-  const int last_y = (std::min)(surface_.height() - 1, int((std::max)(a.y, b.y) + radius_));
+void Line_layer::draw_segment(std::uint32_t line, Place a, Place b, float lift) {
+  const float widest = (std::max)(a.radius, b.radius);
+  const int first_y = (std::max)(0, int((std::min)(a.y, b.y) - widest));
+  const int last_y = (std::min)(surface_.height() - 1, int((std::max)(a.y, b.y) + widest));
   const float dx = b.x - a.x, dy = b.y - a.y, squared_length = dx * dx + dy * dy;
   for(int y = first_y; y <= last_y; ++y) {
     // The part of the segment that is near this row of samples.
-    const float below = y - a.y - radius_, above = y + 1.f - a.y + radius_;
-    const bool is_steep = std::abs(dy) > radius_;
+    const float below = y - a.y - widest, above = y + 1.f - a.y + widest;
+    const bool is_steep = std::abs(dy) > widest;
     const float s = is_steep ? std::clamp(below / dy, 0.f, 1.f) : 0.f,
                 e = is_steep ? std::clamp(above / dy, 0.f, 1.f) : 1.f;
     const float left = a.x + (std::min)(s * dx, e * dx), right = a.x + (std::max)(s * dx, e * dx);
-    const int first_x = (std::max)(0, int(left - radius_) - 1),
-              last_x = (std::min)(surface_.width() - 1, int(right + radius_) + 1);
+    const int first_x = (std::max)(0, int(left - widest) - 1),
+              last_x = (std::min)(surface_.width() - 1, int(right + widest) + 1);
     for(int x = first_x; x <= last_x; ++x) {
       const float px = x + 0.5f - a.x, py = y + 0.5f - a.y;
       const float t =
           squared_length > 0.f ? std::clamp((px * dx + py * dy) / squared_length, 0.f, 1.f) : 0.f;
       const float squared_distance = (px - t * dx) * (px - t * dx) + (py - t * dy) * (py - t * dy);
-      if(squared_distance <= radius_ * radius_)
-        draw_sample(line, x, y, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth),
-                    std::sqrt(squared_distance));
+      const float radius = a.radius + t * (b.radius - a.radius);
+      if(squared_distance <= radius * radius)
+        draw_sample(line, x, y,
+                    {{0.f, 0.f, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth)}, radius},
+                    std::sqrt(squared_distance), lift);
     }
   }
 }
 
 void Line_layer::draw_sample(
-    std::uint32_t line, int x, int y, float inverse_depth, float distance) {
-  // The tube is as thick as it is wide. A line on a surface that is seen at a low angle is half
-  // below it: lift it by more than its thickness.
-  constexpr float lift = 2.5f;
-  const float depth = 1.f / inverse_depth;
-  const float radius = radius_ * camera_.pixel_size(inverse_depth);
-  const float across = distance / radius_;
+    std::uint32_t line, int x, int y, Place middle, float distance, float lift) {
+  // The tube is as thick as it is wide.
+  const float depth = 1.f / middle.inverse_depth;
+  const float radius = middle.radius * camera_.pixel_size(middle.inverse_depth);
+  const float across = distance / middle.radius;
   const float front = depth - radius * std::sqrt((std::max)(0.f, 1.f - across * across));
   const float surface = surface_.inverse_depth(x, y);
   const bool is_in_front = (front - lift * radius) * surface < 1.f;

@@ -70,8 +70,8 @@ public:
     float across = 0.f; ///< the distance from the middle of the line, in units of half its width
   };
 
-  /// draws lines that are `radius` samples wide to each side. `look` is called again and again, and
-  /// may end it by throwing.
+  /// draws lines that are `radius` samples wide to each side, if they say nothing else. `look` is
+  /// called again and again, and may end it by throwing.
   Line_layer(const Camera& camera,
              const Surface_layer& surface,
              const std::vector<Line>& lines,
@@ -115,9 +115,16 @@ private:
     std::vector<std::vector<Sample>> squares_;
   };
 
+  /// A place of a line, and how wide that is there to each side, in samples.
+  struct Place : Projected_point
+  {
+    float radius;
+  };
+
+  Place place_on(const Line& line, std::size_t point) const;
   void draw_line(std::uint32_t line, const Line& points);
-  void draw_segment(std::uint32_t line, Projected_point a, Projected_point b);
-  void draw_sample(std::uint32_t line, int x, int y, float inverse_depth, float distance);
+  void draw_segment(std::uint32_t line, Place a, Place b, float lift);
+  void draw_sample(std::uint32_t line, int x, int y, Place middle, float distance, float lift);
 
   const Camera& camera_;
   const Surface_layer& surface_;

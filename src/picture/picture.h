@@ -25,7 +25,7 @@ using Colour = std::array<unsigned char, 3>; ///< sRGB
 using Point = std::array<double, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A polyline, drawn as a tube.
+/// A polyline, drawn as a tube; one of a single point as a ball.
 struct Line
 {
   std::vector<Point> points;
@@ -33,6 +33,10 @@ struct Line
   bool closed;
   std::string label = {};   ///< written beside it where there is room; none if empty
   bool is_outlined = false; ///< with a white border, which sets it off from dark surfaces
+  double width = 1.;        ///< as a multiple of that of all lines
+  /// by point, how thick the tube is in the unit of the points, near and far; empty for a width in
+  /// pixels.
+  std::vector<double> radii = {};
 };
 
 /// What lines of a colour are.

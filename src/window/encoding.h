@@ -47,6 +47,16 @@ public:
     return place;
   }
 
+  /// a length in steps of the largest extent, of which no length has more than that.
+  std::int32_t steps_of(double length) const {
+    double half = 0.;
+    for(int i = 0; i < 3; ++i)
+      if(low_[i] < high_[i])
+        half = (std::max)(half, high_[i] / 2. - low_[i] / 2.);
+    const double part = half > 0. ? length / 2. / half : 0.;
+    return static_cast<std::int32_t>((std::min)(part, 1.) * 65535. + 0.5);
+  }
+
   /// the extents, the largest of which is 1 unless all is one point.
   Point size() const {
     Point half{};

@@ -35,7 +35,9 @@ Json json_of(const Scene& scene, const Surface& surface, const Encoded_surface& 
   return json;
 }
 
-Json json_of(const Line_group& group) { return {{"name", group.name}, {"colour", group.colour}}; }
+Json json_of(const Line_group& group) {
+  return {{"name", group.name}, {"colour", group.colour}, {"width", group.width}};
+}
 
 Json json_of(const Line& line) {
   Json json = {{"points", line.points.size()}, {"closed", line.closed}, {"group", line.group}};
@@ -43,6 +45,8 @@ Json json_of(const Line& line) {
     json["row"] = line.row;
   if(line.surface != every_surface)
     json["surface"] = line.surface;
+  if(!line.radii.empty())
+    json["radii"] = true;
   return json;
 }
 
@@ -78,6 +82,7 @@ std::string scene_json(const Scene& scene,
                      {"view", scene.view},
                      {"up", scene.up},
                      {"opacity", scene.opacity},
+                     {"bones", scene.has_bones},
                      {"surfaces", surfaces},
                      {"groups", array_of(scene.groups)},
                      {"lines", array_of(scene.lines)},
@@ -91,16 +96,25 @@ std::string scene_json(const Scene& scene,
   return inside_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+// Places, and radii of the lines that have any.
 Packed encode_lines(const std::vector<Line>& lines, const Grid& grid) {
   Place_streams streams;
+  Stream radii;
   Grid::Place last{};
-  for(const Line& line : lines)
+  std::int32_t last_radius = 0;
+  for(const Line& line : lines) {
     for(const Point& p : line.points) {
       const Grid::Place place = grid.place_of(p);
       add_difference(streams, place, last);
       last = place;
     }
-  return packed({&streams[0], &streams[1], &streams[2]});
+    for(const double r : line.radii) {
+      const std::int32_t radius = grid.steps_of(r);
+      radii.add_signed(radius - last_radius);
+      last_radius = radius;
+    }
+  }
+  return packed({&streams[0], &streams[1], &streams[2], &radii});
 }
 
 void add_data(const std::string& id, const Packed& data, std::string& html) {

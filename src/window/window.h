@@ -41,11 +41,12 @@ struct Line_group
 {
   std::string name;
   Colour colour;
+  double width = 1.; ///< as a multiple of that of others, below 4000
 };
 
 constexpr std::size_t every_surface = static_cast<std::size_t>(-1);
 
-/// A polyline.
+/// A polyline; a ball if it is closed and has a single point.
 struct Line
 {
   std::vector<Point> points;
@@ -53,6 +54,8 @@ struct Line
   std::size_t group; ///< its number
   std::size_t row;   ///< the row of the table that tells of it; `no_row` if none does
   std::size_t surface = every_surface; ///< its number, if it is seen with this one only
+  /// by point, how thick it is if the viewer wants that, in the unit of the points; or none.
+  std::vector<double> radii = {};
 };
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
@@ -88,6 +91,7 @@ struct Scene
   Point up = {0., 0., 1.};      ///< the direction that is upright, at first
   double opacity = 1.;          ///< of the surface, at first, 0 to 1
   Colour surface_colour = {204, 212, 222};
+  bool has_bones = false; ///< lines are inside: a surface that is not opaque lies over them
 };
 
 /*!

@@ -90,7 +90,7 @@ struct Statistics
   std::string backend;
   std::string fallback;           ///< why not on the device, or no longer, if that was asked for
   bool has_device_failed = false; ///< whether `fallback` is about a device that is there
-  std::size_t device_bytes = 0;   ///< of the device's memory, at most at one time
+  std::size_t device_bytes = 0;   ///< of the device's memory, at most at one time, for one mesh
 
   /// the wall time of a stage, in seconds.
   double seconds_of(Stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }

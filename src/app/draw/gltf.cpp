@@ -41,10 +41,16 @@ Vector across(const Vector& direction, const Vector& wanted) {
 class Tube
 {
 public:
-  Tube(const std::vector<Vector>& line, bool is_closed, double radius)
-      : line_(without_repetitions(line, is_closed))
-      , is_closed_(is_closed)
-      , radius_(radius) {}
+  Tube(const std::vector<Vector>& line, bool is_closed, const std::vector<double>& radii)
+      : is_closed_(is_closed) {
+    for(std::size_t i = 0; i < line.size(); ++i)
+      if(line_.empty() || line[i] != line_.back()) {
+        line_.push_back(line[i]);
+        radii_.push_back(radii[i]);
+      }
+    while(is_closed && line_.size() > 1 && line_.front() == line_.back())
+      line_.pop_back();
+  }
 
   Smooth_surface build() {
     if(line_.size() < 2)
@@ -78,7 +84,7 @@ private:
       const double angle = 2. * pi * k / sides;
       const Vector normal = sum(sum({}, std::cos(angle), aside), std::sin(angle), other);
       tube_.normals.push_back(normal);
-      tube_.points.push_back(sum(line_[i], radius_, normal));
+      tube_.points.push_back(sum(line_[i], radii_[i], normal));
     }
   }
 
@@ -100,9 +106,9 @@ private:
     }
   }
 
-  const std::vector<Vector> line_;
+  std::vector<Vector> line_;
+  std::vector<double> radii_;
   const bool is_closed_;
-  const double radius_;
   Smooth_surface tube_;
 };
 
@@ -135,7 +141,8 @@ public:
   void add(const std::string& name,
            const std::string& kind,
            const Smooth_surface& surface,
-           const Colour& colour) {
+           const Colour& colour,
+           double opacity = 1.) {
     if(surface.triangles.empty())
       return;
     std::vector<Vector> points;
@@ -146,7 +153,7 @@ public:
     const Json attributes = {{"POSITION", positions}, {"NORMAL", accessor_of(surface.normals)}};
     const Json primitive = {{"attributes", attributes},
                             {"indices", accessor_of(surface.triangles)},
-                            {"material", material(kind, colour)}};
+                            {"material", material(kind, colour, opacity)}};
     json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
     json_["nodes"].push_back({{"name", name}, {"mesh", json_["meshes"].size() - 1}});
   }
@@ -220,17 +227,18 @@ private:
   }
 
   // One for each colour; glTF wants the amount of light.
-  std::size_t material(const std::string& kind, const Colour& colour) {
+  std::size_t material(const std::string& kind, const Colour& colour, double opacity) {
     const auto [position, is_new] = materials_.try_emplace(colour, materials_.size());
     if(is_new) {
       Json light = Json::array();
       for(const unsigned char part : colour)
         light.push_back(std::pow(part / 255., 2.2));
-      light.push_back(1.);
+      light.push_back(opacity);
       json_["materials"].push_back(
           {{"name", kind},
            {"pbrMetallicRoughness",
             {{"baseColorFactor", light}, {"metallicFactor", 0.}, {"roughnessFactor", 0.7}}},
+           {"alphaMode", opacity < 1. ? "BLEND" : "OPAQUE"},
            {"doubleSided", true}});
     }
     return position->second;
@@ -277,7 +285,8 @@ void add_surface(Gltf& gltf, const Drawn_surface& surface, double diagonal) {
   constexpr Colour plain = {204, 212, 222};
   const std::vector<Vector> normals = normals_of(surface, diagonal);
   if(surface.colours.empty()) {
-    gltf.add("surface", "surface", {surface.points, normals, surface.triangles}, plain);
+    gltf.add("surface", "surface", {surface.points, normals, surface.triangles}, plain,
+             surface.opacity);
     return;
   }
   std::vector<Colour> colours = surface.colours;
@@ -285,14 +294,49 @@ void add_surface(Gltf& gltf, const Drawn_surface& surface, double diagonal) {
   colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
   for(std::size_t i = 0; i < colours.size(); ++i)
     gltf.add("part " + std::to_string(i), "part " + std::to_string(i),
-             in_colour(surface, normals, colours[i]), colours[i]);
+             in_colour(surface, normals, colours[i]), colours[i], surface.opacity);
 }
 
 } // namespace
 
-Smooth_surface tube_around(const std::vector<Vector>& line, bool is_closed, double radius) {
-  return Tube(line, is_closed, radius).build();
+Smooth_surface
+tube_around(const std::vector<Vector>& line, bool is_closed, const std::vector<double>& radii) {
+  return Tube(line, is_closed, radii).build();
 }
+
+Smooth_surface tube_around(const std::vector<Vector>& line, bool is_closed, double radius) {
+  return tube_around(line, is_closed, std::vector<double>(line.size(), radius));
+}
+
+// A tube along the upright axis, with the poles as its first and last rings.
+Smooth_surface ball_around(const Vector& middle, double radius) {
+  constexpr int rings = 7;
+  std::vector<Vector> line;
+  std::vector<double> radii;
+  for(int i = 0; i < rings; ++i) {
+    const double angle = pi * i / (rings - 1);
+    line.push_back(sum(middle, -radius * std::cos(angle), {0., 0., 1.}));
+    radii.push_back(radius * std::sin(angle));
+  }
+  Smooth_surface ball = tube_around(line, false, radii);
+  for(std::size_t i = 0; i < ball.points.size(); ++i)
+    ball.normals[i] = unit(sum(ball.points[i], -1., middle));
+  return ball;
+}
+
+namespace {
+
+// As thick as it says, else as lines are.
+Smooth_surface model_of(const Exported_line& line, double radius) {
+  const std::vector<Vector> points = coordinates(line.points);
+  std::vector<double> radii = line.radii;
+  if(radii.empty())
+    radii.assign(points.size(), line.width * radius);
+  return points.size() == 1 ? ball_around(points[0], radii[0])
+                            : tube_around(points, line.is_closed, radii);
+}
+
+} // namespace
 
 void export_gltf(const std::string& file,
                  const Drawn_surface& surface,
@@ -309,8 +353,7 @@ void export_gltf(const std::string& file,
   constexpr double relative_radius = 0.003;
   for(const Exported_line& line : lines.lines)
     gltf.add(line.kind + " " + std::to_string(line.index), line.kind,
-             tube_around(coordinates(line.points), line.is_closed, relative_radius * diagonal),
-             line.colour);
+             model_of(line, relative_radius * diagonal), line.colour);
   write_text(file, gltf.file());
 }
 

@@ -20,26 +20,6 @@ void add_lines(Exported_lines& lines, const Pair& pair, std::size_t index) {
                            type == Loop_type::HANDLE ? 0 : 1, index, pair.loop(type).length()});
 }
 
-// The lines as vertices and edges with a colour per vertex.
-void write_lines_ply(Text_writer& out, const Exported_lines& lines) {
-  out << "ply\nformat ascii 1.0\ncomment " << lines.title << "\nelement vertex "
-      << lines.number_of_points()
-      << "\nproperty double x\nproperty double y\nproperty double z\n"
-         "property uchar red\nproperty uchar green\nproperty uchar blue\nelement edge "
-      << lines.number_of_edges() << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  for(const Exported_line& line : lines.lines) {
-    const auto [red, green, blue] = line.colour;
-    for(const Point& point : line.points)
-      out << point << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << '\n';
-  }
-  std::size_t first = 0;
-  for(const Exported_line& line : lines.lines) {
-    for(std::size_t i = 0; i < line.number_of_edges(); ++i)
-      out << first + i << ' ' << first + (i + 1) % line.points.size() << '\n';
-    first += line.points.size();
-  }
-}
-
 // The lines as line elements, each an object with a name.
 void write_lines_obj(Text_writer& out, const Exported_lines& lines) {
   out << "# " << lines.title << '\n';
@@ -62,72 +42,29 @@ void write_lines_obj(Text_writer& out, const Exported_lines& lines) {
   }
 }
 
-// The lines as CGAL writes polylines: one per line, of a closed one the first point again at the
-// end.
-void write_lines_polylines(Text_writer& out, const Exported_lines& lines) {
-  for(const Exported_line& line : lines.lines) {
-    out << line.number_of_edges() + 1;
-    for(const Point& point : line.points)
-      out << ' ' << point;
-    if(line.is_closed)
-      out << ' ' << line.points.front();
-    out << '\n';
-  }
-}
-
-void begin_vtp_array(Text_writer& out,
-                     const char* type,
-                     const std::string& name,
-                     const char* more = "") {
-  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"" << more
-      << " format=\"ascii\">\n";
-}
-
-// An array with one value per line, the result of `value(line)`.
-template <typename Value>
-void write_vtp_array(Text_writer& out,
-                     const Exported_lines& lines,
-                     const char* type,
-                     const std::string& name,
-                     const Value& value) {
-  begin_vtp_array(out, type, name);
-  for(const Exported_line& line : lines.lines)
-    out << value(line) << '\n';
-  out << "</DataArray>\n";
-}
-
 // The lines as lines of a VTK PolyData with their kind, index and length. A closed line names its
 // first point again at the end.
 void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
-  out << "<?xml version=\"1.0\"?>\n"
-         "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
-         "<Piece NumberOfPoints=\""
-      << lines.number_of_points() << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << lines.lines.size()
-      << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<Points>\n";
-  begin_vtp_array(out, "Float64", "Points", " NumberOfComponents=\"3\"");
-  for(const Exported_line& line : lines.lines)
-    for(const Point& point : line.points)
-      out << point << '\n';
-  out << "</DataArray>\n</Points>\n<Lines>\n";
-  begin_vtp_array(out, "Int64", "connectivity");
-  std::size_t first = 0;
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> cells;
   for(const Exported_line& line : lines.lines) {
+    cells.emplace_back();
     for(std::size_t i = 0; i <= line.number_of_edges(); ++i)
-      out << first + i % line.points.size() << (i < line.number_of_edges() ? ' ' : '\n');
-    first += line.points.size();
+      cells.back().push_back(points.size() + i % line.points.size());
+    points.insert(points.end(), line.points.begin(), line.points.end());
   }
-  out << "</DataArray>\n";
-  std::size_t end = 0;
-  write_vtp_array(out, lines, "Int64", "offsets",
-                  [&end](const Exported_line& line) { return end += line.number_of_edges() + 1; });
-  out << "</Lines>\n<CellData Scalars=\"kind\">\n";
-  write_vtp_array(out, lines, "UInt8", "kind",
-                  [](const Exported_line& line) { return line.kind_number; });
-  write_vtp_array(out, lines, "Int64", lines.index_name,
-                  [](const Exported_line& line) { return line.index; });
-  write_vtp_array(out, lines, "Float64", "length",
-                  [](const Exported_line& line) { return line.length; });
-  out << "</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  Polydata_writer vtp(out, points.size(), 0, cells.size());
+  vtp.points(points, [](const Point& point) -> const Point& { return point; });
+  vtp.cells("Lines", cells);
+  vtp.begin("CellData", " Scalars=\"kind\"");
+  vtp.array("UInt8", "kind", lines.lines,
+            [](const Exported_line& line) { return line.kind_number; });
+  vtp.array("Int64", lines.index_name, lines.lines,
+            [](const Exported_line& line) { return line.index; });
+  vtp.array("Float64", "length", lines.lines,
+            [](const Exported_line& line) { return line.length; });
+  vtp.end("CellData");
+  vtp.finish();
 }
 
 constexpr File_format<void(Text_writer&, const Exported_lines&)> line_formats[] = {
@@ -173,6 +110,37 @@ Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
   add(answer.boundaries.curves, colour_of_boundary_curve, "boundary", 2);
   add(answer.boundaries.waists, colour_of(Loop_type::BOUNDARY), "waist", 3);
   return result;
+}
+
+void write_lines_ply(Text_writer& out, const Exported_lines& lines) {
+  out << "ply\nformat ascii 1.0\ncomment " << lines.title << "\nelement vertex "
+      << lines.number_of_points()
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+         "property uchar red\nproperty uchar green\nproperty uchar blue\nelement edge "
+      << lines.number_of_edges() << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  for(const Exported_line& line : lines.lines) {
+    const auto [red, green, blue] = line.colour;
+    for(const Point& point : line.points)
+      out << point << ' ' << int(red) << ' ' << int(green) << ' ' << int(blue) << '\n';
+  }
+  std::size_t first = 0;
+  for(const Exported_line& line : lines.lines) {
+    for(std::size_t i = 0; i < line.number_of_edges(); ++i)
+      out << first + i << ' ' << first + (i + 1) % line.points.size() << '\n';
+    first += line.points.size();
+  }
+}
+
+// One per line, of a closed one the first point again at the end.
+void write_lines_polylines(Text_writer& out, const Exported_lines& lines) {
+  for(const Exported_line& line : lines.lines) {
+    out << line.number_of_edges() + 1;
+    for(const Point& point : line.points)
+      out << ' ' << point;
+    if(line.is_closed)
+      out << ' ' << line.points.front();
+    out << '\n';
+  }
 }
 
 void check_lines_format(const std::string& file) { check_format(file, line_formats); }

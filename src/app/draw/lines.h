@@ -12,6 +12,7 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
+#include "write/Polydata_writer.h"
 #include "write/files.h"
 #include "write/pair_listing.h"
 
@@ -31,8 +32,10 @@ struct Exported_line
   int kind_number = 0;   ///< the same as a number
   std::size_t index = 0; ///< of what it stands for
   double length = 0.;
-  bool is_outlined = false; ///< in pictures, as it has a dark surface below
-  bool is_numbered = true;  ///< in pictures with labels
+  bool is_outlined = false;       ///< in pictures, as it has a dark surface below
+  bool is_numbered = true;        ///< in pictures with labels
+  double width = 1.;              ///< in pictures, as a multiple of that of others
+  std::vector<double> radii = {}; ///< by point, if it is drawn as thick as what is around it
 
   /// as a closed line has one more edge than an open one.
   std::size_t number_of_edges() const { return points.size() - (is_closed ? 0 : 1); }
@@ -56,13 +59,14 @@ Exported_lines lines_of(const Pairs& pairs);
 /// there are any. In pictures only pairs are numbered.
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing);
 
-/// writes the coordinates of a point, with blanks between them.
-inline Text_writer& operator<<(Text_writer& out, const Point& point) {
-  return out << point.x() << ' ' << point.y() << ' ' << point.z();
-}
-
 /// throws `Failure` if the name of a file does not tell a format that lines can be written in.
 void check_lines_format(const std::string& file);
+
+/// writes them as vertices and edges of PLY, with a colour for each vertex.
+void write_lines_ply(Text_writer& out, const Exported_lines& lines);
+
+/// writes them as CGAL writes polylines.
+void write_lines_polylines(Text_writer& out, const Exported_lines& lines);
 
 /// writes lines, in the format that the name of the file tells.
 void export_lines(const std::string& file, const Exported_lines& lines);

@@ -10,6 +10,7 @@
 #include "draw/meshes.h"
 
 #include "draw/surfaces.h"
+#include "write/Graphml_writer.h"
 #include "write/files.h"
 #include "write/mesh_writer.h"
 
@@ -50,44 +51,35 @@ void number_copies(const Mesh& mesh,
 }
 
 void write_graphml(Text_writer& out, const Reeb_answer& answer) {
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n";
-  const auto declare = [&out](const char* id, const char* target, const char* type) {
-    out << "<key id=\"" << id << "\" for=\"" << target << "\" attr.name=\"" << id
-        << "\" attr.type=\"" << type << "\"/>\n";
-  };
-  declare("type", "node", "string");
-  declare("vertex", "node", "int");
-  for(const char* name : {"value", "x", "y", "z"})
-    declare(name, "node", "double");
-  declare("arc", "edge", "int");
-  declare("vertex_count", "edge", "int");
-  declare("length", "edge", "double");
-  const auto data = [&out](const char* key, const auto& value) {
-    out << "<data key=\"" << key << "\">" << value << "</data>";
-  };
-  out << "<graph edgedefault=\"undirected\">\n";
+  Graphml_writer graphml(out, {{"type", "node", "string"},
+                               {"vertex", "node", "int"},
+                               {"value", "node", "double"},
+                               {"x", "node", "double"},
+                               {"y", "node", "double"},
+                               {"z", "node", "double"},
+                               {"arc", "edge", "int"},
+                               {"vertex_count", "edge", "int"},
+                               {"length", "edge", "double"}});
   for(const auto v : CGAL::make_range(vertices(answer.graph))) {
     const auto& node = answer.graph[v];
-    out << "<node id=\"n" << v << "\">";
-    data("type", name_of(node.type));
-    data("vertex", node.vertex.idx());
-    data("value", node.value);
-    data("x", node.point.x());
-    data("y", node.point.y());
-    data("z", node.point.z());
-    out << "</node>\n";
+    graphml.begin_node(v);
+    graphml.data("type", name_of(node.type));
+    graphml.data("vertex", node.vertex.idx());
+    graphml.data("value", node.value);
+    graphml.data("x", node.point.x());
+    graphml.data("y", node.point.y());
+    graphml.data("z", node.point.z());
+    graphml.end_node();
   }
   for(const auto e : CGAL::make_range(edges(answer.graph))) {
     const auto& arc = answer.graph[e];
-    out << "<edge source=\"n" << source(e, answer.graph) << "\" target=\"n"
-        << target(e, answer.graph) << "\">";
-    data("arc", arc.index);
-    data("vertex_count", arc.vertices.size());
-    data("length", arc.length);
-    out << "</edge>\n";
+    graphml.begin_edge(source(e, answer.graph), target(e, answer.graph));
+    graphml.data("arc", arc.index);
+    graphml.data("vertex_count", arc.vertices.size());
+    graphml.data("length", arc.length);
+    graphml.end_edge();
   }
-  out << "</graph>\n</graphml>\n";
+  graphml.finish();
 }
 
 // Numbers stand in quotes, as DOT knows none with an exponent.

@@ -9,7 +9,9 @@
 
 #include "draw/pages.h"
 
+#include "draw/skeletons.h"
 #include "draw/surfaces.h"
+#include "draw/tints.h"
 #include "words.h"
 #include "write/files.h"
 
@@ -81,12 +83,6 @@ void add_group(htl_window::Scene& scene,
     add_line(scene, loop.points(), true, scene.groups.size() - 1);
 }
 
-void add_parts(htl_window::Surface& surface, const Arc_surface& cut, std::size_t number_of_arcs) {
-  surface.triangle_parts = cut.triangle_arcs;
-  for(std::size_t arc = 0; arc < number_of_arcs; ++arc)
-    surface.part_colours.push_back(colour_of_arc(arc));
-}
-
 void add_arcs(htl_window::Scene& scene,
               const Reeb_answer& answer,
               const std::vector<Listed_arc>& arcs) {
@@ -102,6 +98,29 @@ void add_arcs(htl_window::Scene& scene,
   scene.groups = {{"bones", {30, 30, 30}}};
   for(const auto e : CGAL::make_range(edges(answer.graph)))
     add_line(scene, answer.graph[e].polyline, false, 0, row_of[answer.graph[e].index]);
+}
+
+// The numbers of groups are those of the kinds of bones.
+void add_bones(htl_window::Scene& scene, const Skeleton_answer& answer) {
+  for(const Table_column& column : skeleton_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  std::vector<std::size_t> row_of(answer.arcs.size());
+  for(const std::size_t arc : arcs_by_length(answer)) {
+    row_of[arc] = scene.table.rows.size();
+    scene.table.rows.push_back(cells_of(answer, arc));
+    scene.table.lengths.push_back(answer.arcs[arc].length);
+    scene.table.parts.push_back(arc);
+  }
+  const Exported_lines bones = bones_of(answer, true);
+  for(const Bone_kind& kind : bone_kinds)
+    scene.groups.push_back({kind.many, kind.colour, kind.width});
+  for(const Exported_line& bone : bones.lines) {
+    const bool is_ball = bone.points.size() == 1;
+    add_line(scene, bone.points, bone.is_closed || is_ball,
+             static_cast<std::size_t>(bone.kind_number),
+             is_ball ? htl_window::no_row : row_of[bone.index]);
+    scene.lines.back().radii = bone.radii;
+  }
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Removed_handle& handle) {
@@ -146,6 +165,21 @@ htl_window::Scene scene_of(const View& view,
   return scene;
 }
 
+htl_window::Scene scene_of_parts(const View& view,
+                                 const std::string& title,
+                                 const std::string& mesh_file,
+                                 const Arc_surface& cut,
+                                 const std::vector<Colour>& tints) {
+  htl_window::Scene scene =
+      scene_of(view, title, mesh_file, "surface",
+               drawn_surface(cut, [&tints](std::size_t part) { return tints[part]; }));
+  scene.surfaces[0].triangle_parts = cut.triangle_arcs;
+  scene.surfaces[0].part_colours = tints;
+  scene.opacity = opacity_around_bones;
+  scene.has_bones = true;
+  return scene;
+}
+
 } // namespace
 
 // The page is made before its file is begun: while a file is unfinished, an interrupt has to wait.
@@ -176,13 +210,23 @@ void write_reeb_page(const std::string& file,
                      const Reeb_answer& answer,
                      const std::vector<Listed_arc>& arcs,
                      const std::string& summary) {
-  const Arc_surface cut = arc_surface(mesh, answer);
   htl_window::Scene scene =
-      scene_of(view, "Reeb graph of", mesh_file, "surface", drawn_surface(cut));
-  add_parts(scene.surfaces[0], cut, num_edges(answer.graph));
+      scene_of_parts(view, "Reeb graph of", mesh_file, arc_surface(mesh, answer), tints_of(answer));
   scene.paragraphs = lines_of(summary);
   add_arcs(scene, answer, arcs);
-  scene.opacity = 0.7;
+  write_page(file, scene);
+}
+
+void write_skeleton_page(const std::string& file,
+                         const View& view,
+                         const std::string& mesh_file,
+                         const Mesh& mesh,
+                         const Skeleton_answer& answer,
+                         const std::string& summary) {
+  const auto [surface, tints] = skeleton_surface(mesh, answer);
+  htl_window::Scene scene = scene_of_parts(view, "Skeleton of", mesh_file, surface, tints);
+  scene.paragraphs = lines_of(summary);
+  add_bones(scene, answer);
   write_page(file, scene);
 }
 

@@ -14,6 +14,7 @@
 #include "mesh_types.h"
 #include "solve/answer.h"
 #include "solve/reeb_solver.h"
+#include "solve/skeleton_solver.h"
 #include "window/window.h"
 #include "write/pair_listing.h"
 #include "write/tables.h"
@@ -45,6 +46,14 @@ void write_reeb_page(const std::string& file,
                      const Reeb_answer& answer,
                      const std::vector<Listed_arc>& arcs,
                      const std::string& summary);
+
+/// writes a page in which a mesh can be turned with its curve skeleton, thin or as thick as it is.
+void write_skeleton_page(const std::string& file,
+                         const View& view,
+                         const std::string& mesh_file,
+                         const Mesh& mesh,
+                         const Skeleton_answer& answer,
+                         const std::string& summary);
 
 /// What a page shows: a mesh, its loops, and what became of it.
 struct Removal_shown

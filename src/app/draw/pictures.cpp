@@ -30,7 +30,7 @@ std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines, bool has
   for(const Exported_line& line : lines.lines)
     tubes.push_back({coordinates(line.points), line.colour, line.is_closed,
                      has_labels && line.is_numbered ? std::to_string(line.index) : "",
-                     line.is_outlined});
+                     line.is_outlined, line.width, line.radii});
   return tubes;
 }
 

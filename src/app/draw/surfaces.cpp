@@ -105,12 +105,87 @@ Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer) {
   return Level_cutter(mesh, answer.values).cut(arcs);
 }
 
-Drawn_surface drawn_surface(const Arc_surface& surface, Colour (*colour_of_part)(std::size_t)) {
+Drawn_surface drawn_surface(const Arc_surface& surface,
+                            const std::function<Colour(std::size_t)>& colour_of_part) {
   Drawn_surface drawn{surface.points, surface.triangles, {}};
   drawn.colours.reserve(drawn.triangles.size());
   for(const std::uint32_t arc : surface.triangle_arcs)
     drawn.colours.push_back(colour_of_part(arc));
   return drawn;
+}
+
+namespace {
+
+/// Cuts faces half way between vertices of different labels.
+class Label_cutter
+{
+public:
+  Label_cutter(const Mesh& mesh, const std::vector<std::size_t>& labels)
+      : mesh_(mesh)
+      , labels_(labels) {}
+
+  Arc_surface cut() {
+    for(const Mesh::Face_index f : mesh_.faces())
+      cut_face(mesh_.halfedge(f));
+    return std::move(surface_);
+  }
+
+private:
+  std::size_t label(Mesh::Vertex_index v) const { return labels_[v.idx()]; }
+
+  void add(std::size_t part, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    surface_.triangles.push_back({a, b, c});
+    surface_.triangle_arcs.push_back(static_cast<std::uint32_t>(part));
+  }
+
+  // A face with one label is left whole; else each corner that is alone is cut off, with the middle
+  // of the face if all are.
+  void cut_face(Mesh::Halfedge_index h) {
+    for(int i = 0; i < 3; ++i, h = mesh_.next(h)) { // the source of h is to be the one alone
+      const Mesh::Vertex_index a = mesh_.source(h), b = mesh_.target(h),
+                               c = mesh_.target(mesh_.next(h));
+      if(label(b) != label(c))
+        continue;
+      if(label(a) == label(b))
+        return add(label(a), a.idx(), b.idx(), c.idx());
+      const std::uint32_t ab = middle_of(h), ca = middle_of(mesh_.prev(h));
+      add(label(a), a.idx(), ab, ca);
+      add(label(b), ab, b.idx(), c.idx());
+      return add(label(b), ab, c.idx(), ca);
+    }
+    const std::uint32_t middle =
+        add_point(CGAL::centroid(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)),
+                                 mesh_.point(mesh_.target(mesh_.next(h)))));
+    for(int i = 0; i < 3; ++i, h = mesh_.next(h)) {
+      const Mesh::Vertex_index a = mesh_.source(h);
+      add(label(a), a.idx(), middle_of(h), middle);
+      add(label(a), a.idx(), middle, middle_of(mesh_.prev(h)));
+    }
+  }
+
+  std::uint32_t middle_of(Mesh::Halfedge_index h) {
+    const auto [position, is_new] =
+        middles_.try_emplace(mesh_.edge(h), static_cast<std::uint32_t>(surface_.points.size()));
+    if(is_new)
+      add_point(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))));
+    return position->second;
+  }
+
+  std::uint32_t add_point(const Point& point) {
+    surface_.points.push_back(coordinates(point));
+    return static_cast<std::uint32_t>(surface_.points.size() - 1);
+  }
+
+  const Mesh& mesh_;
+  const std::vector<std::size_t>& labels_;
+  std::map<Mesh::Edge_index, std::uint32_t> middles_;
+  Arc_surface surface_ = {coordinates(mesh_.points()), {}, {}};
+};
+
+} // namespace
+
+Arc_surface surface_of_labels(const Mesh& mesh, const std::vector<std::size_t>& labels) {
+  return Label_cutter(mesh, labels).cut();
 }
 
 } // namespace htloops

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <tuple>
@@ -72,7 +73,11 @@ struct Drawn_surface
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Colour> colours; ///< of the triangles, or none
+  double opacity = 1.;         ///< in models, 0 to 1
 };
+
+/// of a surface in pages and models, if lines are inside.
+constexpr double opacity_around_bones = 0.5;
 
 Drawn_surface drawn_surface(const Mesh& mesh);
 
@@ -185,9 +190,12 @@ private:
 /// a part is as smooth as the function.
 Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer);
 
-/// a surface in the colours of its arcs.
+/// a surface in the colours of its parts.
 Drawn_surface drawn_surface(const Arc_surface& surface,
-                            Colour (*colour_of_part)(std::size_t) = colour_of_arc);
+                            const std::function<Colour(std::size_t)>& colour_of_part);
+
+/// The parts of labels of the vertices: faces are cut half way between those of different labels.
+Arc_surface surface_of_labels(const Mesh& mesh, const std::vector<std::size_t>& labels);
 
 } // namespace htloops
 

@@ -108,4 +108,18 @@ certify_skeleton(const Mesh& mesh,
   return certificate;
 }
 
+bool note_self_contact(const Mesh& mesh,
+                       CGAL::Handle_tunnel_loops::Skeleton_certificate& certificate,
+                       const std::function<void()>& look) {
+  Watch_by_function watch(look);
+  const auto execution =
+      internal::execution_of<CGAL::Parallel_if_available_tag>().watched_by(watch);
+  const Prepared_mesh surface(execution, mesh, get(boost::vertex_index, mesh),
+                              get(CGAL::vertex_point, mesh));
+  const bool touches_itself = touches_itself_with_caps(execution, surface);
+  if(touches_itself)
+    internal::note_self_contact(certificate);
+  return touches_itself;
+}
+
 } // namespace htloops

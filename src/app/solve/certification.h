@@ -45,6 +45,13 @@ CGAL::Handle_tunnel_loops::Skeleton_certificate certify_skeleton(
     const Pairs& pairs,
     const std::function<void()>& look = [] {});
 
+/// whether a mesh, with the caps that close its boundary curves, touches itself; what means nothing
+/// then is taken back from a certificate. Throws `Interrupted` soon after a signal.
+bool note_self_contact(
+    const Mesh& mesh,
+    CGAL::Handle_tunnel_loops::Skeleton_certificate& certificate,
+    const std::function<void()>& look = [] {});
+
 } // namespace htloops
 
 #endif // HTLOOPS_CERTIFICATION_H

@@ -269,12 +269,47 @@ Json json_of(const Front_event& event) {
 }
 
 /// what documents say of the mesh that they are about.
-template <typename Statistics> Json json_of_mesh(const Mesh& mesh, const Statistics& statistics) {
-  return {{"vertices", mesh.number_of_vertices()},
-          {"faces", mesh.number_of_faces()},
+template <typename Statistics>
+Json json_of_mesh(std::size_t vertices, std::size_t faces, const Statistics& statistics) {
+  return {{"vertices", vertices},
+          {"faces", faces},
           {"components", statistics.number_of_components},
           {"boundaries", statistics.number_of_boundaries},
           {"genus", statistics.genus}};
+}
+
+template <typename Statistics> Json json_of_mesh(const Mesh& mesh, const Statistics& statistics) {
+  return json_of_mesh(mesh.number_of_vertices(), mesh.number_of_faces(), statistics);
+}
+
+Json json_of(const Skeleton_certificate& certificate) {
+  return {{"connected", certificate.connected},
+          {"inside", certificate.inside},
+          {"embedded", certificate.embedded},
+          {"basis", certificate.basis},
+          {"failure", certificate.failure},
+          {"edges_outside", array_of(certificate.edges_outside, [](const auto& outside) {
+             return Json::array({outside.edge.first, outside.edge.second});
+           })}};
+}
+
+// What is in a row of a table of arcs, and the numbers of the points.
+Json json_of_arc(const Skeleton_answer& answer, std::size_t number) {
+  const Skeleton_arc& arc = answer.arcs[number];
+  const std::size_t from = arc.points.front(), to = arc.points.back();
+  const double chord = chord_of(answer.graph, arc);
+  return {{"arc", number},
+          {"component", arc.component},
+          {"length", arc.length},
+          {"smallest_radius", arc.smallest_radius},
+          {"mean_radius", arc.mean_radius},
+          {"tortuosity", chord > 0. ? Json(arc.length / chord) : Json()},
+          {"on_cycle", arc.is_on_cycle},
+          {"from", from},
+          {"from_kind", name_of_point(answer.graph, from)},
+          {"to", to},
+          {"to_kind", name_of_point(answer.graph, to)},
+          {"points", arc.points}};
 }
 
 } // namespace
@@ -343,6 +378,48 @@ void write_reeb_json(const std::string& target,
   out.array("arcs", CGAL::make_range(edges(graph)),
             [&](auto e) { return json_of_arc(graph, e, girths); });
   out.member("vertex_arc", array_of(answer.vertex_arc, json_of_arc_of_vertex));
+  out.finish();
+}
+
+void write_skeleton_json(const std::string& file,
+                         const Skeleton_answer& answer,
+                         const Run_record& run) {
+  const Skeleton_graph& graph = answer.graph;
+  const auto points = CGAL::make_range(vertices(graph));
+  Json_writer out(file);
+  out.member("format", "htloops skeleton");
+  out.member("version", 1);
+  out.member("tool", version());
+  Json mesh = json_of_mesh(answer.vertex_point.size(), answer.statistics.number_of_faces,
+                           answer.statistics);
+  mesh["file"] = run.mesh_file;
+  out.member("mesh", mesh);
+  out.member("options", run.options);
+  out.member("threads", answer.number_of_threads);
+  out.member("timings", {{"read", run.read_seconds},
+                         {"loops", answer.statistics.seconds_of_loops},
+                         {"skeleton", answer.statistics.seconds_of_skeleton},
+                         {"total", answer.total_seconds}});
+  out.member("balls", answer.statistics.number_of_balls);
+  out.member("cycles", number_of_cycles(graph));
+  out.member("certificate", json_of(answer.certificate()));
+  out.array("points", points, [&](auto v) { return json_of_point(graph[v].point); });
+  out.member("radii", array_of(points, [&](auto v) { return graph[v].radius; }));
+  out.array("edges", CGAL::make_range(edges(graph)), [&](auto e) {
+    return Json::array({source(e, graph), target(e, graph)});
+  });
+  out.member("components", array_of(points, [&](auto v) { return graph[v].component; }));
+  Json inlets = Json::array();
+  for(const auto v : points)
+    if(graph[v].is_inlet)
+      inlets.push_back(v);
+  out.member("inlets", inlets);
+  std::size_t arc = 0;
+  out.array("arcs", answer.arcs, [&](const Skeleton_arc&) { return json_of_arc(answer, arc++); });
+  // Vertices without faces belong to no point: null.
+  out.member("vertex_point", array_of(answer.vertex_point, [](std::size_t point) {
+               return point == Skeleton_answer::none ? Json() : Json(point);
+             }));
   out.finish();
 }
 

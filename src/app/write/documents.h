@@ -15,6 +15,7 @@
 #include "solve/cut_solver.h"
 #include "solve/reeb_solver.h"
 #include "solve/removal_solver.h"
+#include "solve/skeleton_solver.h"
 
 #include <nlohmann/json.hpp>
 
@@ -51,6 +52,12 @@ void write_reeb_json(const std::string& target,
                      const Mesh& mesh,
                      const Reeb_answer& answer,
                      double read_seconds);
+
+/// writes a curve skeleton in the format "htloops skeleton"; every number reads back as exactly
+/// itself.
+void write_skeleton_json(const std::string& file,
+                         const Skeleton_answer& answer,
+                         const Run_record& run);
 
 /// writes what was removed and what was refused in the format "htloops-remove/1"; the name "-" is
 /// the standard output.

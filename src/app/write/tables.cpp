@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -145,6 +146,52 @@ std::string centre_of(const Loop& curve) {
 
 std::string name_of_node(const Reeb_answer& answer, std::size_t node) {
   return name_of(answer.graph[node].type) + (" " + std::to_string(node));
+}
+
+std::string name_of_node(const Skeleton_answer& answer, std::size_t point) {
+  return name_of_point(answer.graph, point) + (" " + std::to_string(point));
+}
+
+// How many points of each kind there are that are no bends.
+std::string words_of_nodes(const Skeleton_graph& graph) {
+  std::map<std::string, std::size_t> count;
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    ++count[name_of_point(graph, v)];
+  std::string text;
+  for(const auto& [one, many] :
+      {std::pair("joint", "joints"), std::pair("end", "ends"), std::pair("inlet", "inlets")})
+    if(count[one] > 0)
+      text += ", " + counted(count[one], one, many);
+  return text;
+}
+
+std::string words_of_proof(const Skeleton_answer& answer) {
+  const std::size_t edges = num_edges(answer.graph), cycles = number_of_cycles(answer.graph);
+  if(edges == 0)
+    return "certified: no edge, and no cycle, as there is no handle\n";
+  return "certified: " +
+         (edges == 1 ? "the only edge lies" : "all " + std::to_string(edges) + " edges lie") +
+         " inside, and none meets another but in a common end; " +
+         (cycles == 0 ? "no cycle, as there is no handle\n"
+          : cycles == 1
+              ? "the cycle is a basis of H1 of the solid\n"
+              : "the " + std::to_string(cycles) + " cycles are a basis of H1 of the solid\n");
+}
+
+// What has been proved, or why it has not.
+std::string words_of_certificate(const Skeleton_answer& answer) {
+  if(answer.certificate())
+    return words_of_proof(answer);
+  constexpr std::size_t most_lines = 5;
+  const std::vector<std::string> failures = lines_of(answer.certificate().failure);
+  std::string text = "not certified:\n";
+  for(std::size_t i = 0; i < (std::min)(failures.size(), most_lines); ++i)
+    text += "  " + failures[i] + "\n";
+  if(failures.size() > most_lines)
+    text += "  and " + std::to_string(failures.size() - most_lines) + " more such lines\n";
+  const std::size_t edges = num_edges(answer.graph);
+  return text + "of " + counted(edges, "edge ", "edges ") +
+         std::to_string(edges - answer.certificate().edges_outside.size()) + " lie inside\n";
 }
 
 constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
@@ -357,6 +404,68 @@ void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arc
   for(const Listed_arc& arc : arcs)
     out << arc.arc << ',' << arc.length << ',' << arc.girth << ',' << arc.number_of_vertices << ','
         << arc.from << ',' << arc.to << '\n';
+  out.finish();
+}
+
+std::vector<std::size_t> arcs_by_length(const Skeleton_answer& answer) {
+  std::vector<std::size_t> order(answer.arcs.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&answer](std::size_t a, std::size_t b) {
+    return answer.arcs[a].length > answer.arcs[b].length;
+  });
+  return order;
+}
+
+std::vector<std::string> cells_of(const Skeleton_answer& answer, std::size_t number) {
+  const Skeleton_arc& arc = answer.arcs[number];
+  const double chord = chord_of(answer.graph, arc);
+  return {std::to_string(number),
+          formatted("%.6g", arc.length),
+          formatted("%.4g", arc.smallest_radius),
+          formatted("%.4g", arc.mean_radius),
+          chord > 0. ? formatted("%.3f", arc.length / chord) : "",
+          arc.is_on_cycle ? "yes" : "",
+          name_of_node(answer, arc.points.front()),
+          name_of_node(answer, arc.points.back())};
+}
+
+std::string table_of_arcs(const Skeleton_answer& answer, bool show_all) {
+  const std::vector<std::size_t> order = arcs_by_length(answer);
+  return table(skeleton_columns, order.size(), {show_all},
+               [&](std::size_t i) { return cells_of(answer, order[i]); });
+}
+
+std::string summary(const Skeleton_answer& answer, double read_seconds) {
+  const auto& statistics = answer.statistics;
+  std::string text = "genus " + std::to_string(statistics.genus) + " in " +
+                     counted(statistics.number_of_components, "component", "components");
+  if(statistics.number_of_boundaries > 0)
+    text += ", " + counted(statistics.number_of_boundaries, "boundary curve", "boundary curves");
+  text += ": " + counted(answer.arcs.size(), "arc", "arcs") + ", " +
+          counted(number_of_cycles(answer.graph), "cycle", "cycles") +
+          words_of_nodes(answer.graph) + "\n" + words_of_certificate(answer) +
+          formatted("%.2f s, loops %.2f s of them, after %.2f s of reading, ", answer.total_seconds,
+                    answer.statistics.seconds_of_loops, read_seconds);
+  return text + counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") +
+         "\n";
+}
+
+void write_arc_csv(const std::string& target, const Skeleton_answer& answer) {
+  Text_writer out(target);
+  out << "arc,component,length,smallest_radius,mean_radius,tortuosity,on_cycle,"
+         "from,from_kind,to,to_kind\n";
+  for(std::size_t i = 0; i < answer.arcs.size(); ++i) {
+    const Skeleton_arc& arc = answer.arcs[i];
+    const double chord = chord_of(answer.graph, arc);
+    out << i << ',' << arc.component << ',' << arc.length << ',' << arc.smallest_radius << ','
+        << arc.mean_radius << ',';
+    if(chord > 0.)
+      out << arc.length / chord;
+    out << ',' << (arc.is_on_cycle ? 1 : 0);
+    for(const std::size_t end : {arc.points.front(), arc.points.back()})
+      out << ',' << end << ',' << name_of_point(answer.graph, end);
+    out << '\n';
+  }
   out.finish();
 }
 

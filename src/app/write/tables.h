@@ -15,6 +15,7 @@
 #include "solve/boundaries.h"
 #include "solve/reeb_solver.h"
 #include "solve/removal_solver.h"
+#include "solve/skeleton_solver.h"
 #include "write/pair_listing.h"
 
 #include <array>
@@ -110,6 +111,25 @@ std::string table_of_arcs(const std::vector<Listed_arc>& arcs, bool show_all);
 
 /// writes a header and a row for each arc, as RFC 4180 has it.
 void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arcs);
+
+constexpr Table_column skeleton_columns[] = {
+    {"arc", 5, true},          {"length", 12, true},     {"smallest radius", 15, true},
+    {"mean radius", 12, true}, {"tortuosity", 10, true}, {"cycle", 5, false},
+    {"from", 12, false},       {"to", 0, false}};
+
+/// the numbers of the arcs, the longest first.
+std::vector<std::size_t> arcs_by_length(const Skeleton_answer& answer);
+
+/// what stands in the columns.
+std::vector<std::string> cells_of(const Skeleton_answer& answer, std::size_t arc);
+
+std::string table_of_arcs(const Skeleton_answer& answer, bool show_all);
+
+/// lines that sum up a skeleton, what has been proved of it, and what it took.
+std::string summary(const Skeleton_answer& answer, double read_seconds);
+
+/// writes a header and a row for each arc, as RFC 4180 has it.
+void write_arc_csv(const std::string& target, const Skeleton_answer& answer);
 
 /// the word for a way, as it stands in files and messages.
 const char* name_of(Removal_way way);

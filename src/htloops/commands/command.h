@@ -25,6 +25,7 @@ using Command = std::function<void()>;
 // `command`. A new command is one more function here and its call in main().
 void add_loops_command(CLI::App& app, Command& command);
 void add_reeb_command(CLI::App& app, Command& command);
+void add_skeleton_command(CLI::App& app, Command& command);
 void add_cut_command(CLI::App& app, Command& command);
 void add_remove_command(CLI::App& app, Command& command);
 void add_repair_command(CLI::App& app, Command& command);

@@ -9,7 +9,6 @@
 
 #include "commands/options.h"
 
-#include "app/draw/lines.h"
 #include "app/failure.h"
 #include "app/read/sources.h"
 #include "app/write/files.h"
@@ -219,15 +218,19 @@ void add_json_option(CLI::App& command, Common_options& options, const std::stri
              what + " as JSON; - is standard output");
 }
 
-void add_lines_option(CLI::App& command, Common_options& options, const std::string& what) {
+void add_lines_option(CLI::App& command,
+                      Common_options& options,
+                      const std::string& what,
+                      const std::string& formats) {
   add_output(command, "--lines", "FILE", options.lines_files,
-             what + " as lines: .ply .obj .vtp .polylines.txt; repeatable");
+             what + " as lines: " + formats + "; repeatable");
 }
 
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         bool has_words) {
+                         bool has_words,
+                         const std::string& opacity) {
   if(!has_pictures)
     return;
   add_output(command, "--picture", "FILE.png", options.picture.file,
@@ -241,8 +244,7 @@ void add_picture_options(CLI::App& command,
       ->check(why_not_finite)
       ->needs("--picture");
   add_part(command, "--opacity", options.picture.opacity,
-           "of the surface over lines behind it, 0 to 1: 1 hides them;\n"
-           "default: 0.5, and more the more lines there are")
+           "of the surface over lines behind it, 0 to 1: 1 hides them;\ndefault: " + opacity)
       ->needs("--picture");
   if(has_words)
     add_word_options(command, options.picture);
@@ -276,7 +278,7 @@ void add_threads_option(CLI::App& command, Common_options& options) {
       ->check(CLI::Range(1, largest_number_of_threads));
 }
 
-void check_common_options(const Common_options& options) {
+void check_common_options(const Common_options& options, void (*check_lines)(const std::string&)) {
   check_mesh_format(options.written_mesh_file);
   for(const auto& [name, direction] :
       {std::pair("--view", options.view.from), std::pair("--up", options.view.up)})
@@ -294,8 +296,14 @@ void check_common_options(const Common_options& options) {
   check_picture(options.picture);
   check_picture_size(options.picture);
   for(const std::string& file : options.lines_files)
-    check_lines_format(file);
+    check_lines(file);
   check_suffix(options.gltf_file, ".glb");
+}
+
+Picture_options around_bones(Picture_options picture) {
+  if(!picture.opacity)
+    picture.opacity = std::stod(words_of_opacity_around_bones);
+  return picture;
 }
 
 void check_name(const std::string& file, const char* what, const char* end) {

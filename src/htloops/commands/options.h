@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_OPTIONS_H
 #define HTLOOPS_OPTIONS_H
 
+#include "app/draw/lines.h"
 #include "app/draw/pictures.h"
 #include "app/draw/view.h"
 #include "app/mend/mesh_reader.h"
@@ -134,19 +135,28 @@ add_length(CLI::App& command, const char* name, std::string& length, const std::
 
 // Each declares some of them; `what` is "the loops", say.
 void add_json_option(CLI::App& command, Common_options& options, const std::string& what);
-void add_lines_option(CLI::App& command, Common_options& options, const std::string& what);
+void add_lines_option(CLI::App& command,
+                      Common_options& options,
+                      const std::string& what,
+                      const std::string& formats = ".ply .obj .vtp .polylines.txt");
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         bool has_words = true);
+                         bool has_words = true,
+                         const std::string& opacity = "0.5, and more the more lines there are");
 void add_page_option(CLI::App& command, Common_options& options, const std::string& what);
 void add_gltf_option(CLI::App& command, Common_options& options, const std::string& what);
 void add_view_options(CLI::App& command, Common_options& options);
 void add_threads_option(CLI::App& command, Common_options& options);
 
-/// throws `Failure` if there are lines in no known format, or if something is to be seen from no
-/// direction.
-void check_common_options(const Common_options& options);
+/// throws `Failure` if there are lines in no known format, as `check_lines` says, or if something
+/// is to be seen from no direction.
+void check_common_options(const Common_options& options,
+                          void (*check_lines)(const std::string&) = check_lines_format);
+
+/// the same with the opacity of a surface around lines that are inside, if no other was asked for.
+Picture_options around_bones(Picture_options picture);
+constexpr char words_of_opacity_around_bones[] = "0.15";
 
 /// throws `Failure` if the name of an output says that it is something else than it is: that is a
 /// mistake.

@@ -12,6 +12,7 @@
 #include "app/draw/meshes.h"
 #include "app/draw/pages.h"
 #include "app/draw/surfaces.h"
+#include "app/draw/tints.h"
 #include "app/failure.h"
 #include "app/read/vertex_data.h"
 #include "app/solve/backends.h"
@@ -115,12 +116,15 @@ void write_files(const Reeb_command_options& options,
   if(!options.picture.file.empty() || !options.gltf_file.empty()) {
     Exported_lines lines = lines_of(answer);
     for(Exported_line& line : lines.lines) {
-      line.colour = {30, 30, 30}; // the arcs' own colours are those of the surface around them
-      line.is_outlined = true;
+      line.colour = {30, 30, 30}; // what differs from arc to arc is the surface around them
+      line.width = 1.4;
     }
-    const Drawn_surface surface = drawn_surface(arc_surface(mesh, answer));
+    const std::vector<Colour> tints = tints_of(answer);
+    Drawn_surface surface =
+        drawn_surface(arc_surface(mesh, answer), [&tints](std::size_t arc) { return tints[arc]; });
+    surface.opacity = opacity_around_bones;
     if(!options.picture.file.empty())
-      export_picture(options.picture, options.view, surface, lines);
+      export_picture(around_bones(options.picture), options.view, surface, lines);
     if(!options.gltf_file.empty())
       export_gltf(options.gltf_file, surface, lines);
   }
@@ -178,7 +182,7 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   add_output(command, "--parts", "FILE.ply", options.parts_file,
              "the mesh with vertices coloured by arc");
   add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
-  add_picture_options(command, options, "the graph");
+  add_picture_options(command, options, "the graph", true, words_of_opacity_around_bones);
   add_page_option(command, options, "the mesh and the graph");
   add_gltf_option(command, options, "the arcs");
   add_view_options(command, options);

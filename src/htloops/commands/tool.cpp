@@ -102,8 +102,9 @@ Outcome interrupted() {
   return {128 + interrupting_signal(), "interrupted, nothing more is written"};
 }
 
-constexpr char tool_description[] = "Finds handle and tunnel loops, and Reeb graphs, on triangle "
-                                    "meshes, and cuts them open.\n";
+constexpr char tool_description[] =
+    "Finds handle and tunnel loops, Reeb graphs and curve skeletons of triangle "
+    "meshes, and cuts them open.\n";
 
 constexpr char tool_footer[] =
     R"(Exit codes: 0 done, 1 no certified answer (or no memory to find it), 2 wrong usage or
@@ -116,6 +117,7 @@ Examples:
   htloops loops torus.off -o torus.json           finds its loops
   htloops check torus.off torus.json              checks them
   htloops reeb torus.off --picture reeb.png       draws its Reeb graph
+  htloops skeleton torus.off --lines torus.vtp    finds a curve skeleton inside
   htloops cut torus.off -o open.obj               cuts it open to a disk
   htloops remove torus.off -o ball.off            removes its handle
   htloops repair soup.stl -o sound.off            makes a manifold of a mesh that is none
@@ -180,6 +182,7 @@ int run_tool(int argc, char** argv) {
   Command command;
   add_loops_command(app, command);
   add_reeb_command(app, command);
+  add_skeleton_command(app, command);
   add_cut_command(app, command);
   add_remove_command(app, command);
   add_repair_command(app, command);

@@ -81,11 +81,11 @@ class Camera {
     const far = this.distance + 1.2 + Math.hypot(...this.place);
     const eye = sum(this.place, scaled(this.back, this.distance));
     const m = [];
-    const depth = (far + near) / (far - near);
+    const depth = (far + near) / (far - near), offset = 2 * far * near / (far - near);
     for (let i = 0; i < 3; ++i)
       m.push(this.right[i] / width, this.up[i] / height, -this.back[i] * depth, -this.back[i]);
     m.push(-dot(this.right, eye) / width, -dot(this.up, eye) / height,
-           dot(this.back, eye) * depth - 2 * far * near / (far - near), dot(this.back, eye));
-    return { columns: new Float32Array(m), eye, near };
+           dot(this.back, eye) * depth - offset, dot(this.back, eye));
+    return { columns: new Float32Array(m), eye, near, depth, offset };
   }
 }

@@ -28,7 +28,7 @@ function coarseLines(points) {
   const kept = [], near = STEPS / 100;
   for (let i = 0, last = 0; i < points.length; i += 4) {
     const isFirst = i === 0 || points[i + 3] >> 1 !== points[i - 1] >> 1;
-    const isFar = () => [0, 1, 2].some(k => Math.abs(points[i + k] - points[last + k]) > near);
+    const isFar = () => [0, 1, 2].some(k => Math.abs(stepsOf(points, i / 4, k) - stepsOf(points, last / 4, k)) > near);
     if (isFirst || points[i + 3] % 2 === 0 || isFar()) {
       kept.push(...points.subarray(i, i + 4));
       last = i;

@@ -207,18 +207,24 @@ async function loadSurface(surface, id, size) {
 }
 
 // All lines in one array of points; the fourth number of a point is twice that of its line, and one
-// more if the line goes on.
+// more if the line goes on. Above the 16 bits of the first two there are the radius, in steps of the
+// largest extent, and the width, in 16ths.
 async function loadLines(scene) {
   const total = scene.lines.reduce((sum, line) => sum + line.points + (line.closed ? 1 : 0), 0);
   const points = new Uint32Array(4 * total);
   const numbers = streams(await inflated('lines'), scene.lineStreams);
   const last = [0, 0, 0];
-  let at = 0;
+  let at = 0, radius = 0;
   scene.lines.forEach((line, index) => {
+    const width = 16 * scene.groups[line.group].width;
     line.first = at;
-    for (let i = 0; i < line.points; ++i, ++at)
+    for (let i = 0; i < line.points; ++i, ++at) {
       for (let k = 0; k < 3; ++k)
         points[4 * at + k] = last[k] += numbers[k].nextSigned();
+      if (line.radii)
+        points[4 * at] |= (radius += numbers[3].nextSigned()) << 16;
+      points[4 * at + 1] |= width << 16;
+    }
     if (line.closed)
       points.copyWithin(4 * at++, 4 * line.first, 4 * line.first + 3);
     line.last = at - 1;
@@ -227,3 +233,6 @@ async function loadLines(scene) {
   });
   return points;
 }
+
+// The k-th coordinate of a point of the lines, in steps.
+const stepsOf = (points, i, k) => points[4 * i + k] & STEPS;

@@ -172,6 +172,14 @@ class Page {
       mark.style.background = `rgb(${group.colour})`;
       element('legend').append(made('label', {}, box, mark, group.name));
     });
+    if (scene.lines.some(line => line.radii)) {
+      const box = made('input', { type: 'checkbox', id: 'thick' });
+      box.onchange = () => {
+        viewer.isThick = box.checked;
+        viewer.draw();
+      };
+      element('legend').append(made('label', {}, box, 'as thick as the solid'));
+    }
     if (scene.surfaces.length > 1)
       scene.surfaces.forEach((surface, i) => {
         const radio = made('input', { type: 'radio', name: 'surface', checked: i === 0, id: `show${i}` });

@@ -53,19 +53,18 @@ void main() {
   result = vec4(shade, opacity);
 }`;
 
-// A segment as two triangles around it, of constant width in pixels; a little nearer than it is, so
-// that the surface on which it lies does not hide it. Points are entries of a texture: their fourth
-// number is twice that of their line, and one more if the line goes on. (Instances would be slow where
-// there is no graphics card.)
+// A segment as two triangles around it, of constant width in pixels, or as thick as it is; a little
+// nearer than it is, so that the surface on which it lies does not hide it. Points are entries of a
+// texture: see loadLines(). (Instances would be slow where there is no graphics card.)
 const LINE_VERTEX = COMMON + `
 precision highp usampler2D;
 uniform usampler2D points;
 uniform sampler2D palette;
 uniform vec2 size;
 uniform float width, near;
+uniform float thick; // pixels in a step of radii, at the depth 1; or 0
 uniform int wanted; // 0: all that is shown, 1: what is lit, 2: numbers in place of colours
-flat out vec2 a, b;
-flat out float radius;
+flat out vec2 a, b, radii, inverses; // of the depths
 flat out vec4 colour;
 uvec4 point_at(int i) {
   return texelFetch(points, ivec2(i % ${PALETTE_WIDTH}, i / ${PALETTE_WIDTH}), 0);
@@ -82,7 +81,7 @@ void main() {
   gl_Position = vec4(2., 2., 2., 1.);
   if((from.w & 1u) == 0u || state.a < .1 || wanted == 1 && !is_lit)
     return;
-  vec4 p = seen(vec3(from.xyz)), q = seen(vec3(to.xyz));
+  vec4 p = seen(vec3(from.xyz & 65535u)), q = seen(vec3(to.xyz & 65535u));
   if(p.w < near && q.w < near)
     return;
   if(p.w < near)
@@ -91,7 +90,10 @@ void main() {
     q = mix(q, p, (near - q.w) / (p.w - q.w));
   a = (p.xy / p.w * .5 + .5) * size;
   b = (q.xy / q.w * .5 + .5) * size;
-  radius = .5 * width * (is_lit ? 1.8 : 1.);
+  inverses = 1. / vec2(p.w, q.w);
+  float thin = .5 * width * float(from.y >> 16) / 16. * (is_lit ? 1.8 : 1.);
+  radii = max(vec2(thin), thick * vec2(from.x >> 16, to.x >> 16) * inverses);
+  float radius = max(radii.x, radii.y);
   uint number = owner + 1u;
   colour = wanted == 2 ? vec4(number & 255u, number >> 8 & 255u, number >> 16, 255u) / 255.
                        : vec4(state.rgb, 1.);
@@ -105,17 +107,26 @@ void main() {
 }`;
 
 const LINE_FRAGMENT = COMMON + `
-flat in vec2 a, b;
-flat in float radius;
+flat in vec2 a, b, radii, inverses;
 flat in vec4 colour;
 uniform float strength;
 uniform int wanted;
+uniform vec3 round; // if lines hide each other: the depth is x - y / w, and z pixels are 1
 out vec4 result;
 void main() {
   vec2 p = gl_FragCoord.xy - a, d = b - a;
   float t = clamp(dot(p, d) / max(dot(d, d), 1e-8), 0., 1.);
-  float cover = clamp(radius + .5 - length(p - t * d), 0., 1.);
-  if(cover < (wanted == 2 || strength < 1. ? .5 : .02))
+  float radius = mix(radii.x, radii.y, t), away = length(p - t * d);
+  float cover = clamp(radius + .5 - away, 0., 1.);
+  if(cover < (wanted == 2 || strength < 1. || round.z > 0. ? .5 : .02))
     discard;
-  result = wanted == 2 ? colour : vec4(colour.rgb, strength < 1. ? strength : cover);
+  float facing = sqrt(max(0., 1. - away * away / (radius * radius)));
+  float shade = mix(1., .5 + .5 * facing, smoothstep(2., 6., radius));
+  result = wanted == 2 ? colour : vec4(shade * colour.rgb, strength < 1. ? strength : cover);
+  gl_FragDepth = gl_FragCoord.z;
+  if(round.z > 0.) {
+    float depth = 1. / mix(inverses.x, inverses.y, t);
+    float front = depth * (1. - .96 * radius * facing / round.z); // it may touch the surface
+    gl_FragDepth = .5 + .5 * (round.x - round.y / front);
+  }
 }`;

@@ -15,6 +15,8 @@ class Viewer {
     this.opacity = scene.opacity;
     this.cut = { axis: 0, part: 1, flipped: false };
     this.lineWidth = 4;
+    this.isThick = false; // lines that have radii
+    this.hasBones = scene.bones;
     this.background = [1, 1, 1];
     this.programs = { surface: this.program(SURFACE_VERTEX, SURFACE_FRAGMENT),
                       line: this.program(LINE_VERTEX, LINE_FRAGMENT) };
@@ -113,7 +115,7 @@ class Viewer {
   }
 
   pointOfLine(i) {
-    return [0, 1, 2].map(k => this.lines.points[4 * i + k] * this.scale[k] + this.shift[k]);
+    return [0, 1, 2].map(k => stepsOf(this.lines.points, i, k) * this.scale[k] + this.shift[k]);
   }
 
   // Pixels of the canvas' own, from the upper left, or null behind the eye.
@@ -168,8 +170,11 @@ class Viewer {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    const isOverBones = this.hasBones && this.detail === 'full' && this.opacity < 1;
+    if (isOverBones)
+      this.drawBones();
     this.drawSurfaces();
-    this.drawLines();
+    this.drawLines(isOverBones);
   }
 
   use(program) {
@@ -230,9 +235,19 @@ class Viewer {
     return [...scaled(normal, sign), half * (2 * part - 1)];
   }
 
+  // What lies inside, solid: before the surface is laid over it, and where it looks out after that.
+  drawBones() {
+    const gl = this.gl;
+    gl.disable(gl.BLEND);
+    gl.depthMask(true);
+    this.isRound = true;
+    this.drawSegments(gl.LEQUAL, 0, 1);
+    this.isRound = false;
+  }
+
   // Hidden ones pale, and the paler the more there are; the stencil keeps each pixel to one of them.
   // None covers depth: the faint rim of a segment would hide the next one.
-  drawLines() {
+  drawLines(isOverBones) {
     if (!this.lines)
       return;
     const gl = this.gl, crowd = Math.min(1, Math.sqrt(30 / Math.max(1, this.numberShown)));
@@ -243,9 +258,13 @@ class Viewer {
     gl.stencilFunc(gl.EQUAL, 0, 255);
     if (this.isAnyLit)
       this.drawSegments(gl.GREATER, 1, 0.65);
-    this.drawSegments(gl.GREATER, 0, (0.34 + 0.5 * (1 - this.opacity)) * crowd);
+    if (!isOverBones)
+      this.drawSegments(gl.GREATER, 0, (0.34 + 0.5 * (1 - this.opacity)) * crowd);
     gl.disable(gl.STENCIL_TEST);
-    this.drawSegments(gl.LEQUAL, 0, 1);
+    if (isOverBones)
+      this.drawBones();
+    else
+      this.drawSegments(gl.LEQUAL, 0, 1);
     if (this.isAnyLit)
       this.drawSegments(gl.LEQUAL, 1, 1);
     gl.depthMask(true);
@@ -257,6 +276,10 @@ class Viewer {
     gl.uniform1f(uniforms.width, this.lineWidth * (window.devicePixelRatio || 1) + extra);
     gl.uniform1f(uniforms.strength, strength);
     gl.uniform1i(uniforms.wanted, wanted);
+    const { depth: factor, offset } = this.camera.matrix();
+    const pixels = this.frame[1] / 2 / this.camera.extent[1]; // of a unit of length, at the depth 1
+    gl.uniform1f(uniforms.thick, this.isThick && this.isRound ? Math.max(...this.scale) * pixels : 0);
+    gl.uniform3f(uniforms.round, factor, offset, this.isRound ? pixels : 0);
     const { texture, count } = this.lines[this.detail === 'coarse' ? 'coarse' : 'full'];
     gl.uniform1i(uniforms.points, 1);
     gl.activeTexture(gl.TEXTURE1);

@@ -7,6 +7,7 @@
 #include "Cuda_runtime_test.h"
 #include "Device_agreement.h"
 #include "Pass_answers.h"
+#include "Surfaces_for_cells.h"
 #include "label_front_on_device.h"
 #include "random_input.h"
 
@@ -58,6 +59,19 @@ TEST_P(Cuda_launch, AgreesWithTheHostOnSmoothSurfaces) {
     const auto solver = make_solver(mesh);
     expect_agreement(*solver, mesh, static_cast<Index>(mesh.number_of_vertices() / 2), {});
   }
+}
+
+TEST_P(Cuda_launch, FindsTheCellsOfTheHost) {
+  for(const Recipe& recipe : {Recipe{"torus", {3000, 1, 0}}, Recipe{"hubs", {3000, 5, 0}}})
+    for(const Index spacing : {4, 16}) {
+      SCOPED_TRACE(testing::Message() << recipe << ", " << spacing);
+      const surfaces_for_cells::Surface surface(mesh_of(recipe));
+      const auto solver = make_solver(surface.flat());
+      const auto find = [&](First_cells& cells) { return solver->find_first_cells(cells); };
+      const std::size_t left =
+          surfaces_for_cells::expect_cells_of_host(surface.flat(), spacing, find);
+      EXPECT_LT(10 * left, surface.flat().number_of_vertices() / spacing);
+    }
 }
 
 TEST_P(Cuda_launch, AgreesWithTheHostOnRandomSurfaces) {

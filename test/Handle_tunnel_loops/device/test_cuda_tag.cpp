@@ -8,6 +8,8 @@
 #include "Same_reeb_graphs.h"
 
 #include "Host_executor.h"
+#include "Quiet_progress.h"
+#include "Surfaces_for_cells.h"
 #include "with.h"
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
@@ -39,8 +41,12 @@ public:
       , Device_solver(this->executor, mesh) {}
 };
 
+// How often a mesh was sent to one of them.
+int number_of_solvers = 0;
+
 std::unique_ptr<Solver>
 make_cuda_solver(const Flat_mesh& mesh, const Device_options& options, const Tuning&) {
+  ++number_of_solvers;
   if(options.device < 0)
     throw No_device_exception("there is no device in this test");
   return std::make_unique<Stand_in>(mesh, std::size_t(options.device) << 10);
@@ -234,6 +240,81 @@ TEST_P(Cuda, FindsNoReebGraphWithoutADevice) {
                No_device_exception);
   EXPECT_EQ(num_vertices(graph), 5u);
 }
+
+// ---- cells found by a device
+
+namespace impl = CGAL::Handle_tunnel_loops::internal;
+
+// As those of `Cuda_tag`, with cells on meshes of any size.
+std::unique_ptr<impl::Passes> passes_with_cells(const impl::Flat_mesh& mesh,
+                                                std::vector<impl::Index> seeds,
+                                                const impl::Pass_options& options) {
+  return std::make_unique<impl::Field_passes<impl::device::Solver>>(
+      impl::Execution(), mesh, std::move(seeds), options,
+      [&mesh, where = options.device] { return impl::device::make_cuda_solver(mesh, where); }, 0);
+}
+
+std::unique_ptr<impl::Passes> passes_without(const impl::Flat_mesh& mesh,
+                                             std::vector<impl::Index> seeds,
+                                             const impl::Pass_options& options) {
+  return impl::host_passes(impl::Execution(), mesh, std::move(seeds), options);
+}
+
+class Cuda_cells : public testing::Test
+{
+protected:
+  std::vector<impl::Flat_pair> pairs(impl::Make_passes make, const impl::Pass_options& options) {
+    impl::device::number_of_solvers = 0;
+    statistics = {};
+    const auto passes =
+        impl::coarse_passes(impl::Execution(), surface.flat(), surface.flat().seeds, options, make);
+    return impl::run_passes(*passes, options, Quiet_progress(), statistics);
+  }
+
+  void expect_pairs_of_host(const impl::Pass_options& options) {
+    const std::vector<impl::Flat_pair> expected = pairs(passes_without, options),
+                                       found = pairs(passes_with_cells, options);
+    ASSERT_EQ(found.size(), expected.size());
+    for(std::size_t k = 0; k < found.size(); ++k) {
+      expect_same(found[k].handle, expected[k].handle);
+      expect_same(found[k].tunnel, expected[k].tunnel);
+    }
+  }
+
+  const surfaces_for_cells::Surface surface{mesh_of(Recipe{"lattice", {40000, 5, 0}})};
+  CGAL::Handle_tunnel_loops::Statistics statistics;
+
+private:
+  static void expect_same(const impl::Crossing_loop& a, const impl::Crossing_loop& b) {
+    EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                           [](const impl::Crossing& c, const auto& d) {
+                             return c.left == d.left && c.right == d.right && c.ratio == d.ratio;
+                           }));
+  }
+};
+
+// The fine mesh is sent once, whatever else is asked of it.
+TEST_F(Cuda_cells, AreFoundOnTheMeshThatIsSentForThem) {
+  impl::Pass_options options;
+  options.device = large_device;
+  for(const bool do_log_fronts : {false, true}) {
+    options.do_log_fronts = do_log_fronts;
+    expect_pairs_of_host(options);
+    EXPECT_EQ(impl::device::number_of_solvers, 2);
+    EXPECT_GT(statistics.device_bytes, 80 * surface.flat().number_of_vertices());
+  }
+}
+
+// Where there is room for a coarse mesh only.
+TEST_F(Cuda_cells, AreFoundByTheHostInLittleMemory) {
+  impl::Pass_options options;
+  options.device = device_with(2048);
+  expect_pairs_of_host(options);
+  EXPECT_EQ(statistics.backend, "cuda");
+  EXPECT_LE(statistics.device_bytes, 2048u << 10);
+}
+
+// ---- interruption
 
 TEST_P(Cuda, StopsWhenItIsAskedTo) {
   std::size_t number_of_calls = 0;

@@ -4,6 +4,7 @@
 #include "Lower_components.h"
 #include "Orders.h"
 #include "Random_growth.h"
+#include "Surfaces_for_cells.h"
 #include "label_front.h"
 #include "random_input.h"
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_device_passes {
@@ -57,6 +59,53 @@ TEST_P(Device_backend, AgreeWithTheHostOnRandomSurfaces) {
     Solver solver(executor, mesh);
     expect_agreement(solver, mesh, seed, c);
   }
+}
+
+// Returns how many cells are left to the host, of how many there are about.
+std::pair<std::size_t, std::size_t>
+expect_cells_of_host(Order order, const Flat_mesh& mesh, Index spacing) {
+  SCOPED_TRACE(testing::Message() << mesh.number_of_vertices() << " / " << spacing);
+  Host_executor executor(order);
+  Solver solver(executor, mesh);
+  const auto find = [&](First_cells& cells) { return solver.find_first_cells(cells); };
+  const std::size_t left = surfaces_for_cells::expect_cells_of_host(mesh, spacing, find);
+  EXPECT_GT(solver.costs().largest_bytes, 0u);
+  return {left, mesh.number_of_vertices() / spacing};
+}
+
+TEST_P(Device_backend, FindTheCellsOfTheHost) {
+  for(const Flat_mesh& mesh : surfaces_for_cells::meshes())
+    for(const Index spacing : surfaces_for_cells::spacings)
+      expect_cells_of_host(GetParam(), mesh, spacing);
+  Random random(6);
+  for(int i = 0; i < 20; ++i)
+    expect_cells_of_host(GetParam(), flat_mesh_of(random_recipe(random, 20)),
+                         static_cast<Index>(1 + random.below(20)));
+}
+
+// Those that are large, and no others.
+TEST_P(Device_backend, LeaveLargeCellsToTheHost) {
+  const surfaces_for_cells::Surface surface(mesh_of({"torus", {20000, 1, 0}}));
+  const Flat_mesh& mesh = surface.flat();
+  EXPECT_EQ(expect_cells_of_host(GetParam(), mesh, 16).first, 0u);
+  const auto [left, all] = expect_cells_of_host(GetParam(), mesh, 100);
+  EXPECT_GT(2 * left, all);
+}
+
+// Also if that is found out after many rounds, or in the middle.
+TEST_P(Device_backend, LeaveAllCellsToTheHost) {
+  using namespace surfaces_for_cells;
+  const Flat_mesh mesh = flat_mesh_of(Recipe{"torus", {60000, 1, 0}});
+  const auto n = static_cast<Index>(mesh.number_of_vertices());
+  Host_executor executor(GetParam());
+  Solver solver(executor, mesh);
+  const auto find = [&](First_cells& cells) {
+    const bool have_found = solver.find_first_cells(cells);
+    EXPECT_EQ(have_found, cells.spacing < n);
+    return false;
+  };
+  for(const Index spacing : {Index(16), n})
+    expect_same(coarse_mesh_of(mesh, spacing, Execution(), find), coarse_mesh_of(mesh, spacing));
 }
 
 // A field that is given more steps before it counts as being at rest.

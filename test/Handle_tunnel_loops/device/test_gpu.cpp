@@ -4,6 +4,7 @@
 #include "Device_agreement.h"
 #include "Same_loops.h"
 #include "Solver_agreement_tests.h"
+#include "Surfaces_for_cells.h"
 #include "label_front_on_device.h"
 #include "random_input.h"
 #include "with.h"
@@ -97,6 +98,26 @@ TEST_F(Gpu, AgreesWithTheHostOnRandomSurfaces) {
     const auto solver = make_cuda_solver(mesh, {});
     expect_agreement(*solver, mesh, static_cast<Index>(random.below(mesh.number_of_vertices())), c);
   }
+}
+
+// By the distance of their centres.
+void expect_cells_of_host(const Flat_mesh& mesh) {
+  for(const Index spacing : surfaces_for_cells::spacings) {
+    SCOPED_TRACE(testing::Message() << mesh.number_of_vertices() << " / " << spacing);
+    const auto solver = make_cuda_solver(mesh, {});
+    surfaces_for_cells::expect_cells_of_host(
+        mesh, spacing, [&](First_cells& cells) { return solver->find_first_cells(cells); });
+  }
+}
+
+TEST_F(Gpu, FindsTheCellsOfTheHost) {
+  for(const Flat_mesh& mesh : surfaces_for_cells::meshes())
+    expect_cells_of_host(mesh);
+}
+
+// More than there are threads.
+TEST_F(Gpu, FindsManyCells) {
+  expect_cells_of_host(flat_mesh_of(Recipe{"gyroid", {1000000, 250, 0}}));
 }
 
 using Device_against_host = Comparison<CGAL::Cuda_tag, CGAL::Sequential_tag, Gpu>;

@@ -2,10 +2,7 @@
 // be, and that loops keep their classes on the way there and back.
 
 #include "Crossing_loops.h"
-#include "Meshes_of_soups.h"
-
-#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include "Surfaces_for_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -16,66 +13,7 @@
 
 namespace test_coarse_mesh {
 
-using namespace CGAL::Handle_tunnel_loops::internal;
-
-// The arrays of any mesh, with caps on its holes.
-class Surface
-{
-public:
-  explicit Surface(Mesh mesh)
-      : mesh_(std::move(mesh))
-      , surface_(
-            Execution(), mesh_, get(boost::vertex_index, mesh_), get(CGAL::vertex_point, mesh_)) {}
-
-  const Flat_mesh& flat() const { return surface_.mesh; }
-
-private:
-  using Point_map = boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
-
-  const Mesh mesh_;
-  const Prepared_surface<Mesh, Point_map> surface_;
-};
-
-// Removes vertices here and there, each with the faces around it, where no hole is near.
-Mesh with_holes(Mesh mesh, std::size_t number) {
-  const auto is_near_hole = [&](Mesh::Vertex_index v) {
-    for(const auto u : vertices_around_target(mesh.halfedge(v), mesh))
-      if(mesh.is_border(u))
-        return true;
-    return mesh.is_border(v);
-  };
-  const std::size_t n = mesh.number_of_vertices();
-  for(std::size_t i = 0; i < number; ++i) {
-    const Mesh::Vertex_index v(static_cast<Index>(i * n / number));
-    if(!is_near_hole(v)) {
-      const auto h = CGAL::Euler::remove_center_vertex(mesh.halfedge(v), mesh);
-      CGAL::Euler::remove_face(h, mesh);
-    }
-  }
-  mesh.collect_garbage();
-  return mesh;
-}
-
-std::vector<Flat_mesh> meshes() {
-  std::vector<Flat_mesh> all;
-  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3, 10}, 1))
-    all.push_back(Surface(mesh_of(recipe)).flat());
-  all.push_back(Surface(mesh_of({"lattice", {20000, 20, 0}})).flat());
-  all.push_back(Surface(mesh_of({"shell", {4000, 4, 0}})).flat()); // two components
-  all.push_back(Surface(mesh_of({"bars", {2000, 5, 0}})).flat());  // vertices with many neighbours
-  all.push_back(Surface(mesh_of({"hubs", {4000, 10, 0}})).flat());
-  all.push_back(Surface(mesh_of({"fan", {200, 0, 0}})).flat());
-  all.push_back(Surface(mesh_of(smallest_torus())).flat());
-  all.push_back(Surface(with_holes(mesh_of({"torus", {6000, 1, 0}}), 5)).flat());
-  all.push_back(Surface(with_holes(mesh_of({"gyroid", {4000, 10, 0}}), 40)).flat());
-  return all;
-}
-
-const Index spacings[] = {1, 4, 16, 64};
-
-Coarse_mesh coarse_mesh_of(const Flat_mesh& mesh, Index spacing, Execution execution = {}) {
-  return *Coarse_mesh_builder(execution, mesh, spacing, mesh.seeds).build();
-}
+using namespace surfaces_for_cells;
 
 // Of vertices that are the mesh itself little is asked: two may have no third neighbour.
 void expect_closed_manifold(const Flat_mesh& mesh) {
@@ -215,11 +153,7 @@ TEST(Coarse_mesh, IsTheSameForAllNumbersOfThreads) {
   for(const Flat_mesh& mesh : meshes()) {
     const Coarse_mesh one = coarse_mesh_of(mesh, 16),
                       many = coarse_mesh_of(mesh, 16, Execution::parallel());
-    EXPECT_EQ(one.centre, many.centre);
-    EXPECT_EQ(one.parent, many.parent);
-    EXPECT_EQ(one.mesh.neighbor, many.mesh.neighbor);
-    EXPECT_EQ(one.mesh.row_begin, many.mesh.row_begin);
-    EXPECT_EQ(one.stretch, many.stretch);
+    expect_same(one, many);
   }
 }
 

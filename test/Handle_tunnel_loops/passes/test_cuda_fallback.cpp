@@ -6,6 +6,7 @@
 #include "Pass_answers.h"
 #include "Same_loops.h"
 #include "Same_reeb_graphs.h"
+#include "Surfaces_for_cells.h"
 #include "with.h"
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
@@ -82,6 +83,28 @@ TEST_F(Cuda_fallback, AnyCallMayFail) {
       EXPECT_GT(on_both, 10u);
       EXPECT_GT(on_device, 0u) << "when no call fails";
     }
+}
+
+TEST_F(Cuda_fallback, CellsAreFoundByOneOfThem) {
+  using namespace surfaces_for_cells;
+  const Coarse_mesh expected_cells[] = {coarse_mesh_of(flat, 4), coarse_mesh_of(flat, 8)};
+  for(const cudaError_t error : {cudaErrorLaunchFailure, cudaErrorMemoryAllocation}) {
+    std::size_t on_device = 0, on_host = 0;
+    expect_survived({1, all_later, error}, 0, [&] {
+      Fallback_backend backend(execution, flat, [this] {
+        return device::make_cuda_solver(flat, {1, nullptr, any_size});
+      });
+      const auto find = [&](First_cells& cells) {
+        const bool have_found = backend.find_first_cells(cells);
+        ++(have_found ? on_device : on_host);
+        return have_found;
+      };
+      expect_same(coarse_mesh_of(flat, 4, execution, find), expected_cells[0]);
+      expect_same(coarse_mesh_of(flat, 8, execution, find), expected_cells[1]);
+    });
+    EXPECT_GT(on_host, 10u);
+    EXPECT_GT(on_device, 0u) << "when no call fails";
+  }
 }
 
 TEST_F(Cuda_fallback, TheLoopsAreThoseOfTheHost) {

@@ -5,6 +5,7 @@
 #include "Temporary_folder.h"
 
 #include "app/solve/backends.h"
+#include "app/solve/skeleton_solver.h"
 #include "app/write/tables.h"
 
 #include <gtest/gtest.h>
@@ -393,6 +394,25 @@ TEST_F(Page, places_are_sorted_by_their_first_number) {
           "[...document.querySelectorAll('#rows tr')].map(r => r.children[5].textContent)"))
     numbers.push_back(std::stod(std::string(text).substr(1)));
   EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
+  expect_quiet();
+}
+
+TEST_F(Page, bones_are_seen_through_the_surface_thin_or_thick) {
+  const Mesh mesh = mesh_of<Mesh>(Recipe{"torus", {2000, 1, 0}});
+  htloops::Progress told;
+  const htloops::Skeleton_answer answer = htloops::find_skeleton(mesh, {}, told);
+  const std::string file = folder_.path("bones.html");
+  htloops::write_skeleton_page(file, {}, "a.off", mesh, answer, "one");
+  browser().open(file, "document.body?.classList.contains('ready') === true");
+  const auto orange = [] {
+    return browser().screenshot().count([](const Colour& c) { return c[0] > c[2] + 60; });
+  };
+  const auto thin = orange();
+  EXPECT_GT(thin, 1000);
+  click("document.getElementById('thick')");
+  EXPECT_GT(orange(), 5 * thin);
+  set_slider("opacity", "100");
+  EXPECT_LT(orange(), 2 * thin);
   expect_quiet();
 }
 

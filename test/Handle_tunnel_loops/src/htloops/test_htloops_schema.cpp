@@ -9,6 +9,7 @@
 #include "app/solve/cut_solver.h"
 #include "app/solve/reeb_solver.h"
 #include "app/solve/removal_solver.h"
+#include "app/solve/skeleton_solver.h"
 #include "generators/generators.h"
 
 #include <gtest/gtest.h>
@@ -167,6 +168,29 @@ TEST(Reeb_schema, fits_what_is_written) {
                                    [](json& d) { d["arcs"][0].erase("girth"); },
                                    [](json& d) { d["arcs"][0]["polyline"].clear(); },
                                    [](json& d) { d["vertex_arc"][0] = -1; },
+                                   [](json& d) { d["mesh"].erase("genus"); }});
+}
+
+TEST(Skeleton_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("skeleton");
+  Progress told;
+  json document;
+  for(::Soup soup : {soup_of(Recipe{"multi-torus", {3000, 3, 0}}), soup_with_holes()}) {
+    soup.points.push_back({0., 0., 0.}); // without faces
+    const Mesh mesh = mesh_of<Mesh>(soup);
+    write_skeleton_json(folder.path("a.json"), find_skeleton(mesh, {}, told),
+                        {"a.off", {{"shortest_limb", 1.}}, 0.5});
+    document = json::parse(folder.read("a.json"));
+    schema.expect_fits(document);
+    EXPECT_TRUE(document["vertex_point"].back().is_null());
+  }
+  schema.expect_refuses(document, {[](json& d) { d["version"] = 2; },
+                                   [](json& d) { d["points"][0].erase(0); },
+                                   [](json& d) { d["edges"][0].push_back(0); },
+                                   [](json& d) { d["arcs"][0]["from_kind"] = "peak"; },
+                                   [](json& d) { d["arcs"][0].erase("mean_radius"); },
+                                   [](json& d) { d["vertex_point"][0] = -1; },
                                    [](json& d) { d["mesh"].erase("genus"); }});
 }
 

@@ -129,6 +129,40 @@ TEST_F(Drawn_picture, HidesALineBehindAnOpaqueSurface) {
   EXPECT_EQ(picture.count(is_reddish), 0);
 }
 
+TEST_F(Drawn_picture, DrawsBallsAndTubesAsThickAsTheyAre) {
+  options.surface_opacity = 0.;
+  for(const double radius : {0.1, 0.2}) {
+    Line ball = {{{0.5, 0.5, 0.5}}, {255, 0, 0}, false};
+    ball.radii = {radius};
+    Line tube = {{{0.1, 0.5, 0.5}, {0.9, 0.5, 0.5}}, {255, 0, 0}, false};
+    tube.radii = {0.01, radius};
+    // The unit is about 100 pixels at the middle of the cube.
+    const double pixels = 100. * radius;
+    EXPECT_NEAR(double(draw(cube(), {ball}).count(is_reddish)), 3.14 * pixels * pixels,
+                0.25 * 3.14 * pixels * pixels);
+    const Picture picture = draw(cube(), {tube});
+    const auto height_at = [&picture](int x) {
+      int reddish = 0;
+      for(int y = 0; y < picture.height; ++y)
+        reddish += is_reddish(picture.at(x, y));
+      return reddish;
+    };
+    EXPECT_GT(height_at(115), 2 * height_at(55));
+    EXPECT_LE(height_at(115), 2.2 * pixels);
+  }
+}
+
+TEST_F(Drawn_picture, DrawsALineAsManyTimesAsWide) {
+  options.line_width_px = 3.;
+  Line line = red_line_at_height(0.);
+  line.width = 3.;
+  const Picture picture = draw(cube(), {line});
+  std::ptrdiff_t reddish = 0;
+  for(int y = 0; y < picture.height; ++y)
+    reddish += is_reddish(picture.at(picture.width / 2, y));
+  EXPECT_NEAR(double(reddish), 9., 1.);
+}
+
 TEST_F(Drawn_picture, DrawsLinesAsWideAsAskedFor) {
   for(const double width : {2., 6.}) {
     options.line_width_px = width;

@@ -251,7 +251,7 @@ TEST(Page, HasLittleCode) {
   std::size_t size = 0;
   for(const std::string_view script : page_scripts)
     size += script.size();
-  EXPECT_LT(size, 40000u);
+  EXPECT_LT(size, 42000u);
 }
 
 } // namespace test_window

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/device/Device_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Front_layers.h>
@@ -31,6 +32,11 @@ public:
       , tuning_(tuning)
       , mesh_(uploaded_mesh(executor, mesh))
       , initial_(executor, mesh, mesh_, tuning, costs_) {}
+
+  bool find_first_cells(First_cells& cells) override {
+    [[maybe_unused]] const auto scope = executor_.scope();
+    return Device_cells<Executor>(executor_, mesh_.view(), costs_).find(cells);
+  }
 
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,
@@ -81,7 +87,7 @@ public:
 
   void report(Statistics& statistics) const override {
     statistics.backend = "cuda";
-    statistics.device_bytes = costs_.largest_bytes;
+    statistics.device_bytes = (std::max)(statistics.device_bytes, costs_.largest_bytes);
   }
 
   Costs costs() const override {

@@ -20,6 +20,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <future>
@@ -77,6 +78,10 @@ public:
     }
   }
 
+  bool find_first_cells(First_cells& cells) {
+    return run([&](auto& backend) { return backend.find_first_cells(cells); });
+  }
+
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,
                                               const Callback& callback) {
@@ -121,7 +126,7 @@ public:
     host_->report(statistics);
     if(is_initial_field_of_device_)
       statistics.backend = "cuda, then host";
-    statistics.device_bytes = device_bytes_;
+    statistics.device_bytes = (std::max)(statistics.device_bytes, device_bytes_);
     statistics.has_device_failed = has_device_failed_;
   }
 
@@ -185,6 +190,10 @@ private:
 
 namespace device {
 
+/// On meshes of so many vertices cells are found by a device that is started: the mesh has to be
+/// sent to it, and cells have to be sent back.
+constexpr std::size_t least_vertices_for_cells = 400000;
+
 /// The passes with fields on a CUDA device; see `Passes_of_tag`.
 struct Passes_on_device
 {
@@ -198,7 +207,8 @@ struct Passes_on_device
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return std::make_unique<Field_passes<Solver>>(
         execution_of<Parallel_if_available_tag>(), mesh, std::move(seeds), options,
-        [&mesh, where = options.device] { return make_cuda_solver(mesh, where); });
+        [&mesh, where = options.device] { return make_cuda_solver(mesh, where); },
+        least_vertices_for_cells);
   }
 };
 
@@ -217,10 +227,13 @@ struct Passes_if_there_is_a_device
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     const Execution execution = execution_of<Parallel_if_available_tag>();
     return std::make_unique<Field_passes<Fallback_backend>>(
-        execution, mesh, std::move(seeds), options, [execution, &mesh, where = options.device] {
+        execution, mesh, std::move(seeds), options,
+        [execution, &mesh, where = options.device] {
           return std::make_unique<Fallback_backend>(execution, mesh,
                                                     [&] { return solver(mesh, where); });
-        });
+        },
+        // It is started for the fields, which are on a coarse mesh: see `head_start()`.
+        (std::max)(least_vertices_for_cells, vertices_of_cell * options.device.least_vertices));
   }
 
 private:

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -63,6 +64,10 @@ class Solver
 {
 public:
   virtual ~Solver() = default;
+
+  /// finds the first cells of the mesh, and what is around them. Returns false where that is better
+  /// done by the processor.
+  virtual bool find_first_cells(First_cells& cells) = 0;
 
   /// the field of the initial pass: what its saddles offer as handles, in their order.
   ///

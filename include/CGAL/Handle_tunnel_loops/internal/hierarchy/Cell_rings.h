@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_ring.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -28,13 +29,6 @@ class Cell_rings
 {
 public:
   static constexpr std::size_t grain = 1024;
-
-  struct Neighbor
-  {
-    Index cell;
-    Gate gate;
-    double way; ///< how long it is, from centre to centre
-  };
 
   class Place;
 
@@ -56,12 +50,17 @@ public:
 
   /// takes over what is around the i-th cell, which is fit. In a range, cells follow each other.
   void set(std::size_t i, const Cell_ring& ring) {
-    sizes_[i] = static_cast<Index>(ring.size());
-    points_[i] = ring.centre_of_mass();
-    for(std::size_t k = 0; k < ring.size(); ++k) {
-      const auto [gate, way] = ring.way(k);
-      neighbors_[i / grain].push_back({ring.neighbor(k), gate, way});
-    }
+    sizes_[i] = ring.size();
+    ring.put_centre_of_mass(points_[i].data());
+    for(Index k = 0; k < ring.size(); ++k)
+      neighbors_[i / grain].push_back(ring.neighbor(k));
+  }
+  /// the same of one that was looked at by somebody else.
+  void set(std::size_t i, const Cell_look& look, const Cell_neighbor* neighbors) {
+    sizes_[i] = look.number_of_neighbors;
+    std::copy_n(look.point, 3, points_[i].begin());
+    neighbors_[i / grain].insert(neighbors_[i / grain].end(), neighbors,
+                                 neighbors + look.number_of_neighbors);
   }
   void set(std::size_t i, const Place& place);
 
@@ -77,7 +76,7 @@ public:
 private:
   std::vector<Index> cells_, sizes_;
   std::vector<Vector> points_;
-  std::vector<std::vector<Neighbor>> neighbors_; // by range, one after the other
+  std::vector<std::vector<Cell_neighbor>> neighbors_; // by range, one after the other
 };
 
 /// A cell among others.
@@ -111,7 +110,7 @@ private:
 inline void Cell_rings::set(std::size_t i, const Place& place) {
   const Cell_rings& other = place.rings_;
   const auto from = other.neighbors_[place.cell_ / grain].begin() + place.neighbor_;
-  std::vector<Neighbor>& to = neighbors_[i / grain];
+  std::vector<Cell_neighbor>& to = neighbors_[i / grain];
   sizes_[i] = other.sizes_[place.cell_];
   points_[i] = other.points_[place.cell_];
   to.insert(to.end(), from, from + sizes_[i]);

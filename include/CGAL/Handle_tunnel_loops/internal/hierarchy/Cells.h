@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -32,19 +32,17 @@ public:
       : mesh_(mesh)
       , links_(mesh.number_of_vertices())
       , is_alone_(mesh.number_of_vertices()) {
-    for_each_index(execution, links_.size(), [this](std::size_t v) {
-      open(static_cast<Index>(v));
-      is_alone_[v] = 0;
-    });
+    open_all(execution);
   }
 
-  /// What is known of a vertex: its cell, `no_index` if it is open, and the next vertex on the way
-  /// to the centre, `no_index` there.
-  struct Link
-  {
-    Index cell, parent;
-  };
-  const Link& operator[](Index v) const { return links_[v]; }
+  /// the cells beside the mesh; they stay where they are.
+  Cell_view view() const {
+    return {view_of(mesh_), {links_.data(), links_.size()}, {is_alone_.data(), is_alone_.size()}};
+  }
+
+  /// where somebody else may put down cells, and which of them are vertices for good.
+  Span<Cell_link> links() { return {links_.data(), links_.size()}; }
+  Span<char> are_vertices() { return {is_alone_.data(), is_alone_.size()}; }
 
   Index cell(Index v) const { return links_[v].cell; }
   Index parent(Index v) const { return links_[v].parent; }
@@ -60,6 +58,14 @@ public:
   }
   bool is_alone(Index v) const { return is_alone_[v] != 0; }
 
+  /// takes all vertices out of their cells.
+  void open_all(Execution execution) {
+    for_each_index(execution, links_.size(), [this](std::size_t v) {
+      open(static_cast<Index>(v));
+      is_alone_[v] = 0;
+    });
+  }
+
   /// takes a vertex out of its cell.
   void open(Index v) { links_[v] = {no_index, no_index}; }
 
@@ -68,7 +74,7 @@ public:
   /// open that no cell comes to.
   template <typename Predicate>
   void grow(Execution execution, Uninitialized_vector<Index> open, const Predicate& may_grow) {
-    Uninitialized_vector<Link> links;
+    Uninitialized_vector<Cell_link> links;
     for(std::size_t before = 0; before != open.size();) {
       before = open.size();
       links.resize(before);
@@ -94,26 +100,20 @@ public:
   }
 
 private:
-  // The least cell beside an open vertex, and there the least neighbour.
-  template <typename Predicate> Link link(Index v, const Predicate& may_grow) const {
-    Link best = {no_index, no_index};
-    for(Index u : mesh_.ring(v)) {
-      const Index c = cell(u);
-      if(c != no_index && std::tie(c, u) < std::tie(best.cell, best.parent) && !is_alone(c) &&
-         may_grow(c))
-        best = {c, u};
-    }
-    return best;
+  template <typename Predicate> Cell_link link(Index v, const Predicate& may_grow) const {
+    return least_link(
+        mesh_.ring(v), [this](Index u) { return cell(u); },
+        [&](Index c) { return !is_alone(c) && may_grow(c); });
   }
 
-  bool take(Index v, const Link& link) {
+  bool take(Index v, const Cell_link& link) {
     links_[v] = link;
     return link.cell != no_index;
   }
 
   const Flat_mesh& mesh_;
-  Uninitialized_vector<Link> links_;    // by vertex
-  Uninitialized_vector<char> is_alone_; // by vertex
+  Uninitialized_vector<Cell_link> links_; // by vertex
+  Uninitialized_vector<char> is_alone_;   // by vertex
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_rings.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -51,20 +52,23 @@ class Coarse_mesh_builder
 {
 public:
   /// lets cells grow from each `spacing`-th vertex, about. The seeds, of which there is one in each
-  /// component, are centres of cells.
+  /// component, are centres of cells. Who else there is to find these cells may be given, too.
   Coarse_mesh_builder(Execution execution,
                       const Flat_mesh& mesh,
                       Index spacing,
-                      std::vector<Index> seeds)
+                      std::vector<Index> seeds,
+                      const Find_first_cells& find_first_cells = {})
       : execution_(execution)
       , mesh_(mesh)
       , seeds_(std::move(seeds))
       , cells_(execution, mesh)
-      , rings_([this] { return std::make_unique<Cell_ring>(mesh_, cells_); }) {
+      , rings_([this] { return std::make_unique<Cell_ring>(cells_.view()); }) {
     CGAL_precondition(spacing > 0);
-    start(spacing);
-    first_ = Cell_rings(centres());
-    look(first_);
+    if(!find_first_cells || !have_found(find_first_cells, spacing)) {
+      start(spacing);
+      first_ = Cell_rings(centres());
+      look(first_, [](std::size_t) { return false; });
+    }
     number_of_cells_ = first_.size();
     for(std::size_t i = 0; i < first_.size(); ++i)
       if(first_.number_of_neighbors(i) == 0)
@@ -112,6 +116,44 @@ private:
     return coarse;
   }
 
+  // ---- the first cells
+
+  // Whether somebody else has found them.
+  bool have_found(const Find_first_cells& find_first_cells, Index spacing) {
+    First_cells cells = {spacing,
+                         seeds_,
+                         mesh_.first_hub,
+                         mesh_.number_of_hubs,
+                         cells_.links(),
+                         cells_.are_vertices(),
+                         [this](First_cells& all) { find_centres(all); }};
+    if(!find_first_cells(cells)) {
+      if(cells.are_begun)
+        cells_.open_all(execution_);
+      return false;
+    }
+    first_ = Cell_rings(std::move(cells.centres));
+    look(first_, [&](std::size_t i) {
+      const Cell_look& look = cells.looks[i];
+      if(look.number_of_neighbors == no_index)
+        return false;
+      if(look.number_of_neighbors > 0)
+        first_.set(i, look, cells.neighbors.data() + look.first);
+      return true;
+    });
+    return true;
+  }
+
+  // Memory is got by those who touch it first: by all threads.
+  void find_centres(First_cells& cells) const {
+    cells.centres = centres();
+    cells.looks.resize(cells.centres.size());
+    cells.neighbors.resize(First_cells::neighbors_of_cell * cells.centres.size());
+    for_each_index(execution_, cells.looks.size(), [&](std::size_t i) { cells.looks[i] = {}; });
+    for_each_index(execution_, cells.neighbors.size(),
+                   [&](std::size_t i) { cells.neighbors[i] = {}; });
+  }
+
   void start(Index spacing) {
     for(Index v = 0; v < mesh_.first_hub; v += spacing)
       cells_.add_cell(v);
@@ -130,6 +172,16 @@ private:
     // Those in a small component of which all centres have many neighbours.
     for(Index v : vertices_with([&](Index v) { return cells_.cell(v) == no_index; }))
       cells_.add_vertex(v);
+  }
+
+  // Looks at the cells, but the i-th one if `has_taken(i)` says that it is done.
+  template <typename Predicate> void look(Cell_rings& all, const Predicate& has_taken) {
+    execution_.for_ranges(all.size(), Cell_rings::grain, [&](std::size_t begin, std::size_t end) {
+      const auto ring = rings_.borrow();
+      for(std::size_t i = begin; i < end; ++i)
+        if(!has_taken(i) && ring->look(all.cell(i)))
+          all.set(i, *ring);
+    });
   }
 
   template <typename Vertices = std::vector<Index>, typename Predicate>
@@ -312,15 +364,6 @@ private:
 
   // ---- their mesh
 
-  void look(Cell_rings& all) {
-    execution_.for_ranges(all.size(), Cell_rings::grain, [&](std::size_t begin, std::size_t end) {
-      const auto ring = rings_.borrow();
-      for(std::size_t i = begin; i < end; ++i)
-        if(ring->look(all.cell(i)))
-          all.set(i, *ring);
-    });
-  }
-
   // Most cells are as they were at first.
   Cell_rings rings_of(const std::vector<Index>& centres) {
     Cell_rings all(centres);
@@ -353,7 +396,7 @@ private:
         execution_, stretches.size(),
         [&](std::size_t range) {
           Index place = coarse.mesh.row_begin[range * Cell_rings::grain];
-          all.for_each_neighbor(range, [&](Index cell, const Cell_rings::Neighbor& neighbor) {
+          all.for_each_neighbor(range, [&](Index cell, const Cell_neighbor& neighbor) {
             coarse.mesh.neighbor[place] = number_of_cell_[neighbor.cell];
             coarse.gate[place++] = neighbor.gate;
             stretches[range].add(neighbor.way, mesh_.edge_length(cell, neighbor.cell));

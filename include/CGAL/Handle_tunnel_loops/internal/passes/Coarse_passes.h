@@ -64,7 +64,9 @@ public:
 
   void initial_pass(Progress& progress, Statistics& statistics) override {
     execution_ = execution_.watched_by(progress);
-    builder_ = std::make_unique<Coarse_mesh_builder>(execution_, mesh_, vertices_of_cell, seeds_);
+    builder_ = std::make_unique<Coarse_mesh_builder>(
+        execution_, mesh_, vertices_of_cell, seeds_,
+        [&](First_cells& cells) { return fine_passes().find_first_cells(cells, statistics); });
     if(has_coarse_mesh(most_divided * double(mesh_.number_of_vertices() / vertices_of_cell)) &&
        coarse_->stretch <= most_stretch)
     {

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Basis_exchange.h>
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -334,18 +336,36 @@ public:
   /// makes the backend, which may take a while, when it is needed first.
   using Make_backend = std::function<std::unique_ptr<Backend>()>;
 
-  /// \p seeds are the vertices to start from, one in each component.
+  /// \p seeds are the vertices to start from, one in each component; the backend finds first cells
+  /// where there are \p least_vertices_for_cells vertices.
   Field_passes(Execution execution,
                const Flat_mesh& mesh,
                std::vector<Index> seeds,
                const Pass_options& options,
-               Make_backend make_backend)
+               Make_backend make_backend,
+               std::size_t least_vertices_for_cells = (std::numeric_limits<std::size_t>::max)())
       : execution_(execution)
       , mesh_(mesh)
       , seeds_(std::move(seeds))
       , options_(options)
       , coefficients_(step_coefficients(options.field_constants))
-      , make_backend_(std::move(make_backend)) {}
+      , make_backend_(std::move(make_backend))
+      , least_vertices_for_cells_(least_vertices_for_cells) {}
+
+  bool find_first_cells(First_cells& cells, Statistics& statistics) override {
+    if(mesh_.number_of_vertices() < least_vertices_for_cells_)
+      return false;
+    try {
+      make_backend();
+      const bool have_found = backend_->find_first_cells(cells);
+      if(have_found)
+        backend_->report(statistics);
+      return have_found;
+    } catch(const Device_exception&) { // there may be room for a coarse mesh
+      backend_.reset();
+      return false;
+    }
+  }
 
   void initial_pass(Progress& progress, Statistics& statistics) override {
     make_backend();
@@ -475,6 +495,7 @@ private:
   Pass_options options_;
   Step_coefficients coefficients_;
   Make_backend make_backend_;
+  std::size_t least_vertices_for_cells_;
   std::unique_ptr<Backend> backend_;
   Swept_vertices swept_;
   std::vector<Handle_candidate> candidates_; // their loops are the contours

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Processor_executor.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Parallel_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
@@ -219,6 +220,9 @@ public:
       , mesh_(mesh)
       , fallback_(std::move(fallback))
       , stencils_(execution, mesh) {}
+
+  /// as a device does; here it is left to `Coarse_mesh_builder`.
+  static bool find_first_cells(First_cells&) { return false; }
 
   std::vector<Handle_candidate> initial_field(const std::vector<Index>& seeds,
                                               const Step_coefficients& k,

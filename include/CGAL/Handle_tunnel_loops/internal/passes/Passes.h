@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -42,6 +43,12 @@ class Passes
 {
 public:
   virtual ~Passes() = default;
+
+  /// finds the first cells of a coarse mesh, as `Coarse_mesh_builder` would, if whoever does the
+  /// passes is the better one to do it; to be asked first.
+  virtual bool find_first_cells(First_cells& /* cells */, Statistics& /* statistics */) {
+    return false;
+  }
 
   /// paper, 4.1: finds handle loops, as many as the genus.
   virtual void initial_pass(Progress& progress, Statistics& statistics) = 0;

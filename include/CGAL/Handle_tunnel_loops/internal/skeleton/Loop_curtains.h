@@ -113,8 +113,9 @@ private:
   // Exact for the rounded places. Three in a line are taken to turn to the right, whatever the
   // order of the first two: a curve through a place crosses a line through it once or not at all.
   static int turn(const Place& a, const Place& b, const Place& c) {
-    using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
-    return CGAL::orientation(Point(a.x, a.y), Point(b.x, b.y), Point(c.x, c.y)) == CGAL::LEFT_TURN
+    using Seen_point = Exact_predicates_inexact_constructions_kernel::Point_2;
+    return CGAL::orientation(Seen_point(a.x, a.y), Seen_point(b.x, b.y), Seen_point(c.x, c.y)) ==
+                   CGAL::LEFT_TURN
                ? 1
                : -1;
   }

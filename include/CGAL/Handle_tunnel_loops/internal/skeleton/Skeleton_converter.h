@@ -36,14 +36,14 @@ struct Has_radius<Vertex, std::void_t<decltype(std::declval<Vertex&>().radius)>>
 template <typename Prepared, typename Graph>
 void convert_skeleton(const Prepared& surface, const Found_skeleton& found, Graph& graph) {
   using Vertex = std::decay_t<decltype(graph[*vertices(graph).first])>;
-  using Point = std::decay_t<decltype(std::declval<Vertex&>().point)>;
+  using Point_of_graph = std::decay_t<decltype(std::declval<Vertex&>().point)>;
   const Flat_skeleton& flat = found.skeleton;
   Graph result;
   std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> descriptors;
   for(std::size_t p = 0; p < flat.points.size(); ++p) {
     const auto v = add_vertex(result);
     descriptors.push_back(v);
-    result[v].point = Point(flat.points[p][0], flat.points[p][1], flat.points[p][2]);
+    result[v].point = Point_of_graph(flat.points[p][0], flat.points[p][1], flat.points[p][2]);
     if constexpr(Has_radius<Vertex>::value) {
       result[v].radius = flat.radii[p];
       result[v].component = flat.component_of[p];

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "app/draw/gltf.h"
+#include "app/draw/pages.h"
+#include "app/draw/skeletons.h"
+#include "app/failure.h"
+#include "app/solve/skeleton_solver.h"
+#include "app/words.h"
+#include "app/write/documents.h"
+#include "app/write/skeleton_formats.h"
+#include "app/write/tables.h"
+#include "commands/command.h"
+#include "commands/options.h"
+#include "terminal/terminal.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace htloops {
+namespace {
+
+struct Skeleton_command_options : Common_options
+{
+  std::vector<std::string> graph_files;
+  std::string parts_file;
+  std::string csv_file;
+  bool show_all = false;
+  bool has_tubes = false;
+  Skeleton_options skeleton;
+};
+
+void check_options(const Skeleton_command_options& options) {
+  for(const std::string& file : options.graph_files)
+    check_skeleton_graph_format(file);
+  check_suffix(options.parts_file, ".ply");
+  check_common_options(options, check_skeleton_lines_format);
+  check_name(options.csv_file, "a table as CSV", ".csv");
+}
+
+Skeleton_answer solve(const Mesh& mesh, const Skeleton_command_options& options) {
+  Skeleton_options how = options.skeleton;
+  how.number_of_threads = options.number_of_threads;
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  return find_skeleton(mesh, how, bar);
+}
+
+void draw(const Skeleton_command_options& options,
+          const Mesh& mesh,
+          const Skeleton_answer& answer) {
+  if(options.picture.file.empty() && options.gltf_file.empty())
+    return;
+  const auto [cut, tints] = skeleton_surface(mesh, answer);
+  Drawn_surface surface =
+      drawn_surface(cut, [&colours = tints](std::size_t part) { return colours[part]; });
+  surface.opacity = opacity_around_bones;
+  const Exported_lines bones = bones_of(answer, options.has_tubes);
+  if(!options.picture.file.empty())
+    export_picture(around_bones(options.picture), options.view, surface, bones);
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, surface, bones);
+}
+
+void write_files(const Skeleton_command_options& options,
+                 const Mesh& mesh,
+                 const Skeleton_answer& answer,
+                 double read_seconds) {
+  if(!options.csv_file.empty())
+    write_arc_csv(options.csv_file, answer);
+  if(!options.json_file.empty())
+    write_skeleton_json(options.json_file, answer,
+                        {options.mesh_file,
+                         {{"shortest_limb", options.skeleton.shortest_limb},
+                          {"triangulate", options.remedies.do_triangulate},
+                          {"repair", options.remedies.do_repair}},
+                         read_seconds});
+  for(const std::string& file : options.lines_files)
+    export_skeleton_lines(file, answer);
+  for(const std::string& file : options.graph_files)
+    write_skeleton_graph(file, answer);
+  if(!options.parts_file.empty())
+    export_coloured_mesh(options.parts_file, mesh, answer);
+  draw(options, mesh, answer);
+  if(!options.page_file.empty())
+    write_skeleton_page(options.page_file, options.view, options.mesh_file, mesh, answer,
+                        summary(answer, read_seconds));
+}
+
+bool is_output_taken(const Skeleton_command_options& options) {
+  return options.json_file == "-" || options.csv_file == "-" || options.page_file == "-" ||
+         options.is_mesh_on_standard_output();
+}
+
+void run(const Skeleton_command_options& options) {
+  check_options(options);
+  const Stopwatch stopwatch;
+  const Mended_mesh mended = read_mended_mesh(options, input_of(options));
+  const double read_seconds = stopwatch.seconds();
+  write_read_mesh(options, mended.mesh);
+  const Skeleton_answer answer = solve(mended.mesh, options);
+  write_files(options, mended.mesh, answer, read_seconds);
+  if(!options.is_quiet)
+    show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds),
+              is_output_taken(options));
+  if(!answer.certificate() && !answer.does_mesh_touch_itself)
+    throw Failure(
+        Exit_code::NOT_CERTIFIED,
+        "the skeleton of " + options.mesh_file + " fails its certificate" +
+            (options.is_quiet ? ":" + indented(lines_of(answer.certificate().failure)) : ""));
+}
+
+void add_output_options(CLI::App& command, Skeleton_command_options& options) {
+  command.option_defaults()->group("What to write");
+  add_json_option(command, options, "the skeleton");
+  add_lines_option(command, options, "the arcs", ".swc .vtp .obj .ply .polylines.txt");
+  add_output(command, "--graph", "FILE", options.graph_files,
+             "points and edges: .graphml .dot; repeatable");
+  add_output(command, "--parts", "FILE.ply", options.parts_file,
+             "the mesh with vertices coloured by arc");
+  add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
+  add_picture_options(command, options, "the skeleton", true, words_of_opacity_around_bones);
+  add_page_option(command, options, "the mesh and the skeleton");
+  add_gltf_option(command, options, "the arcs");
+  command.add_flag("--tubes", options.has_tubes,
+                   "bones as thick as the solid, in the picture and as glTF");
+  add_view_options(command, options);
+}
+
+void add_computation_options(CLI::App& command, Skeleton_command_options& options) {
+  command.option_defaults()->group("How to compute");
+  command
+      .add_option("--shortest-limb", options.skeleton.shortest_limb,
+                  "limbs that are shorter than K times their mean radius are left out, cycles\n"
+                  "never; default: 2")
+      ->option_text("K")
+      ->check(CLI::NonNegativeNumber)
+      ->check(why_not_finite);
+  add_threads_option(command, options);
+}
+
+constexpr char skeleton_description[] = R"(Computes a curve skeleton of a triangle mesh.
+
+Its lines run in the middle of the solid inside the surface, with the radius of the largest ball
+inside at each point. Each connected surface of genus g has a connected skeleton with g
+independent cycles; boundary curves are inlets, each of which has an end at its middle. That all
+edges lie strictly inside, that none meets another, and that the cycles are a basis of H1 of the
+solid is proved in exact arithmetic before anything is said, unless the mesh crosses itself: then
+the skeleton is written with the reason why nothing is proved.
+)";
+
+constexpr char skeleton_examples[] = R"(Examples:
+  htloops skeleton chair.off --picture chair.png --legend
+                                                  a look at it
+  htloops skeleton vessel.stl --lines vessel.vtp  centre lines with radii for ParaView
+  htloops skeleton neuron.ply --lines neuron.swc  the same as trees, each cycle cut
+  htloops skeleton chair.off -o chair.json && htloops check chair.off chair.json
+                                                  checked again from the two files alone
+)";
+
+} // namespace
+
+void add_skeleton_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Skeleton_command_options>();
+  CLI::App* skeleton = app.add_subcommand("skeleton", skeleton_description)->group("Commands");
+  add_mesh_argument(*skeleton, *options, mesh_kinds);
+  add_output_options(*skeleton, *options);
+  add_remedy_options(*skeleton, *options);
+  add_computation_options(*skeleton, *options);
+  skeleton->option_defaults()->group("What to show");
+  skeleton->add_flag("--all", options->show_all, "all rows of a long table");
+  skeleton->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
+  complete_help(*skeleton, skeleton_examples);
+  skeleton->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops
