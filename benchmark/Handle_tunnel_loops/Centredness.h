@@ -22,8 +22,8 @@
 /// How far a line is from the middle of a solid, by nothing but distances to the surface.
 
 /// A ball of the plane across a line through one of its points, which grows while its centre walks
-/// uphill in the distance to the surface. No step is longer than half the radius, so that the centre
-/// stays in the free region.
+/// uphill in the distance to the surface. No step is longer than half the radius, so that the
+/// centre stays in the free region.
 class Ball_across
 {
 public:
@@ -63,7 +63,8 @@ private:
       const double angle = turn + 2. * CGAL_PI * i / number_of_directions;
       const Point p = from + step * (std::cos(angle) * u_ + std::sin(angle) * v_);
       const double radius = solid_.distance(p);
-      if(radius > radius_ && !(must_hold_start && CGAL::squared_distance(p, start_) > radius * radius)) {
+      if(radius > radius_ &&
+         !(must_hold_start && CGAL::squared_distance(p, start_) > radius * radius)) {
         centre_ = p;
         radius_ = radius;
       }

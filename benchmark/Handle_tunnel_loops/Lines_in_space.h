@@ -114,9 +114,12 @@ inline std::vector<Place_on_line> places_on(const Lines_in_space& lines, std::si
   return places;
 }
 
-/// the largest distance from the ends of edges of `a`, and places on them not farther apart than
-/// `step`, to `b`.
-inline double largest_distance(const Lines_in_space& a, const Lines_in_space& b, double step) {
+/// the distances to `b` of the ends of edges of `a`, and of places on them not farther apart than
+/// `step`, are appended.
+inline void add_distances(const Lines_in_space& a,
+                          const Lines_in_space& b,
+                          double step,
+                          std::vector<double>& to) {
   std::vector<Kernel::Segment_3> segments;
   for(std::size_t i = 0; i < b.edges.size(); ++i)
     segments.push_back(b.segment(i));
@@ -124,22 +127,24 @@ inline double largest_distance(const Lines_in_space& a, const Lines_in_space& b,
       CGAL::AABB_segment_primitive<Kernel, std::vector<Kernel::Segment_3>::const_iterator>;
   const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(segments.cbegin(),
                                                                    segments.cend());
-  double largest = 0.;
   for(std::size_t i = 0; i < a.edges.size(); ++i) {
     const Kernel::Segment_3 s = a.segment(i);
-    const double n = std::ceil(length(s) / step) + 1.;
+    const double n = (std::max)(1., std::ceil(length(s) / step));
     for(double k = 0.; k <= n; ++k)
-      largest = (std::max)(largest, tree.squared_distance(s.source() + (k / n) * s.to_vector()));
+      to.push_back(std::sqrt(tree.squared_distance(s.source() + (k / n) * s.to_vector())));
   }
-  return std::sqrt(largest);
 }
 
-/// the Hausdorff distance, but for up to half a step; 0 if either has no edges.
-inline double
-hausdorff_distance(const Lines_in_space& a, const Lines_in_space& b, double step) {
-  if(a.edges.empty() || b.edges.empty())
-    return 0.;
-  return (std::max)(largest_distance(a, b, step), largest_distance(b, a, step));
+/// the distances of places on either lines to the others: the largest is the Hausdorff distance,
+/// but for up to half a step. None if either has no edges.
+inline std::vector<double>
+distances_between(const Lines_in_space& a, const Lines_in_space& b, double step) {
+  std::vector<double> distances;
+  if(!a.edges.empty() && !b.edges.empty()) {
+    add_distances(a, b, step, distances);
+    add_distances(b, a, step, distances);
+  }
+  return distances;
 }
 
 #endif // BENCHMARK_LINES_IN_SPACE_H

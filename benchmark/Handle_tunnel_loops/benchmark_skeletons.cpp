@@ -3,18 +3,20 @@
 //   benchmark_skeletons [--limit SECONDS] [--faces N] [--same] [--random N [--seed N]]
 //                       [KIND:FACES:GENUS | FILE | FOLDER]...
 //
-// A row for each closed mesh that does not cross itself and has at most N faces (or any number), and
-// for N random surfaces. All is measured here by code that shares nothing with what makes or
+// A row for each closed mesh that does not cross itself and has at most N faces (or any number),
+// and for N random surfaces. All is measured here by code that shares nothing with what makes or
 // certifies skeletons:
 //
 //   inside    the share of the line that is inside, by length, cut where it crosses the surface
 //   centred   the distance of a point of the line from the surface over the radius of the largest
-//             ball that holds the point, lies inside and has its centre in the plane across the line,
-//             found by walking uphill from the point: the median over the line, and the share of the
-//             line where it is above 0.7; `section` is the latter with balls that need not hold the
-//             point, which tells of a limb where it enters a body
-//   same      the Hausdorff distance to the skeleton of the same mesh with its vertices and faces in
-//             another order and turned at random, turned back, over the diagonal of the mesh
+//             ball that holds the point, lies inside and has its centre in the plane across the
+//             line, found by walking uphill from the point: the median over the line, and the share
+//             of the line where it is above 0.7; `section` is the latter with balls that need not
+//             hold the point, which tells of a limb where it enters a body
+//   same      the Hausdorff distance to the skeleton of the same mesh with its vertices and faces
+//   in
+//             another order and turned at random, turned back, over the diagonal of the mesh; and
+//             `moved`, the share of both lines that is more than 1% of it from the other
 //
 // Seconds are those of the processor, with one thread. The mean curvature flow runs in a process of
 // its own, for at most the time of --limit, and component by component; 0 leaves it out.
@@ -84,6 +86,13 @@ Judgement judge(const Solid& solid, const Lines_in_space& lines) {
   return judgement;
 }
 
+/// How far two skeletons are from each other, over the diagonal.
+struct Move
+{
+  double largest = 0.;
+  double share_above = 0.; ///< of the line, that is moved by 1% or more
+};
+
 struct Row
 {
   std::string name;
@@ -91,7 +100,7 @@ struct Row
   std::size_t arcs = 0;
   double reading = 0., seconds = 0.;
   Judgement ours;
-  std::optional<double> moved;
+  std::optional<Move> moved;
   bool is_flow_asked = false;
   std::optional<Judgement> flow;
   double seconds_of_flow = 0.;
@@ -117,7 +126,7 @@ double diagonal(const Solid_mesh& mesh) {
 }
 
 /// how far the skeleton lies from that of the mesh in another order and turned.
-double moved_when_turned(const Solid_mesh& mesh, const Lines_in_space& lines) {
+Move moved_when_turned(const Solid_mesh& mesh, const Lines_in_space& lines) {
   CGAL::Random order(1);
   CGAL::Handle_tunnel_loops::generators::Random dice(1);
   const auto r = random_surfaces::random_rotation(dice);
@@ -130,7 +139,10 @@ double moved_when_turned(const Solid_mesh& mesh, const Lines_in_space& lines) {
   for(Point& p : turned.points)
     p = rotation.inverse()(p);
   const double size = diagonal(mesh);
-  return hausdorff_distance(lines, turned, 1e-3 * size) / size;
+  const auto distances = distances_between(lines, turned, 1e-3 * size);
+  if(distances.empty())
+    return {};
+  return {corpus::quantile(distances, 1.) / size, Centredness::share_above(distances, 0.01 * size)};
 }
 
 #ifdef CGAL_EIGEN3_ENABLED
@@ -158,7 +170,8 @@ const char* reason_to_skip(const Solid_mesh& mesh, std::size_t most_faces) {
   return PMP::does_self_intersect(mesh) ? "crosses itself" : nullptr;
 }
 
-std::optional<Row> measure(const std::string& name, const std::string& file, const Settings& settings) {
+std::optional<Row>
+measure(const std::string& name, const std::string& file, const Settings& settings) {
   Row row;
   row.name = name;
   Solid_mesh mesh;
@@ -185,10 +198,13 @@ std::optional<Row> measure(const std::string& name, const std::string& file, con
 }
 
 void print_head() {
-  std::printf("| mesh | faces | genus | certified | arcs | inside %% | centred | > 0.7 %% | in section "
-              "%% | reading s | loops s | skeleton s | all / reading | same %% | flow: cycles | inside "
-              "%% | centred | > 0.7 %% | in section %% | s | ours / flow |\n"
-              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| mesh | faces | genus | certified | arcs | inside %% | centred | > 0.7 %% | in section "
+      "%% | reading s | loops s | skeleton s | all / reading | same %% | moved %% | flow: cycles | "
+      "inside "
+      "%% | centred | > 0.7 %% | in section %% | s | ours / flow |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+      "\n");
 }
 
 void print(const Judgement& j) {
@@ -204,9 +220,9 @@ void print(const Row& row) {
   std::printf(" %.3f | %.3f | %.3f | %.1f |", row.reading, row.seconds_of_loops(),
               row.seconds - row.seconds_of_loops(), row.seconds / row.reading);
   if(row.moved)
-    std::printf(" %.2f |", 100. * *row.moved);
+    std::printf(" %.2f | %.1f |", 100. * row.moved->largest, 100. * row.moved->share_above);
   else
-    std::printf(" |");
+    std::printf(" | |");
   if(row.flow) {
     std::printf(" %zu |", row.flow->cycles);
     print(*row.flow);
@@ -230,11 +246,13 @@ public:
                 number([](const Row& r) { return r.is_certified(); }),
                 number([](const Row& r) { return r.ours.cycles == r.statistics.genus; }));
     print("skeletons", [](const Row& r) { return &r.ours; });
-    std::printf("over reading: median %.1f, most %.1f\n", at(&Row::reading, 0.5), at(&Row::reading, 1.));
+    std::printf("over reading: median %.1f, most %.1f\n", at(&Row::reading, 0.5),
+                at(&Row::reading, 1.));
     if(number([](const Row& r) { return r.moved.has_value(); }) > 0)
-      std::printf("same: below 1%% on %zu, median %.2f%%\n",
-                  number([](const Row& r) { return r.moved && *r.moved < 0.01; }),
-                  100. * quantile([](const Row& r) { return r.moved; }, 0.5));
+      std::printf(
+          "same: below 1%% on %zu, median %.2f%%; moved by more: median %.1f%% of the line\n",
+          number([](const Row& r) { return r.moved && r.moved->largest < 0.01; }),
+          100. * moved(&Move::largest), 100. * moved(&Move::share_above));
     print_flow();
     print_worst();
   }
@@ -251,6 +269,14 @@ private:
       if(const std::optional<double> v = value(row))
         values.push_back(*v);
     return corpus::quantile(std::move(values), part);
+  }
+
+  double moved(double Move::*member) const {
+    return quantile(
+        [member](const Row& r) {
+          return r.moved ? std::optional<double>((*r.moved).*member) : std::nullopt;
+        },
+        0.5);
   }
 
   /// of the time for a skeleton over another one.
@@ -304,9 +330,8 @@ private:
       std::vector<const Row*> order;
       for(const Row& row : rows_)
         order.push_back(&row);
-      std::stable_sort(order.begin(), order.end(), [&](const Row* a, const Row* b) {
-        return goodness(*a) < goodness(*b);
-      });
+      std::stable_sort(order.begin(), order.end(),
+                       [&](const Row* a, const Row* b) { return goodness(*a) < goodness(*b); });
       order.resize((std::min)(order.size(), std::size_t(10)));
       std::printf("%s:", what);
       for(const Row* row : order)
@@ -317,7 +342,7 @@ private:
       return r.is_certified() ? r.ours.share_centred : r.ours.share_centred - 1.;
     });
     if(!rows_.empty() && rows_.front().moved)
-      print_ten("least the same", [](const Row& r) { return -r.moved.value_or(0.); });
+      print_ten("least the same", [](const Row& r) { return r.moved ? -r.moved->largest : 0.; });
   }
 
   const std::vector<Row>& rows_;
@@ -356,8 +381,8 @@ void measure_all(const corpus::Command_line& line) {
 
 int main(int argc, char* argv[]) {
   try {
-    measure_all(corpus::Command_line(argc, argv, {"--same"},
-                                     {"--limit", "--faces", "--random", "--seed"}));
+    measure_all(
+        corpus::Command_line(argc, argv, {"--same"}, {"--limit", "--faces", "--random", "--seed"}));
   } catch(const std::exception& e) {
     std::cerr << "Error: " << e.what() << '\n';
     return EXIT_FAILURE;
