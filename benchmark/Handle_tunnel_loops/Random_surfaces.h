@@ -104,8 +104,11 @@ inline Soup make_with_faces_enough(const generators::Kind& kind, Request& reques
   return kind.make(request);
 }
 
-/// turns all points by the rotation of a random quaternion.
-inline void turn(Soup& soup, Random& random) {
+/// A rotation, as the rows of its matrix.
+using Rotation = std::array<std::array<double, 3>, 3>;
+
+/// that of a random quaternion.
+inline Rotation random_rotation(Random& random) {
   std::array<double, 4> q;
   double norm = 0.;
   do {
@@ -116,11 +119,19 @@ inline void turn(Soup& soup, Random& random) {
   for(double& x : q)
     x /= norm;
   const auto [w, x, y, z] = q;
-  for(auto& p : soup.points)
-    p = {(1 - 2 * (y * y + z * z)) * p[0] + 2 * (x * y - w * z) * p[1] + 2 * (x * z + w * y) * p[2],
-         2 * (x * y + w * z) * p[0] + (1 - 2 * (x * x + z * z)) * p[1] + 2 * (y * z - w * x) * p[2],
-         2 * (x * z - w * y) * p[0] + 2 * (y * z + w * x) * p[1] +
-             (1 - 2 * (x * x + y * y)) * p[2]};
+  return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+           {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+           {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
+}
+
+/// turns all points at random.
+inline void turn(Soup& soup, Random& random) {
+  const Rotation rotation = random_rotation(random);
+  for(auto& p : soup.points) {
+    const auto from = p;
+    for(std::size_t i = 0; i < 3; ++i)
+      p[i] = rotation[i][0] * from[0] + rotation[i][1] * from[1] + rotation[i][2] * from[2];
+  }
 }
 
 inline std::string words_of(const generators::Kind& kind, const Request& request, bool is_flipped) {

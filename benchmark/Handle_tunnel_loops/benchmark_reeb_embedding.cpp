@@ -12,13 +12,9 @@
 // what of it is simplification and embedding, the least of some runs.
 
 #include "Benchmark_meshes.h"
+#include "Solid.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/reeb_graph.h>
@@ -33,67 +29,12 @@
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Solid_mesh = CGAL::Surface_mesh<Point>;
 using Graph = CGAL::Reeb_graph<Mesh>;
 namespace parameters = CGAL::parameters;
 
 constexpr int number_of_runs = 3;
 
 Point to_point(const Mesh::Point& p) { return Point(p.x(), p.y(), p.z()); }
-
-// What is inside, and how far away the surface is.
-class Solid
-{
-public:
-  explicit Solid(const Solid_mesh& mesh)
-      : tree_(faces(mesh).begin(), faces(mesh).end(), mesh)
-      , side_(tree_) {
-    tree_.accelerate_distance_queries();
-  }
-
-  bool contains(const Point& p) const { return side_(p) != CGAL::ON_UNBOUNDED_SIDE; }
-
-  double distance(const Point& p) const { return std::sqrt(tree_.squared_distance(p)); }
-
-  // The length of the part of a segment that is inside.
-  double length_inside(const Point& a, const Point& b) const {
-    const Kernel::Vector_3 way = b - a;
-    const double squared_length = way.squared_length();
-    if(!(squared_length > 0.))
-      return 0.;
-    std::vector<double> cuts = {0., 1.};
-    for(const Point& p : crossings({a, b}))
-      cuts.push_back(std::clamp(((p - a) * way) / squared_length, 0., 1.));
-    std::sort(cuts.begin(), cuts.end());
-    double inside = 0.;
-    for(std::size_t i = 1; i < cuts.size(); ++i)
-      if(cuts[i] > cuts[i - 1] && contains(a + (0.5 * (cuts[i - 1] + cuts[i])) * way))
-        inside += cuts[i] - cuts[i - 1];
-    return inside * std::sqrt(squared_length);
-  }
-
-private:
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Solid_mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-  // The ends of those that run in a face.
-  std::vector<Point> crossings(const Kernel::Segment_3& segment) const {
-    std::vector<Tree::Intersection_and_primitive_id<Kernel::Segment_3>::Type> found;
-    tree_.all_intersections(segment, std::back_inserter(found));
-    std::vector<Point> points;
-    for(const auto& one : found)
-      if(const Point* p = boost::get<Point>(&one.first))
-        points.push_back(*p);
-      else if(const auto* s = boost::get<Kernel::Segment_3>(&one.first))
-        points.insert(points.end(), {s->source(), s->target()});
-    return points;
-  }
-
-  Tree tree_;
-  CGAL::Side_of_triangle_mesh<Solid_mesh, Kernel> side_;
-};
 
 struct Quality
 {
