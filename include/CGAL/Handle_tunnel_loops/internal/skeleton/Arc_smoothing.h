@@ -36,9 +36,11 @@ class Arc_smoothing
 public:
   using Balls = std::vector<Inner_ball>;
 
-  Arc_smoothing(const Wall& wall, const Inner_balls& balls)
+  /// where the solid is thin, bends are no closer together than \p least_spacing.
+  Arc_smoothing(const Wall& wall, const Inner_balls& balls, double least_spacing)
       : wall_(wall)
-      , balls_(balls) {}
+      , balls_(balls)
+      , least_spacing_(least_spacing) {}
 
   /// an arc by the balls along it, of which the first and the last stay where they are; the same
   /// for a cycle, which is open at its first place.
@@ -66,8 +68,8 @@ private:
     for(std::size_t i = 1; i < arc.size(); ++i) {
       const Inner_ball &a = arc[i - 1], &b = arc[i];
       const double length = norm(b.centre - a.centre), radius = (std::max)(a.radius, b.radius);
-      const int n = static_cast<int>(
-          (std::min)(most, radius > 0. ? std::ceil(length / (spacing * radius)) : 1.));
+      const double apart = (std::max)(spacing * radius, least_spacing_);
+      const int n = static_cast<int>((std::min)(most, apart > 0. ? std::ceil(length / apart) : 1.));
       for(int k = 1; k < n; ++k) {
         const double t = double(k) / n;
         const Vector p = (1. - t) * a.centre + t * b.centre;
@@ -171,6 +173,7 @@ private:
 
   const Wall& wall_;
   const Inner_balls& balls_;
+  double least_spacing_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

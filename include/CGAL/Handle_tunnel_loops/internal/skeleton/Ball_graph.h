@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
@@ -77,7 +78,8 @@ struct Ball_graph
 /*!
 Builds the graph of the balls of samples. Of balls with nearly the same centre the largest stays.
 Two are joined if regions of their samples meet: by a segment if that is inside, which it is if the
-balls overlap; or else by way of places nearer to the surface, where the two are beside each other.
+balls overlap; or else, if no other way connects them, by way of places nearer to the surface, where
+the two are beside each other.
 */
 class Ball_graph_builder
 {
@@ -195,14 +197,16 @@ private:
           is_inside[i] = is_way_free(graph_.balls[ends[i].first], graph_.balls[ends[i].second]);
         },
         256);
+    Sets_of_indices connected(graph_.balls.size());
     for(std::size_t i = 0; i < ends.size(); ++i)
-      if(is_inside[i])
+      if(is_inside[i]) {
         graph_.edges.push_back({ends[i].first, ends[i].second});
+        connected.unite(ends[i].first, ends[i].second);
+      }
     for(const Pair& p : pairs) {
       const Pair b = balls_of(p);
-      if(b.first != b.second &&
-         !is_inside[std::lower_bound(ends.begin(), ends.end(), b) - ends.begin()])
-        join_by_detour(p.first, p.second);
+      if(connected.find(b.first) != connected.find(b.second) && join_by_detour(p.first, p.second))
+        connected.unite(b.first, b.second);
     }
   }
 
@@ -212,24 +216,25 @@ private:
            !wall_.meets(a.centre, b.centre);
   }
 
-  // From the centres towards the surface, until there is a free way.
-  void join_by_detour(Index a, Index b) {
+  // From the centres towards the surface, until there is a free way. Returns whether there is one.
+  bool join_by_detour(Index a, Index b) {
     const std::vector<Vector> from = balls_.way(place(a), face(a)),
                               to = balls_.way(place(b), face(b));
     if(from.empty() || to.empty())
-      return;
+      return false;
     if(!wall_.meets(from.back(), to.back())) {
       join(a, {from.back(), to.back()}, b);
-      return;
+      return true;
     }
     std::vector<Vector> between = free_way(a, from.front(), b, to.front());
     if(between.empty())
       between = way_along_wall_(a, b);
     if(between.empty())
-      return;
+      return false;
     between.insert(between.begin(), from.rbegin(), from.rend());
     between.insert(between.end(), to.begin(), to.end());
     join(a, between, b);
+    return true;
   }
 
   // Straight from one to the other of two ways from the surface to these places, as far from the

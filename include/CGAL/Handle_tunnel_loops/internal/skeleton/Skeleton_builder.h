@@ -119,7 +119,7 @@ public:
       , pieces_(execution, mesh, wall_, spacing())
       , balls_(wall_, inward_sides())
       , paths_(paths_around())
-      , samples_(execution, pieces_, balls_, std::sqrt(area_ / largest_number_of_samples), paths_)
+      , samples_(execution, pieces_, balls_, least_extent(), paths_)
       , neighbors_(samples_.neighbors(execution)) {}
 
   Found_skeleton build() {
@@ -136,6 +136,7 @@ public:
         draft.draw_stars();
       found.skeleton = drawn(draft, is_smooth);
       move_apart(found.skeleton);
+      measure(found.skeleton);
       found.point_of_vertex = points_of_vertices(found.skeleton);
       scale_back(found.skeleton);
       found.certificate = certify_skeleton(execution_, mesh_, places_, found.skeleton,
@@ -162,6 +163,9 @@ private:
   }
 
   double spacing() const { return std::sqrt(area_ / number_of_pieces); }
+
+  // Of the region of a sample.
+  double least_extent() const { return std::sqrt(area_ / largest_number_of_samples); }
 
   double least_length() const {
     Box<3> all = Box<3>::empty();
@@ -331,7 +335,7 @@ private:
     };
     const std::vector<std::vector<Index>> arcs = draft.arcs();
     std::vector<Arc_smoothing::Balls> lines(arcs.size());
-    const Arc_smoothing smooth(wall_, balls_);
+    const Arc_smoothing smooth(wall_, balls_, least_extent());
     for_each_index(
         execution_, arcs.size(),
         [&](std::size_t i) {
@@ -354,7 +358,6 @@ private:
       }
     }
     contract_points(flat);
-    measure(flat);
     return flat;
   }
 
