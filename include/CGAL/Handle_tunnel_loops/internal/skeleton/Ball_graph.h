@@ -124,7 +124,7 @@ public:
 private:
   using Pair = std::pair<Index, Index>;
 
-  static constexpr double part_of_radius = 0.35; // between centres that are told from each other
+  static constexpr double part_of_radius = 0.2; // between centres that are told from each other
 
   const Inner_ball& ball(Index sample) const { return samples_.samples()[sample].ball; }
 
