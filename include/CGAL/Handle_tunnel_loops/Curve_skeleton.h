@@ -77,8 +77,8 @@ namespace Handle_tunnel_loops {
 struct Skeleton_options
 {
   /// limbs are left out that are shorter than this many times their own mean radius, which is their
-  /// mean girth over two pi; not negative. So are those shorter than 2.5% of the diagonal of the box
-  /// around the surface, and those that end in the ball that they begin in. Cycles never are.
+  /// mean girth over two pi; not negative. So are those shorter than 2.5% of the diagonal of the
+  /// box around the surface, and those that end in the ball that they begin in. Cycles never are.
   double shortest_limb = 2.;
 };
 

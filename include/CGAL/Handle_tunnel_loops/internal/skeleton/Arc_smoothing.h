@@ -44,6 +44,19 @@ public:
 
   /// an arc by the balls along it, of which the first and the last stay where they are; the same
   /// for a cycle, which is open at its first place.
+  /// The edge at an end that is an inlet stays as well: it is seen to be inside from there.
+  Balls operator()(const Balls& arc, bool begins_at_inlet, bool ends_at_inlet) const {
+    if(arc.size() < 2 + std::size_t(begins_at_inlet) + std::size_t(ends_at_inlet))
+      return arc;
+    const auto begin = arc.begin() + (begins_at_inlet ? 1 : 0),
+               end = arc.end() - (ends_at_inlet ? 1 : 0);
+    Balls drawn = (*this)(Balls(begin, end));
+    drawn.insert(drawn.begin(), arc.begin(), begin);
+    drawn.insert(drawn.end(), end, arc.end());
+    return drawn;
+  }
+
+private:
   Balls operator()(const Balls& arc) const {
     Balls smooth = with_bends(arc);
     make_smooth(smooth);
@@ -56,7 +69,6 @@ public:
     return is_inside(smooth) ? smooth : arc;
   }
 
-private:
   static constexpr int rounds_of_smoothing = 12, rounds_of_centring = 2;
   static constexpr double mobility = 0.25;  // of a bend, in its radius
   static constexpr double spacing = 0.5;    // of bends, in their radius

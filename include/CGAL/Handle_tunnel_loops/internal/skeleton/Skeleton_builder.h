@@ -342,7 +342,8 @@ private:
           for(Index p : arcs[i])
             lines[i].push_back(draft[p].ball);
           if(is_smooth)
-            lines[i] = smooth(lines[i]);
+            lines[i] =
+                smooth(lines[i], draft[arcs[i].front()].is_inlet, draft[arcs[i].back()].is_inlet);
         },
         1);
     for(Index p = 0; p < draft.size(); ++p)
