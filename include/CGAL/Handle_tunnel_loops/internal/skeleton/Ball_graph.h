@@ -78,8 +78,8 @@ struct Ball_graph
 /*!
 Builds the graph of the balls of samples. Of balls with nearly the same centre the largest stays.
 Two are joined if regions of their samples meet: by a segment if that is inside, which it is if the
-balls overlap; or else, if no other way connects them, by way of places nearer to the surface, where
-the two are beside each other.
+balls overlap; or else by way of places nearer to the surface, where the two are beside each other:
+along the surface itself only if nothing else connects them.
 */
 class Ball_graph_builder
 {
@@ -205,7 +205,11 @@ private:
       }
     for(const Pair& p : pairs) {
       const Pair b = balls_of(p);
-      if(connected.find(b.first) != connected.find(b.second) && join_by_detour(p.first, p.second))
+      if(b.first == b.second ||
+         is_inside[std::lower_bound(ends.begin(), ends.end(), b) - ends.begin()])
+        continue;
+      const bool is_needed = connected.find(b.first) != connected.find(b.second);
+      if(join_by_detour(p.first, p.second, is_needed))
         connected.unite(b.first, b.second);
     }
   }
@@ -216,8 +220,9 @@ private:
            !wall_.meets(a.centre, b.centre);
   }
 
-  // From the centres towards the surface, until there is a free way. Returns whether there is one.
-  bool join_by_detour(Index a, Index b) {
+  // From the centres towards the surface, until there is a free way; if it is needed, as far as to
+  // the wall. Returns whether there is one.
+  bool join_by_detour(Index a, Index b, bool is_needed) {
     const std::vector<Vector> from = balls_.way(place(a), face(a)),
                               to = balls_.way(place(b), face(b));
     if(from.empty() || to.empty())
@@ -227,7 +232,7 @@ private:
       return true;
     }
     std::vector<Vector> between = free_way(a, from.front(), b, to.front());
-    if(between.empty())
+    if(between.empty() && is_needed)
       between = way_along_wall_(a, b);
     if(between.empty())
       return false;

@@ -70,9 +70,10 @@ public:
     }
     make_even();
     find_paths(roots, is_taken, [&](Index e) { return Inner_cycles::cost(graph_, e); });
+    const std::vector<Index> tips_of_limbs = tips(least_length);
     for(Index end : ends)
       take(end, is_taken);
-    for(Index tip : tips(least_length))
+    for(Index tip : tips_of_limbs)
       take(graph_.ball_of_sample[tip], is_taken);
   }
 
@@ -124,6 +125,10 @@ private:
   find_paths(const std::vector<Index>& roots, const std::vector<char>& is_taken, const Cost& cost) {
     paths_.clear();
     start(roots, is_taken);
+    grow(cost);
+  }
+
+  template <typename Cost> void grow(const Cost& cost) {
     paths_.grow([&](Index b) {
       graph_.for_each_beside(b, [&](Index other, Index edge) {
         const double distance = paths_[b].distance + cost(edge);
@@ -220,12 +225,18 @@ private:
     return area;
   }
 
-  void take(Index ball, std::vector<char>& is_taken) const {
-    for(Index e = paths_[ball].edge; e != no_index && !is_taken[e]; e = paths_[ball].edge) {
+  // Takes the way to a ball. Ways to others may go on from there.
+  void take(Index ball, std::vector<char>& is_taken) {
+    std::vector<Index> way = {ball};
+    for(Index e = paths_[ball].edge; e != no_index; e = paths_[ball].edge) {
       is_taken[e] = 1;
       const Ball_graph::Edge& ends = graph_.edges[e];
       ball = ends[0] == ball ? ends[1] : ends[0];
+      way.push_back(ball);
     }
+    for(Index b : way)
+      paths_.reach(b, {0., no_index, b});
+    grow([&](Index e) { return Inner_cycles::cost(graph_, e); });
   }
 
   const Ball_graph& graph_;
