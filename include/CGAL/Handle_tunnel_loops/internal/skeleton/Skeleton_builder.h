@@ -344,15 +344,22 @@ private:
           if(is_smooth)
             lines[i] =
                 smooth(lines[i], draft[arcs[i].front()].is_inlet, draft[arcs[i].back()].is_inlet);
+          if(is_smooth && !draft.is_node(arcs[i].front())) // a cycle: also where it began
+            lines[i] = smooth(turned_by_half(lines[i]), false, false);
         },
         1);
     for(Index p = 0; p < draft.size(); ++p)
       if(draft[p].beside.empty() && draft[p].ball.radius >= 0.)
         point_of(p);
     for(std::size_t i = 0; i < arcs.size(); ++i) {
-      Index before = point_of(arcs[i].front());
+      const Skeleton_draft::Place& front = draft[arcs[i].front()];
+      const bool is_cycle = !draft.is_node(arcs[i].front());
+      const Index first =
+          is_cycle ? add(lines[i].front(), front, false) : point_of(arcs[i].front());
+      Index before = first;
       for(std::size_t k = 1; k < lines[i].size(); ++k) {
-        const Index next = k + 1 < lines[i].size() ? add(lines[i][k], draft[arcs[i].front()], false)
+        const Index next = k + 1 < lines[i].size() ? add(lines[i][k], front, false)
+                           : is_cycle              ? first
                                                    : point_of(arcs[i].back());
         flat.edges.push_back({before, next});
         before = next;
@@ -360,6 +367,15 @@ private:
     }
     contract_points(flat);
     return flat;
+  }
+
+  // The same cycle from another place.
+  static Arc_smoothing::Balls turned_by_half(Arc_smoothing::Balls cycle) {
+    cycle.pop_back();
+    std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(cycle.size() / 2),
+                cycle.end());
+    cycle.push_back(cycle.front());
+    return cycle;
   }
 
   void measure(Flat_skeleton& flat) const {
