@@ -162,7 +162,11 @@ private:
     return sum;
   }
 
-  double spacing() const { return std::sqrt(area_ / number_of_pieces); }
+  // Faces without any area are not divided.
+  double spacing() const {
+    return area_ > 0. ? std::sqrt(area_ / number_of_pieces)
+                      : std::numeric_limits<double>::infinity();
+  }
 
   // Of the region of a sample.
   double least_extent() const { return std::sqrt(area_ / largest_number_of_samples); }
