@@ -198,15 +198,12 @@ private:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     const Solver_options options = solver_options(np);
-    Handle_tunnel_loops::internal::Loop_request request;
-    request.passes = {options, is_given<NamedParameters, internal_np::vertex_layer_map_t>,
-                      is_given<NamedParameters, internal_np::vertex_value_map_t>};
-    request.passes.do_coarsen = options.do_coarsen && options.do_tighten;
+    Handle_tunnel_loops::internal::Loop_request request =
+        Handle_tunnel_loops::internal::loop_request(
+            options, is_given<NamedParameters, internal_np::vertex_layer_map_t>,
+            is_given<NamedParameters, internal_np::vertex_value_map_t>);
     request.classes.kind =
         choose_parameter(get_parameter(np, internal_np::basis_kind), Basis_kind::PURE);
-    request.classes.do_link = options.do_compute_linking;
-    request.classes.do_shorten = options.do_tighten;
-    request.classes.search_effort = options.search_effort;
     request.classes.maximum_running_time = choose_parameter(
         get_parameter(np, internal_np::maximum_running_time), request.classes.maximum_running_time);
     request.seeds = seeds(

@@ -158,7 +158,8 @@ curve_skeleton(const TriangleMesh& tm,
   Skeleton_statistics statistics;
   surface.describe(statistics);
 
-  impl::Solid_loops loops(surface.coordinates(execution));
+  const auto places = impl::places_of_vertices(execution, surface);
+  impl::Solid_loops loops(places, surface.mesh.first_hub);
   impl::find_solid_loops<ConcurrencyTag>(
       execution, surface.mesh,
       choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()),
@@ -168,8 +169,8 @@ curve_skeleton(const TriangleMesh& tm,
 
   const auto has_loops = Clock::now();
   impl::Found_skeleton found =
-      impl::find_skeleton(execution, surface.mesh, impl::places_of_vertices(execution, surface),
-                          loops.pairs(), options, impl::face_numbers(surface, face_index));
+      impl::find_skeleton(execution, surface.mesh, places, loops.pairs(), options,
+                          impl::face_numbers(surface, face_index));
   statistics.number_of_balls = found.number_of_balls;
   statistics.certificate = std::move(found.certificate);
   impl::convert_skeleton(surface, found, skeleton);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
@@ -35,6 +36,18 @@ struct Loop_request
   /// who does the passes: `internal::make_passes()` of a tag.
   Make_passes make_passes;
 };
+
+/// a request for what the options of a solver say, but for seeds and who does the passes.
+inline Loop_request
+loop_request(const Solver_options& options, bool wants_layers = false, bool wants_times = false) {
+  Loop_request request;
+  request.passes = {options, wants_layers, wants_times};
+  request.passes.do_coarsen = options.do_coarsen && options.do_tighten;
+  request.classes.do_link = options.do_compute_linking;
+  request.classes.do_shorten = options.do_tighten;
+  request.classes.search_effort = options.search_effort;
+  return request;
+}
 
 /// The mesh of a caller, for what knows no type of mesh: it holds pairs of loops on it, and
 /// certifies them there. See `Loops_of_caller`.

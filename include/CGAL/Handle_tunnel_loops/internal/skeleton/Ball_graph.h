@@ -13,12 +13,14 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Way_along_wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -38,19 +40,35 @@ struct Ball_graph
   using Edge = std::array<Index, 2>;
 
   std::vector<Inner_ball> balls;
-  std::vector<Index> component;         ///< by ball
-  std::vector<char> is_inlet;           ///< by ball, whether it is only a place: the hub of a cap
-  std::vector<Edge> edges;              ///< the smaller number first, sorted
-  std::vector<Index> ball_of_sample;    ///< by sample
-  std::vector<Index> row_begin, beside; ///< the edges at a ball
+  std::vector<Index> component;      ///< by ball
+  std::vector<char> is_inlet;        ///< by ball, whether it is only a place: the hub of a cap
+  std::vector<Edge> edges;           ///< the smaller number first, sorted
+  std::vector<Index> ball_of_sample; ///< by sample
+  Edges_at edges_at;                 ///< by ball
+
+  Index other_end(Index edge, Index ball) const {
+    return edges[edge][0] == ball ? edges[edge][1] : edges[edge][0];
+  }
 
   /// calls `f(ball, edge)` for what is beside a ball.
   template <typename Function> void for_each_beside(Index ball, const Function& f) const {
-    for(Index i = row_begin[ball]; i < row_begin[ball + 1]; ++i) {
-      const Edge& edge = edges[beside[i]];
-      f(edge[0] == ball ? edge[1] : edge[0], beside[i]);
-    }
+    for(Index e : edges_at[ball])
+      f(other_end(e, ball), e);
   }
+
+  /// lets paths grow along edges that cost `cost(edge)`. The label of a ball behind another is
+  /// `next(label, distance, edge)`.
+  template <typename Label, typename Cost, typename Next>
+  void grow(Shortest_paths<Label>& paths, const Cost& cost, const Next& next) const {
+    paths.grow([&](Index b) {
+      for_each_beside(b, [&](Index other, Index e) {
+        const double distance = paths[b].distance + cost(e);
+        if(distance < paths[other].distance)
+          paths.reach(other, next(paths[b], distance, e));
+      });
+    });
+  }
+
   double length(Index edge) const {
     return norm(balls[edges[edge][1]].centre - balls[edges[edge][0]].centre);
   }
@@ -62,16 +80,7 @@ struct Ball_graph
         std::swap(e[0], e[1]);
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    row_begin.assign(balls.size() + 1, 0);
-    for(const Edge& e : edges)
-      for(Index v : e)
-        ++row_begin[v + 1];
-    std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
-    std::vector<Index> next(row_begin.begin(), row_begin.end() - 1);
-    beside.resize(2 * edges.size());
-    for(std::size_t i = 0; i < edges.size(); ++i)
-      for(Index v : edges[i])
-        beside[next[v]++] = static_cast<Index>(i);
+    edges_at = Edges_at(balls.size(), edges);
   }
 };
 
@@ -88,12 +97,14 @@ public:
                      const Wall& wall,
                      const Surface_pieces& pieces,
                      const Inner_balls& balls,
-                     const Surface_samples& samples)
+                     const Surface_samples& samples,
+                     const std::vector<std::pair<Index, Index>>& neighbors)
       : execution_(execution)
       , wall_(wall)
       , pieces_(pieces)
       , balls_(balls)
-      , samples_(samples) {}
+      , samples_(samples)
+      , neighbors_(neighbors) {}
 
   Ball_graph build() {
     choose_balls();
@@ -138,10 +149,8 @@ private:
     }
     const Uninitialized_vector<Index> places =
         space_filling_order(execution_, n, [&](std::size_t i) {
-          Vector p = ball(static_cast<Index>(i)).centre - all.low;
-          for(int d = 0; d < 3; ++d)
-            p[d] = all.high[d] > all.low[d] ? p[d] / (all.high[d] - all.low[d]) : 0.;
-          return p;
+          const Vector& c = ball(static_cast<Index>(i)).centre;
+          return Vector{all.part(0, c[0]), all.part(1, c[1]), all.part(2, c[2])};
         });
     for(std::size_t i = 0; i < n; ++i)
       boxes[i] = {ball(places[i]).centre, ball(places[i]).centre};
@@ -178,14 +187,13 @@ private:
   }
 
   void join_neighbors() {
-    std::vector<Pair> pairs = samples_.neighbors(execution_);
     // The first of those between the same balls.
     const auto balls_of = [&](const Pair& p) {
       const Index a = graph_.ball_of_sample[p.first], b = graph_.ball_of_sample[p.second];
       return a < b ? Pair(a, b) : Pair(b, a);
     };
     std::vector<Pair> ends;
-    for(const Pair& p : pairs)
+    for(const Pair& p : neighbors_)
       if(const Pair b = balls_of(p); b.first != b.second)
         ends.push_back(b);
     std::sort(ends.begin(), ends.end());
@@ -203,7 +211,7 @@ private:
         graph_.edges.push_back({ends[i].first, ends[i].second});
         connected.unite(ends[i].first, ends[i].second);
       }
-    for(const Pair& p : pairs) {
+    for(const Pair& p : neighbors_) {
       const Pair b = balls_of(p);
       if(b.first == b.second ||
          is_inside[std::lower_bound(ends.begin(), ends.end(), b) - ends.begin()])
@@ -256,7 +264,7 @@ private:
   }
 
   Index component_of(Index sample) const { return wall_.component(face(sample)); }
-  Vector place(Index sample) const { return pieces_.centre(samples_.samples()[sample].piece); }
+  Vector place(Index sample) const { return samples_.place(sample); }
   Index face(Index sample) const { return pieces_.face(samples_.samples()[sample].piece); }
 
   // By these places, the first and last of which are inside the balls of the samples.
@@ -288,6 +296,7 @@ private:
   const Surface_pieces& pieces_;
   const Inner_balls& balls_;
   const Surface_samples& samples_;
+  const std::vector<Pair>& neighbors_;
   Way_along_wall way_along_wall_{wall_, pieces_, balls_, samples_};
   Ball_graph graph_;
 };

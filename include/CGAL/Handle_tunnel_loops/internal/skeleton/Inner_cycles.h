@@ -148,10 +148,7 @@ private:
     Index edge = no_index; // to the ball before
   };
 
-  Index before(Index ball) const {
-    const Ball_graph::Edge& e = graph_.edges[paths_[ball].edge];
-    return e[0] == ball ? e[1] : e[0];
-  }
+  Index before(Index ball) const { return graph_.other_end(paths_[ball].edge, ball); }
 
   void find_tree() {
     for(Index b = 0; b < graph_.balls.size(); ++b) {
@@ -162,13 +159,11 @@ private:
     for(Index root : roots_)
       if(root != no_index)
         paths_.reach(root, {0., no_index});
-    paths_.grow([&](Index b) {
-      graph_.for_each_beside(b, [&](Index other, Index edge) {
-        const double distance = paths_[b].distance + cost(graph_, edge);
-        if(distance < paths_[other].distance)
-          paths_.reach(other, {distance, edge});
-      });
-    });
+    graph_.grow(
+        paths_, [this](Index e) { return cost(graph_, e); },
+        [](const Label&, double distance, Index e) {
+          return Label{distance, e};
+        });
   }
 
   // ---- cycles

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
@@ -51,9 +52,10 @@ public:
       , shortest_limb_(shortest_limb)
       , paths_(graph.balls.size())
       , reach_(samples.samples().size())
-      , is_beyond_(samples.samples().size(), 0) {
-    link(neighbors);
-  }
+      , is_beyond_(samples.samples().size(), 0)
+      , neighbors_(neighbors)
+      , edges_at_(samples.samples().size(), neighbors)
+      , visit_(samples.samples().size(), 0) {}
 
   /// takes the edges to the ends of limbs, and to other ends that are given. \p roots are balls
   /// that the skeleton has even if it has no edges there.
@@ -84,24 +86,11 @@ private:
     Index edge = no_index, start = no_index;
   };
 
-  void link(const std::vector<std::pair<Index, Index>>& neighbors) {
-    row_begin_.assign(reach_.size() + 1, 0);
-    for(const auto& [a, b] : neighbors) {
-      ++row_begin_[a + 1];
-      ++row_begin_[b + 1];
-    }
-    std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
-    std::vector<Index> next(row_begin_.begin(), row_begin_.end() - 1);
-    beside_.resize(2 * neighbors.size());
-    for(const auto& [a, b] : neighbors) {
-      beside_[next[a]++] = b;
-      beside_[next[b]++] = a;
-    }
-  }
-
   template <typename Function> void for_each_beside(Index sample, const Function& f) const {
-    for(Index i = row_begin_[sample]; i < row_begin_[sample + 1]; ++i)
-      f(beside_[i]);
+    for(Index i : edges_at_[sample]) {
+      const auto& [a, b] = neighbors_[i];
+      f(a == sample ? b : a);
+    }
   }
 
   // Takes means: ways along edges are longer in some directions than in others, by which in thin
@@ -113,7 +102,7 @@ private:
       for(Index s = 0; s < reach_.size(); ++s) {
         double sum = reach_[s];
         for_each_beside(s, [&](Index other) { sum += reach_[other]; });
-        means[s] = sum / (1 + row_begin_[s + 1] - row_begin_[s]);
+        means[s] = sum / double(1 + edges_at_[s].size());
       }
       reach_.swap(means);
     }
@@ -129,12 +118,8 @@ private:
   }
 
   template <typename Cost> void grow(const Cost& cost) {
-    paths_.grow([&](Index b) {
-      graph_.for_each_beside(b, [&](Index other, Index edge) {
-        const double distance = paths_[b].distance + cost(edge);
-        if(distance < paths_[other].distance)
-          paths_.reach(other, {distance, edge, paths_[b].start});
-      });
+    graph_.grow(paths_, cost, [](const Label& before, double distance, Index e) {
+      return Label{distance, e, before.start};
     });
   }
 
@@ -207,8 +192,6 @@ private:
   }
 
   double area_beyond(Index tip, double level) {
-    if(visit_.empty())
-      visit_.assign(reach_.size(), 0);
     ++number_of_visits_;
     double area = 0.;
     std::vector<Index> reached = {tip};
@@ -230,8 +213,7 @@ private:
     std::vector<Index> way = {ball};
     for(Index e = paths_[ball].edge; e != no_index; e = paths_[ball].edge) {
       is_taken[e] = 1;
-      const Ball_graph::Edge& ends = graph_.edges[e];
-      ball = ends[0] == ball ? ends[1] : ends[0];
+      ball = graph_.other_end(e, ball);
       way.push_back(ball);
     }
     for(Index b : way)
@@ -246,7 +228,9 @@ private:
   Shortest_paths<Label> paths_;
   std::vector<double> reach_;   // by sample
   std::vector<char> is_beyond_; // by sample, whether its ball lies outside of that where ways begin
-  std::vector<Index> row_begin_, beside_, visit_;
+  const std::vector<std::pair<Index, Index>>& neighbors_;
+  Edges_at edges_at_;        // by sample, numbers of neighbours
+  std::vector<Index> visit_; // by sample, the last one
   Index number_of_visits_ = 0;
 };
 

@@ -98,11 +98,8 @@ private:
     Box<2> all = Box<2>::empty();
     for(const Hem& hem : hems_)
       all.extend(box(hem.from, hem.to));
-    const auto part = [&](double x, int d) {
-      return all.high[d] > all.low[d] ? (x - all.low[d]) / (all.high[d] - all.low[d]) : 0.;
-    };
     const auto order = space_filling_order(execution, hems_.size(), [&](std::size_t i) {
-      return Vector{part(hems_[i].from.x, 0), part(hems_[i].from.y, 1), 0.};
+      return Vector{all.part(0, hems_[i].from.x), all.part(1, hems_[i].from.y), 0.};
     });
     std::vector<Hem> sorted(hems_.size());
     for(std::size_t i = 0; i < hems_.size(); ++i)

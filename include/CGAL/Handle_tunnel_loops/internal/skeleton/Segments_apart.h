@@ -92,13 +92,9 @@ private:
     Box<3> all = Box<3>::empty();
     for(const Vector& p : skeleton_.points)
       all.extend({p, p});
-    const auto part = [&](const Vector& p, int d) {
-      const double width = half_difference(all.high[d], all.low[d]);
-      return width > 0. ? (std::min)(half_difference(p[d], all.low[d]) / width, 1.) : 0.;
-    };
     return space_filling_order(execution, edges_.size(), [&](std::size_t e) {
       const Vector& p = point(edges_[e][0]);
-      return Vector{part(p, 0), part(p, 1), part(p, 2)};
+      return Vector{all.part(0, p[0]), all.part(1, p[1]), all.part(2, p[2])};
     });
   }
 

@@ -123,7 +123,7 @@ public:
       , neighbors_(samples_.neighbors(execution)) {}
 
   Found_skeleton build() {
-    find_graph();
+    graph_ = graph_builder().build();
     const std::vector<Index> inlets =
         Inlet_ways(mesh_, points_, wall_, pieces_, samples_).add(graph_);
     take_cycles();
@@ -291,10 +291,8 @@ private:
   }
 
   Ball_graph_builder graph_builder() const {
-    return {execution_, wall_, pieces_, balls_, samples_};
+    return {execution_, wall_, pieces_, balls_, samples_, neighbors_};
   }
-
-  void find_graph() { graph_ = graph_builder().build(); }
 
   // Takes back what leads to no cycle.
   void prune() {
@@ -399,7 +397,6 @@ private:
     constexpr double part = 1e-3; // of the radius
     std::minstd_rand random;
     const auto number = [&] { return 2. * double(random()) / double(random.max()) - 1.; };
-    std::vector<Index> degree(flat.points.size(), 0);
     for(int round = 0; round < most_rounds; ++round) {
       const auto pairs = Segments_apart(flat).edges_that_meet(execution_);
       if(pairs.empty())
@@ -435,13 +432,11 @@ private:
   std::vector<Index> points_of_vertices(const Flat_skeleton& flat) const {
     Shortest_paths<Label> paths(graph_.balls.size());
     start_at_points(flat, paths);
-    paths.grow([&](Index b) {
-      graph_.for_each_beside(b, [&](Index other, Index e) {
-        const double distance = paths[b].distance + graph_.length(e);
-        if(distance < paths[other].distance)
-          paths.reach(other, {distance, paths[b].point});
-      });
-    });
+    graph_.grow(
+        paths, [this](Index e) { return graph_.length(e); },
+        [](const Label& before, double distance, Index) {
+          return Label{distance, before.point};
+        });
     std::vector<Index> points(mesh_.number_of_vertices(), no_index);
     for_each_index(execution_, mesh_.first_hub, [&](std::size_t i) {
       const Index v = static_cast<Index>(i);
@@ -465,7 +460,6 @@ private:
 
   // Balls that hold a point of the skeleton begin with the nearest of these.
   void start_at_points(const Flat_skeleton& flat, Shortest_paths<Label>& paths) const {
-    std::vector<Index> numbers(flat.points.size());
     std::vector<Box<3>> boxes;
     for(const Vector& p : flat.points)
       boxes.push_back({p, p});

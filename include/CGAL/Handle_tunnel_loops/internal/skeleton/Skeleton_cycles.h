@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -41,13 +42,10 @@ public:
   /// The skeleton must outlive it.
   explicit Skeleton_cycles(const Flat_skeleton& skeleton)
       : skeleton_(skeleton)
-      , edges_at_(skeleton.points.size())
+      , edges_at_(skeleton.points.size(), skeleton.edges)
       , part_of_(skeleton.points.size(), no_index)
       , to_root_(skeleton.points.size(), no_index)
       , depth_(skeleton.points.size(), 0) {
-    for(Index e = 0; e < skeleton.edges.size(); ++e)
-      for(Index p : skeleton.edges[e])
-        edges_at_[p].push_back(e);
     for(Index p = 0; p < part_of_.size(); ++p)
       if(part_of_[p] == no_index)
         grow_tree(p);
@@ -100,10 +98,10 @@ private:
   }
 
   const Flat_skeleton& skeleton_;
-  std::vector<std::vector<Index>> edges_at_; // by point
-  std::vector<Index> part_of_;               // by point
-  std::vector<Index> to_root_;               // by point, an edge
-  std::vector<Index> depth_;                 // by point
+  Edges_at edges_at_;          // by point
+  std::vector<Index> part_of_; // by point
+  std::vector<Index> to_root_; // by point, an edge
+  std::vector<Index> depth_;   // by point
   std::vector<Part> parts_;
 };
 

@@ -42,10 +42,10 @@ public:
   /// the edges of a graph that are taken, and some balls even if they have no such edge.
   Skeleton_draft(const Ball_graph& graph,
                  const std::vector<char>& is_taken,
-                 const std::vector<Index>& roots)
-      : place_of_ball_(graph.balls.size(), no_index) {
+                 const std::vector<Index>& roots) {
+    std::vector<Index> place_of_ball(graph.balls.size(), no_index);
     const auto place_of = [&](Index ball) {
-      Index& place = place_of_ball_[ball];
+      Index& place = place_of_ball[ball];
       if(place == no_index) {
         place = static_cast<Index>(places_.size());
         places_.push_back(
@@ -69,10 +69,7 @@ public:
 
   std::size_t size() const { return places_.size(); }
   const Place& operator[](Index p) const { return places_[p]; }
-  Inner_ball& ball(Index p) { return places_[p].ball; }
   bool is_node(Index p) const { return places_[p].beside.size() != 2; }
-  /// `no_index` of a ball that is not taken.
-  Index place_of_ball(Index ball) const { return place_of_ball_[ball]; }
 
   /*!
   draws joints as stars. In the ball around a joint, all ways are replaced by straight ones from its
@@ -191,7 +188,6 @@ private:
   static constexpr double within = 0.9; // of the radius
 
   std::vector<Place> places_;
-  std::vector<Index> place_of_ball_;
   std::vector<char> is_inside_;
 };
 

@@ -33,12 +33,21 @@ namespace CGAL::Handle_tunnel_loops::internal {
 class Solid_loops final : public Caller_mesh
 {
 public:
-  explicit Solid_loops(std::vector<Flat_surface::Point> coordinates)
-      : coordinates_(std::move(coordinates)) {}
+  /// \p places are those of the vertices, the first \p number of which are no hubs. They must
+  /// outlive it.
+  Solid_loops(const std::vector<Vector>& places, Index number)
+      : places_(places)
+      , number_(number) {}
 
   const std::vector<Flat_pair>& pairs() const { return pairs_; }
 
-  std::vector<Flat_surface::Point> coordinates(Execution) const override { return coordinates_; }
+  std::vector<Flat_surface::Point> coordinates(Execution) const override {
+    std::vector<Flat_surface::Point> coordinates;
+    coordinates.reserve(number_);
+    for(Index v = 0; v < number_; ++v)
+      coordinates.emplace_back(places_[v][0], places_[v][1], places_[v][2]);
+    return coordinates;
+  }
 
   void convert(Execution, const std::vector<Flat_pair>& pairs) override { pairs_ = pairs; }
 
@@ -57,7 +66,8 @@ public:
   }
 
 private:
-  std::vector<Flat_surface::Point> coordinates_;
+  const std::vector<Vector>& places_;
+  Index number_;
   std::vector<Flat_pair> pairs_;
 };
 
@@ -68,11 +78,8 @@ void find_solid_loops(Execution execution,
                       const Solver_options& options,
                       const std::function<bool(double)>& callback,
                       Solid_loops& loops) {
-  Loop_request request;
-  request.passes = {options, false, false};
-  request.passes.do_coarsen = options.do_coarsen && options.do_tighten;
-  request.classes.do_shorten = options.do_tighten;
-  request.classes.search_effort = options.search_effort;
+  Loop_request request = loop_request(options);
+  request.classes.do_link = true; // which of them are handle loops
   request.seeds = mesh.seeds;
   request.put_swept_vertices = [](const Swept_vertices&) {};
   request.make_passes = &make_passes<ConcurrencyTag>;

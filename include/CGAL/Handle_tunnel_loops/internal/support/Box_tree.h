@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
@@ -35,6 +36,12 @@ template <std::size_t d> struct Box
     box.low.fill(infinite);
     box.high.fill(-infinite);
     return box;
+  }
+
+  /// where a coordinate lies between the sides of the box: from 0 to 1.
+  double part(std::size_t i, double x) const {
+    const double width = half_difference(high[i], low[i]);
+    return width > 0. ? (std::min)(half_difference(x, low[i]) / width, 1.) : 0.;
   }
 
   bool meets(const Box& b) const {
