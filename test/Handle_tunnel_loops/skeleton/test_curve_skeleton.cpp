@@ -406,6 +406,16 @@ TEST(Curve_skeleton, IsAPointWhereThereIsNoLimb) {
   EXPECT_EQ(num_edges(graph), 0u);
 }
 
+TEST(Curve_skeleton, HasNoLimbsInCornersOfPlates) {
+  for(const double thickness : {0.02, 0.2}) {
+    SCOPED_TRACE(thickness);
+    const Graph graph = expect_skeleton(mesh_of(Plates(3).bored(thickness, 1)));
+    EXPECT_EQ(num_edges(graph), num_vertices(graph));
+    for(const std::size_t degree : degrees(graph))
+      EXPECT_EQ(degree, 2u);
+  }
+}
+
 TEST(Curve_skeleton, IsATreeInTheSmallestMeshes) {
   for(const Soup& soup : {tetrahedron(), box()}) {
     const Graph graph = expect_skeleton(mesh_of(soup));

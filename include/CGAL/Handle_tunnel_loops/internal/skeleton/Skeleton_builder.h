@@ -127,8 +127,8 @@ public:
     const std::vector<Index> inlets =
         Inlet_ways(mesh_, points_, wall_, pieces_, samples_).add(graph_);
     take_cycles();
-    Limbs(graph_, samples_, neighbors_, options_.shortest_limb)
-        .add(roots_, inlets, least_length(), is_taken_);
+    Limbs(graph_, samples_, neighbors_, roots_, is_taken_)
+        .add(inlets, options_.shortest_limb, least_length(), is_taken_);
     Found_skeleton found;
     for(const bool is_smooth : {true, false}) {
       Skeleton_draft draft(graph_, is_taken_, roots_);
