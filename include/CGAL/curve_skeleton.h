@@ -61,7 +61,8 @@ along the normals until they reach the opposite side. Balls of neighbouring plac
 the way between them is free, or else along the surface a little inside, which always is. Cycles of
 this graph are chosen by how they link with the handle loops, the ones through large balls first;
 then ways to the ends of limbs. A limb is a region of places far from the cycles, or from the
-largest ball, that is long against the girth of its base. In the ball around a joint, ways are straight; arcs are smooth and in the
+largest ball, that is long against the girth of its base. Arcs that leave a joint side by side are
+one until they part. In the ball around a joint, ways are straight; arcs are smooth and in the
 middle, and straight in plates.
 
 The time is that of `handle_tunnel_loops()`, plus \f$ O(n + m \log n) \f$ for \f$ m \f$ places, of

@@ -118,7 +118,8 @@ public:
       , paths_(graph.balls.size())
       , is_taken_(graph.edges.size(), 0)
       , genus_(genus)
-      , roots_(genus.size(), no_index) {
+      , roots_(genus.size(), no_index)
+      , names_(graph.edges.size(), 0) {
     find_tree();
     if(!loops.empty())
       close_cycles(execution, loops, component_of_loop);
@@ -138,6 +139,10 @@ public:
   const std::vector<char>& is_taken() const { return is_taken_; }
   /// the largest balls, by component.
   const std::vector<Index>& roots() const { return roots_; }
+  /// numbers of edges that add up along closed ways to a number of their class, 0 - that of the
+  /// same way back; of different classes different ones, almost surely. Those of edges are for the
+  /// way from the smaller end.
+  const std::vector<std::uint64_t>& names() const { return names_; }
   /// the number of loops of which no cycle could be found.
   std::size_t number_of_missing_cycles() const { return missing_; }
 
@@ -196,7 +201,8 @@ private:
         },
         1024);
     std::size_t first = 0;
-    const std::vector<Closing_edge> closing = closing_edges(loops.size());
+    find_names(loops.size());
+    const std::vector<Closing_edge> closing = closing_edges();
     for(std::size_t l = 1; l <= loops.size(); ++l)
       if(l == loops.size() || component_of_loop[l] != component_of_loop[first]) {
         take_basis(closing, component_of_loop[first], first, l);
@@ -204,27 +210,28 @@ private:
       }
   }
 
-  std::vector<Closing_edge> closing_edges(std::size_t number_of_loops) const {
+  void find_names(std::size_t number_of_loops) {
     std::mt19937_64 random;
-    std::vector<std::uint64_t> key(number_of_loops), name(graph_.balls.size(), 0);
+    std::vector<std::uint64_t> key(number_of_loops);
     for(std::uint64_t& k : key)
       k = random();
-    const auto name_of = [&](Index edge) {
-      std::uint64_t sum = 0;
-      for(const Passage& p : passages_[edge])
-        sum += p.sign > 0 ? key[p.loop] : 0 - key[p.loop];
-      return sum;
-    };
+    for(Index e = 0; e < names_.size(); ++e)
+      for(const Passage& p : passages_[e])
+        names_[e] += p.sign > 0 ? key[p.loop] : 0 - key[p.loop];
+  }
+
+  std::vector<Closing_edge> closing_edges() const {
+    std::vector<std::uint64_t> name(graph_.balls.size(), 0);
     for(Index b : down_the_tree()) {
       const Index e = paths_[b].edge;
-      name[b] = name[before(b)] + (graph_.edges[e][1] == b ? name_of(e) : 0 - name_of(e));
+      name[b] = name[before(b)] + (graph_.edges[e][1] == b ? names_[e] : 0 - names_[e]);
     }
     std::vector<Closing_edge> closing;
     for(Index e = 0; e < graph_.edges.size(); ++e) {
       const auto [a, b] = graph_.edges[e];
       if(paths_[a].edge == e || paths_[b].edge == e || !paths_.is_reached(a))
         continue;
-      const std::uint64_t n = name[a] + name_of(e) - name[b];
+      const std::uint64_t n = name[a] + names_[e] - name[b];
       if(n != 0)
         closing.push_back(
             {paths_[a].distance + paths_[b].distance + cost(graph_, e), e, (std::min)(n, 0 - n)});
@@ -303,6 +310,7 @@ private:
   std::vector<std::size_t> genus_; // by component
   std::vector<Index> roots_;       // by component
   std::vector<std::vector<Passage>> passages_;
+  std::vector<std::uint64_t> names_; // by edge
   std::size_t missing_ = 0;
 };
 

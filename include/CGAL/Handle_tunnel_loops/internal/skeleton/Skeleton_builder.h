@@ -22,6 +22,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Limbs.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Loop_curtains.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Shared_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
@@ -32,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -129,6 +131,7 @@ public:
     take_cycles();
     Limbs(graph_, samples_, neighbors_, roots_, is_taken_)
         .add(inlets, options_.shortest_limb, least_length(), is_taken_);
+    Shared_ways(graph_, names_).find(is_taken_);
     Found_skeleton found;
     for(const bool is_smooth : {true, false}) {
       Skeleton_draft draft(graph_, is_taken_, roots_);
@@ -273,6 +276,7 @@ private:
       const Inner_cycles cycles(execution_, graph_, loops, components, genus());
       is_taken_ = cycles.is_taken();
       roots_ = cycles.roots();
+      names_ = cycles.names();
       return cycles.number_of_missing_cycles();
     };
     if(choose() > 0) { // holes that are small against the balls around them
@@ -280,6 +284,7 @@ private:
       choose();
     }
     prune();
+    Shared_ways(graph_, names_).find(is_taken_);
   }
 
   // By component: each pair is of one.
@@ -497,8 +502,9 @@ private:
   Surface_samples samples_;
   std::vector<std::pair<Index, Index>> neighbors_;
   Ball_graph graph_;
-  std::vector<char> is_taken_; // by edge
-  std::vector<Index> roots_;   // by component
+  std::vector<char> is_taken_;       // by edge
+  std::vector<Index> roots_;         // by component
+  std::vector<std::uint64_t> names_; // by edge
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
