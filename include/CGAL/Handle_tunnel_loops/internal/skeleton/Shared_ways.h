@@ -43,19 +43,24 @@ public:
       , names_(names)
       , along_(graph.balls.size())
       , paths_(graph.balls.size())
-      , degree_(graph.balls.size()) {
+      , degree_(graph.balls.size())
+      , is_taken_(graph.edges.size(), 0)
+      , is_end_(graph.balls.size())
+      , change_(graph.balls.size(), 0)
+      , examination_(graph.edges.size(), 0) {
     for(Index e = 0; e < graph.edges.size(); ++e)
       costs_.push_back(Inner_cycles::cost(graph, e));
   }
 
+  /// can be called again after more has been taken, or less.
   void find(std::vector<char>& is_taken) {
     constexpr int most_rounds = 4;
-    is_taken_.swap(is_taken);
-    std::fill(degree_.begin(), degree_.end(), Index(0));
-    for(Index e = 0; e < is_taken_.size(); ++e)
-      if(is_taken_[e] != 0)
-        count(e, 1);
-    is_end_.resize(degree_.size());
+    ++time_;
+    for(Index e = 0; e < is_taken.size(); ++e)
+      if(is_taken[e] != is_taken_[e]) {
+        is_taken[e] != 0 ? take(e) : give_back(e);
+        note_change(e);
+      }
     for(Index b = 0; b < degree_.size(); ++b)
       is_end_[b] = degree_[b] == 1;
     for(int round = 0; round < most_rounds; ++round) {
@@ -66,7 +71,7 @@ public:
       if(!is_changed)
         break;
     }
-    is_taken_.swap(is_taken);
+    is_taken = is_taken_;
   }
 
 private:
@@ -106,6 +111,11 @@ private:
     if(is_taken_[edge] != 0)
       count(edge, -1);
     is_taken_[edge] = 0;
+  }
+
+  void note_change(Index edge) {
+    for(Index b : graph_.edges[edge])
+      change_[b] = time_;
   }
 
   double cost(Index edge) const { return costs_[edge]; }
@@ -198,35 +208,57 @@ private:
   // ---- exchanges
 
   bool exchange(const Arc& arc) {
+    ++time_;
     if(arc.from == arc.to && degree_[arc.from] == 2)
       return exchange_cycle(arc);
     for(Index e : arc.edges)
       give_back(e);
-    std::vector<Index> way = cheaper_way(arc, name(arc), arc.cost);
-    const bool is_changed = !way.empty();
-    for(Index e : is_changed ? way : arc.edges)
+    start(arc, name(arc), arc.cost);
+    const std::vector<Index> way = is_known(arc) ? std::vector<Index>() : cheaper_way(arc.cost);
+    for(Index e : way.empty() ? arc.edges : way)
       take(e);
-    if(is_changed)
-      for(Index end : {arc.from, arc.to})
-        if(is_end_[end] == 0)
-          trim(end);
-    return is_changed;
+    if(way.empty())
+      return false;
+    for(const std::vector<Index>& edges : {arc.edges, way})
+      for(Index e : edges)
+        note_change(e);
+    for(Index end : {arc.from, arc.to})
+      if(is_end_[end] == 0)
+        trim(end);
+    return true;
+  }
+
+  // Whether nothing has changed since an arc was examined, as far as one comes along what is taken.
+  bool is_known(const Arc& arc) {
+    Index &front = examination_[arc.edges.front()], &back = examination_[arc.edges.back()];
+    const Index last = front == back ? front : 0;
+    front = back = time_;
+    const auto is_old = [&](Index b) { return change_[b] < last; };
+    const std::vector<Index>& there = along_.reached();
+    return std::all_of(there.begin(), there.end(), is_old) &&
+           std::all_of(arc.edges.begin(), arc.edges.end(), [&](Index e) {
+             return is_old(graph_.edges[e][0]) && is_old(graph_.edges[e][1]);
+           });
   }
 
   // A cycle without joints: from some of its places, the cheapest.
   bool exchange_cycle(const Arc& cycle) {
     constexpr std::size_t number = 8;
+    along_.clear();
+    if(is_known(cycle))
+      return false;
+    const std::uint64_t name_of_cycle = name(cycle);
     for(Index e : cycle.edges)
       give_back(e);
     std::vector<Index> best;
-    double least = cycle.cost;
-    double sum = 0.;
+    double least = cycle.cost, sum = 0.;
     Index ball = cycle.from;
     std::size_t next = 0;
     for(Index e : cycle.edges) {
       if(sum * double(number) >= double(next) * cycle.cost) {
         ++next;
-        std::vector<Index> way = cheaper_way({ball, ball, {}, 0.}, name(cycle), least);
+        start({ball, ball, {}, 0.}, name_of_cycle, least);
+        std::vector<Index> way = cheaper_way(least);
         if(!way.empty()) {
           least = 0.;
           for(Index w : way)
@@ -239,17 +271,18 @@ private:
     }
     for(Index e : best.empty() ? cycle.edges : best)
       take(e);
-    for(Index e : best)
+    for(Index e : best) {
+      note_change(e);
       for(Index b : graph_.edges[e])
         if(degree_[b] == 1)
           trim(b);
+    }
     return !best.empty();
   }
 
-  // The edges of a cheaper way between what is taken, of the same class as an arc that is not; none
-  // if there is no such way.
-  std::vector<Index> cheaper_way(const Arc& arc, std::uint64_t name_of_arc, double cost_of_arc) {
-    start(arc, name_of_arc, cost_of_arc);
+  // The edges of a cheaper way from what begins at no cost back there, of the right class; none if
+  // there is no such way.
+  std::vector<Index> cheaper_way(double cost_of_arc) {
     Bridge best;
     best.cost = gain * cost_of_arc;
     paths_.grow(
@@ -320,6 +353,7 @@ private:
           edge = e;
       });
       give_back(edge);
+      note_change(edge);
       ball = graph_.other_end(edge, ball);
     }
   }
@@ -332,6 +366,9 @@ private:
   std::vector<char> is_taken_; // by edge
   std::vector<char> is_end_;   // by ball
   std::uint64_t class_ = 0;    // of a cycle that an arc closes
+  Index time_ = 0;
+  std::vector<Index> change_;      // by ball, when something there changed
+  std::vector<Index> examination_; // by edge, when an arc was examined that begins or ends by it
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -129,9 +129,11 @@ public:
     const std::vector<Index> inlets =
         Inlet_ways(mesh_, points_, wall_, pieces_, samples_).add(graph_);
     take_cycles();
+    Shared_ways shared_ways(graph_, names_);
+    shared_ways.find(is_taken_);
     Limbs(graph_, samples_, neighbors_, roots_, is_taken_)
         .add(inlets, options_.shortest_limb, least_length(), is_taken_);
-    Shared_ways(graph_, names_).find(is_taken_);
+    shared_ways.find(is_taken_);
     Found_skeleton found;
     for(const bool is_smooth : {true, false}) {
       Skeleton_draft draft(graph_, is_taken_, roots_);
@@ -284,7 +286,6 @@ private:
       choose();
     }
     prune();
-    Shared_ways(graph_, names_).find(is_taken_);
   }
 
   // By component: each pair is of one.
