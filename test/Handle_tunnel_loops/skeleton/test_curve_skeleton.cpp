@@ -409,13 +409,10 @@ TEST(Curve_skeleton, IsAPointWhereThereIsNoLimb) {
 }
 
 TEST(Curve_skeleton, HasNoLimbsInCornersOfPlates) {
-  for(const double thickness : {0.02, 0.2}) {
-    SCOPED_TRACE(thickness);
-    const Graph graph = expect_skeleton(mesh_of(Plates(3).bored(thickness, 1)));
-    EXPECT_EQ(num_edges(graph), num_vertices(graph));
-    for(const std::size_t degree : degrees(graph))
-      EXPECT_EQ(degree, 2u);
-  }
+  const Graph graph = expect_skeleton(mesh_of(Plates(3).bored(0.2, 1)));
+  EXPECT_EQ(num_edges(graph), num_vertices(graph));
+  for(const std::size_t degree : degrees(graph))
+    EXPECT_EQ(degree, 2u);
 }
 
 TEST(Curve_skeleton, IsATreeInTheSmallestMeshes) {
