@@ -53,8 +53,10 @@ that the surface neither crosses nor touches itself, which is not checked. Where
 inside, and the certificate tells which edges meet the surface.
 
 Each component is looked at by itself, on its bounded side; lines of one avoid the others all the
-same. A boundary curve is closed by a cap, and is an inlet: it has a leaf at its middle
-(`Curve_skeleton_vertex::is_inlet`), which alone does not lie inside.
+same. A boundary curve is closed by a cap, a fan of faces around its middle, and is an inlet: it has
+a leaf there (`Curve_skeleton_vertex::is_inlet`), which alone does not lie inside. Where that fan
+would meet itself, the surface or another cap, as on curves that wind, its apex is moved to where it
+meets nothing; if no such place is found, the certificate says so.
 
 From places on the surface, evenly spread against the thickness of the solid there, balls are grown
 along the normals until they reach the opposite side. Balls of neighbouring places are joined where

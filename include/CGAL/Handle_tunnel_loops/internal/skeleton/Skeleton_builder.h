@@ -133,7 +133,7 @@ public:
     for(const bool is_smooth : {true, false}) {
       Skeleton_draft draft(graph_, is_taken_, roots_);
       if(is_smooth)
-        draft.draw_stars();
+        draft.draw_stars(wall_);
       found.skeleton = drawn(draft, is_smooth);
       move_apart(found.skeleton);
       measure(found.skeleton);
@@ -194,12 +194,16 @@ private:
     return (1. - ratio) * points_[c.left] + ratio * points_[c.right];
   }
 
-  // Which loops of a pair lead around inside. On the walls of a cavity the solid is outside.
+  // Whether the loops that are called handles are known to bound on the bounded side: on the walls
+  // of a cavity the solid is outside, and with a boundary it is where the normals do not look.
+  bool are_names_known() const { return mesh_.seeds.size() == 1 && mesh_.number_of_hubs == 0; }
+
+  // Which loops of a pair lead around inside.
   std::vector<const Crossing_loop*> loops_around() const {
     std::vector<const Crossing_loop*> loops;
     for(const Flat_pair& pair : pairs_) {
       loops.push_back(&pair.tunnel);
-      if(mesh_.seeds.size() > 1)
+      if(!are_names_known())
         loops.push_back(&pair.handle);
     }
     return loops;
@@ -208,7 +212,7 @@ private:
     std::vector<const Crossing_loop*> loops;
     for(const Flat_pair& pair : pairs_) {
       loops.push_back(&pair.handle);
-      if(mesh_.seeds.size() > 1)
+      if(!are_names_known())
         loops.push_back(&pair.tunnel);
     }
     return loops;
