@@ -17,10 +17,10 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -161,12 +161,14 @@ curve_skeleton(const TriangleMesh& tm,
   surface.describe(statistics);
 
   const auto places = impl::places_of_vertices(execution, surface);
-  impl::Solid_loops loops(places, surface.mesh.first_hub);
-  impl::find_solid_loops<ConcurrencyTag>(
-      execution, surface.mesh,
-      choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()),
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-      loops);
+  impl::Loop_request request = impl::loop_request(
+      choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()));
+  request.classes.do_link = true; // which of them are handle loops
+  request.make_passes = &impl::make_passes<ConcurrencyTag>;
+  impl::Loops_on_arrays loops(surface.coordinates(execution));
+  loops.find(
+      execution, surface.mesh, std::move(request),
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()));
   statistics.seconds_of_loops = seconds_since(began);
 
   const auto has_loops = Clock::now();
