@@ -153,7 +153,7 @@ public:
       places_.push_back(candidates(hub).middle());
     if(mesh_.number_of_hubs == 0)
       return;
-    const Face_tree faces(execution_, mesh_, places_);
+    const Face_tree faces(execution_, mesh_, span_of(places_));
     for(Index hub : caps_met(faces))
       move(faces, hub);
   }

@@ -163,7 +163,7 @@ private:
 
   void check_inside() {
     const Inlets inlets(mesh_, skeleton_, places_);
-    const Face_tree tree(execution_, mesh_, places_);
+    const Face_tree tree(execution_, mesh_, span_of(places_));
     const Inside_test test(mesh_, tree, inlets, skeleton_);
     is_outside_.assign(skeleton_.edges.size(), 0);
     std::vector<std::string> lines;
@@ -185,7 +185,7 @@ private:
   // Why there may be no proof.
   void note_caps() {
     std::vector<std::string> lines;
-    const Face_tree tree(execution_, mesh_, places_);
+    const Face_tree tree(execution_, mesh_, span_of(places_));
     for(Index hub : Hub_places(execution_, mesh_, places_).caps_met(tree))
       lines.push_back("the cap of the boundary curve at vertex " +
                       std::to_string(mesh_.index_of_caller(hub)) +
