@@ -161,7 +161,7 @@ private:
     if(inside.size() == 1 || !is_tree)
       return;
     for(const auto& [from, to] : exits)
-      if(wall.meets_cap(ball.centre, exit(ball, places_[from].ball.centre, to)))
+      if(wall.meets_cap(ball.centre, way_out(ball, places_[from].ball.centre, to)))
         return;
     for(Index p : inside)
       while(!places_[p].beside.empty())
@@ -173,7 +173,7 @@ private:
   }
 
   // Where the segment to a place leaves a ball.
-  Vector exit(const Inner_ball& ball, const Vector& from, Index to) const {
+  Vector way_out(const Inner_ball& ball, const Vector& from, Index to) const {
     const Vector way = places_[to].ball.centre - from, off = from - ball.centre;
     const double a = dot(way, way), b = dot(off, way),
                  c = dot(off, off) - within * within * ball.radius * ball.radius;
@@ -183,7 +183,7 @@ private:
 
   // By that place.
   void lead_out(Index joint, const Inner_ball& ball, const Vector& from, Index to) {
-    const Vector leaving = exit(ball, from, to);
+    const Vector leaving = way_out(ball, from, to);
     if(leaving == places_[to].ball.centre || leaving == ball.centre) {
       join(joint, to);
       return;

@@ -42,8 +42,8 @@ inline std::vector<Index> walk_beside(const Flat_mesh& mesh, const Crossing_loop
 }
 
 /// Loops of pairs, of which some lead around inside, or across. On the walls of a cavity the solid
-/// is outside, and with a boundary it is where the normals do not look: then loops of both kinds are
-/// taken.
+/// is outside, and with a boundary it is where the normals do not look: then loops of both kinds
+/// are taken.
 inline std::vector<const Crossing_loop*> loops_inside(const Flat_mesh& mesh,
                                                       const std::vector<Flat_pair>& pairs,
                                                       Crossing_loop Flat_pair::*kind) {
