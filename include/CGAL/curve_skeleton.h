@@ -17,11 +17,11 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_numbering.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -54,8 +54,10 @@ that the surface neither crosses nor touches itself, which is not checked. Where
 inside, and the certificate tells which edges meet the surface.
 
 Each component is looked at by itself, on its bounded side; lines of one avoid the others all the
-same. A boundary curve is closed by a cap, and is an inlet: it has a leaf at its middle
-(`Curve_skeleton_vertex::is_inlet`), which alone does not lie inside.
+same. A boundary curve is closed by a cap, a fan of faces around its middle, and is an inlet: it has
+a leaf there (`Curve_skeleton_vertex::is_inlet`), which alone does not lie inside. Where that fan
+would meet itself, the surface or another cap, as on curves that wind, its apex is moved to where it
+meets nothing; if no such place is found, the certificate says so.
 
 From places on the surface, evenly spread against the thickness of the solid there, balls are grown
 along the normals until they reach the opposite side. Balls of neighbouring places are joined where
@@ -164,12 +166,14 @@ curve_skeleton(const TriangleMesh& tm,
 
   auto places = impl::places_of_vertices(execution, surface);
   const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
-  impl::Solid_loops loops(places, surface.mesh.first_hub);
-  impl::find_solid_loops<ConcurrencyTag>(
-      execution, surface.mesh,
-      choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()),
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-      loops);
+  impl::Loop_request request = impl::loop_request(
+      choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()));
+  request.classes.do_link = true; // which of them are handle loops
+  request.make_passes = &impl::make_passes<ConcurrencyTag>;
+  impl::Loops_on_arrays loops(surface.coordinates(execution));
+  loops.find(
+      execution, surface.mesh, std::move(request),
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()));
   statistics.seconds_of_loops = seconds_since(began);
 
   const auto has_loops = Clock::now();

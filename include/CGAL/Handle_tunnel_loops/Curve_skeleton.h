@@ -48,7 +48,7 @@ struct Curve_skeleton_vertex
   double radius = 0.;
   /// the number of the connected component of the mesh that it is the skeleton of, from 0.
   std::size_t component = 0;
-  /// whether it is the end at the middle of the cap of a boundary curve.
+  /// whether it is the apex of the cap of a boundary curve.
   bool is_inlet = false;
 };
 

@@ -252,8 +252,9 @@ private:
 
   bool is_way_free(const Inner_ball& a, const Inner_ball& b) const {
     constexpr double sure = 0.9;
-    return norm(b.centre - a.centre) < sure * (a.radius + b.radius) ||
-           !wall_.meets(a.centre, b.centre);
+    return norm(b.centre - a.centre) < sure * (a.radius + b.radius)
+               ? !wall_.meets_cap(a.centre, b.centre)
+               : !wall_.meets(a.centre, b.centre);
   }
 
   // From the centres towards the surface, until there is a free way; if it is needed, as far as to

@@ -19,10 +19,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <random>
 #include <tuple>
 #include <unordered_set>
@@ -31,68 +33,110 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Rows of integers that are independent modulo some small primes.
+/*!
+Rows of integers that are a part of a basis of all rows of integers, so that as many as a row is
+wide have the determinant 1 or -1.
+
+Of the integer vectors that are orthogonal to the rows a basis is kept. One more row belongs to such
+a part if its products with these have no common factor. By steps of Euclid's algorithm between the
+vectors all products but one become zero; the vector with the last one is left out.
+*/
 class Independent_rows
 {
 public:
   explicit Independent_rows(std::size_t width) {
-    for(Modulo& m : modulo_)
-      m.with_pivot.resize(width);
+    for(Index i = 0; i < width; ++i)
+      orthogonal_.push_back({{{i, 1}}});
   }
 
-  /// adds a row if it is independent of the others, whichever the prime.
-  bool add(const std::vector<int>& integers) {
-    std::array<Row, number_of_primes> rows;
-    std::array<std::size_t, number_of_primes> pivots;
-    for(std::size_t i = 0; i < number_of_primes; ++i) {
-      rows[i] = residues(integers, modulo_[i].prime);
-      pivots[i] = reduce(modulo_[i], rows[i]);
-      if(pivots[i] == integers.size())
-        return false;
-    }
-    for(std::size_t i = 0; i < number_of_primes; ++i)
-      modulo_[i].with_pivot[pivots[i]] = std::move(rows[i]);
+  /// adds a row if it is a part of a basis together with the others.
+  bool add(const std::vector<int>& row) {
+    std::vector<Met> met;
+    std::int64_t factor = 0;
+    for(std::size_t i = 0; i < orthogonal_.size(); ++i)
+      if(const std::int64_t product = orthogonal_[i] * row; product != 0) {
+        met.push_back({i, product, {}});
+        factor = std::gcd(factor, product);
+      }
+    if(factor != 1)
+      return false;
+    for(Met& m : met)
+      m.vector = orthogonal_[m.place];
+    const std::optional<std::size_t> last = divide(met);
+    if(!last)
+      return false;
+    for(Met& m : met)
+      orthogonal_[m.place] = std::move(m.vector);
+    orthogonal_.erase(orthogonal_.begin() + static_cast<std::ptrdiff_t>(met[*last].place));
     return true;
   }
 
 private:
-  using Row = std::vector<std::uint8_t>;
+  static constexpr std::int64_t largest = 1 << 24; // that is computed with
 
-  struct Modulo
+  /// The entries that are not 0, in order.
+  struct Sparse_vector
   {
-    int prime;
-    std::vector<Row> with_pivot; // 1 there, nothing before
+    std::vector<std::pair<Index, std::int64_t>> entries;
+
+    std::int64_t operator*(const std::vector<int>& row) const {
+      std::int64_t sum = 0;
+      for(const auto& [i, x] : entries)
+        sum += x * row[i];
+      return sum;
+    }
+
+    // Adds a multiple of another one. Returns whether no number is too large.
+    bool add(std::int64_t factor, const Sparse_vector& other) {
+      std::vector<std::pair<Index, std::int64_t>> sum;
+      bool are_small = std::abs(factor) <= largest;
+      auto a = entries.begin();
+      for(auto b = other.entries.begin(); are_small && b != other.entries.end(); ++b) {
+        for(; a != entries.end() && a->first < b->first; ++a)
+          sum.push_back(*a);
+        std::int64_t x = factor * b->second;
+        if(a != entries.end() && a->first == b->first)
+          x += (a++)->second;
+        are_small = std::abs(x) <= largest;
+        if(x != 0)
+          sum.emplace_back(b->first, x);
+      }
+      sum.insert(sum.end(), a, entries.end());
+      entries = std::move(sum);
+      return are_small;
+    }
   };
 
-  static constexpr std::size_t number_of_primes = 2;
+  /// A vector that is not orthogonal to a row, as it is changed.
+  struct Met
+  {
+    std::size_t place;
+    std::int64_t product;
+    Sparse_vector vector;
+  };
 
-  static Row residues(const std::vector<int>& integers, int prime) {
-    Row row(integers.size());
-    for(std::size_t i = 0; i < row.size(); ++i)
-      row[i] = static_cast<std::uint8_t>((integers[i] % prime + prime) % prime);
-    return row;
-  }
-
-  // Leaves what is independent of the others, and returns where it begins, with a 1.
-  static std::size_t reduce(const Modulo& m, Row& row) {
-    for(std::size_t i = 0; i < row.size(); ++i) {
-      if(row[i] == 0)
-        continue;
-      const Row& other = m.with_pivot[i];
-      if(other.empty()) {
-        const int factor = row[i]; // modulo 2 and 3, a number is its own inverse
-        for(std::size_t k = i; k < row.size(); ++k)
-          row[k] = static_cast<std::uint8_t>(row[k] * factor % m.prime);
-        return i;
-      }
-      const int factor = m.prime - row[i];
-      for(std::size_t k = i; k < row.size(); ++k)
-        row[k] = static_cast<std::uint8_t>((row[k] + factor * other[k]) % m.prime);
+  // Returns which one is left; nothing if numbers become too large.
+  static std::optional<std::size_t> divide(std::vector<Met>& met) {
+    for(;;) {
+      std::size_t least = met.size(), number = 0;
+      for(std::size_t i = 0; i < met.size(); ++i)
+        if(met[i].product != 0) {
+          ++number;
+          if(least == met.size() || std::abs(met[i].product) < std::abs(met[least].product))
+            least = i;
+        }
+      if(number == 1)
+        return least;
+      for(std::size_t i = 0; i < met.size(); ++i)
+        if(const std::int64_t factor = met[i].product / met[least].product; i != least) {
+          if(factor != 0 && !met[i].vector.add(-factor, met[least].vector))
+            return std::nullopt;
+          met[i].product -= factor * met[least].product;
+        }
     }
-    return row.size();
   }
 
-  std::array<Modulo, number_of_primes> modulo_ = {{{2, {}}, {3, {}}}};
+  std::vector<Sparse_vector> orthogonal_;
 };
 
 /*!

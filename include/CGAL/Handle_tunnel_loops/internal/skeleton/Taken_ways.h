@@ -44,14 +44,15 @@ inline std::vector<Index> walk_beside(const Flat_mesh& mesh, const Crossing_loop
 }
 
 /// Loops of pairs, of which some lead around inside, or across. On the walls of a cavity the solid
-/// is outside, so that of several components, loops of both kinds are taken.
+/// is outside, and with a boundary it is where the normals do not look: then loops of both kinds
+/// are taken.
 inline std::vector<const Crossing_loop*> loops_inside(const Flat_mesh& mesh,
                                                       const std::vector<Flat_pair>& pairs,
                                                       Crossing_loop Flat_pair::*kind) {
   std::vector<const Crossing_loop*> loops;
   for(const Flat_pair& pair : pairs) {
     loops.push_back(&(pair.*kind));
-    if(mesh.seeds.size() > 1)
+    if(mesh.seeds.size() > 1 || mesh.number_of_hubs > 0)
       loops.push_back(&(kind == &Flat_pair::handle ? pair.tunnel : pair.handle));
   }
   return loops;

@@ -141,13 +141,36 @@ public:
   /// whether a segment meets the surface or a cap.
   bool meets(const Vector& a, const Vector& b) const {
     const Exact_segment segment = {exact_point(a), exact_point(b)};
-    return faces_.any_near(a, b, [&](Index f) {
-      return do_meet(segment, Exact_triangle{exact_point(corner(f, 0)), exact_point(corner(f, 1)),
-                                             exact_point(corner(f, 2))});
+    return faces_.any_near(a, b, [&](Index f) { return do_meet(segment, triangle(f)); });
+  }
+
+  /// whether a segment meets a cap, which balls may reach across.
+  bool meets_cap(const Vector& a, const Vector& b) const {
+    if(mesh_.number_of_hubs == 0)
+      return false;
+    const Exact_segment segment = {exact_point(a), exact_point(b)};
+    return faces_.any_near(a, b,
+                           [&](Index f) { return is_of_cap(f) && do_meet(segment, triangle(f)); });
+  }
+
+  /// whether a segment from a hub meets the surface or a cap other than there.
+  bool is_met_from_hub(Index hub, const Vector& to) const {
+    const Exact_point end = exact_point(to);
+    const Exact_segment segment = {exact_point(points_[hub]), end};
+    return faces_.any_near(points_[hub], to, [&](Index f) {
+      const Exact_triangle t = triangle(f);
+      for(int i = 0; i < 3; ++i)
+        if(faces_.corners(f)[i] == hub)
+          return do_meet_beyond_corner(end, {t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+      return do_meet(segment, t);
     });
   }
 
 private:
+  Exact_triangle triangle(Index f) const {
+    return {exact_point(corner(f, 0)), exact_point(corner(f, 1)), exact_point(corner(f, 2))};
+  }
+
   static double squared_distance(const Vector& p, const Box<3>& box) {
     double sum = 0.;
     for(int d = 0; d < 3; ++d) {
