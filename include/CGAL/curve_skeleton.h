@@ -71,7 +71,7 @@ mesh: how the mesh lies, and how its elements are numbered, makes no difference 
 unless the mesh looks the same, or nearly, from several sides.
 
 The time is that of `handle_tunnel_loops()`, plus \f$ O(n + m \log n) \f$ for \f$ m \f$ places, of
-which there are tens of thousands, whatever the number \f$ n \f$ of faces.
+which there are at most tens of thousands, whatever the number \f$ n \f$ of faces.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -45,7 +46,7 @@ struct Ladder
       is_taken.push_back(e[1] != e[0] + length || e[0] == 0 || e[0] >= length);
   }
 
-  Index add_ball(const Vector& centre, double radius) {
+  Index add_ball(const std::array<double, 3>& centre, double radius) {
     graph.balls.push_back({centre, radius});
     graph.component.push_back(0);
     graph.is_inlet.push_back(0);
