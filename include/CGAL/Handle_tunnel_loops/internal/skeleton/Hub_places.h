@@ -210,7 +210,7 @@ private:
     };
     for(std::size_t i = 0; i < cap.size(); ++i)
       if(is_degenerate(cap[i]) || is_met_by(cap[i]) ||
-         faces.tree().any_meeting(boxes[i], [&](Index f, const Box<3>&) {
+         faces.boxes().any_meeting(boxes[i], [&](Index f) {
            return is_where_it_was(faces.corners(f), hub) &&
                   do_meet_elsewhere(cap[i], faces.corners(f));
          }))
