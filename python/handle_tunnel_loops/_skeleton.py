@@ -107,7 +107,7 @@ class CurveSkeleton:
 def curve_skeleton(
     V: Any,
     F: Any = None,
-    shortest_limb: float = 2.0,
+    shortest_limb: float = 1.9,
     *,
     threads: Optional[int] = 0,
     progress: Any = None,

@@ -196,7 +196,7 @@ private:
 
   // About what is asked for: where that tells best between limbs, of which many may be alike.
   double least_slenderness(double asked) const {
-    constexpr double most = 1.15;
+    constexpr double most = 1.1;
     std::vector<double> values = {asked / most, asked * most};
     for(double value : slenderness_)
       if(value > values[0] && value < values[1])
