@@ -28,6 +28,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,7 @@ public:
       , solid_(solid)
       , balls_(solid.graph())
       , graph_(graph)
+      , is_connected_(connected_balls())
       , ball_of_node_(graph.vertex_of_node.size())
       , ways_(graph.arcs.size())
       , arcs_at_(graph.vertex_of_node.size(), graph.arcs) {}
@@ -90,12 +92,47 @@ private:
 
   // ---- balls
 
-  // The ball that a vertex sees, `no_index` if it has none, as of faces without area.
+  // By ball, whether it is connected with most balls of its component of the mesh: a few are not
+  // where walls are thinner than doubles can tell.
+  std::vector<char> connected_balls() const {
+    Sets_of_indices sets(balls_.balls.size());
+    for(const auto& [a, b] : balls_.edges)
+      sets.unite(a, b);
+    std::vector<Index> size(balls_.balls.size(), 0), largest; // by first ball, by component
+    for(Index b = 0; b < size.size(); ++b) {
+      const Index first = sets.find(b), component = balls_.component[b];
+      ++size[first];
+      if(component >= largest.size())
+        largest.resize(component + 1, first);
+      if(size[first] > size[largest[component]])
+        largest[component] = first;
+    }
+    std::vector<char> is_connected(size.size());
+    for(Index b = 0; b < size.size(); ++b)
+      is_connected[b] = sets.find(b) == largest[balls_.component[b]];
+    return is_connected;
+  }
+
+  // The ball that a vertex sees, or a vertex nearby if it has none; `no_index` if there is none at
+  // all.
   Index ball_of_vertex(Index v) const {
+    std::vector<Index> reached = {v};
+    std::unordered_set<Index> is_reached = {v};
+    for(std::size_t i = 0; i < reached.size(); ++i) {
+      if(const Index b = ball_seen_from(reached[i]); b != no_index && is_connected_[b] != 0)
+        return b;
+      for(const Index u : solid_.mesh().ring(reached[i]))
+        if(is_reached.insert(u).second)
+          reached.push_back(u);
+    }
+    return no_index;
+  }
+
+  Index ball_seen_from(Index v) const {
     const Flat_mesh& mesh = solid_.mesh();
     if(mesh.is_hub(v))
-      return ball_of_vertex(mesh.ring(v)[0]);
-    for(Index u : mesh.ring(v)) {
+      return no_index;
+    for(const Index u : mesh.ring(v)) {
       const Index f = solid_.pieces().face_left_of(v, u);
       if(solid_.wall().is_of_cap(f))
         continue;
@@ -369,7 +406,7 @@ private:
           const Index n = static_cast<Index>(i);
           ball_of_node_[n] = ball_of_vertex(graph_.vertex_of_node[n]);
           if(ball_of_node_[n] != no_index && arcs_at_[n].size() > 1)
-            ball_of_node_[n] = largest_from(ball_of_node_[n], balls_between(arcs_at_[n]));
+            ball_of_node_[n] = largest_ball_from(ball_of_node_[n], balls_between(arcs_at_[n]));
         },
         16);
   }
@@ -386,7 +423,7 @@ private:
     return between;
   }
 
-  Index largest_from(Index ball, const std::vector<Index>& balls) const {
+  Index largest_ball_from(Index ball, const std::vector<Index>& balls) const {
     for(Index before = no_index; before != ball;) {
       before = ball;
       balls_.for_each_beside(before, [&](Index other, Index) {
@@ -593,6 +630,7 @@ private:
   const Solid_balls_tmp& solid_;
   const Ball_graph& balls_;
   const Graph_of_parts& graph_;
+  std::vector<char> is_connected_;                 // by ball
   std::vector<Index> ball_of_node_;                // `no_index`: none
   std::vector<Index> first_ball_, balls_of_arcs_;  // of each arc, those of the arcs one after another
   std::vector<std::vector<Index>> ways_;           // by arc
