@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_numbering.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
@@ -62,7 +63,9 @@ the way between them is free, or else along the surface a little inside, which a
 this graph are chosen by how they link with the handle loops, the ones through large balls first;
 then ways to the ends of limbs. A limb is a region of places far from the cycles, or from the
 largest ball, that is long against its girth. In the ball around a joint, ways are straight; arcs
-are smooth and in the middle.
+are smooth and in the middle. All of this is done in a frame that is told by the shape of the mesh:
+how the mesh lies, and how its elements are numbered, makes no difference but by rounding, unless
+the mesh looks the same, or nearly, from several sides.
 
 The time is that of `handle_tunnel_loops()`, plus \f$ O(n + m \log n) \f$ for \f$ m \f$ places, of
 which there are tens of thousands, whatever the number \f$ n \f$ of faces.
@@ -154,11 +157,12 @@ curve_skeleton(const TriangleMesh& tm,
   const auto point = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, tm));
   const auto began = Clock::now();
-  const impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  impl::Prepared_surface surface(execution, tm, vertex_index, point);
   Skeleton_statistics statistics;
   surface.describe(statistics);
 
-  const auto places = impl::places_of_vertices(execution, surface);
+  auto places = impl::places_of_vertices(execution, surface);
+  const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
   impl::Solid_loops loops(places, surface.mesh.first_hub);
   impl::find_solid_loops<ConcurrencyTag>(
       execution, surface.mesh,
@@ -169,7 +173,7 @@ curve_skeleton(const TriangleMesh& tm,
 
   const auto has_loops = Clock::now();
   impl::Found_skeleton found =
-      impl::find_skeleton(execution, surface.mesh, places, loops.pairs(), options,
+      impl::find_skeleton(execution, surface.mesh, frame, places, loops.pairs(), options,
                           impl::face_numbers(surface, face_index));
   statistics.number_of_balls = found.number_of_balls;
   statistics.certificate = std::move(found.certificate);

@@ -21,8 +21,10 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -437,6 +439,61 @@ TEST(Curve_skeleton, IsThereAtAllScalesAndPlaces) {
     SCOPED_TRACE(testing::Message() << scale << ' ' << shift);
     const Mesh mesh = mesh_of(transformed(soup, scale, shift));
     expect_truth(mesh, skeleton_of(mesh));
+  }
+}
+
+// The same shape in another order, with x, y and z as y, z and x: turned, but not rounded.
+Soup in_another_order(const Soup& soup, generators::Random& random) {
+  Soup other;
+  std::vector<std::size_t> order(soup.points.size()), place(order.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  for(std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[random.below(i)]);
+  for(std::size_t i = 0; i < order.size(); ++i) {
+    const auto& p = soup.points[order[i]];
+    other.points.push_back({p[1], p[2], p[0]});
+    place[order[i]] = i;
+  }
+  for(auto face : soup.triangles) {
+    for(auto& v : face)
+      v = static_cast<std::decay_t<decltype(v)>>(place[static_cast<std::size_t>(v)]);
+    std::rotate(face.begin(), face.begin() + random.below(3), face.end());
+    other.triangles.push_back(face);
+  }
+  for(std::size_t i = other.triangles.size(); i > 1; --i)
+    std::swap(other.triangles[i - 1], other.triangles[random.below(i)]);
+  return other;
+}
+
+// By the farthest point of one from all of the other.
+double distance_between(const Graph& a, const Graph& b) {
+  double most = 0.;
+  for(const auto v : CGAL::make_range(vertices(a))) {
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto e : CGAL::make_range(edges(b)))
+      least =
+          (std::min)(least, distance_to_line(place_of(a[v].point), place_of(b[source(e, b)].point),
+                                             place_of(b[target(e, b)].point)));
+    most = (std::max)(most, least);
+  }
+  return most;
+}
+
+TEST(Curve_skeleton, DependsNeitherOnNumbersNorOnPose) {
+  generators::Random random(1);
+  for(const Recipe& recipe :
+      std::vector<Recipe>{{"foam", {1200, 1, 2}}, {"hubs", {160, 4, 9}}, {"shell", {1600, 1, 11}}})
+  {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Soup soup = soup_of(recipe);
+    const Graph skeleton = skeleton_of(mesh_of(soup));
+    Graph turned = skeleton_of(mesh_of(in_another_order(soup, random)));
+    for(const auto v : CGAL::make_range(vertices(turned))) {
+      const auto p = turned[v].point;
+      turned[v].point = {p.z(), p.x(), p.y()};
+    }
+    EXPECT_EQ(num_edges(skeleton), num_edges(turned));
+    EXPECT_LT(distance_between(skeleton, turned), 1e-6);
   }
 }
 

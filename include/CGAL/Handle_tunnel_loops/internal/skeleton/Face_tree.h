@@ -58,7 +58,7 @@ public:
   using Corners = std::array<Index, 3>;
 
   /// \p points are the places of the vertices, hubs included.
-  Face_tree(Execution execution, const Flat_mesh& mesh, const std::vector<Vector>& points)
+  Face_tree(Execution execution, const Flat_mesh& mesh, Span<const Vector> points)
       : points_(points)
       , faces_(faces_of(execution, mesh))
       , tree_(boxes(execution)) {
@@ -144,7 +144,7 @@ private:
         {box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
   }
 
-  const std::vector<Vector>& points_;
+  Span<const Vector> points_;
   std::vector<Corners> faces_;
   Box_tree<3> tree_;
   double length_of_pieces_ = 0.;

@@ -33,7 +33,7 @@ class Inlet_ways
 {
 public:
   Inlet_ways(const Flat_mesh& mesh,
-             const std::vector<Vector>& points,
+             Span<const Vector> points,
              const Wall& wall,
              const Surface_pieces& pieces,
              const Surface_samples& samples)
@@ -98,7 +98,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  const std::vector<Vector>& points_;
+  Span<const Vector> points_;
   const Wall& wall_;
   const Surface_pieces& pieces_;
   const Surface_samples& samples_;

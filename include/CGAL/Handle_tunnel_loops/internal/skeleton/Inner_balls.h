@@ -125,7 +125,7 @@ private:
   Touching_ball
   touching_ball(const Vector& place, const Vector& direction, Index f, double least) const {
     constexpr int most_steps = 24;
-    const double way = wall_.free_way(place, direction, f);
+    const double way = wall_.free_way(place, direction, f, 0.5 * least);
     double radius =
         way < std::numeric_limits<double>::infinity() ? (std::max)(0.5 * way, least) : least;
     Touching_ball touching = {};

@@ -42,7 +42,7 @@ public:
   Places_of_skeleton(Execution execution, const Flat_mesh& mesh, const std::vector<Vector>& places)
       : mesh_(mesh)
       , places_(places)
-      , tree_(execution, mesh, places) {}
+      , tree_(execution, mesh, span_of(places)) {}
 
   void find(Flat_skeleton& skeleton) const {
     if(skeleton.component_of.empty())

@@ -160,7 +160,7 @@ private:
 
   void check_inside() {
     const Inlets inlets(mesh_, skeleton_, places_);
-    const Face_tree tree(execution_, mesh_, places_);
+    const Face_tree tree(execution_, mesh_, span_of(places_));
     const Inside_test test(mesh_, tree, inlets, skeleton_);
     is_outside_.assign(skeleton_.edges.size(), 0);
     std::vector<std::string> lines;

@@ -44,8 +44,8 @@ public:
     Inner_ball ball;
   };
 
-  /// \p least_extent is how far regions grow at least; but those of samples along \p paths, which are
-  /// pieces one beside the other, follow each other more closely.
+  /// \p least_extent is how far regions grow at least; but samples along \p paths, which are pieces
+  /// one beside the other, follow each other more closely where balls are small.
   Surface_samples(Execution execution,
                   const Surface_pieces& pieces,
                   const Inner_balls& balls,
@@ -116,11 +116,16 @@ private:
     return found;
   }
 
-  // What is not of a region yet becomes a sample, or is of the region of the one before.
+  // Where regions would be larger than balls, what is not of a region yet becomes a sample, or is
+  // of the region of the one before.
   void follow(Execution execution, const std::vector<Index>& path) {
     Index last = no_index;
     for(const Sample& sample : samples_at(execution, path)) {
       Index& region = region_[sample.piece];
+      if(part_of_radius * sample.ball.radius > least_extent_) {
+        last = no_index;
+        continue;
+      }
       if(region == no_index) {
         if(!(sample.ball.radius > 0.) && last == no_index)
           continue;

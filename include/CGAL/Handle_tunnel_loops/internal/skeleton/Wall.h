@@ -58,7 +58,7 @@ class Wall
 {
 public:
   /// \p points are the places of the vertices, hubs included. All must outlive it.
-  Wall(const Flat_mesh& mesh, const std::vector<Vector>& points, const Face_tree& faces)
+  Wall(const Flat_mesh& mesh, Span<const Vector> points, const Face_tree& faces)
       : mesh_(mesh)
       , points_(points)
       , faces_(faces) {}
@@ -108,16 +108,31 @@ public:
     return best;
   }
 
+  /// calls `f(face)` for the faces that are not of a cap and about as near to a point as this, or
+  /// nearer.
+  template <typename Function>
+  void for_each_within(const Vector& p, double distance, const Function& f) const {
+    const double limit = distance * distance;
+    faces_.tree().for_each_nearer(
+        limit, [&](const Box<3>& box) { return squared_distance(p, box); },
+        [&](Index face) {
+          if(!is_of_cap(face))
+            f(face);
+          return limit;
+        });
+  }
+
   /// how far one can go from a point of a face in a direction of length 1 until one meets another
-  /// face, about.
-  double free_way(const Vector& p, const Vector& direction, Index from) const {
+  /// face, about; what is nearer than \p free is not looked at. Where the point is on an edge,
+  /// rounding decides whether the way begins on the other face there.
+  double free_way(const Vector& p, const Vector& direction, Index from, double free = 0.) const {
     const Vector inverse = {1. / direction[0], 1. / direction[1], 1. / direction[2]};
     double limit = std::numeric_limits<double>::infinity();
     faces_.tree().for_each_nearer(
         limit, [&](const Box<3>& box) { return way_to_box(p, inverse, box); },
         [&](Index f) {
-          if(f != from)
-            limit = (std::min)(limit, way_to_face(p, direction, f));
+          if(const double way = f != from ? way_to_face(p, direction, f) : 0.; way > free)
+            limit = (std::min)(limit, way);
           return limit;
         });
     return limit;
@@ -164,11 +179,11 @@ private:
     const Vector ap = p - corner(f, 0), q = cross(ap, ab);
     constexpr double margin = 1e-9;
     const double u = dot(ap, h) / det, v = dot(direction, q) / det, t = dot(ac, q) / det;
-    return u >= -margin && v >= -margin && u + v <= 1. + margin && t > 0. ? t : none;
+    return u >= -margin && v >= -margin && u + v <= 1. + margin ? t : none;
   }
 
   const Flat_mesh& mesh_;
-  const std::vector<Vector>& points_;
+  Span<const Vector> points_;
   const Face_tree& faces_;
 };
 

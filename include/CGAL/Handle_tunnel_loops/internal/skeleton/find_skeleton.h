@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
@@ -34,10 +35,11 @@ struct Found_skeleton
   Skeleton_certificate certificate;
 };
 
-/// finds a skeleton. \p places are the coordinates of the vertices as the caller has them, hubs
-/// included, \p pairs a basis of loops.
+/// finds a skeleton. The mesh lies in a frame; \p places are the coordinates of the vertices as the
+/// caller has them, hubs included, \p pairs a basis of loops.
 CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
                                            const Flat_mesh& mesh,
+                                           const Own_frame& frame,
                                            const std::vector<Vector>& places,
                                            const std::vector<Flat_pair>& pairs,
                                            const Skeleton_options& options,

@@ -19,11 +19,12 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
                                            const Flat_mesh& mesh,
+                                           const Own_frame& frame,
                                            const std::vector<Vector>& places,
                                            const std::vector<Flat_pair>& pairs,
                                            const Skeleton_options& options,
                                            const Face_number& face_number) {
-  return Skeleton_builder(execution, mesh, places, pairs, options, face_number).build();
+  return Skeleton_builder(execution, mesh, frame, places, pairs, options, face_number).build();
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -76,6 +76,12 @@ private:
   std::size_t size_ = 0;
 };
 
+/// of all of a vector.
+template <typename T, typename Allocator>
+Span<const T> span_of(const std::vector<T, Allocator>& values) {
+  return {values.data(), values.size()};
+}
+
 /// Leaves elements that are not given a value without one.
 template <typename T> struct Uninitialized_allocator : std::allocator<T>
 {

@@ -91,6 +91,17 @@ inline std::uint32_t every_third_bit(std::uint32_t x) {
   return (x | x << 2) & 0x09249249;
 }
 
+/// the cell of a Morton curve, of 2^30 through the unit box, that a point is in.
+inline std::uint32_t cell_of_curve(const Vector& p) {
+  constexpr double cells = 1023.;
+  std::uint32_t cell = 0;
+  for(int d = 0; d < 3; ++d) {
+    CGAL_precondition(p[d] >= 0. && p[d] <= 1.);
+    cell |= every_third_bit(static_cast<std::uint32_t>(p[d] * cells)) << d;
+  }
+  return cell;
+}
+
 /// the numbers 0 .. n - 1 of points `point(i)` in the unit box, sorted along a Morton curve, those
 /// in one cell by their numbers. Meshes come in any order; a field that walks them in file order
 /// waits for memory.
@@ -102,16 +113,9 @@ space_filling_order(Execution execution, std::size_t n, const Point& point) {
     std::uint32_t cell;
     Index number;
   };
-  constexpr double cells = 1023.;
   Uninitialized_vector<Numbered_cell> numbered(n);
   for_each_index(execution, n, [&](std::size_t i) {
-    const Vector p = point(i);
-    std::uint32_t cell = 0;
-    for(int d = 0; d < 3; ++d) {
-      CGAL_precondition(p[d] >= 0. && p[d] <= 1.);
-      cell |= every_third_bit(static_cast<std::uint32_t>(p[d] * cells)) << d;
-    }
-    numbered[i] = {cell, static_cast<Index>(i)};
+    numbered[i] = {cell_of_curve(point(i)), static_cast<Index>(i)};
   });
   radix_sort<30>(execution, numbered, [](const Numbered_cell& c) { return c.cell; });
 

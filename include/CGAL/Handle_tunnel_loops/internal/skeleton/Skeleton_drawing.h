@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_DRAWING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_DRAWING_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Arc_smoothing.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// makes points that an edge of no length joins one.
+inline void contract_points(Flat_skeleton& flat) {
+  const std::size_t n = flat.points.size();
+  Sets_of_indices sets(n);
+  for(const auto& [p, q] : flat.edges)
+    if(flat.points[p] == flat.points[q])
+      sets.unite(p, q);
+  std::vector<Index> number(n);
+  Index next = 0;
+  for(Index p = 0; p < n; ++p) {
+    if(const Index first = sets.find(p); first != p) {
+      number[p] = number[first];
+      continue;
+    }
+    number[p] = next;
+    flat.points[next] = flat.points[p];
+    flat.radii[next] = flat.radii[p];
+    flat.component_of[next] = flat.component_of[p];
+    flat.is_inlet[next] = flat.is_inlet[p];
+    ++next;
+  }
+  flat.points.resize(next);
+  flat.radii.resize(next);
+  flat.component_of.resize(next);
+  flat.is_inlet.resize(next);
+  std::size_t kept = 0;
+  for(const auto& [p, q] : flat.edges)
+    if(number[p] != number[q])
+      flat.edges[kept++] = {number[p], number[q]};
+  flat.edges.resize(kept);
+}
+
+/// Draws a draft: its arcs, smooth if that is wanted, with points that are apart.
+class Skeleton_drawing
+{
+public:
+  Skeleton_drawing(Execution execution, const Solid_balls& solid)
+      : execution_(execution)
+      , solid_(solid) {}
+
+  Flat_skeleton operator()(const Skeleton_draft& draft, bool is_smooth) const {
+    Flat_skeleton flat = lines(draft, is_smooth);
+    contract_points(flat);
+    move_apart(flat);
+    measure(flat);
+    return flat;
+  }
+
+private:
+  using Balls = Arc_smoothing::Balls;
+  using Arcs = std::vector<std::vector<Index>>;
+
+  Flat_skeleton lines(const Skeleton_draft& draft, bool is_smooth) const {
+    Flat_skeleton flat;
+    std::vector<Index> point(draft.size(), no_index);
+    const auto add = [&](const Inner_ball& ball, const Skeleton_draft::Place& of, bool is_inlet) {
+      flat.points.push_back(ball.centre);
+      flat.radii.push_back(ball.radius);
+      flat.component_of.push_back(of.component);
+      flat.is_inlet.push_back(is_inlet);
+      return static_cast<Index>(flat.points.size() - 1);
+    };
+    const auto point_of = [&](Index p) {
+      if(point[p] == no_index)
+        point[p] = add(draft[p].ball, draft[p], draft[p].is_inlet);
+      return point[p];
+    };
+    for(Index p = 0; p < draft.size(); ++p)
+      if(draft[p].beside.empty() && draft[p].ball.radius >= 0.)
+        point_of(p);
+    const Arcs arcs = draft.arcs();
+    const std::vector<Balls> balls = balls_along(draft, arcs, is_smooth);
+    for(std::size_t i = 0; i < arcs.size(); ++i) {
+      const Skeleton_draft::Place& front = draft[arcs[i].front()];
+      const bool is_cycle = !draft.is_node(arcs[i].front());
+      const Index first =
+          is_cycle ? add(balls[i].front(), front, false) : point_of(arcs[i].front());
+      Index before = first;
+      for(std::size_t k = 1; k < balls[i].size(); ++k) {
+        const Index next = k + 1 < balls[i].size() ? add(balls[i][k], front, false)
+                           : is_cycle              ? first
+                                                   : point_of(arcs[i].back());
+        flat.edges.push_back({before, next});
+        before = next;
+      }
+    }
+    return flat;
+  }
+
+  std::vector<Balls>
+  balls_along(const Skeleton_draft& draft, const Arcs& arcs, bool is_smooth) const {
+    std::vector<Balls> balls(arcs.size());
+    const Arc_smoothing smooth(solid_.wall(), solid_.balls(), solid_.least_extent());
+    for_each_index(
+        execution_, arcs.size(),
+        [&](std::size_t i) {
+          const Index first = arcs[i].front(), last = arcs[i].back();
+          for(Index p : arcs[i])
+            balls[i].push_back(draft[p].ball);
+          if(!is_smooth)
+            return;
+          balls[i] = smooth(balls[i], draft[first].is_inlet, draft[last].is_inlet);
+          if(!draft.is_node(first)) // a cycle: also where it began
+            balls[i] = smooth(turned_by_half(balls[i]), false, false);
+        },
+        1);
+    return balls;
+  }
+
+  // The same cycle from another place.
+  static Balls turned_by_half(Balls cycle) {
+    cycle.pop_back();
+    std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(cycle.size() / 2),
+                cycle.end());
+    cycle.push_back(cycle.front());
+    return cycle;
+  }
+
+  // Moves points of edges that meet a little: on shapes with a plane of symmetry, edges in it may.
+  void move_apart(Flat_skeleton& flat) const {
+    constexpr int most_rounds = 32;
+    constexpr double part = 1e-3; // of the radius
+    std::minstd_rand random;
+    const auto number = [&] { return 2. * double(random()) / double(random.max()) - 1.; };
+    for(int round = 0; round < most_rounds; ++round) {
+      const auto pairs = Segments_apart(flat).edges_that_meet(execution_);
+      if(pairs.empty())
+        return;
+      for(const auto& [a, b] : pairs)
+        for(const auto& edge : {a, b})
+          for(Index p : edge)
+            if(flat.is_inlet[p] == 0) {
+              const double most = part * flat.radii[p];
+              flat.points[p] =
+                  flat.points[p] + Vector{most * number(), most * number(), most * number()};
+            }
+    }
+  }
+
+  void measure(Flat_skeleton& flat) const {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    for_each_index(
+        execution_, flat.points.size(),
+        [&](std::size_t p) {
+          if(flat.is_inlet[p] == 0)
+            flat.radii[p] = solid_.wall().nearest(flat.points[p], any).distance;
+        },
+        64);
+  }
+
+  Execution execution_;
+  const Solid_balls& solid_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_DRAWING_H

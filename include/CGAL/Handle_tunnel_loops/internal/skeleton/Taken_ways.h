@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_TAKEN_WAYS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_TAKEN_WAYS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlet_ways.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Limbs.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/// a loop as a closed walk on the edges, by its vertices. A loop passes an edge to a hub at its
+/// other end.
+inline std::vector<Index> walk_beside(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  std::vector<Index> walk;
+  for(const Crossing& c : loop)
+    if(const Index v = mesh.is_hub(c.left) ? c.right : c.left; walk.empty() || walk.back() != v)
+      walk.push_back(v);
+  while(walk.size() > 1 && walk.front() == walk.back())
+    walk.pop_back();
+  return walk;
+}
+
+/// Loops of pairs, of which some lead around inside, or across. On the walls of a cavity the solid
+/// is outside, so that of several components, loops of both kinds are taken.
+inline std::vector<const Crossing_loop*> loops_inside(const Flat_mesh& mesh,
+                                                      const std::vector<Flat_pair>& pairs,
+                                                      Crossing_loop Flat_pair::*kind) {
+  std::vector<const Crossing_loop*> loops;
+  for(const Flat_pair& pair : pairs) {
+    loops.push_back(&(pair.*kind));
+    if(mesh.seeds.size() > 1)
+      loops.push_back(&(kind == &Flat_pair::handle ? pair.tunnel : pair.handle));
+  }
+  return loops;
+}
+
+/// The edges of a graph of balls that a skeleton consists of: cycles that are a basis, the ways to
+/// inlets and to the ends of limbs.
+class Taken_ways
+{
+public:
+  Taken_ways(Execution execution,
+             const Solid_balls& solid,
+             const std::vector<Flat_pair>& pairs,
+             double shortest_limb)
+      : execution_(execution)
+      , mesh_(solid.mesh())
+      , graph_(solid.graph()) {
+    const std::vector<Index> inlets =
+        Inlet_ways(mesh_, solid.points(), solid.wall(), solid.pieces(), solid.samples())
+            .add(graph_);
+    take_cycles(solid, pairs);
+    Limbs(graph_, solid.samples(), solid.neighbors(), shortest_limb)
+        .add(roots_, inlets, part_of_diagonal * solid.diagonal(), is_taken_);
+  }
+
+  const Ball_graph& graph() const { return graph_; }
+  /// by edge.
+  const std::vector<char>& is_taken() const { return is_taken_; }
+  /// a ball of each component.
+  const std::vector<Index>& roots() const { return roots_; }
+
+private:
+  static constexpr double part_of_diagonal = 0.025; // of the shortest limbs
+
+  void take_cycles(const Solid_balls& solid, const std::vector<Flat_pair>& pairs) {
+    std::vector<const Crossing_loop*> across = loops_inside(mesh_, pairs, &Flat_pair::handle);
+    const auto component = [&](const Crossing_loop* loop) {
+      return mesh_.component[loop->front().left];
+    };
+    std::stable_sort(across.begin(), across.end(),
+                     [&](const Crossing_loop* a, const Crossing_loop* b) {
+                       return component(a) < component(b);
+                     });
+    std::vector<std::vector<Vector>> loops;
+    std::vector<Index> components;
+    for(const Crossing_loop* loop : across) {
+      components.push_back(component(loop));
+      loops.emplace_back();
+      for(Index v : walk_beside(mesh_, *loop))
+        loops.back().push_back(solid.points()[v]);
+    }
+    const auto choose = [&] {
+      const Inner_cycles cycles(execution_, graph_, loops, components, genus(pairs));
+      is_taken_ = cycles.is_taken();
+      roots_ = cycles.roots();
+      return cycles.number_of_missing_cycles();
+    };
+    if(choose() > 0) { // holes that are small against the balls around them
+      solid.add_ways_along_wall(graph_);
+      choose();
+    }
+    prune();
+  }
+
+  // By component: each pair is of one.
+  std::vector<std::size_t> genus(const std::vector<Flat_pair>& pairs) const {
+    std::vector<std::size_t> genus(mesh_.seeds.size(), 0);
+    for(const Flat_pair& pair : pairs)
+      ++genus[mesh_.component[pair.handle.front().left]];
+    return genus;
+  }
+
+  // Takes back what leads to no cycle.
+  void prune() {
+    std::vector<Index> degree(graph_.balls.size(), 0), ends;
+    for(Index e = 0; e < graph_.edges.size(); ++e)
+      if(is_taken_[e])
+        for(Index b : graph_.edges[e])
+          ++degree[b];
+    for(Index b = 0; b < degree.size(); ++b)
+      if(degree[b] == 1)
+        ends.push_back(b);
+    while(!ends.empty()) {
+      const Index b = ends.back();
+      ends.pop_back();
+      graph_.for_each_beside(b, [&](Index other, Index e) {
+        if(is_taken_[e] == 0)
+          return;
+        is_taken_[e] = 0;
+        --degree[b];
+        if(--degree[other] == 1)
+          ends.push_back(other);
+      });
+    }
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  Ball_graph graph_;
+  std::vector<char> is_taken_; // by edge
+  std::vector<Index> roots_;   // by component
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_TAKEN_WAYS_H
