@@ -27,8 +27,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <type_traits>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 /// \file embed_reeb_graph.h
@@ -58,7 +58,8 @@ parts_of_graph(const Graph& graph, const Flat_mesh& mesh, const IndexOfVertex& i
 
 /// gives the line of an arc to it. Returns the number of segments that are inside.
 template <typename Arc>
-std::size_t take_line(const std::vector<Inner_ball>& line, const std::vector<char>& is_inside, Arc& arc) {
+std::size_t
+take_line(const std::vector<Inner_ball>& line, const std::vector<char>& is_inside, Arc& arc) {
   using Point_of_arc = typename decltype(arc.polyline)::value_type;
   arc.polyline.clear();
   arc.radii.clear();
@@ -79,21 +80,22 @@ std::size_t take_line(const std::vector<Inner_ball>& line, const std::vector<cha
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-draws a Reeb graph in the middle of the solid that its surface encloses. `reeb_graph()` draws lines through
-the means of contours, in hardly any time, which is a quick look at the graph; but
-these leave the solid where contours are not convex. This function draws them again, by the balls
-that `curve_skeleton()` is found by, in a time that is near that of `curve_skeleton()`.
+draws a Reeb graph in the middle of the solid that its surface encloses. `reeb_graph()` draws lines
+through the means of contours, in hardly any time, which is a quick look at the graph; but these
+leave the solid where contours are not convex. This function draws them again, by the balls that
+`curve_skeleton()` is found by, in a time that is near that of `curve_skeleton()`.
 
-Nodes, arcs and what belongs to them stay as they are. `Reeb_node::point` is put in the middle of the solid where
-its vertex sees it, an end of a limb too, and `Reeb_arc::polyline` leads there in the middle of the part of the
-solid that is around the vertices of the arc; where there is no way in this part, as in a flat ring of which the contours surround
-the hole, the line takes a way elsewhere inside. `Reeb_arc::radii` tells how thick the solid is around it.
+Nodes, arcs and what belongs to them stay as they are. `Reeb_node::point` is put in the middle of
+the solid where its vertex sees it, an end of a limb too, and `Reeb_arc::polyline` leads there in
+the middle of the part of the solid that is around the vertices of the arc; where there is no way in
+this part, as in a flat ring of which the contours surround the hole, the line takes a way elsewhere
+inside. `Reeb_arc::radii` tells how thick the solid is around it.
 
-That each segment lies strictly inside is tested by exact predicates on the coordinates of the mesh and of the
-polylines, as doubles. Of a surface that neither crosses nor touches itself they all do, unless the walls are
-thinner than doubles can tell. On others, those that are known to do are marked. The graph has as many
-cycles as the genus, but these need not be a basis of H1 of the solid, as those of `curve_skeleton()` are:
-`certify_curve_skeleton()` tells.
+That each segment lies strictly inside is tested by exact predicates on the coordinates of the mesh
+and of the polylines, as doubles. Of a surface that neither crosses nor touches itself they all do,
+unless the walls are thinner than doubles can tell. On others, those that are known to do are
+marked. The graph has as many cycles as the genus, but these need not be a basis of H1 of the solid,
+as those of `curve_skeleton()` are: `certify_curve_skeleton()` tells.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
@@ -146,10 +148,11 @@ embed_reeb_graph(const TriangleMesh& tm,
                                    get_const_property_map(vertex_point, tm));
   const impl::Prepared_surface surface(execution, tm, vertex_index, point);
   const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
-  const impl::Inner_drawing drawing = impl::draw_inside(
-      execution, surface.mesh, impl::places_of_vertices(execution, surface),
-      impl::parts_of_graph(graph, surface.mesh,
-                           [&](const auto v) { return flat[get(vertex_index, v)]; }));
+  const impl::Inner_drawing drawing =
+      impl::draw_inside(execution, surface.mesh, impl::places_of_vertices(execution, surface),
+                        impl::parts_of_graph(graph, surface.mesh, [&](const auto v) {
+                          return flat[get(vertex_index, v)];
+                        }));
 
   Handle_tunnel_loops::Reeb_embedding result;
   for(const auto v : CGAL::make_range(vertices(graph))) {

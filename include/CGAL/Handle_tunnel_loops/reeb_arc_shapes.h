@@ -122,9 +122,8 @@ Reeb_arc_shapes reeb_arc_shapes(const TriangleMesh& tm,
   shapes.radii.resize(shapes.girths.size());
   for(const auto e : CGAL::make_range(edges(graph))) {
     const auto& arc = graph[e];
-    shapes.radii[arc.index] = arc.radii.empty()
-                                  ? impl::radii_of_arc(arc, point, shapes.girths[arc.index])
-                                  : arc.radii;
+    shapes.radii[arc.index] =
+        arc.radii.empty() ? impl::radii_of_arc(arc, point, shapes.girths[arc.index]) : arc.radii;
   }
   return shapes;
 }

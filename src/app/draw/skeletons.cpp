@@ -47,7 +47,11 @@ Exported_line line_of(const Skeleton_graph& graph, const Skeleton_arc& arc, std:
 
 // The points `v` of a graph with `is_of_kind(v)` as balls.
 template <typename Graph, typename IsOfKind>
-void add_balls(const Graph& graph, int kind, const IsOfKind& is_of_kind, bool as_thick, Exported_lines& lines) {
+void add_balls(const Graph& graph,
+               int kind,
+               const IsOfKind& is_of_kind,
+               bool as_thick,
+               Exported_lines& lines) {
   for(const auto v : CGAL::make_range(vertices(graph)))
     if(is_of_kind(v)) {
       lines.lines.push_back(bone(kind, v, {graph[v].point}));

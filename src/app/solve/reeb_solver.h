@@ -68,9 +68,9 @@ struct Reeb_options : CGAL::Handle_tunnel_loops::Reeb_options
 {
   std::vector<Mesh::Vertex_index> sources; ///< of the diffusion; none: as the library chooses
   std::vector<double> values;              ///< by vertex, a function; none: a diffusion
-  bool do_draw_inside = false; ///< in the middle of the solid, or along the means of contours
+  bool do_draw_inside = false;  ///< in the middle of the solid, or along the means of contours
   std::string backend = "auto"; ///< of the diffusion, see `choose_backend()`
-  int number_of_threads = 0;               ///< 0: as many as the machine has
+  int number_of_threads = 0;    ///< 0: as many as the machine has
 };
 
 /// the measures by their names.

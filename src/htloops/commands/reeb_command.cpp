@@ -240,10 +240,11 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
              "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
              "else persistence",
              reeb_measures());
-  add_choice(command, "--drawing", "NAME", options.drawing,
-             "inside, in the middle of the solid, or means, through the means of contours, at once;\n"
-             "default: inside where there are lines, a picture, a page or glTF",
-             std::vector<std::string>{"inside", "means"});
+  add_choice(
+      command, "--drawing", "NAME", options.drawing,
+      "inside, in the middle of the solid, or means, through the means of contours, at once;\n"
+      "default: inside where there are lines, a picture, a page or glTF",
+      std::vector<std::string>{"inside", "means"});
   add_threads_option(command, options);
 }
 

@@ -25,8 +25,8 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
-The same graph without nodes of two arcs. Where they are is free to choose, and no part of the surface
-tells: arcs that such nodes join are drawn as one, a chain, which is cut afterwards.
+The same graph without nodes of two arcs. Where they are is free to choose, and no part of the
+surface tells: arcs that such nodes join are drawn as one, a chain, which is cut afterwards.
 */
 class Chains_of_arcs
 {
@@ -38,7 +38,8 @@ public:
       , number_(graph.vertex_of_node.size(), no_index) {
     for(const bool is_node : {true, false}) { // then cycles without a node
       for(Index n = 0; n < number_.size(); ++n)
-        if((arcs_at_[n].size() != 2) == is_node && (is_node || chain_[arcs_at_[n][0]] == no_index)) {
+        if((arcs_at_[n].size() != 2) == is_node && (is_node || chain_[arcs_at_[n][0]] == no_index))
+        {
           number_[n] = static_cast<Index>(graph_.vertex_of_node.size());
           graph_.vertex_of_node.push_back(graph.vertex_of_node[n]);
           if(!is_node)
@@ -59,7 +60,6 @@ public:
   /// what has been drawn of the chains, as a drawing of the graph.
   Inner_drawing cut(Inner_drawing&& drawing) const {
     Inner_drawing result;
-    result.number_of_balls = drawing.number_of_balls;
     result.nodes.resize(number_.size());
     result.lines.resize(chain_.size());
     for(Index n = 0; n < number_.size(); ++n)

@@ -37,7 +37,7 @@ public:
 
   /// \p part_of_vertex has the hubs, too. All must outlive it.
   Part_borders(const Flat_mesh& mesh,
-               const std::vector<Vector>& places,
+               Span<const Vector> places,
                const std::vector<Index>& part_of_vertex)
       : mesh_(mesh)
       , places_(places)
@@ -124,7 +124,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  const std::vector<Vector>& places_;
+  Span<const Vector> places_;
   const std::vector<Index>& part_;
   std::vector<Index> depth_; // by vertex of a part that is wanted
 };

@@ -16,7 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_borders.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls_tmp.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ways_in_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
@@ -46,10 +46,14 @@ smooth and in the middle from there on.
 class Part_lines
 {
 public:
-  Part_lines(Execution execution, const Solid_balls_tmp& solid, const Graph_of_parts& graph)
+  /// \p balls is the graph of those of the solid. All must outlive it.
+  Part_lines(Execution execution,
+             const Solid_balls& solid,
+             const Ball_graph& balls,
+             const Graph_of_parts& graph)
       : execution_(execution)
       , solid_(solid)
-      , balls_(solid.graph())
+      , balls_(balls)
       , graph_(graph)
       , is_connected_(connected_balls())
       , ball_of_node_(graph.vertex_of_node.size())
@@ -63,7 +67,6 @@ public:
     close_cycles();
     move_nodes();
     Inner_drawing drawing;
-    drawing.number_of_balls = balls_.balls.size();
     drawing.nodes = places_of_nodes();
     drawing.lines.resize(graph_.arcs.size());
     for_each_index(
@@ -129,18 +132,8 @@ private:
   }
 
   Index ball_seen_from(Index v) const {
-    const Flat_mesh& mesh = solid_.mesh();
-    if(mesh.is_hub(v))
-      return no_index;
-    for(const Index u : mesh.ring(v)) {
-      const Index f = solid_.pieces().face_left_of(v, u);
-      if(solid_.wall().is_of_cap(f))
-        continue;
-      const Index sample = solid_.samples().region(solid_.pieces().piece_at(f, solid_.points()[v]));
-      if(sample != no_index)
-        return balls_.ball_of_sample[sample];
-    }
-    return no_index;
+    const Index sample = solid_.mesh().is_hub(v) ? no_index : solid_.sample_at(v);
+    return sample == no_index ? no_index : balls_.ball_of_sample[sample];
   }
 
   // Those that are seen from faces with a vertex of the arc.
@@ -193,8 +186,8 @@ private:
     return work.mark[ball] == 2 * arc + 1 ? 1. : penalty;
   }
 
-  // Lets ways of an arc grow from a ball, as long as `goes_on(distance)`: by balls of the arc and of
-  // those beside it, or also by all others.
+  // Lets ways of an arc grow from a ball, as long as `goes_on(distance)`: by balls of the arc and
+  // of those beside it, or also by all others.
   template <typename GoesOn, typename Cost>
   void grow(Index arc,
             Index from,
@@ -237,7 +230,8 @@ private:
     for(const bool is_everywhere : {false, true}) {
       grow(
           arc, to, is_everywhere,
-          [&](double distance) { return distance < work.paths[from].distance; }, [this](Index e) { return cost(e); }, work);
+          [&](double distance) { return distance < work.paths[from].distance; },
+          [this](Index e) { return cost(e); }, work);
       if(work.paths.is_reached(from))
         break;
     }
@@ -254,11 +248,12 @@ private:
     return way;
   }
 
-  // From the ball of a node back to it: by way of a large ball of the arc that is far away, and back
-  // beside the way there.
+  // From the ball of a node back to it: by way of a large ball of the arc that is far away, and
+  // back beside the way there.
   std::vector<Index> way_around(Index arc, Index node, Workspace& work) const {
     const auto always = [](double) { return true; };
-    grow(arc, node, false, always, [this](Index e) { return balls_.length(e); }, work);
+    grow(
+        arc, node, false, always, [this](Index e) { return balls_.length(e); }, work);
     const auto distance = [&](Index b) {
       return work.paths.is_reached(b) ? work.paths[b].distance : 0.;
     };
@@ -271,13 +266,14 @@ private:
          (farthest == node || balls_.balls[b].radius > balls_.balls[farthest].radius))
         farthest = b;
     });
-    grow(arc, node, false, always, [this](Index e) { return cost(e); }, work);
+    grow(
+        arc, node, false, always, [this](Index e) { return cost(e); }, work);
     std::vector<Index> there = way_back(farthest, work);
     std::reverse(there.begin(), there.end());
     constexpr double penalty = 10.;
-    grow(arc, node, false, always, [&](Index e) {
-      return (is_beside(there, e) ? penalty : 1.) * cost(e);
-    }, work);
+    grow(
+        arc, node, false, always,
+        [&](Index e) { return (is_beside(there, e) ? penalty : 1.) * cost(e); }, work);
     std::vector<Index> back = way_back(farthest, work);
     while(there.size() > 1 && back.size() > 1 && there[there.size() - 2] == back[1]) {
       there.pop_back();
@@ -327,8 +323,9 @@ private:
     return Part_borders(solid_.mesh(), solid_.points(), part_of_vertex)(is_other);
   }
 
-  // Each arc closes a cycle of the tree: this is to be linked with a border of the arc, and with none
-  // of the other such arcs, if there is a way inside. There is none where the border bounds outside.
+  // Each arc closes a cycle of the tree: this is to be linked with a border of the arc, and with
+  // none of the other such arcs, if there is a way inside. There is none where the border bounds
+  // outside.
   void close_cycles() {
     const std::vector<char> is_in_tree = arcs_of_tree();
     const std::vector<Part_borders::Curve> borders = borders_of_others(is_in_tree);
@@ -389,7 +386,9 @@ private:
     const auto [lower, upper] = graph_.arcs[arc];
     const std::vector<Index> way = classes.find(
         ball_of_node_[lower], ball_of_node_[upper], names,
-        [&](Index e, Index b) { return work.mark[b] / 2 == arc ? factor(b, arc, work) * cost(e) : -1.; },
+        [&](Index e, Index b) {
+          return work.mark[b] / 2 == arc ? factor(b, arc, work) * cost(e) : -1.;
+        },
         steps_per_ball * size);
     if(!way.empty())
       ways_[arc] = way;
@@ -397,8 +396,8 @@ private:
 
   // ---- nodes
 
-  // A node is where parts of several arcs meet, along a contour: from the ball of its vertex it goes
-  // to larger and larger ones that two of these see.
+  // A node is where parts of several arcs meet, along a contour: from the ball of its vertex it
+  // goes to larger and larger ones that two of these see.
   void place_nodes() {
     for_each_index(
         execution_, ball_of_node_.size(),
@@ -496,7 +495,8 @@ private:
     std::size_t other = 0; // than those that begin side by side
     for(std::size_t i = 0; i < 3; ++i)
       if(const auto common = begin_in_common(ways[(i + 1) % 3], ways[(i + 2) % 3]);
-         common.first + common.second > most.first + most.second) {
+         common.first + common.second > most.first + most.second)
+      {
         most = common;
         other = i;
       }
@@ -583,7 +583,8 @@ private:
         leave_ball(nodes[node], drawn);
       std::reverse(drawn.begin(), drawn.end());
     }
-    drawn = Arc_smoothing(solid_.wall(), solid_.balls(), solid_.least_extent())(drawn, false, false);
+    drawn =
+        Arc_smoothing(solid_.wall(), solid_.balls(), solid_.least_extent())(drawn, false, false);
     if(!is_inside(drawn)) {
       drawn = straight;
       drawn.insert(drawn.begin(), nodes[lower]);
@@ -627,14 +628,15 @@ private:
   }
 
   Execution execution_;
-  const Solid_balls_tmp& solid_;
+  const Solid_balls& solid_;
   const Ball_graph& balls_;
   const Graph_of_parts& graph_;
-  std::vector<char> is_connected_;                 // by ball
-  std::vector<Index> ball_of_node_;                // `no_index`: none
-  std::vector<Index> first_ball_, balls_of_arcs_;  // of each arc, those of the arcs one after another
-  std::vector<std::vector<Index>> ways_;           // by arc
-  Edges_at arcs_at_;                               // by node
+  std::vector<char> is_connected_;  // by ball
+  std::vector<Index> ball_of_node_; // `no_index`: none
+  std::vector<Index> first_ball_,
+      balls_of_arcs_;                    // of each arc, those of the arcs one after another
+  std::vector<std::vector<Index>> ways_; // by arc
+  Edges_at arcs_at_;                     // by node
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

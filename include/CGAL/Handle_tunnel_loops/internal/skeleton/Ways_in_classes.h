@@ -55,11 +55,10 @@ public:
         execution, names_.size(),
         [&](std::size_t e) {
           const auto& [a, b] = graph.edges[e];
-          curtains.for_each_passage(
-              graph.balls[a].centre, graph.balls[b].centre,
-              [&](const Loop_curtains::Passage& p) {
-                names_[e] += p.sign > 0 ? keys_[p.loop] : 0 - keys_[p.loop];
-              });
+          curtains.for_each_passage(graph.balls[a].centre, graph.balls[b].centre,
+                                    [&](const Loop_curtains::Passage& p) {
+                                      names_[e] += p.sign > 0 ? keys_[p.loop] : 0 - keys_[p.loop];
+                                    });
         },
         1024);
   }
@@ -78,8 +77,8 @@ public:
     return sum;
   }
 
-  /// the cheapest way with one of two names, by edges that cost `cost(edge, ball)` towards a ball, if
-  /// that is not negative; an empty one if there is none, or it is not found in so many steps.
+  /// the cheapest way with one of two names, by edges that cost `cost(edge, ball)` towards a ball,
+  /// if that is not negative; an empty one if there is none, or it is not found in so many steps.
   template <typename Cost>
   Way find(Index from,
            Index to,

@@ -16,21 +16,20 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlets.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inside_test.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_lines.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls_tmp.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 
-#include <cmath>
 #include <limits>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// a drawing as a skeleton: first the nodes, then the bends arc by arc. The edges of an arc follow
 /// each other.
-inline Flat_skeleton skeleton_of(const Flat_mesh& mesh,
-                                 const Graph_of_parts& graph,
-                                 const Inner_drawing& drawing) {
+inline Flat_skeleton
+skeleton_of(const Flat_mesh& mesh, const Graph_of_parts& graph, const Inner_drawing& drawing) {
   Flat_skeleton flat;
   const auto add = [&](const Inner_ball& ball, Index component) {
     flat.points.push_back(ball.centre);
@@ -62,7 +61,7 @@ inline void test_drawing(Execution execution,
                          Inner_drawing& drawing) {
   const Flat_skeleton flat = skeleton_of(mesh, graph, drawing);
   const Inlets inlets(mesh, flat, places);
-  const Face_tree tree(execution, mesh, places);
+  const Face_tree tree(execution, mesh, span_of(places));
   const Inside_test::Outside outside =
       Inside_test(mesh, tree, inlets, flat).edges_outside(execution);
   Index edge = 0;
@@ -81,15 +80,19 @@ CGAL_HTL_CORE Inner_drawing draw_inside(Execution execution,
                                         const Flat_mesh& mesh,
                                         const std::vector<Vector>& places,
                                         const Graph_of_parts& graph) {
-  const Solid_balls_tmp solid(execution, mesh, places);
+  const Own_frame frame = Own_frame::of_caller(places);
+  std::vector<Vector> points = places;
+  for(Vector& p : points)
+    p = frame.into(p);
+  const Solid_balls solid(execution, mesh, span_of(points), {});
+  const Ball_graph balls = solid.graph();
   const Chains_of_arcs chains(graph);
-  Inner_drawing drawing = chains.cut(Part_lines(execution, solid, chains.graph()).draw());
+  Inner_drawing drawing = chains.cut(Part_lines(execution, solid, balls, chains.graph()).draw());
+  drawing.number_of_balls = balls.balls.size();
   const auto complete = [&](Inner_ball& ball) {
-    ball.radius =
-        solid.wall().nearest(ball.centre, std::numeric_limits<double>::infinity()).distance;
-    for(double& x : ball.centre)
-      x = std::ldexp(x, solid.exponent());
-    ball.radius = std::ldexp(ball.radius, solid.exponent());
+    ball.radius = frame.length_out_of(
+        solid.wall().nearest(ball.centre, std::numeric_limits<double>::infinity()).distance);
+    ball.centre = frame.out_of(ball.centre);
   };
   for(Inner_ball& ball : drawing.nodes)
     complete(ball);
