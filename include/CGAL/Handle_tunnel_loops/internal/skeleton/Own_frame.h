@@ -29,7 +29,9 @@ namespace CGAL::Handle_tunnel_loops::internal {
 A frame that turns with a mesh, whatever the numbers of its vertices: its origin is their mean, one
 axis points to the vertex that is farthest from there, another to the vertex that is farthest from
 this axis. Of several that are equally far it is the one with the longest edges; if these are equal,
-too, the mesh is likely to look the same from all of them.
+too, the mesh is likely to look the same from all of them. If a face is large, axes are turned to be
+at right angles to the largest one, and to the largest one at right angles to that: parts that are
+made of planes are likely to fill their boxes.
 
 Coordinates in it are between 0 and 1, and rounded so far that those of a mesh that has been turned,
 and rounded by that, are the same but for few.
@@ -59,9 +61,10 @@ public:
     const Vector longest = farthest(mesh, places, way), first = unit(longest);
     const Vector second =
         unit(farthest(mesh, places, [&](Index v) { return way(v) - dot(way(v), first) * first; }));
-    origin_ = mean;
     if(norm(second) > 0.)
       axes_ = {first, second, cross(first, second)};
+    turn_to(large_faces(mesh, places, 1e-3));
+    origin_ = mean;
     std::frexp(norm(longest), &second_exponent_);
     is_rounded_ = true;
   }
@@ -124,6 +127,65 @@ private:
         }
       }
     return best;
+  }
+
+  // Twice the area as a vector, and the sum of the corners.
+  struct Face
+  {
+    Vector normal, corners;
+  };
+
+  // Those that have a part of all the area.
+  std::vector<Face>
+  large_faces(const Flat_mesh& mesh, const std::vector<Vector>& places, double part) const {
+    std::vector<Face> faces;
+    double area = 0.;
+    for(Index v = 0; v < mesh.first_hub; ++v) {
+      const Ring ring = mesh.ring(v);
+      const Vector p = into(places[v]);
+      for(Index i = 0; i < ring.size(); ++i) {
+        const Index u = ring[i], w = ring[ring.next(i)];
+        if(v > u || v > w || mesh.is_hub(u) || mesh.is_hub(w))
+          continue;
+        const Vector q = into(places[u]), r = into(places[w]), normal = cross(q - p, r - p);
+        area += norm(normal);
+        if(norm(normal) > part * area)
+          faces.push_back({normal, p + q + r});
+      }
+    }
+    const auto is_small = [&](const Face& f) { return norm(f.normal) < part * area; };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), is_small), faces.end());
+    return faces;
+  }
+
+  // The normal of the largest of these faces; of several, of the one that is first along a line.
+  template <typename Predicate>
+  Vector largest_normal(const std::vector<Face>& faces, const Predicate& is_possible) const {
+    constexpr double equal = 1e-9;
+    Vector best = {0., 0., 0.};
+    double best_place = 0.;
+    for(const auto& [normal, corners] : faces) {
+      const double size = norm(normal), best_size = norm(best),
+                   place = dot(corners, axes_[0] + 0.6171 * axes_[1] + 0.3731 * axes_[2]);
+      if(size > (1. - equal) * best_size && is_possible(normal) &&
+         (size > (1. + equal) * best_size || place > best_place))
+      {
+        best = normal;
+        best_place = place;
+      }
+    }
+    return unit(best);
+  }
+
+  void turn_to(const std::vector<Face>& faces) {
+    constexpr double right_angle = 1e-3; // by cosine
+    const Vector first = largest_normal(faces, [](const Vector&) { return true; });
+    const Vector other = largest_normal(faces, [&](const Vector& normal) {
+      return std::abs(dot(first, normal)) < right_angle * norm(normal);
+    });
+    const Vector second = unit(other - dot(other, first) * first);
+    if(norm(second) > 0.)
+      axes_ = {first, second, cross(first, second)};
   }
 
   int exponent_ = 0, second_exponent_ = 0;
