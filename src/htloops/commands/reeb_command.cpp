@@ -49,6 +49,13 @@ struct Reeb_command_options : Common_options
   std::string backend = "auto";
 };
 
+// Where lines are looked at they are worth the time.
+bool is_drawn_inside(const Reeb_command_options& options) {
+  const bool is_looked_at = !options.picture.file.empty() || !options.page_file.empty() ||
+                            !options.gltf_file.empty() || !options.lines_files.empty();
+  return options.drawing.empty() ? is_looked_at : options.drawing == "inside";
+}
+
 void check_options(const Reeb_command_options& options) {
   if(!options.height.empty() && is_zero(options.height))
     throw wrong_usage("--height 0,0,0 is no direction");
@@ -88,13 +95,6 @@ std::vector<double> values_of(const Reeb_command_options& options, const Mended_
       values.push_back(options.height[0] * p.x() + options.height[1] * p.y() +
                        options.height[2] * p.z());
   return values;
-}
-
-// Where lines are looked at they are worth the time.
-bool is_drawn_inside(const Reeb_command_options& options) {
-  const bool is_looked_at = !options.picture.file.empty() || !options.page_file.empty() ||
-                            !options.gltf_file.empty() || !options.lines_files.empty();
-  return options.drawing.empty() ? is_looked_at : options.drawing == "inside";
 }
 
 Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options) {
