@@ -117,8 +117,8 @@ Skeleton_certificate certify_skeleton(Execution execution,
 computes what can be proved of a curve skeleton, whoever drew it.
 
 - Each edge lies strictly inside the component of the surface that it belongs to, that component by
-  itself, and meets no face of any component; but an inlet is a leaf at the middle of a boundary
-  curve, where the surface is closed by a cap, and its edge meets the cap there.
+  itself, and meets no face of any component; but an inlet is a leaf at the apex of the cap of a
+boundary curve, where the surface is closed by a cap, and its edge meets the cap there.
 - No two edges meet but in a common end.
 - For each component the skeleton is connected, and its cycles are a basis of H1 of the solid
 inside: there are as many as the genus, and the matrix of their linking numbers with the handle

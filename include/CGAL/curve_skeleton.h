@@ -17,11 +17,11 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_numbering.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -54,21 +54,24 @@ that the surface neither crosses nor touches itself, which is not checked. Where
 inside, and the certificate tells which edges meet the surface.
 
 Each component is looked at by itself, on its bounded side; lines of one avoid the others all the
-same. A boundary curve is closed by a cap, and is an inlet: it has a leaf at its middle
-(`Curve_skeleton_vertex::is_inlet`), which alone does not lie inside.
+same. A boundary curve is closed by a cap, a fan of faces around its middle, and is an inlet: it has
+a leaf there (`Curve_skeleton_vertex::is_inlet`), which alone does not lie inside. Where that fan
+would meet itself, the surface or another cap, as on curves that wind, its apex is moved to where it
+meets nothing; if no such place is found, the certificate says so.
 
 From places on the surface, evenly spread against the thickness of the solid there, balls are grown
 along the normals until they reach the opposite side. Balls of neighbouring places are joined where
 the way between them is free, or else along the surface a little inside, which always is. Cycles of
 this graph are chosen by how they link with the handle loops, the ones through large balls first;
 then ways to the ends of limbs. A limb is a region of places far from the cycles, or from the
-largest ball, that is long against its girth. In the ball around a joint, ways are straight; arcs
-are smooth and in the middle. All of this is done in a frame that is told by the shape of the mesh:
-how the mesh lies, and how its elements are numbered, makes no difference but by rounding, unless
-the mesh looks the same, or nearly, from several sides.
+largest ball, that is long against the girth of its base. Arcs that leave a joint side by side are
+one until they part. In the ball around a joint, ways are straight; arcs are smooth and in the
+middle, and straight in plates. All of this is done in a frame that is told by the shape of the
+mesh: how the mesh lies, and how its elements are numbered, makes no difference but by rounding,
+unless the mesh looks the same, or nearly, from several sides.
 
 The time is that of `handle_tunnel_loops()`, plus \f$ O(n + m \log n) \f$ for \f$ m \f$ places, of
-which there are tens of thousands, whatever the number \f$ n \f$ of faces.
+which there are at most tens of thousands, whatever the number \f$ n \f$ of faces.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and
@@ -163,12 +166,14 @@ curve_skeleton(const TriangleMesh& tm,
 
   auto places = impl::places_of_vertices(execution, surface);
   const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
-  impl::Solid_loops loops(places, surface.mesh.first_hub);
-  impl::find_solid_loops<ConcurrencyTag>(
-      execution, surface.mesh,
-      choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()),
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-      loops);
+  impl::Loop_request request = impl::loop_request(
+      choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()));
+  request.classes.do_link = true; // which of them are handle loops
+  request.make_passes = &impl::make_passes<ConcurrencyTag>;
+  impl::Loops_on_arrays loops(surface.coordinates(execution));
+  loops.find(
+      execution, surface.mesh, std::move(request),
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()));
   statistics.seconds_of_loops = seconds_since(began);
 
   const auto has_loops = Clock::now();

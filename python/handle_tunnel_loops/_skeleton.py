@@ -120,8 +120,8 @@ def curve_skeleton(
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    shortest_limb : limbs that are shorter than so many times their mean radius are left out; cycles
-        never are
+    shortest_limb : limbs that are shorter than so many times the radius of their base are left out;
+        cycles never are
     threads, progress : as for `loops`
     """
     points, triangles = arrays(V, F)

@@ -48,7 +48,7 @@ struct Curve_skeleton_vertex
   double radius = 0.;
   /// the number of the connected component of the mesh that it is the skeleton of, from 0.
   std::size_t component = 0;
-  /// whether it is the end at the middle of the cap of a boundary curve.
+  /// whether it is the apex of the cap of a boundary curve.
   bool is_inlet = false;
 };
 
@@ -76,9 +76,10 @@ namespace Handle_tunnel_loops {
 /// What a skeleton is to be like: the value of the named parameter `skeleton_options`.
 struct Skeleton_options
 {
-  /// limbs are left out that are shorter than this many times their own mean radius, which is their
-  /// mean girth over two pi; not negative. So are those shorter than 2.5% of the diagonal of the
-  /// box around the surface, and those that end in the ball that they begin in. Cycles never are.
+  /// limbs are left out that are shorter than about this many times the radius of their base, which
+  /// is its girth over two pi; not negative. About: the line is drawn where, within 15%, it tells
+  /// best between the limbs of the surface. So are those shorter than 2.5% of the diagonal of the
+  /// box around it, and those that end in the ball that they begin in. Cycles never are.
   double shortest_limb = 2.;
 };
 

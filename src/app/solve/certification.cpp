@@ -44,8 +44,16 @@ bool touches_itself_with_caps(internal::Execution execution, const Prepared_mesh
   };
   if(surface.mesh.number_of_hubs == 0)
     return touches(surface.tm, surface.point, get(boost::vertex_index, surface.tm));
-  const internal::Flat_surface closed(surface.mesh, surface.coordinates(execution));
-  return touches(closed.mesh(), closed.point(), closed.vertex_index());
+  std::vector<internal::Flat_surface::Point> points;
+  for(const internal::Vector& p : internal::places_of_vertices(execution, surface))
+    points.emplace_back(p[0], p[1], p[2]);
+  const internal::Flat_graph closed(surface.mesh);
+  return touches(
+      closed,
+      boost::make_iterator_property_map(points.begin(),
+                                        boost::typed_identity_property_map<internal::Index>()),
+      boost::make_iterator_property_map(surface.mesh.original.data(),
+                                        boost::typed_identity_property_map<internal::Index>()));
 }
 
 internal::Flat_skeleton as_arrays(const Skeleton_lines& skeleton) {
@@ -118,7 +126,7 @@ bool note_self_contact(const Mesh& mesh,
                               get(CGAL::vertex_point, mesh));
   const bool touches_itself = touches_itself_with_caps(execution, surface);
   if(touches_itself)
-    internal::note_self_contact(certificate);
+    internal::note_self_contact(certificate, surface.mesh.number_of_hubs > 0);
   return touches_itself;
 }
 

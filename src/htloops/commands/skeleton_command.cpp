@@ -137,8 +137,8 @@ void add_computation_options(CLI::App& command, Skeleton_command_options& option
   command.option_defaults()->group("How to compute");
   command
       .add_option("--shortest-limb", options.skeleton.shortest_limb,
-                  "limbs that are shorter than K times their mean radius are left out, cycles\n"
-                  "never; default: 2")
+                  "limbs that are shorter than K times the radius of their base are left out,\n"
+                  "cycles never; default: 2")
       ->option_text("K")
       ->check(CLI::NonNegativeNumber)
       ->check(why_not_finite);

@@ -9,7 +9,9 @@
 
 #include "Determinant.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Handle_tunnel_loops/loops_as_edges.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/version.h>
@@ -24,6 +26,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -86,8 +89,14 @@ struct Double_box
         high[d] = (std::max)(high[d], p[d]);
       }
   }
-  bool is_apart_from(const Double_box& b) const {
-    for(int d = 0; d < 3; ++d)
+  bool is_apart_from(const Double_box& b) const { return is_apart_in(3, b); }
+
+  /// whether neither has a point above one of the other.
+  bool is_beside(const Double_box& b) const { return is_apart_in(2, b); }
+
+private:
+  bool is_apart_in(int dimensions, const Double_box& b) const {
+    for(int d = 0; d < dimensions; ++d)
       if(low[d] > b.high[d] || b.low[d] > high[d])
         return true;
     return false;
@@ -108,7 +117,8 @@ inline std::size_t representative(std::vector<std::size_t>& parent, std::size_t 
   return i;
 }
 
-/// The faces of a mesh and of the caps that close it at inlets, or else at the mean of the curve.
+/// The faces of a mesh and of the caps that close it: fans of faces around inlets, or around the
+/// means of curves that have none.
 template <typename Mesh> class Capped_surface
 {
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
@@ -128,7 +138,12 @@ public:
     std::set<Halfedge> seen;
     for(const Halfedge h : halfedges(mesh))
       if(CGAL::is_border(h, mesh) && seen.count(h) == 0)
-        add_cap(h, skeleton, seen);
+        add_cap(h, seen);
+    move_to_inlets(skeleton);
+    for(std::size_t i = 0; i < caps_.size(); ++i)
+      for(std::size_t k = 0; k < caps_[i].curve.size(); ++k)
+        add_face({caps_[i].hub, caps_[i].curve[k], caps_[i].curve[(k + 1) % caps_[i].curve.size()]},
+                 caps_[i].component, static_cast<int>(i));
   }
 
   std::size_t component(Vertex v) const { return component_.at(v); }
@@ -176,56 +191,72 @@ private:
         {{exact_place(p[0]), exact_place(p[1]), exact_place(p[2])}, Double_box(p), c, hub});
   }
 
-  void add_cap(Halfedge first, const Skeleton& skeleton, std::set<Halfedge>& seen) {
+  struct Cap
+  {
     std::vector<Place> curve;
+    Place hub;
+    std::size_t component;
+  };
+
+  void add_cap(Halfedge first, std::set<Halfedge>& seen) {
+    Cap cap = {{}, {0., 0., 0.}, component(target(first, mesh_))};
     Halfedge h = first;
     do {
-      curve.push_back(place(target(h, mesh_)));
+      cap.curve.push_back(place(target(h, mesh_)));
       seen.insert(h);
       h = next(h, mesh_);
     } while(h != first);
-    Place middle = {0., 0., 0.};
-    for(const Place& p : curve)
+    for(const Place& p : cap.curve)
       for(int d = 0; d < 3; ++d)
-        middle[d] += p[d] / double(curve.size());
-    const std::size_t c = component(target(first, mesh_));
-    for(std::size_t i = 0; i < skeleton.points.size(); ++i)
-      if(skeleton.is_inlet[i] && skeleton.component[i] == c && is_near(skeleton.points[i], middle))
-      {
-        middle = skeleton.points[i];
-        hub_of_point[i] = number_of_hubs_;
-      }
-    for(std::size_t i = 0; i < curve.size(); ++i)
-      add_face({middle, curve[i], curve[(i + 1) % curve.size()]}, c, number_of_hubs_);
-    ++number_of_hubs_;
-    ++euler_[c];
+        cap.hub[d] += p[d] / double(cap.curve.size());
+    ++euler_[cap.component];
+    caps_.push_back(std::move(cap));
   }
 
-  static bool is_near(const Place& p, const Place& q) {
-    double size = 0., distance = 0.;
-    for(int d = 0; d < 3; ++d) {
-      size = (std::max)(size, std::abs(q[d]));
-      distance = (std::max)(distance, std::abs(p[d] - q[d]));
-    }
-    return distance <= 1e-13 * (1. + size);
+  // Each inlet is that of one curve: those that are nearest to each other first.
+  void move_to_inlets(const Skeleton& skeleton) {
+    std::vector<std::tuple<double, std::size_t, std::size_t>> near_ones;
+    for(std::size_t p = 0; p < skeleton.points.size(); ++p)
+      for(std::size_t i = 0; i < caps_.size() && skeleton.is_inlet[p]; ++i)
+        if(caps_[i].component == skeleton.component[p])
+          near_ones.emplace_back(largest_difference(skeleton.points[p], caps_[i].hub), p, i);
+    std::sort(near_ones.begin(), near_ones.end());
+    std::set<std::size_t> is_taken; // caps
+    for(const auto& [distance, p, i] : near_ones)
+      if(hub_of_point[p] == -1 && is_taken.insert(i).second) {
+        hub_of_point[p] = static_cast<int>(i);
+        caps_[i].hub = skeleton.points[p];
+      }
+  }
+
+  static double largest_difference(const Place& p, const Place& q) {
+    double largest = 0.;
+    for(int d = 0; d < 3; ++d)
+      largest = (std::max)(largest, std::abs(p[d] - q[d]));
+    return largest;
   }
 
   const Mesh& mesh_;
   std::map<Vertex, std::size_t> component_;
   std::vector<long> euler_; // by component
-  int number_of_hubs_ = 0;
+  std::vector<Cap> caps_;
 };
 
-// By the number of faces that a ray meets; along another one if it meets an edge.
-inline bool
-is_in_solid(const Exact_place& p, const std::vector<Triangle>& triangles, std::size_t component) {
+// By the number of faces that a ray meets: upwards, or along another one if it meets an edge. The
+// point lies in a box.
+inline bool is_in_solid(const Exact_place& p,
+                        const Double_box& around,
+                        const std::vector<Triangle>& triangles,
+                        std::size_t component) {
   for(int attempt = 0;; ++attempt) {
-    const Exact::Vector_3 along(1 + 7 * attempt % 11, 0.618 + attempt, 0.3 - 0.9 * attempt);
+    const Exact::Vector_3 along =
+        attempt == 0 ? Exact::Vector_3(0, 0, 1)
+                     : Exact::Vector_3(1 + 7 * attempt % 11, 0.618 + attempt, 0.3 - 0.9 * attempt);
     const Exact_place far = p + along;
     int number = 0;
     bool is_decided = true;
     for(const Triangle& t : triangles) {
-      if(t.component != component)
+      if(t.component != component || (attempt == 0 && t.box.is_beside(around)))
         continue;
       const auto &a = t.exact[0], &b = t.exact[1], &c = t.exact[2];
       const std::array<CGAL::Orientation, 3> sides = {CGAL::orientation(p, far, a, b),
@@ -283,10 +314,6 @@ bool is_edge_off_faces(const Skeleton& skeleton,
 }
 
 inline bool meet_wrongly(const Skeleton& skeleton, const Edge& e, const Edge& f) {
-  const Double_box box_e({skeleton.points[e[0]], skeleton.points[e[1]]}),
-      box_f({skeleton.points[f[0]], skeleton.points[f[1]]});
-  if(box_e.is_apart_from(box_f))
-    return false;
   const Exact::Segment_3 s(exact_place(skeleton.points[e[0]]), exact_place(skeleton.points[e[1]])),
       t(exact_place(skeleton.points[f[0]]), exact_place(skeleton.points[f[1]]));
   if(s.is_degenerate() || t.is_degenerate())
@@ -304,78 +331,119 @@ inline bool meet_wrongly(const Skeleton& skeleton, const Edge& e, const Edge& f)
   return true;
 }
 
+// Whether no two edges meet but in a common end.
+inline bool is_embedded(const Skeleton& skeleton) {
+  std::vector<Double_box> boxes;
+  for(const Edge& e : skeleton.edges)
+    boxes.push_back(Double_box({skeleton.points[e[0]], skeleton.points[e[1]]}));
+  for(std::size_t i = 0; i < boxes.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(!boxes[i].is_apart_from(boxes[j]) &&
+         meet_wrongly(skeleton, skeleton.edges[i], skeleton.edges[j]))
+        return false;
+  return true;
+}
+
 // ---- linking numbers
 
-using Polygon = std::vector<Exact_place>;
+using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Rounded_place = Predicates::Point_3;
+using Polygon = std::vector<Rounded_place>;
 
-// How often a closed line crosses the triangles from a point to the sides of another one.
-inline int linking_number(const Polygon& line, const Polygon& rim) {
+// 1 if a segment crosses a triangle from its positive side, -1 if it does from its negative one,
+// and 0 if they do not meet; nothing is decided if one meets the border of the other.
+inline int crossing_number(const Rounded_place& p,
+                           const Rounded_place& q,
+                           const std::array<Rounded_place, 3>& t,
+                           bool& is_decided) {
+  const auto side_p = CGAL::orientation(t[0], t[1], t[2], p),
+             side_q = CGAL::orientation(t[0], t[1], t[2], q);
+  if(side_p == side_q && side_p != CGAL::COPLANAR)
+    return 0;
+  const std::array<CGAL::Orientation, 3> around = {CGAL::orientation(p, q, t[0], t[1]),
+                                                   CGAL::orientation(p, q, t[1], t[2]),
+                                                   CGAL::orientation(p, q, t[2], t[0])};
+  const auto count = [&](CGAL::Orientation o) {
+    return std::count(around.begin(), around.end(), o);
+  };
+  if(count(CGAL::POSITIVE) > 0 && count(CGAL::NEGATIVE) > 0)
+    return 0;
+  is_decided = is_decided && side_p != CGAL::COPLANAR && side_q != CGAL::COPLANAR &&
+               count(CGAL::COPLANAR) == 0;
+  return side_p == CGAL::POSITIVE ? 1 : -1;
+}
+
+// Another one for each attempt.
+inline Rounded_place place_beside(const Polygon& rim, int attempt) {
+  const CGAL::Bbox_3 box = CGAL::bbox_3(rim.begin(), rim.end());
+  const double size =
+      (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+  return {box.xmin() + (0.123 + 1.7 * attempt) * size, box.ymin() + (0.377 + 0.9 * attempt) * size,
+          box.zmin() + (0.511 - attempt) * size};
+}
+
+// How often some edges cross the triangles from a point to the sides of a closed line.
+inline std::map<std::size_t, int>
+crossing_numbers(const Skeleton& skeleton, const std::set<std::size_t>& edges, const Polygon& rim) {
   for(int attempt = 0;; ++attempt) {
-    const Exact_place apex(0.123 + 1.7 * attempt, -0.377 + 0.9 * attempt, 0.511 - attempt);
-    int number = 0;
+    const Rounded_place apex = place_beside(rim, attempt);
+    std::map<std::size_t, int> numbers;
     bool is_decided = true;
-    for(std::size_t i = 0; i < line.size() && is_decided; ++i)
-      for(std::size_t j = 0; j < rim.size() && is_decided; ++j) {
-        const Exact_place &p = line[i], &q = line[(i + 1) % line.size()], &a = rim[j],
-                          &b = rim[(j + 1) % rim.size()];
-        const auto side_p = CGAL::orientation(apex, a, b, p),
-                   side_q = CGAL::orientation(apex, a, b, q);
-        if(side_p == side_q && side_p != CGAL::COPLANAR)
-          continue;
-        const std::array<CGAL::Orientation, 3> around = {CGAL::orientation(p, q, apex, a),
-                                                         CGAL::orientation(p, q, a, b),
-                                                         CGAL::orientation(p, q, b, apex)};
-        const bool has_left = std::count(around.begin(), around.end(), CGAL::POSITIVE) > 0,
-                   has_right = std::count(around.begin(), around.end(), CGAL::NEGATIVE) > 0;
-        if(has_left && has_right)
-          continue;
-        is_decided = side_p != CGAL::COPLANAR && side_q != CGAL::COPLANAR &&
-                     std::count(around.begin(), around.end(), CGAL::COPLANAR) == 0;
-        number += side_p == CGAL::POSITIVE ? 1 : -1;
-      }
+    for(const std::size_t e : edges) {
+      const Place &p = skeleton.points[skeleton.edges[e][0]],
+                  &q = skeleton.points[skeleton.edges[e][1]];
+      for(std::size_t k = 0; k < rim.size() && is_decided; ++k)
+        numbers[e] +=
+            crossing_number(Rounded_place(p[0], p[1], p[2]), Rounded_place(q[0], q[1], q[2]),
+                            {apex, rim[k], rim[(k + 1) % rim.size()]}, is_decided);
+    }
     if(is_decided)
-      return number;
+      return numbers;
   }
 }
 
+// An edge, and 1 or -1, which tells from which end to which.
+using Step = std::pair<std::size_t, int>;
+
+// How often a closed line goes along each edge, those along which it goes forth and back left out.
+using Cycle = std::map<std::size_t, int>;
+
 // The cycles that edges outside a tree make with it, found by depth-first search.
-inline std::vector<std::vector<std::size_t>> cycles_of(const Skeleton& skeleton,
-                                                       std::size_t component) {
-  std::map<std::size_t, std::vector<std::pair<std::size_t, std::size_t>>> at; // edge, other end
+inline std::vector<Cycle> cycles_of(const Skeleton& skeleton, std::size_t component) {
+  std::map<std::size_t, std::vector<Step>> at; // that lead away
   for(std::size_t e = 0; e < skeleton.edges.size(); ++e)
     if(skeleton.component[skeleton.edges[e][0]] == component) {
-      at[skeleton.edges[e][0]].emplace_back(e, skeleton.edges[e][1]);
-      at[skeleton.edges[e][1]].emplace_back(e, skeleton.edges[e][0]);
+      at[skeleton.edges[e][0]].emplace_back(e, 1);
+      at[skeleton.edges[e][1]].emplace_back(e, -1);
     }
-  std::vector<std::vector<std::size_t>> cycles;
-  std::map<std::size_t, std::size_t> parent; // by point
-  std::set<std::size_t> is_used;             // edges
+  const auto end = [&](const Step& s) { return skeleton.edges[s.first][s.second == 1 ? 1 : 0]; };
+  const auto begin = [&](const Step& s) { return skeleton.edges[s.first][s.second == 1 ? 0 : 1]; };
+  const std::size_t none = skeleton.edges.size();
+  std::map<std::size_t, Step> step_to; // by point
+  std::set<std::size_t> is_used;       // edges
   for(const auto& item : at) {
     std::vector<std::size_t> stack;
-    if(parent.emplace(item.first, item.first).second)
+    if(step_to.emplace(item.first, Step(none, 0)).second)
       stack.push_back(item.first);
     while(!stack.empty()) {
       const std::size_t p = stack.back();
       stack.pop_back();
-      for(const auto& [e, q] : at[p])
-        if(parent.emplace(q, p).second) {
-          is_used.insert(e);
-          stack.push_back(q);
+      for(const Step& s : at[p])
+        if(step_to.emplace(end(s), s).second) {
+          is_used.insert(s.first);
+          stack.push_back(end(s));
         }
     }
   }
-  const auto to_root = [&](std::size_t p) {
-    std::vector<std::size_t> way = {p};
-    while(parent[way.back()] != way.back())
-      way.push_back(parent[way.back()]);
-    return way;
-  };
+  // To the root and from there.
+  std::vector<Cycle> cycles;
   for(std::size_t e = 0; e < skeleton.edges.size(); ++e)
     if(skeleton.component[skeleton.edges[e][0]] == component && is_used.count(e) == 0) {
-      std::vector<std::size_t> cycle = to_root(skeleton.edges[e][0]),
-                               back = to_root(skeleton.edges[e][1]);
-      cycle.insert(cycle.end(), back.rbegin(), back.rend()); // twice through the root, if need be
-      cycles.push_back(cycle);
+      cycles.push_back({{e, 1}});
+      for(int k = 0; k < 2; ++k)
+        for(Step s = step_to.at(skeleton.edges[e][k]); s.first != none; s = step_to.at(begin(s)))
+          if((cycles.back()[s.first] += k == 0 ? s.second : -s.second) == 0)
+            cycles.back().erase(s.first);
     }
   return cycles;
 }
@@ -401,6 +469,11 @@ Integer linking_determinant(const Mesh& mesh,
                             const Pairs& pairs,
                             CGAL::Loop_type type,
                             std::size_t component) {
+  const std::vector<Cycle> cycles = cycles_of(skeleton, component);
+  std::set<std::size_t> edges;
+  for(const Cycle& cycle : cycles)
+    for(const auto& step : cycle)
+      edges.insert(step.first);
   Integer_matrix matrix;
   for(const auto& pair : pairs) {
     std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> walk;
@@ -410,14 +483,15 @@ Integer linking_determinant(const Mesh& mesh,
     Polygon rim;
     for(const auto h : walk) {
       const auto& p = get(get(CGAL::vertex_point, mesh), target(h, mesh));
-      rim.push_back(Exact_place(p.x(), p.y(), p.z()));
+      rim.push_back(Rounded_place(p.x(), p.y(), p.z()));
     }
+    const std::map<std::size_t, int> numbers = crossing_numbers(skeleton, edges, rim);
     matrix.emplace_back();
-    for(const auto& cycle : cycles_of(skeleton, component)) {
-      Polygon line;
-      for(const std::size_t p : cycle)
-        line.push_back(exact_place(skeleton.points[p]));
-      matrix.back().push_back(linking_number(line, rim));
+    for(const auto& cycle : cycles) {
+      int sum = 0;
+      for(const auto& [e, sign] : cycle)
+        sum += sign * numbers.at(e);
+      matrix.back().push_back(sum);
     }
   }
   return matrix.size() == surface.genus(component) ? determinant(matrix) : Integer(0);
@@ -435,19 +509,18 @@ Truth truth(const Mesh& mesh, const Skeleton& skeleton, const Pairs& pairs) {
     const Exact_place middle =
         CGAL::midpoint(exact_place(skeleton.points[e[0]]), exact_place(skeleton.points[e[1]]));
     if(skeleton.component[e[1]] != c || !is_edge_off_faces(skeleton, e, surface) ||
-       !is_in_solid(middle, surface.triangles, c))
+       !is_in_solid(middle, Double_box({skeleton.points[e[0]], skeleton.points[e[1]]}),
+                    surface.triangles, c))
       truth.edges_outside.insert(e);
   }
   truth.is_inside = truth.edges_outside.empty();
-  for(std::size_t i = 0; i < skeleton.edges.size(); ++i)
-    for(std::size_t j = 0; j < i; ++j)
-      truth.is_embedded =
-          truth.is_embedded && !meet_wrongly(skeleton, skeleton.edges[i], skeleton.edges[j]);
+  truth.is_embedded = is_embedded(skeleton);
   for(std::size_t p = 0; p < skeleton.points.size(); ++p)
     if(is_with_edge.count(p) == 0) {
       const Exact_place place = exact_place(skeleton.points[p]);
       truth.is_inside = truth.is_inside && is_off_faces(place, surface.triangles) &&
-                        is_in_solid(place, surface.triangles, skeleton.component[p]);
+                        is_in_solid(place, Double_box({skeleton.points[p]}), surface.triangles,
+                                    skeleton.component[p]);
       for(const Edge& e : skeleton.edges)
         truth.is_embedded =
             truth.is_embedded && !Exact::Segment_3(exact_place(skeleton.points[e[0]]),

@@ -358,6 +358,51 @@ TEST(Curve_skeleton, HasAnInletAtEachBoundaryCurve) {
     }
 }
 
+// Walls between two copies of a polygon, which is open below and above.
+Soup walls(const std::vector<std::array<double, 2>>& polygon, double height) {
+  Soup soup;
+  const auto n = static_cast<std::uint32_t>(polygon.size());
+  for(const double z : {0., height})
+    for(const auto& p : polygon)
+      soup.points.push_back({p[0], p[1], z});
+  for(std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    soup.triangles.push_back({i, j, n + j});
+    soup.triangles.push_back({i, n + j, n + i});
+  }
+  return soup;
+}
+
+// The middles of their vertices lie outside.
+TEST(Curve_skeleton, HasInletsAtCurvesThatWind) {
+  const Soup c = walls({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {4, 3}, {4, 4}, {0, 4}}, 3.);
+  const Soup spiral = walls({{0, 0},
+                             {6, 0},
+                             {6, 5},
+                             {2, 5},
+                             {2, 2},
+                             {4, 2},
+                             {4, 3},
+                             {3, 3},
+                             {3, 4},
+                             {5, 4},
+                             {5, 1},
+                             {1, 1},
+                             {1, 6},
+                             {0, 6}},
+                            2.);
+  for(const Soup& soup : {c, generators::reversed(c), spiral}) {
+    const Mesh mesh = mesh_of(soup);
+    expect_truth(mesh, skeleton_of(mesh));
+  }
+}
+
+TEST(Curve_skeleton, DoesNotDependOnHowASurfaceWithBoundaryIsOriented) {
+  const Soup soup = generators::with_holes(soup_of({"lattice", {1500, 3, 1}}), {3, 8, false, 1});
+  const Mesh mesh = mesh_of(generators::reversed(soup));
+  expect_truth(mesh, skeleton_of(mesh));
+}
+
 TEST(Curve_skeleton, DoesNotDependOnTheNumberOfThreads) {
   for(const Recipe& recipe :
       std::vector<Recipe>{{"lattice", {900, 2, 1}}, {"plates", {200, 6, 5, 2}}})
@@ -406,6 +451,13 @@ TEST(Curve_skeleton, IsAPointWhereThereIsNoLimb) {
   const Graph graph = expect_skeleton(mesh_of(Recipe{"sphere", {300, 0, 0}}));
   EXPECT_EQ(num_vertices(graph), 1u);
   EXPECT_EQ(num_edges(graph), 0u);
+}
+
+TEST(Curve_skeleton, HasNoLimbsInCornersOfPlates) {
+  const Graph graph = expect_skeleton(mesh_of(Plates(3).bored(0.2, 1)));
+  EXPECT_EQ(num_edges(graph), num_vertices(graph));
+  for(const std::size_t degree : degrees(graph))
+    EXPECT_EQ(degree, 2u);
 }
 
 TEST(Curve_skeleton, IsATreeInTheSmallestMeshes) {

@@ -393,14 +393,11 @@ private:
       low = i == 0 ? height(i) : (std::min)(low, height(i));
       high = i == 0 ? height(i) : (std::max)(high, height(i));
     }
-    const auto part = [](double x, double from, double to) {
-      return to > from ? (x - from) / (to - from) : 0.;
-    };
+    const Box<1> heights = {{low}, {high}};
     return space_filling_order(execution, boxes.size(), [&](std::size_t i) {
       const Seen_box& b = boxes[i];
-      return Vector{part(b.low[0], all.low[0], all.high[0]),
-                    part(b.low[1], all.low[1], all.high[1]),
-                    std::floor(slabs * part(height(i), low, high)) / slabs};
+      return Vector{all.part(0, b.low[0]), all.part(1, b.low[1]),
+                    std::floor(slabs * heights.part(0, height(i))) / slabs};
     });
   }
 

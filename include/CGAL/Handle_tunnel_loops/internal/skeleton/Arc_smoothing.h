@@ -58,7 +58,7 @@ public:
 
 private:
   Balls operator()(const Balls& arc) const {
-    Balls smooth = with_bends(arc);
+    Balls smooth = with_bends(pulled_straight(arc));
     make_smooth(smooth);
     for(int round = 0; round < rounds_of_centring; ++round) {
       make_central(smooth);
@@ -73,6 +73,50 @@ private:
   static constexpr double mobility = 0.25;  // of a bend, in its radius
   static constexpr double spacing = 0.5;    // of bends, in their radius
   static constexpr double precision = 0.95; // of radii
+
+  // Leaves out places as long as the straight way to the next is no nearer to the surface: in
+  // plates, where the middle is not a line, ways turn from side to side.
+  Balls pulled_straight(const Balls& arc) const {
+    Balls kept = {arc.front()};
+    std::size_t last = 0;
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i)
+      if(!is_as_central(arc, last, i + 1)) {
+        kept.push_back(arc[i]);
+        last = i;
+      }
+    kept.push_back(arc.back());
+    return kept;
+  }
+
+  // Whether the straight way from a place to another is so far from the surface as that along the
+  // arc.
+  bool is_as_central(const Balls& arc, std::size_t first, std::size_t last) const {
+    constexpr double part = 0.9;
+    constexpr int number = 8;
+    const Vector &a = arc[first].centre, &b = arc[last].centre;
+    if(wall_.meets(a, b))
+      return false;
+    double length = 0.;
+    for(std::size_t i = first; i < last; ++i)
+      length += norm(arc[i + 1].centre - arc[i].centre);
+    std::size_t i = first;
+    double before = 0.;
+    for(int k = 1; k < number; ++k) {
+      const double t = double(k) / number;
+      double step = norm(arc[i + 1].centre - arc[i].centre);
+      while(before + step < t * length && i + 2 <= last) {
+        before += step;
+        ++i;
+        step = norm(arc[i + 1].centre - arc[i].centre);
+      }
+      const double s = step > 0. ? (t * length - before) / step : 0.;
+      const double least = part * ((1. - s) * arc[i].radius + s * arc[i + 1].radius);
+      const Vector p = (1. - t) * a + t * b;
+      if(wall_.nearest(p, least).face != no_index)
+        return false;
+    }
+    return true;
+  }
 
   Balls with_bends(const Balls& arc) const {
     constexpr double most = 16.;

@@ -45,6 +45,8 @@ struct Ball_graph
   std::vector<Edge> edges;           ///< the smaller number first, sorted
   std::vector<Index> ball_of_sample; ///< by sample
   Edges_at edges_at;                 ///< by ball
+  /// samples that a ball touches on two sides of the solid
+  std::vector<std::pair<Index, Index>> opposites;
 
   Index other_end(Index edge, Index ball) const {
     return edges[edge][0] == ball ? edges[edge][1] : edges[edge][0];
@@ -108,6 +110,7 @@ public:
 
   Ball_graph build() {
     choose_balls();
+    find_opposites();
     join_neighbors();
     graph_.link();
     return std::move(graph_);
@@ -186,6 +189,30 @@ private:
     return static_cast<Index>(graph_.balls.size() - 1);
   }
 
+  // Where the solid is thin, its two sides are neighbours nowhere but at the rim.
+  void find_opposites() {
+    constexpr double part = 0.5; // of the radius
+    const std::size_t n = samples_.samples().size();
+    std::vector<Index> opposite(n, no_index);
+    for_each_index(
+        execution_, n,
+        [&](std::size_t i) {
+          const Index s = static_cast<Index>(i);
+          const Vector other_side = 2. * ball(s).centre - place(s);
+          const Wall::Nearest there = wall_.nearest(other_side, part * ball(s).radius);
+          if(there.face != no_index && !wall_.is_of_cap(there.face) &&
+             wall_.component(there.face) == component_of(s))
+            opposite[s] = samples_.region(pieces_.piece_at(there.face, there.point));
+        },
+        256);
+    for(Index s = 0; s < n; ++s)
+      if(const Index other = opposite[s]; other != no_index && other != s)
+        graph_.opposites.emplace_back((std::min)(s, other), (std::max)(s, other));
+    std::sort(graph_.opposites.begin(), graph_.opposites.end());
+    graph_.opposites.erase(std::unique(graph_.opposites.begin(), graph_.opposites.end()),
+                           graph_.opposites.end());
+  }
+
   void join_neighbors() {
     // The first of those between the same balls.
     const auto balls_of = [&](const Pair& p) {
@@ -193,9 +220,10 @@ private:
       return a < b ? Pair(a, b) : Pair(b, a);
     };
     std::vector<Pair> ends;
-    for(const Pair& p : neighbors_)
-      if(const Pair b = balls_of(p); b.first != b.second)
-        ends.push_back(b);
+    for(const std::vector<Pair>& pairs : {neighbors_, graph_.opposites})
+      for(const Pair& p : pairs)
+        if(const Pair b = balls_of(p); b.first != b.second)
+          ends.push_back(b);
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<char> is_inside(ends.size());
@@ -224,8 +252,9 @@ private:
 
   bool is_way_free(const Inner_ball& a, const Inner_ball& b) const {
     constexpr double sure = 0.9;
-    return norm(b.centre - a.centre) < sure * (a.radius + b.radius) ||
-           !wall_.meets(a.centre, b.centre);
+    return norm(b.centre - a.centre) < sure * (a.radius + b.radius)
+               ? !wall_.meets_cap(a.centre, b.centre)
+               : !wall_.meets(a.centre, b.centre);
   }
 
   // From the centres towards the surface, until there is a free way; if it is needed, as far as to

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -61,12 +62,12 @@ public:
   Face_tree(Execution execution, const Flat_mesh& mesh, Span<const Vector> points)
       : points_(points)
       , faces_(faces_of(execution, mesh))
-      , tree_(boxes(execution)) {
+      , boxes_(execution, faces_.size(), [this](Index face) { return triangle(face); }) {
     double sum = 0.;
     const std::size_t stride = 1 + faces_.size() / 10000;
     std::size_t count = 0;
     for(std::size_t i = 0; i < faces_.size(); i += stride, ++count)
-      sum += width(tree_.box(i));
+      sum += width(box_of(static_cast<Index>(i)));
     length_of_pieces_ = 4. * sum / static_cast<double>((std::max)(count, std::size_t(1)));
   }
 
@@ -79,7 +80,7 @@ public:
   }
 
   /// the boxes around the faces.
-  const Box_tree<3>& tree() const { return tree_; }
+  const Face_boxes& boxes() const { return boxes_; }
 
   /// whether `f(face)` holds for any face that is near a segment: its box meets that of one of the
   /// pieces into which a long one is divided.
@@ -93,7 +94,7 @@ public:
                                 : box_with_rounding(box_around(point_between(a, b, double(i) / n),
                                                                point_between(a, b, (i + 1.) / n)),
                                                     a, b);
-      if(tree_.any_meeting(box, [&](Index face, const Box<3>&) { return f(face); }))
+      if(boxes_.any_meeting(box, f))
         return true;
     }
     return false;
@@ -106,10 +107,16 @@ public:
     const Vector middle = point_between(a, b, 0.5);
     Box<3> ray = box_with_rounding({middle, middle}, a, b);
     ray.high[2] = std::numeric_limits<double>::infinity();
-    tree_.for_each_meeting(ray, [&](Index face, const Box<3>&) {
+    std::vector<Index> met;
+    boxes_.any_meeting(ray, [&](Index face) {
+      met.push_back(face);
+      return false;
+    });
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    for(Index face : met)
       if(see_triangle(triangle(face), a, b) == Seen_triangle::ABOVE)
         f(face);
-    });
   }
 
 private:
@@ -128,14 +135,11 @@ private:
         });
   }
 
-  std::vector<Box<3>> boxes(Execution execution) const {
-    std::vector<Box<3>> boxes(faces_.size());
-    for_each_index(execution, faces_.size(), [&](std::size_t i) {
-      const Triangle t = triangle(static_cast<Index>(i));
-      boxes[i] = box_around(t[0], t[1]);
-      boxes[i].extend({t[2], t[2]});
-    });
-    return boxes;
+  Box<3> box_of(Index face) const {
+    const Triangle t = triangle(face);
+    Box<3> box = box_around(t[0], t[1]);
+    box.extend({t[2], t[2]});
+    return box;
   }
 
   // Infinite where it is beyond all doubles.
@@ -146,7 +150,7 @@ private:
 
   Span<const Vector> points_;
   std::vector<Corners> faces_;
-  Box_tree<3> tree_;
+  Face_boxes boxes_;
   double length_of_pieces_ = 0.;
 };
 

@@ -76,15 +76,9 @@ private:
     std::stable_sort(balls.begin(), balls.end(),
                      [&](Index a, Index b) { return distance(a) < distance(b); });
     for(Index b : balls)
-      if(is_seen(points_[hub], graph.balls[b].centre))
+      if(!wall_.is_met_from_hub(hub, graph.balls[b].centre))
         return b;
     return no_index;
-  }
-
-  // The way begins on the cap.
-  bool is_seen(const Vector& from, const Vector& to) const {
-    constexpr double beyond = 0x1p-20;
-    return !wall_.meets(from + beyond * (to - from), to);
   }
 
   double distance_to_curve(Index hub) const {

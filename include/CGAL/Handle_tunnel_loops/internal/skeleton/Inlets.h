@@ -24,23 +24,8 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// the middle of the vertices of a boundary curve.
-inline Vector middle_of_curve(const Flat_mesh& mesh, const std::vector<Vector>& points, Index hub) {
-  const Ring curve = mesh.ring(hub);
-  Vector sum = {0., 0., 0.};
-  for(Index v : curve)
-    sum = sum + (1. / double(curve.size())) * points[v];
-  return sum;
-}
-
-/// places the hubs, of which only the vertices before them have places yet.
-inline void place_hubs(const Flat_mesh& mesh, std::vector<Vector>& points) {
-  for(Index hub = mesh.first_hub; hub < mesh.number_of_vertices(); ++hub)
-    points.push_back(middle_of_curve(mesh, points, hub));
-}
-
-/// Where a boundary curve is closed by a fan of faces is free to choose: at the inlet that lies at
-/// its middle, which other programs may have rounded otherwise.
+/// Where the hub of a cap lies is free to choose: at the inlet that stands for it, which other
+/// programs may have rounded otherwise.
 class Inlets
 {
 public:

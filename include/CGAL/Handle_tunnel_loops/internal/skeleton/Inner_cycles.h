@@ -19,10 +19,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <random>
 #include <tuple>
 #include <unordered_set>
@@ -31,68 +33,110 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Rows of integers that are independent modulo some small primes.
+/*!
+Rows of integers that are a part of a basis of all rows of integers, so that as many as a row is
+wide have the determinant 1 or -1.
+
+Of the integer vectors that are orthogonal to the rows a basis is kept. One more row belongs to such
+a part if its products with these have no common factor. By steps of Euclid's algorithm between the
+vectors all products but one become zero; the vector with the last one is left out.
+*/
 class Independent_rows
 {
 public:
   explicit Independent_rows(std::size_t width) {
-    for(Modulo& m : modulo_)
-      m.with_pivot.resize(width);
+    for(Index i = 0; i < width; ++i)
+      orthogonal_.push_back({{{i, 1}}});
   }
 
-  /// adds a row if it is independent of the others, whichever the prime.
-  bool add(const std::vector<int>& integers) {
-    std::array<Row, number_of_primes> rows;
-    std::array<std::size_t, number_of_primes> pivots;
-    for(std::size_t i = 0; i < number_of_primes; ++i) {
-      rows[i] = residues(integers, modulo_[i].prime);
-      pivots[i] = reduce(modulo_[i], rows[i]);
-      if(pivots[i] == integers.size())
-        return false;
-    }
-    for(std::size_t i = 0; i < number_of_primes; ++i)
-      modulo_[i].with_pivot[pivots[i]] = std::move(rows[i]);
+  /// adds a row if it is a part of a basis together with the others.
+  bool add(const std::vector<int>& row) {
+    std::vector<Met> met;
+    std::int64_t factor = 0;
+    for(std::size_t i = 0; i < orthogonal_.size(); ++i)
+      if(const std::int64_t product = orthogonal_[i] * row; product != 0) {
+        met.push_back({i, product, {}});
+        factor = std::gcd(factor, product);
+      }
+    if(factor != 1)
+      return false;
+    for(Met& m : met)
+      m.vector = orthogonal_[m.place];
+    const std::optional<std::size_t> last = divide(met);
+    if(!last)
+      return false;
+    for(Met& m : met)
+      orthogonal_[m.place] = std::move(m.vector);
+    orthogonal_.erase(orthogonal_.begin() + static_cast<std::ptrdiff_t>(met[*last].place));
     return true;
   }
 
 private:
-  using Row = std::vector<std::uint8_t>;
+  static constexpr std::int64_t largest = 1 << 24; // that is computed with
 
-  struct Modulo
+  /// The entries that are not 0, in order.
+  struct Sparse_vector
   {
-    int prime;
-    std::vector<Row> with_pivot; // 1 there, nothing before
+    std::vector<std::pair<Index, std::int64_t>> entries;
+
+    std::int64_t operator*(const std::vector<int>& row) const {
+      std::int64_t sum = 0;
+      for(const auto& [i, x] : entries)
+        sum += x * row[i];
+      return sum;
+    }
+
+    // Adds a multiple of another one. Returns whether no number is too large.
+    bool add(std::int64_t factor, const Sparse_vector& other) {
+      std::vector<std::pair<Index, std::int64_t>> sum;
+      bool are_small = std::abs(factor) <= largest;
+      auto a = entries.begin();
+      for(auto b = other.entries.begin(); are_small && b != other.entries.end(); ++b) {
+        for(; a != entries.end() && a->first < b->first; ++a)
+          sum.push_back(*a);
+        std::int64_t x = factor * b->second;
+        if(a != entries.end() && a->first == b->first)
+          x += (a++)->second;
+        are_small = std::abs(x) <= largest;
+        if(x != 0)
+          sum.emplace_back(b->first, x);
+      }
+      sum.insert(sum.end(), a, entries.end());
+      entries = std::move(sum);
+      return are_small;
+    }
   };
 
-  static constexpr std::size_t number_of_primes = 2;
+  /// A vector that is not orthogonal to a row, as it is changed.
+  struct Met
+  {
+    std::size_t place;
+    std::int64_t product;
+    Sparse_vector vector;
+  };
 
-  static Row residues(const std::vector<int>& integers, int prime) {
-    Row row(integers.size());
-    for(std::size_t i = 0; i < row.size(); ++i)
-      row[i] = static_cast<std::uint8_t>((integers[i] % prime + prime) % prime);
-    return row;
-  }
-
-  // Leaves what is independent of the others, and returns where it begins, with a 1.
-  static std::size_t reduce(const Modulo& m, Row& row) {
-    for(std::size_t i = 0; i < row.size(); ++i) {
-      if(row[i] == 0)
-        continue;
-      const Row& other = m.with_pivot[i];
-      if(other.empty()) {
-        const int factor = row[i]; // modulo 2 and 3, a number is its own inverse
-        for(std::size_t k = i; k < row.size(); ++k)
-          row[k] = static_cast<std::uint8_t>(row[k] * factor % m.prime);
-        return i;
-      }
-      const int factor = m.prime - row[i];
-      for(std::size_t k = i; k < row.size(); ++k)
-        row[k] = static_cast<std::uint8_t>((row[k] + factor * other[k]) % m.prime);
+  // Returns which one is left; nothing if numbers become too large.
+  static std::optional<std::size_t> divide(std::vector<Met>& met) {
+    for(;;) {
+      std::size_t least = met.size(), number = 0;
+      for(std::size_t i = 0; i < met.size(); ++i)
+        if(met[i].product != 0) {
+          ++number;
+          if(least == met.size() || std::abs(met[i].product) < std::abs(met[least].product))
+            least = i;
+        }
+      if(number == 1)
+        return least;
+      for(std::size_t i = 0; i < met.size(); ++i)
+        if(const std::int64_t factor = met[i].product / met[least].product; i != least) {
+          if(factor != 0 && !met[i].vector.add(-factor, met[least].vector))
+            return std::nullopt;
+          met[i].product -= factor * met[least].product;
+        }
     }
-    return row.size();
   }
 
-  std::array<Modulo, number_of_primes> modulo_ = {{{2, {}}, {3, {}}}};
+  std::vector<Sparse_vector> orthogonal_;
 };
 
 /*!
@@ -118,7 +162,8 @@ public:
       , paths_(graph.balls.size())
       , is_taken_(graph.edges.size(), 0)
       , genus_(genus)
-      , roots_(genus.size(), no_index) {
+      , roots_(genus.size(), no_index)
+      , names_(graph.edges.size(), 0) {
     find_tree();
     if(!loops.empty())
       close_cycles(execution, loops, component_of_loop);
@@ -138,6 +183,10 @@ public:
   const std::vector<char>& is_taken() const { return is_taken_; }
   /// the largest balls, by component.
   const std::vector<Index>& roots() const { return roots_; }
+  /// numbers of edges that add up along closed ways to a number of their class, 0 - that of the
+  /// same way back; of different classes different ones, almost surely. Those of edges are for the
+  /// way from the smaller end.
+  const std::vector<std::uint64_t>& names() const { return names_; }
   /// the number of loops of which no cycle could be found.
   std::size_t number_of_missing_cycles() const { return missing_; }
 
@@ -196,7 +245,8 @@ private:
         },
         1024);
     std::size_t first = 0;
-    const std::vector<Closing_edge> closing = closing_edges(loops.size());
+    find_names(loops.size());
+    const std::vector<Closing_edge> closing = closing_edges();
     for(std::size_t l = 1; l <= loops.size(); ++l)
       if(l == loops.size() || component_of_loop[l] != component_of_loop[first]) {
         take_basis(closing, component_of_loop[first], first, l);
@@ -204,27 +254,28 @@ private:
       }
   }
 
-  std::vector<Closing_edge> closing_edges(std::size_t number_of_loops) const {
+  void find_names(std::size_t number_of_loops) {
     std::mt19937_64 random;
-    std::vector<std::uint64_t> key(number_of_loops), name(graph_.balls.size(), 0);
+    std::vector<std::uint64_t> key(number_of_loops);
     for(std::uint64_t& k : key)
       k = random();
-    const auto name_of = [&](Index edge) {
-      std::uint64_t sum = 0;
-      for(const Passage& p : passages_[edge])
-        sum += p.sign > 0 ? key[p.loop] : 0 - key[p.loop];
-      return sum;
-    };
+    for(Index e = 0; e < names_.size(); ++e)
+      for(const Passage& p : passages_[e])
+        names_[e] += p.sign > 0 ? key[p.loop] : 0 - key[p.loop];
+  }
+
+  std::vector<Closing_edge> closing_edges() const {
+    std::vector<std::uint64_t> name(graph_.balls.size(), 0);
     for(Index b : down_the_tree()) {
       const Index e = paths_[b].edge;
-      name[b] = name[before(b)] + (graph_.edges[e][1] == b ? name_of(e) : 0 - name_of(e));
+      name[b] = name[before(b)] + (graph_.edges[e][1] == b ? names_[e] : 0 - names_[e]);
     }
     std::vector<Closing_edge> closing;
     for(Index e = 0; e < graph_.edges.size(); ++e) {
       const auto [a, b] = graph_.edges[e];
       if(paths_[a].edge == e || paths_[b].edge == e || !paths_.is_reached(a))
         continue;
-      const std::uint64_t n = name[a] + name_of(e) - name[b];
+      const std::uint64_t n = name[a] + names_[e] - name[b];
       if(n != 0)
         closing.push_back(
             {paths_[a].distance + paths_[b].distance + cost(graph_, e), e, (std::min)(n, 0 - n)});
@@ -303,6 +354,7 @@ private:
   std::vector<std::size_t> genus_; // by component
   std::vector<Index> roots_;       // by component
   std::vector<std::vector<Passage>> passages_;
+  std::vector<std::uint64_t> names_; // by edge
   std::size_t missing_ = 0;
 };
 

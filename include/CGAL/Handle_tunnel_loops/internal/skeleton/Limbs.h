@@ -16,16 +16,16 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Reach.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tuple>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -35,47 +35,42 @@ namespace CGAL::Handle_tunnel_loops::internal {
 Finds the limbs of a solid: parts that reach far out from the cycles of its skeleton, or from its
 largest ball.
 
-How far a place on the surface is from there is measured inside, along cheapest paths. The places
-that are farther than some distance fall apart into regions, which join as the distance falls. A
-region is a limb, where it joins one that reaches farther, if it is long against its mean girth.
+The places on the surface that are farther from there than some distance fall apart into regions,
+which join as the distance falls. A region is a limb if at some distance it is long against its
+girth there. The girth at its base it is, not the mean one: that of a corner of a plate grows from
+nothing, and is half as large in the mean.
 */
 class Limbs
 {
 public:
+  /// \p roots are balls that the skeleton has even if it has no edges there.
   Limbs(const Ball_graph& graph,
         const Surface_samples& samples,
         const std::vector<std::pair<Index, Index>>& neighbors,
-        double shortest_limb)
+        const std::vector<Index>& roots,
+        const std::vector<char>& is_taken)
       : graph_(graph)
-      , samples_(samples)
       , areas_(samples.areas())
-      , shortest_limb_(shortest_limb)
+      , neighbors_(united(neighbors, graph.opposites))
+      , neighbors_at_(areas_.size(), neighbors_)
+      , starts_(balls_of_skeleton(graph, roots, is_taken))
+      , reach_(graph, samples, neighbors_, starts_)
       , paths_(graph.balls.size())
-      , reach_(samples.samples().size())
-      , is_beyond_(samples.samples().size(), 0)
-      , neighbors_(neighbors)
-      , edges_at_(samples.samples().size(), neighbors)
-      , visit_(samples.samples().size(), 0) {}
+      , slenderness_(areas_.size(), 0.)
+      , visit_(areas_.size(), 0) {}
 
-  /// takes the edges to the ends of limbs, and to other ends that are given. \p roots are balls
-  /// that the skeleton has even if it has no edges there.
-  void add(const std::vector<Index>& roots,
-           const std::vector<Index>& ends,
+  /// takes the edges to the ends of limbs, and to other ends that are given.
+  void add(const std::vector<Index>& ends,
+           double shortest_limb,
            double least_length,
            std::vector<char>& is_taken) {
-    find_paths(roots, is_taken, [&](Index e) { return graph_.length(e); });
-    for(Index s = 0; s < reach_.size(); ++s) {
-      const Index b = graph_.ball_of_sample[s];
-      reach_[s] = paths_[b].distance + norm(samples_.place(s) - graph_.balls[b].centre);
-      is_beyond_[s] =
-          paths_[b].start != no_index && paths_[b].distance > graph_.balls[paths_[b].start].radius;
-    }
-    make_even();
-    find_paths(roots, is_taken, [&](Index e) { return Inner_cycles::cost(graph_, e); });
-    const std::vector<Index> tips_of_limbs = tips(least_length);
+    examine_regions(least_length);
+    for(Index b : starts_)
+      paths_.reach(b, {0., no_index});
+    grow();
     for(Index end : ends)
       take(end, is_taken);
-    for(Index tip : tips_of_limbs)
+    for(Index tip : tips(least_slenderness(shortest_limb)))
       take(graph_.ball_of_sample[tip], is_taken);
   }
 
@@ -83,76 +78,42 @@ private:
   struct Label
   {
     double distance = (std::numeric_limits<double>::infinity)();
-    Index edge = no_index, start = no_index;
+    Index edge = no_index;
+  };
+
+  // What is no farther from the end of a limb.
+  struct Part
+  {
+    double distance = 0., area = 0., extent = 0.; // times the area
   };
 
   template <typename Function> void for_each_beside(Index sample, const Function& f) const {
-    for(Index i : edges_at_[sample]) {
+    for(Index i : neighbors_at_[sample]) {
       const auto& [a, b] = neighbors_[i];
       f(a == sample ? b : a);
     }
   }
 
-  // Takes means: ways along edges are longer in some directions than in others, by which in thin
-  // plates places would reach farther than all around them that don't.
-  void make_even() {
-    constexpr int number_of_rounds = 2;
-    std::vector<double> means(reach_.size());
-    for(int round = 0; round < number_of_rounds; ++round) {
-      for(Index s = 0; s < reach_.size(); ++s) {
-        double sum = reach_[s];
-        for_each_beside(s, [&](Index other) { sum += reach_[other]; });
-        means[s] = sum / double(1 + edges_at_[s].size());
-      }
-      reach_.swap(means);
-    }
+  // ---- regions
+
+  bool is_farther(Index a, Index b) const {
+    return std::make_pair(reach_[b], a) < std::make_pair(reach_[a], b);
   }
 
-  // From what is taken already and the roots.
-  template <typename Cost>
-  void
-  find_paths(const std::vector<Index>& roots, const std::vector<char>& is_taken, const Cost& cost) {
-    paths_.clear();
-    start(roots, is_taken);
-    grow(cost);
-  }
-
-  template <typename Cost> void grow(const Cost& cost) {
-    graph_.grow(paths_, cost, [](const Label& before, double distance, Index e) {
-      return Label{distance, e, before.start};
-    });
-  }
-
-  void start(const std::vector<Index>& roots, const std::vector<char>& is_taken) {
-    const auto begin = [&](Index b) {
-      if(!paths_.is_reached(b))
-        paths_.reach(b, {0., no_index, b});
-    };
-    std::vector<char> has_cycle(roots.size(), 0);
-    for(Index e = 0; e < graph_.edges.size(); ++e)
-      if(is_taken[e]) {
-        has_cycle[graph_.component[graph_.edges[e][0]]] = 1;
-        begin(graph_.edges[e][0]);
-        begin(graph_.edges[e][1]);
-      }
-    for(std::size_t c = 0; c < roots.size(); ++c)
-      if(!has_cycle[c] && roots[c] != no_index)
-        begin(roots[c]);
-  }
-
-  // The samples at the ends of limbs.
-  std::vector<Index> tips(double least_length) {
+  // The farthest first.
+  std::vector<Index> samples_in_order() const {
     std::vector<Index> order(reach_.size());
     std::iota(order.begin(), order.end(), Index(0));
-    const auto is_farther = [&](Index a, Index b) {
-      return std::tie(reach_[b], a) < std::tie(reach_[a], b);
-    };
-    std::sort(order.begin(), order.end(), is_farther);
+    std::sort(order.begin(), order.end(), [this](Index a, Index b) { return is_farther(a, b); });
+    return order;
+  }
+
+  void examine_regions(double least_length) {
     std::vector<Index> top(reach_.size(), no_index); // by representative
-    std::vector<char> is_tip(reach_.size(), 0);
     Sets_of_indices sets(reach_.size());
+    const std::vector<Index> order = samples_in_order();
     for(Index s : order) {
-      if(!paths_.is_reached(graph_.ball_of_sample[s]))
+      if(!(reach_[s] < std::numeric_limits<double>::infinity()))
         continue;
       top[s] = s;
       for_each_beside(s, [&](Index other) {
@@ -163,49 +124,108 @@ private:
           return;
         const Index higher = is_farther(top[a], top[b]) ? top[a] : top[b],
                     lower = higher == top[a] ? top[b] : top[a];
-        if(is_limb(lower, reach_[s], least_length))
-          is_tip[lower] = is_tip[higher] = 1;
+        if(reach_[lower] - reach_[s] > least_length)
+          for(Index tip : {lower, higher})
+            examine(tip, reach_[s], least_length);
         sets.unite(a, b);
         top[sets.find(a)] = higher;
       });
     }
     for(Index s : order)
-      if(sets.find(s) == s && top[s] != no_index && is_limb(top[s], 0., least_length))
-        is_tip[top[s]] = 1;
+      if(top[s] != no_index && sets.find(s) == s)
+        examine(top[s], 0., least_length);
+  }
+
+  // Finds how long the region around the end of a limb is against its girth, where that is most,
+  // down to a distance.
+  void examine(Index tip, double level, double least_length) {
+    constexpr double step = 1.1, beyond_start = 1.1, two_pi = 6.283185307179586;
+    const double base = (std::max)(level, beyond_start * reach_.radius_at_start(tip)),
+                 most = reach_[tip] - base;
+    if(!reach_.is_beyond_start(tip) || !(most > least_length))
+      return;
+    const std::vector<Part> region = region_beyond(tip, base);
+    for(double length = most; length > least_length; length /= step)
+      if(const double around = girth(region, length); around > 0.)
+        slenderness_[tip] = (std::max)(slenderness_[tip], two_pi * length / around);
+  }
+
+  // Around the end of a limb.
+  std::vector<Part> region_beyond(Index tip, double level) {
+    std::vector<Part> region;
+    std::vector<Index> reached = {tip};
+    visit_[tip] = ++number_of_visits_;
+    for(std::size_t i = 0; i < reached.size(); ++i) {
+      const Index s = reached[i];
+      region.push_back({reach_[tip] - reach_[s], areas_[s], areas_[s] * reach_.extent(s)});
+      for_each_beside(s, [&](Index other) {
+        if(reach_[other] > level && visit_[other] != number_of_visits_) {
+          visit_[other] = number_of_visits_;
+          reached.push_back(other);
+        }
+      });
+    }
+    std::sort(region.begin(), region.end(),
+              [](const Part& a, const Part& b) { return a.distance < b.distance; });
+    for(std::size_t i = 1; i < region.size(); ++i) {
+      region[i].area += region[i - 1].area;
+      region[i].extent += region[i - 1].extent;
+    }
+    return region;
+  }
+
+  static Part part_within(const std::vector<Part>& region, double distance) {
+    const auto it = std::upper_bound(region.begin(), region.end(), distance,
+                                     [](double d, const Part& part) { return d < part.distance; });
+    return it == region.begin() ? Part() : *(it - 1);
+  }
+
+  // So far from the end of a limb: the derivative of the area, by what is beyond. But no less than
+  // can be told from how far regions of samples extend.
+  static double girth(const std::vector<Part>& region, double length) {
+    constexpr double pi = 3.141592653589793;
+    const Part all = part_within(region, length);
+    const double half = part_within(region, 0.5 * length).area,
+                 most = part_within(region, 0.75 * length).area;
+    return (std::max)({2. * (all.area - half) / length,
+                       2. * (3. * all.area - 4. * most + half) / length,
+                       pi * all.extent / all.area});
+  }
+
+  // ---- limbs
+
+  // About what is asked for: where that tells best between limbs, of which many may be alike.
+  double least_slenderness(double asked) const {
+    constexpr double most = 1.15;
+    std::vector<double> values = {asked / most, asked * most};
+    for(double value : slenderness_)
+      if(value > values[0] && value < values[1])
+        values.push_back(value);
+    std::sort(values.begin(), values.end());
+    double least = asked, widest = 0.;
+    for(std::size_t i = 1; i < values.size(); ++i)
+      if(values[i] > widest * values[i - 1]) {
+        widest = values[i] / values[i - 1];
+        least = std::sqrt(values[i]) * std::sqrt(values[i - 1]);
+      }
+    return least;
+  }
+
+  // The farthest first.
+  std::vector<Index> tips(double least_slenderness) const {
     std::vector<Index> tips;
-    for(Index s : order)
-      if(is_tip[s])
+    for(Index s : samples_in_order())
+      if(slenderness_[s] > least_slenderness)
         tips.push_back(s);
     return tips;
   }
 
-  // Whether the region around the end of a limb is one, down to a distance.
-  bool is_limb(Index tip, double level, double least_length) {
-    const Index start = paths_[graph_.ball_of_sample[tip]].start;
-    const double base = (std::max)(level, 1.1 * graph_.balls[start].radius);
-    const double length = reach_[tip] - base;
-    if(is_beyond_[tip] == 0 || !(length > least_length))
-      return false;
-    const double girth = area_beyond(tip, base) / length;
-    constexpr double two_pi = 6.283185307179586;
-    return length > shortest_limb_ * girth / two_pi;
-  }
-
-  double area_beyond(Index tip, double level) {
-    ++number_of_visits_;
-    double area = 0.;
-    std::vector<Index> reached = {tip};
-    visit_[tip] = number_of_visits_;
-    for(std::size_t i = 0; i < reached.size(); ++i) {
-      area += areas_[reached[i]];
-      for_each_beside(reached[i], [&](Index s) {
-        if(reach_[s] > level && visit_[s] != number_of_visits_) {
-          visit_[s] = number_of_visits_;
-          reached.push_back(s);
-        }
-      });
-    }
-    return area;
+  void grow() {
+    graph_.grow(
+        paths_, [this](Index e) { return Inner_cycles::cost(graph_, e); },
+        [](const Label&, double distance, Index e) {
+          return Label{distance, e};
+        });
   }
 
   // Takes the way to a ball. Ways to others may go on from there.
@@ -217,20 +237,19 @@ private:
       way.push_back(ball);
     }
     for(Index b : way)
-      paths_.reach(b, {0., no_index, b});
-    grow([&](Index e) { return Inner_cycles::cost(graph_, e); });
+      paths_.reach(b, {0., no_index});
+    grow();
   }
 
   const Ball_graph& graph_;
-  const Surface_samples& samples_;
-  std::vector<double> areas_; // by sample
-  double shortest_limb_;
+  std::vector<double> areas_;                      // by sample
+  std::vector<std::pair<Index, Index>> neighbors_; // of samples
+  Edges_at neighbors_at_;                          // by sample
+  std::vector<Index> starts_;                      // balls
+  Reach reach_;
   Shortest_paths<Label> paths_;
-  std::vector<double> reach_;   // by sample
-  std::vector<char> is_beyond_; // by sample, whether its ball lies outside of that where ways begin
-  const std::vector<std::pair<Index, Index>>& neighbors_;
-  Edges_at edges_at_;        // by sample, numbers of neighbours
-  std::vector<Index> visit_; // by sample, the last one
+  std::vector<double> slenderness_; // by sample, of the limb that ends there
+  std::vector<Index> visit_;        // by sample, the last one
   Index number_of_visits_ = 0;
 };
 

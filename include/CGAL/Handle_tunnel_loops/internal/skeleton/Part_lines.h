@@ -500,9 +500,9 @@ private:
         most = common;
         other = i;
       }
-    if(most.first + most.second == 0)
-      return;
     Way &a = ways[(other + 1) % 3], &b = ways[(other + 2) % 3];
+    if(most.first + most.second == 0 || !is_free(a[most.first], b[most.second]))
+      return;
     lead_on(a, most.first, ways[other]);
     a.erase(a.begin(), a.begin() + std::ptrdiff_t(most.first));
     b.erase(b.begin(), b.begin() + std::ptrdiff_t(most.second));
@@ -516,7 +516,7 @@ private:
   void move_along_cycle(Index node, std::size_t first, std::array<Way, 3>& ways) {
     Way& cycle = ways[first];
     auto [i, j] = begin_in_common(cycle, ways[first + 1]);
-    if(i + j == 0 || 2 * (i + j + 2) > cycle.size())
+    if(i + j == 0 || 2 * (i + j + 2) > cycle.size() || !is_free(cycle[i], ways[first + 1][j]))
       return;
     const std::size_t other = first == 0 ? 2 : 0;
     lead_on(cycle, i, ways[other]);
@@ -526,6 +526,10 @@ private:
     ways_[arcs_at_[node][first]] = cycle;
     set_way_from(node, arcs_at_[node][other], ways[other]);
     ball_of_node_[node] = cycle.front();
+  }
+
+  bool is_free(Index a, Index b) const {
+    return a == b || !solid_.wall().meets(balls_.balls[a].centre, balls_.balls[b].centre);
   }
 
   // Lets a way begin at a ball of another one, instead of where both begin.

@@ -81,7 +81,7 @@ private:
     for(const bool is_smooth : {true, false}) {
       Skeleton_draft draft(ways.graph(), ways.is_taken(), ways.roots());
       if(is_smooth)
-        draft.draw_stars();
+        draft.draw_stars(solid.wall());
       found_.skeleton = draw(draft, is_smooth);
       found_.point_of_vertex =
           Parts_of_surface(solid, ways.graph(), found_.skeleton).points(execution_);

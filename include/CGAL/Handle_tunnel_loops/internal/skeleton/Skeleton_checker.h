@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Cycle_linking.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Hub_places.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlets.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inside_test.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
@@ -63,6 +64,8 @@ public:
     check_inside();
     check_embedding();
     check_basis(cycles);
+    if(!certificate_ && mesh_.number_of_hubs > 0)
+      note_caps();
     return std::move(certificate_);
   }
 
@@ -177,6 +180,17 @@ private:
                         " is no inlet: no leaf in the middle of a boundary curve");
     certificate_.inside = lines.empty();
     fail(lines, "that are not inside");
+  }
+
+  // Why there may be no proof.
+  void note_caps() {
+    std::vector<std::string> lines;
+    const Face_tree tree(execution_, mesh_, span_of(places_));
+    for(Index hub : Hub_places(execution_, mesh_, places_).caps_met(tree))
+      lines.push_back("the cap of the boundary curve at vertex " +
+                      std::to_string(mesh_.index_of_caller(hub)) +
+                      " meets itself, the surface or another cap: no inside is known there");
+    fail(lines, "that meet something");
   }
 
   void

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -74,9 +75,9 @@ public:
   /*!
   draws joints as stars. In the ball around a joint, all ways are replaced by straight ones from its
   centre to where they leave it: the ball is convex, and joints that come almost at once become one.
-  The largest balls first.
+  The largest balls first. Caps may cut into balls: \p wall tells.
   */
-  void draw_stars() {
+  void draw_stars(const Wall& wall) {
     std::vector<Index> joints;
     for(Index p = 0; p < places_.size(); ++p)
       if(places_[p].beside.size() > 2)
@@ -86,7 +87,7 @@ public:
     });
     for(Index joint : joints)
       if(places_[joint].beside.size() > 2)
-        draw_star(joint);
+        draw_star(joint, wall);
   }
 
   /// the paths between nodes, each once, by the numbers of their places; and the cycles without a
@@ -135,7 +136,7 @@ private:
            norm(places_[p].ball.centre - ball.centre) < within * ball.radius;
   }
 
-  void draw_star(Index joint) {
+  void draw_star(Index joint, const Wall& wall) {
     const Inner_ball ball = places_[joint].ball;
     std::vector<Index> inside = {joint};
     std::vector<std::pair<Index, Index>> exits;
@@ -159,6 +160,9 @@ private:
       is_inside_[p] = 0;
     if(inside.size() == 1 || !is_tree)
       return;
+    for(const auto& [from, to] : exits)
+      if(wall.meets_cap(ball.centre, way_out(ball, places_[from].ball.centre, to)))
+        return;
     for(Index p : inside)
       while(!places_[p].beside.empty())
         part(p, places_[p].beside.back());
@@ -168,19 +172,25 @@ private:
       lead_out(joint, ball, places_[from].ball.centre, to);
   }
 
-  // By the place where the segment leaves the ball.
-  void lead_out(Index joint, const Inner_ball& ball, const Vector& from, Index to) {
-    const Vector end = places_[to].ball.centre, way = end - from, off = from - ball.centre;
+  // Where the segment to a place leaves a ball.
+  Vector way_out(const Inner_ball& ball, const Vector& from, Index to) const {
+    const Vector way = places_[to].ball.centre - from, off = from - ball.centre;
     const double a = dot(way, way), b = dot(off, way),
                  c = dot(off, off) - within * within * ball.radius * ball.radius;
     const double part = a > 0. ? (std::sqrt((std::max)(0., b * b - a * c)) - b) / a : 0.;
-    const Vector exit = from + (std::max)(0., (std::min)(1., part)) * way;
-    if(exit == end || exit == ball.centre) {
+    return from + (std::max)(0., (std::min)(1., part)) * way;
+  }
+
+  // By that place.
+  void lead_out(Index joint, const Inner_ball& ball, const Vector& from, Index to) {
+    const Vector leaving = way_out(ball, from, to);
+    if(leaving == places_[to].ball.centre || leaving == ball.centre) {
       join(joint, to);
       return;
     }
     const Index place = static_cast<Index>(places_.size());
-    places_.push_back({{exit, (1. - within) * ball.radius}, places_[joint].component, false, {}});
+    places_.push_back(
+        {{leaving, (1. - within) * ball.radius}, places_[joint].component, false, {}});
     join(joint, place);
     join(place, to);
   }

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Arc_smoothing.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
@@ -154,6 +155,7 @@ private:
     constexpr double part = 1e-3; // of the radius
     std::minstd_rand random;
     const auto number = [&] { return 2. * double(random()) / double(random.max()) - 1.; };
+    const Edges_at edges_at(flat.points.size(), flat.edges);
     for(int round = 0; round < most_rounds; ++round) {
       const auto pairs = Segments_apart(flat).edges_that_meet(execution_);
       if(pairs.empty())
@@ -163,10 +165,21 @@ private:
           for(Index p : edge)
             if(flat.is_inlet[p] == 0) {
               const double most = part * flat.radii[p];
-              flat.points[p] =
+              const Vector to =
                   flat.points[p] + Vector{most * number(), most * number(), most * number()};
+              if(can_move(flat, edges_at[p], p, to))
+                flat.points[p] = to;
             }
     }
+  }
+
+  // Edges may be close to the surface far from their ends. At inlets they lie on a cap.
+  bool
+  can_move(const Flat_skeleton& flat, Span<const Index> edges, Index p, const Vector& to) const {
+    return std::none_of(edges.begin(), edges.end(), [&](Index e) {
+      const Index other = flat.edges[e][flat.edges[e][0] == p ? 1 : 0];
+      return flat.is_inlet[other] == 0 && solid_.wall().meets(to, flat.points[other]);
+    });
   }
 
   void measure(Flat_skeleton& flat) const {

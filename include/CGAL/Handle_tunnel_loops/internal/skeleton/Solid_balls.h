@@ -74,7 +74,10 @@ public:
   }
 
   /// how far a region of a sample extends at least.
-  double least_extent() const { return std::sqrt(area_ / largest_number_of_samples); }
+  double least_extent() const {
+    constexpr double samples = 1.2; // by piece, at most
+    return std::sqrt(area_ / (samples * number_of_pieces()));
+  }
 
   double diagonal() const {
     Box<3> all = Box<3>::empty();
@@ -93,8 +96,6 @@ public:
   }
 
 private:
-  static constexpr double largest_number_of_samples = 60000., number_of_pieces = 50000.;
-
   static double area_of(const Wall& wall) {
     double sum = 0.;
     for(Index f = 0; f < wall.size(); ++f)
@@ -103,9 +104,15 @@ private:
     return sum;
   }
 
+  // A surface has so many pieces if they are even: few faces have little to say.
+  double number_of_pieces() const {
+    constexpr double least = 5000., most = 50000., by_face = 0.5;
+    return (std::max)(least, (std::min)(most, by_face * static_cast<double>(wall_.size())));
+  }
+
   // Faces without any area are not divided.
   double spacing() const {
-    return area_ > 0. ? std::sqrt(area_ / number_of_pieces)
+    return area_ > 0. ? std::sqrt(area_ / number_of_pieces())
                       : std::numeric_limits<double>::infinity();
   }
 

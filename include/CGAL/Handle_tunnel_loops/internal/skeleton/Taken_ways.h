@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlet_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Limbs.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Shared_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -42,21 +44,22 @@ inline std::vector<Index> walk_beside(const Flat_mesh& mesh, const Crossing_loop
 }
 
 /// Loops of pairs, of which some lead around inside, or across. On the walls of a cavity the solid
-/// is outside, so that of several components, loops of both kinds are taken.
+/// is outside, and with a boundary it is where the normals do not look: then loops of both kinds
+/// are taken.
 inline std::vector<const Crossing_loop*> loops_inside(const Flat_mesh& mesh,
                                                       const std::vector<Flat_pair>& pairs,
                                                       Crossing_loop Flat_pair::*kind) {
   std::vector<const Crossing_loop*> loops;
   for(const Flat_pair& pair : pairs) {
     loops.push_back(&(pair.*kind));
-    if(mesh.seeds.size() > 1)
+    if(mesh.seeds.size() > 1 || mesh.number_of_hubs > 0)
       loops.push_back(&(kind == &Flat_pair::handle ? pair.tunnel : pair.handle));
   }
   return loops;
 }
 
 /// The edges of a graph of balls that a skeleton consists of: cycles that are a basis, the ways to
-/// inlets and to the ends of limbs.
+/// inlets and to the ends of limbs, as far as they go by themselves.
 class Taken_ways
 {
 public:
@@ -71,8 +74,11 @@ public:
         Inlet_ways(mesh_, solid.points(), solid.wall(), solid.pieces(), solid.samples())
             .add(graph_);
     take_cycles(solid, pairs);
-    Limbs(graph_, solid.samples(), solid.neighbors(), shortest_limb)
-        .add(roots_, inlets, part_of_diagonal * solid.diagonal(), is_taken_);
+    Shared_ways shared_ways(graph_, names_);
+    shared_ways.find(is_taken_);
+    Limbs(graph_, solid.samples(), solid.neighbors(), roots_, is_taken_)
+        .add(inlets, shortest_limb, part_of_diagonal * solid.diagonal(), is_taken_);
+    shared_ways.find(is_taken_);
   }
 
   const Ball_graph& graph() const { return graph_; }
@@ -105,6 +111,7 @@ private:
       const Inner_cycles cycles(execution_, graph_, loops, components, genus(pairs));
       is_taken_ = cycles.is_taken();
       roots_ = cycles.roots();
+      names_ = cycles.names();
       return cycles.number_of_missing_cycles();
     };
     if(choose() > 0) { // holes that are small against the balls around them
@@ -149,8 +156,9 @@ private:
   Execution execution_;
   const Flat_mesh& mesh_;
   Ball_graph graph_;
-  std::vector<char> is_taken_; // by edge
-  std::vector<Index> roots_;   // by component
+  std::vector<char> is_taken_;       // by edge
+  std::vector<Index> roots_;         // by component
+  std::vector<std::uint64_t> names_; // by edge
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -15,7 +15,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Exact_meeting.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -90,20 +89,18 @@ public:
   Nearest nearest(const Vector& p, double distance, double precision = 1.) const {
     Nearest best;
     double limit = distance * distance;
-    faces_.tree().for_each_nearer(
-        limit, [&](const Box<3>& box) { return squared_distance(p, box); },
-        [&](Index f) {
-          if(!is_of_cap(f)) {
-            const Vector q = nearest_point(p, corner(f, 0), corner(f, 1), corner(f, 2));
-            const double square = dot(q - p, q - p);
-            if(square < limit) {
-              limit = square;
-              best.face = f;
-              best.point = q;
-            }
-          }
-          return best.face == no_index ? limit : precision * precision * limit;
-        });
+    faces_.boxes().for_each_nearer(p, limit, [&](Index f) {
+      if(!is_of_cap(f)) {
+        const Vector q = nearest_point(p, corner(f, 0), corner(f, 1), corner(f, 2));
+        const double square = dot(q - p, q - p);
+        if(square < limit) {
+          limit = square;
+          best.face = f;
+          best.point = q;
+        }
+      }
+      return best.face == no_index ? limit : precision * precision * limit;
+    });
     best.distance = best.face == no_index ? distance : std::sqrt(limit);
     return best;
   }
@@ -113,60 +110,57 @@ public:
   template <typename Function>
   void for_each_within(const Vector& p, double distance, const Function& f) const {
     const double limit = distance * distance;
-    faces_.tree().for_each_nearer(
-        limit, [&](const Box<3>& box) { return squared_distance(p, box); },
-        [&](Index face) {
-          if(!is_of_cap(face))
-            f(face);
-          return limit;
-        });
+    faces_.boxes().for_each_nearer(p, limit, [&](Index face) {
+      if(!is_of_cap(face))
+        f(face);
+      return limit;
+    });
   }
 
   /// how far one can go from a point of a face in a direction of length 1 until one meets another
   /// face, about; what is nearer than \p free is not looked at. Where the point is on an edge,
   /// rounding decides whether the way begins on the other face there.
   double free_way(const Vector& p, const Vector& direction, Index from, double free = 0.) const {
-    const Vector inverse = {1. / direction[0], 1. / direction[1], 1. / direction[2]};
     double limit = std::numeric_limits<double>::infinity();
-    faces_.tree().for_each_nearer(
-        limit, [&](const Box<3>& box) { return way_to_box(p, inverse, box); },
-        [&](Index f) {
-          if(const double way = f != from ? way_to_face(p, direction, f) : 0.; way > free)
-            limit = (std::min)(limit, way);
-          return limit;
-        });
+    faces_.boxes().for_each_on_way(p, direction, limit, [&](Index f) {
+      if(const double way = f != from ? way_to_face(p, direction, f) : 0.; way > free)
+        limit = (std::min)(limit, way);
+      return limit;
+    });
     return limit;
   }
 
   /// whether a segment meets the surface or a cap.
   bool meets(const Vector& a, const Vector& b) const {
     const Exact_segment segment = {exact_point(a), exact_point(b)};
-    return faces_.any_near(a, b, [&](Index f) {
-      return do_meet(segment, Exact_triangle{exact_point(corner(f, 0)), exact_point(corner(f, 1)),
-                                             exact_point(corner(f, 2))});
+    return faces_.any_near(a, b, [&](Index f) { return do_meet(segment, triangle(f)); });
+  }
+
+  /// whether a segment meets a cap, which balls may reach across.
+  bool meets_cap(const Vector& a, const Vector& b) const {
+    if(mesh_.number_of_hubs == 0)
+      return false;
+    const Exact_segment segment = {exact_point(a), exact_point(b)};
+    return faces_.any_near(a, b,
+                           [&](Index f) { return is_of_cap(f) && do_meet(segment, triangle(f)); });
+  }
+
+  /// whether a segment from a hub meets the surface or a cap other than there.
+  bool is_met_from_hub(Index hub, const Vector& to) const {
+    const Exact_point end = exact_point(to);
+    const Exact_segment segment = {exact_point(points_[hub]), end};
+    return faces_.any_near(points_[hub], to, [&](Index f) {
+      const Exact_triangle t = triangle(f);
+      for(int i = 0; i < 3; ++i)
+        if(faces_.corners(f)[i] == hub)
+          return do_meet_beyond_corner(end, {t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+      return do_meet(segment, t);
     });
   }
 
 private:
-  static double squared_distance(const Vector& p, const Box<3>& box) {
-    double sum = 0.;
-    for(int d = 0; d < 3; ++d) {
-      const double off = (std::max)({box.low[d] - p[d], p[d] - box.high[d], 0.});
-      sum += off * off;
-    }
-    return sum;
-  }
-
-  static double way_to_box(const Vector& p, const Vector& inverse, const Box<3>& box) {
-    double first = 0., last = std::numeric_limits<double>::infinity();
-    for(int d = 0; d < 3; ++d) {
-      const double a = (box.low[d] - p[d]) * inverse[d], b = (box.high[d] - p[d]) * inverse[d];
-      if(std::isnan(a) || std::isnan(b))
-        continue; // along a side of the box
-      first = (std::max)(first, (std::min)(a, b));
-      last = (std::min)(last, (std::max)(a, b));
-    }
-    return first <= last * (1. + 1e-9) ? first : std::numeric_limits<double>::infinity();
+  Exact_triangle triangle(Index f) const {
+    return {exact_point(corner(f, 0)), exact_point(corner(f, 1)), exact_point(corner(f, 2))};
   }
 
   double way_to_face(const Vector& p, const Vector& direction, Index f) const {

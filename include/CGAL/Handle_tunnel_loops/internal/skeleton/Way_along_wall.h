@@ -76,10 +76,13 @@ public:
     std::vector<Vector> way;
     for(const Place& p : places)
       way.push_back(p.point + p.inward);
-    constexpr int most_rounds = 60;
-    for(int i = 0; i < most_rounds; ++i)
+    constexpr int most_rounds = 60, few_rounds = 6;
+    for(int i = 0; i < most_rounds; ++i) {
       if(lower(places, way))
         return way;
+      if(i == few_rounds && is_in_vain(places))
+        return {};
+    }
     return {};
   }
 
@@ -147,6 +150,18 @@ private:
     const double square = dot(way, way);
     const double at = square > 0. ? dot(between - ends[0], way) / square : 0.5;
     return ends[0] + (std::max)(0.05, (std::min)(0.95, at)) * way;
+  }
+
+  // Whether there is something in the way wherever it may be: a surface that crosses itself.
+  bool is_in_vain(const std::vector<Place>& places) const {
+    const auto is_met = [&](std::size_t i, double part) {
+      return wall_.meets(places[i - 1].point + part * places[i - 1].inward,
+                         places[i].point + part * places[i].inward);
+    };
+    for(std::size_t i = 1; i < places.size(); ++i)
+      if(is_met(i, 0x1p-8) && is_met(i, 0x1p-16) && is_met(i, 0x1p-24) && is_met(i, 0x1p-32))
+        return true;
+    return places.empty();
   }
 
   // Brings the ends of segments that are not free nearer to the surface. Returns whether all are.

@@ -33,6 +33,11 @@ using Face_number = std::function<std::size_t(Index, Index, Index)>;
 /// what a point of a skeleton is called.
 using Point_name = std::function<std::string(Index)>;
 
+/// places the hubs of the caps, of which only the vertices before them have places yet
+/// (`Hub_places`).
+CGAL_HTL_CORE void
+place_hubs(Execution execution, const Flat_mesh& mesh, std::vector<Vector>& places);
+
 /// proves what there is to prove of a skeleton. \p places are the coordinates of the vertices as
 /// the caller has them, hubs included (`place_hubs()`). \p loops are closed walks on the edges, by
 /// their vertices: for each component as many as its genus, which are independent in the space

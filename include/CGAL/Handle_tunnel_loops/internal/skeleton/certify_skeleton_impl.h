@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Hub_places.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Places_of_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_checker.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
@@ -29,6 +30,11 @@ CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
                                                     const Face_number& face_number,
                                                     const Point_name& point_name) {
   return Skeleton_checker(execution, mesh, places, skeleton, loops, face_number, point_name).run();
+}
+
+CGAL_HTL_CORE void
+place_hubs(Execution execution, const Flat_mesh& mesh, std::vector<Vector>& places) {
+  Hub_places(execution, mesh, places).find();
 }
 
 CGAL_HTL_CORE void find_places(Execution execution,

@@ -28,7 +28,7 @@ std::vector<Vector> places_of_vertices(Execution execution, const Prepared& surf
   std::vector<Vector> places;
   for(const auto& p : surface.coordinates(execution))
     places.push_back({p.x(), p.y(), p.z()});
-  place_hubs(surface.mesh, places);
+  place_hubs(execution, surface.mesh, places);
   return places;
 }
 

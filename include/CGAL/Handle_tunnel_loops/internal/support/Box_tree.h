@@ -93,14 +93,6 @@ public:
     return any_meeting(box, [](Index, const Box&) { return true; });
   }
 
-  /// calls `f(i)` for the boxes for which `distance(box)` is below a limit, about the nearest
-  /// first; `f` returns the limit from there on.
-  template <typename Distance, typename Function>
-  void for_each_nearer(double limit, const Distance& distance, const Function& f) const {
-    if(!levels_.front().empty() && distance(levels_.back()[0]) < limit)
-      visit_nearer(levels_.size() - 1, 0, limit, distance, f);
-  }
-
 private:
   static constexpr std::size_t group_size = 4;
 
@@ -126,30 +118,6 @@ private:
       if(visit(level - 1, child, box, f))
         return true;
     return false;
-  }
-
-  template <typename Distance, typename Function>
-  void visit_nearer(std::size_t level,
-                    std::size_t i,
-                    double& limit,
-                    const Distance& distance,
-                    const Function& f) const {
-    if(level == 0) {
-      limit = f(static_cast<Index>(i));
-      return;
-    }
-    std::array<std::pair<double, std::size_t>, group_size> order;
-    std::size_t n = 0;
-    const std::size_t end = (std::min)((i + 1) * group_size, levels_[level - 1].size());
-    for(std::size_t child = i * group_size; child < end; ++child) {
-      std::pair<double, std::size_t> next{distance(levels_[level - 1][child]), child};
-      std::size_t place = n++;
-      for(; place > 0 && next < order[place - 1]; --place)
-        order[place] = order[place - 1];
-      order[place] = next;
-    }
-    for(std::size_t k = 0; k < n && order[k].first < limit; ++k)
-      visit_nearer(level - 1, order[k].second, limit, distance, f);
   }
 
   std::vector<std::vector<Box>> levels_; // the boxes, their groups, the groups of these, ...

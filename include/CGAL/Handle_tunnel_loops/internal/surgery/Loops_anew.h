@@ -12,14 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/certificate.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
@@ -30,7 +28,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
-#include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <CGAL/tags.h>
 
@@ -270,7 +267,7 @@ private:
 };
 
 /// Finds the loops of a mesh under surgery, as it is by now.
-class Loops_under_surgery final : private Caller_mesh
+class Loops_under_surgery
 {
 public:
   struct Loop : Loop_choice
@@ -288,43 +285,23 @@ public:
       : mesh_(mesh)
       , graph_(mesh) {}
 
-  std::vector<Pair> find(Execution execution) {
-    surface_.emplace(execution, graph_, Surgery_graph::Vertex_index_map(), graph_.point());
+  std::vector<Pair> find(Execution execution) const {
+    const Prepared_surface<Surgery_graph, Surgery_graph::Point_map> prepared(
+        execution, graph_, Surgery_graph::Vertex_index_map(), graph_.point());
     Loop_request wanted;
-    wanted.seeds = surface_->mesh.seeds;
-    wanted.put_swept_vertices = [](const Swept_vertices&) {};
     wanted.make_passes = execution.is_parallel() ? &make_passes<Parallel_if_available_tag>
                                                  : &make_passes<Sequential_tag>;
-    Statistics statistics;
-    Progress progress(
-        {}, [](Stage) {}, [](Stage) {}, statistics, Progress::stages_of_loops());
-    find_loops(execution, surface_->mesh, wanted, *this, progress, statistics);
-    return std::move(pairs_);
+    const std::vector<Flat_surface::Point> coordinates = prepared.coordinates(execution);
+    Loops_on_arrays loops(coordinates);
+    loops.find(execution, prepared.mesh, wanted);
+    const Flat_surface surface(prepared.mesh, coordinates);
+    std::vector<Pair> pairs;
+    for(const Flat_surface::Pair& pair : surface.pairs(loops.pairs()))
+      pairs.push_back({loop_on_mesh(surface, pair.handle()), loop_on_mesh(surface, pair.tunnel())});
+    return pairs;
   }
 
 private:
-  std::vector<Flat_surface::Point> coordinates(Execution execution) const override {
-    return surface_->coordinates(execution);
-  }
-
-  void convert(Execution, const std::vector<Flat_pair>& pairs) override { flat_pairs_ = pairs; }
-
-  Certificate certify(Execution execution,
-                      const Flat_surface& surface,
-                      const Class_options& wanted,
-                      Loop_relations relations,
-                      Progress& progress) override {
-    const std::vector<Flat_surface::Pair> pairs = surface.pairs(flat_pairs_);
-    const Naming naming = certify_and_name_flat(execution, surface, wanted.kind, wanted.offset,
-                                                pairs, std::move(relations), progress);
-    for(std::size_t k = 0; k < pairs.size(); ++k) {
-      const Flat_surface::Pair& pair = naming.is_exchanged[k] ? pairs[k].exchanged() : pairs[k];
-      pairs_.push_back(
-          {loop_on_mesh(surface, pair.handle()), loop_on_mesh(surface, pair.tunnel())});
-    }
-    return naming.certificate;
-  }
-
   Loop loop_on_mesh(const Flat_surface& surface, const Flat_surface::Loop& flat_loop) const {
     Loop loop{loop_choice(flat_loop, surface.mesh(), surface.vertex_index()), {}};
     for(const Place_on_edge& place : loop.places)
@@ -334,9 +311,6 @@ private:
 
   const Surgery_mesh& mesh_;
   const Surgery_graph graph_;
-  std::optional<Prepared_surface<Surgery_graph, Surgery_graph::Point_map>> surface_;
-  std::vector<Flat_pair> flat_pairs_;
-  std::vector<Pair> pairs_;
 };
 
 /// Finds the loops of a surface from which some handles were removed, and which of them are those

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/halved_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ public:
   /// of numbers 0 .. n - 1; `box(i)` is the box of the i-th, which may be empty.
   template <typename Function>
   Placed_boxes(Execution execution, std::size_t n, const Function& box)
-      : order_(order(execution, n, box)) {
+      : order_(halved_order<group_size>(execution, n, box)) {
     std::vector<Box<3>> boxes((n + group_size - 1) / group_size, Box<3>::empty());
     for_each_index(execution, boxes.size(), [&](std::size_t group) {
       for(std::size_t i = group * group_size; i < (std::min)(n, (group + 1) * group_size); ++i)
@@ -130,48 +131,6 @@ private:
     const auto end = order_.begin() + static_cast<std::ptrdiff_t>(
                                           (std::min)(order_.size(), (group + 1) * group_size));
     return std::any_of(begin, end, f);
-  }
-
-  // One of the things, and where it is; all are moved together, which is what memory is fast at.
-  struct Place
-  {
-    std::array<double, 3> corner;
-    Index number;
-  };
-
-  // Those near each other follow each other: they are halved again and again where they extend
-  // farthest, so that one far away makes no neighbours of others that are none.
-  template <typename Function>
-  static std::vector<Index> order(Execution execution, std::size_t n, const Function& box) {
-    std::vector<Place> places(n);
-    for_each_index(execution, n, [&](std::size_t i) {
-      places[i] = {box(i).low, static_cast<Index>(i)};
-    });
-    for(std::size_t parts = 1; parts * group_size < n; parts *= 2)
-      for_each_index(
-          execution, parts,
-          [&](std::size_t i) {
-            const auto at = [&](std::size_t part) { return places.begin() + part * n / parts / 2; };
-            halve(at(2 * i), at(2 * i + 1), at(2 * i + 2));
-          },
-          1);
-    std::vector<Index> order(n);
-    for_each_index(execution, n, [&](std::size_t i) { order[i] = places[i].number; });
-    return order;
-  }
-
-  // What is empty has infinite corners.
-  template <typename Iterator> static void halve(Iterator begin, Iterator middle, Iterator end) {
-    Box<3> extent = Box<3>::empty();
-    for(Iterator i = begin; i != end; ++i)
-      extent.extend({i->corner, i->corner});
-    std::size_t axis = 0;
-    for(std::size_t d = 1; d < 3; ++d)
-      if(extent.high[d] - extent.low[d] > extent.high[axis] - extent.low[axis])
-        axis = d;
-    std::nth_element(begin, middle, end, [&](const Place& a, const Place& b) {
-      return a.corner[axis] < b.corner[axis];
-    });
   }
 
   std::vector<Index> order_;

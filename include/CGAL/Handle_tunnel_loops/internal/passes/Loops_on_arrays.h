@@ -7,18 +7,16 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SOLID_LOOPS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SOLID_LOOPS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_LOOPS_ON_ARRAYS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_LOOPS_ON_ARRAYS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -30,24 +28,32 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Pairs of loops as they are found on the arrays, for what goes on there.
-class Solid_loops final : public Caller_mesh
+class Loops_on_arrays final : private Caller_mesh
 {
 public:
-  /// \p places are those of the vertices, the first \p number of which are no hubs. They must
-  /// outlive it.
-  Solid_loops(const std::vector<Vector>& places, Index number)
-      : places_(places)
-      , number_(number) {}
+  /// \p coordinates are those of the vertices but for the hubs.
+  explicit Loops_on_arrays(std::vector<Flat_surface::Point> coordinates)
+      : coordinates_(std::move(coordinates)) {}
+
+  /// finds a basis. The seeds of the request are those of the mesh, and nothing is asked of it but
+  /// pairs.
+  const std::vector<Flat_pair>& find(Execution execution,
+                                     const Flat_mesh& mesh,
+                                     Loop_request request,
+                                     const std::function<bool(double)>& callback = {}) {
+    request.seeds = mesh.seeds;
+    request.put_swept_vertices = [](const Swept_vertices&) {};
+    const auto nothing = [](Stage) {};
+    Statistics statistics;
+    Progress progress(callback, nothing, nothing, statistics, Progress::stages_of_loops());
+    find_loops(execution, mesh, request, *this, progress, statistics);
+    return pairs_;
+  }
 
   const std::vector<Flat_pair>& pairs() const { return pairs_; }
 
-  std::vector<Flat_surface::Point> coordinates(Execution) const override {
-    std::vector<Flat_surface::Point> coordinates;
-    coordinates.reserve(number_);
-    for(Index v = 0; v < number_; ++v)
-      coordinates.emplace_back(places_[v][0], places_[v][1], places_[v][2]);
-    return coordinates;
-  }
+private:
+  std::vector<Flat_surface::Point> coordinates(Execution) const override { return coordinates_; }
 
   void convert(Execution, const std::vector<Flat_pair>& pairs) override { pairs_ = pairs; }
 
@@ -65,30 +71,10 @@ public:
     return naming.certificate;
   }
 
-private:
-  const std::vector<Vector>& places_;
-  Index number_;
+  std::vector<Flat_surface::Point> coordinates_;
   std::vector<Flat_pair> pairs_;
 };
 
-/// computes a basis of loops on the arrays.
-template <typename ConcurrencyTag>
-void find_solid_loops(Execution execution,
-                      const Flat_mesh& mesh,
-                      const Solver_options& options,
-                      const std::function<bool(double)>& callback,
-                      Solid_loops& loops) {
-  Loop_request request = loop_request(options);
-  request.classes.do_link = true; // which of them are handle loops
-  request.seeds = mesh.seeds;
-  request.put_swept_vertices = [](const Swept_vertices&) {};
-  request.make_passes = &make_passes<ConcurrencyTag>;
-  const auto nothing = [](Stage) {};
-  Statistics statistics;
-  Progress progress(callback, nothing, nothing, statistics, Progress::stages_of_loops());
-  find_loops(execution, mesh, request, loops, progress, statistics);
-}
-
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SOLID_LOOPS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_LOOPS_ON_ARRAYS_H
