@@ -8,6 +8,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/embed_reeb_graph.h>
 #include <CGAL/reeb_graph.h>
 
@@ -88,6 +89,22 @@ TEST(Reeb_embedding, IsInside) {
       expect_same_but_for_lines(graph, drawn);
       expect_inside(mesh, drawn);
     }
+}
+
+// Each component by itself.
+TEST(Reeb_embedding, IsInsideOfEachComponent) {
+  Solid_mesh mesh;
+  for(const double x : {0., 10., 20.}) {
+    Soup soup = soup_of({"torus", {300, 1, 0}});
+    for(auto& p : soup.points)
+      p[0] += x;
+    const Solid_mesh part = mesh_of<Solid_mesh>(soup);
+    CGAL::copy_face_graph(part, mesh);
+  }
+  Graph graph;
+  CGAL::reeb_graph(mesh, graph);
+  EXPECT_TRUE(CGAL::embed_reeb_graph(mesh, graph).inside);
+  expect_inside(mesh, graph);
 }
 
 TEST(Reeb_embedding, DoesNotDependOnThreads) {

@@ -106,8 +106,8 @@ private:
       const Index first = sets.find(b), component = balls_.component[b];
       ++size[first];
       if(component >= largest.size())
-        largest.resize(component + 1, first);
-      if(size[first] > size[largest[component]])
+        largest.resize(component + 1, no_index);
+      if(largest[component] == no_index || size[first] > size[largest[component]])
         largest[component] = first;
     }
     std::vector<char> is_connected(size.size());
