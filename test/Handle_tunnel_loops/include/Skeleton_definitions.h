@@ -277,9 +277,19 @@ inline bool is_in_solid(const Exact_place& p,
   }
 }
 
+// A triangle without area is no more than its sides.
+inline bool is_on(const Exact_place& p, const Exact::Triangle_3& t) {
+  if(!t.is_degenerate())
+    return t.has_on(p);
+  for(int k = 0; k < 3; ++k)
+    if(p == t[k] || (t[k] != t[k + 1] && Exact::Segment_3(t[k], t[k + 1]).has_on(p)))
+      return true;
+  return false;
+}
+
 inline bool is_off_faces(const Exact_place& p, const std::vector<Triangle>& triangles) {
   return std::none_of(triangles.begin(), triangles.end(),
-                      [&p](const Triangle& t) { return t.exact.has_on(p); });
+                      [&p](const Triangle& t) { return is_on(p, t.exact); });
 }
 
 // Whether the segment from a corner of a triangle to a point meets it elsewhere, too: both are
