@@ -17,8 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/Skeleton_certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlets.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -35,16 +35,6 @@
 namespace CGAL {
 
 namespace Handle_tunnel_loops::internal {
-
-/// the coordinates of the vertices of a surface as its caller has them, hubs included.
-template <typename Prepared>
-std::vector<Vector> places_of_vertices(Execution execution, const Prepared& surface) {
-  std::vector<Vector> places;
-  for(const auto& p : surface.coordinates(execution))
-    places.push_back({p.x(), p.y(), p.z()});
-  place_hubs(execution, surface.mesh, places);
-  return places;
-}
 
 /// the numbers of the faces of the caller. Both arguments must outlive the result.
 template <typename Prepared, typename FaceIndexMap>
@@ -71,19 +61,6 @@ template <typename Graph> Flat_skeleton flat_skeleton(const Graph& graph) {
   for(const auto e : CGAL::make_range(edges(graph)))
     flat.edges.push_back({static_cast<Index>(get(index, source(e, graph))),
                           static_cast<Index>(get(index, target(e, graph)))});
-  return flat;
-}
-
-/// The vertices of the caller by their indices in the arrays.
-template <typename Prepared, typename VertexIndexMap>
-std::vector<Index> indices_in_arrays(const Prepared& surface, VertexIndexMap vertex_index) {
-  std::vector<Index> flat;
-  for(Index i = 0; i < surface.vertices.size(); ++i) {
-    const std::size_t v = get(vertex_index, surface.vertices[i]);
-    if(v >= flat.size())
-      flat.resize(v + 1, no_index);
-    flat[v] = i;
-  }
   return flat;
 }
 

@@ -52,7 +52,8 @@ where the handles branch off; on components of genus 0 it starts at one vertex, 
 front from the vertex of smallest index reaches last. Each arc is drawn along the means of the
 contours. Means that are outside of the solid, where contours are not convex, are drawn at the
 center of a ball that touches the contour from inside, and lines are rounded off as far as that does
-not take them outside. Most of the line is inside then, not all of it.
+not take them outside. Most of the line is inside then, not all of it; `embed_reeb_graph()` draws
+all of it inside, in more time.
 
 Leaves that are small, the smallest first, are taken off together with the saddle that they end at.
 An arc that has become one with another by this may pass a cancelled extremum. A leaf stays where
@@ -153,6 +154,7 @@ Laplacian and of its coefficient are followed in the diffusion, too}
 1]
 
 \sa `CGAL::handle_tunnel_loops()`
+\sa `CGAL::embed_reeb_graph()`
 \sa `CGAL::split_graph_into_polylines()`
 */
 template <typename ConcurrencyTag = Sequential_tag,

@@ -61,6 +61,8 @@ struct Reeb_node
   /// where the node is drawn: at the vertex if it is an extremum; if not, at the mean of the front
   /// where that is inside of the solid, else at a place nearby that is, as far as may be.
   Point point;
+  /// the radius of the largest ball inside around the point, if `embed_reeb_graph()` placed it.
+  double radius = 0.;
   /// the type of the critical point.
   Reeb_node_type type = Reeb_node_type::REGULAR;
   /// the value of the function at the vertex; the arrival time of the front, if that is the
@@ -92,6 +94,12 @@ struct Reeb_arc
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
   /// the length of the polyline.
   double length = 0.;
+  /// by point of the polyline, the radius of the largest ball inside around it; empty unless
+  /// `embed_reeb_graph()` drew it.
+  std::vector<double> radii;
+  /// by segment of the polyline, whether it is known to lie strictly inside; empty unless
+  /// `embed_reeb_graph()` drew it.
+  std::vector<bool> is_inside;
 };
 
 /*!
@@ -133,6 +141,21 @@ struct Reeb_options
   /// whether several arcs may join the same two nodes, or one a node to itself; if so there are no
   /// regular nodes.
   bool allow_parallel_arcs = false;
+};
+
+/// \ingroup PkgHandleTunnelLoopsRef
+/// What is known of a Reeb graph that has been drawn inside.
+struct Reeb_embedding
+{
+  /// whether all segments of the polylines lie strictly inside the component that they belong to,
+  /// and meet no other. `Reeb_arc::is_inside` tells which do.
+  bool inside = false;
+  /// whether no two segments meet but in a common end.
+  bool embedded = false;
+  std::size_t number_of_segments = 0;        ///< of all polylines
+  std::size_t number_of_segments_inside = 0; ///< of these
+  std::size_t number_of_balls = 0;           ///< that the polylines were chosen from
+  double seconds = 0.;                       ///< wall time
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

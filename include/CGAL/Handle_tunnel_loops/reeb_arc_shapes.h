@@ -31,7 +31,8 @@ struct Reeb_arc_shapes
 {
   std::vector<double> girths; ///< by arc: see `reeb_arc_girths()`
   /// by arc, and by point of its polyline: the mean distance of the vertices that are nearest to
-  /// it; where there are none, what is between those before and after.
+  /// it; where there are none, what is between those before and after. `Reeb_arc::radii`, if there
+  /// are any.
   std::vector<std::vector<double>> radii;
   std::vector<bool> is_on_cycle; ///< by arc: whether the graph stays connected without it
 };
@@ -121,7 +122,8 @@ Reeb_arc_shapes reeb_arc_shapes(const TriangleMesh& tm,
   shapes.radii.resize(shapes.girths.size());
   for(const auto e : CGAL::make_range(edges(graph))) {
     const auto& arc = graph[e];
-    shapes.radii[arc.index] = impl::radii_of_arc(arc, point, shapes.girths[arc.index]);
+    shapes.radii[arc.index] =
+        arc.radii.empty() ? impl::radii_of_arc(arc, point, shapes.girths[arc.index]) : arc.radii;
   }
   return shapes;
 }

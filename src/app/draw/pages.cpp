@@ -83,7 +83,23 @@ void add_group(htl_window::Scene& scene,
     add_line(scene, loop.points(), true, scene.groups.size() - 1);
 }
 
+// The numbers of groups are those of the kinds of bones. Arcs are told of in rows.
+void add_bones(htl_window::Scene& scene,
+               const Exported_lines& bones,
+               const std::vector<std::size_t>& row_of_arc) {
+  for(const Bone_kind& kind : bone_kinds)
+    scene.groups.push_back({kind.many, kind.colour, kind.width});
+  for(const Exported_line& bone : bones.lines) {
+    const bool is_ball = bone.points.size() == 1;
+    add_line(scene, bone.points, bone.is_closed || is_ball,
+             static_cast<std::size_t>(bone.kind_number),
+             is_ball ? htl_window::no_row : row_of_arc[bone.index]);
+    scene.lines.back().radii = bone.radii;
+  }
+}
+
 void add_arcs(htl_window::Scene& scene,
+              const Mesh& mesh,
               const Reeb_answer& answer,
               const std::vector<Listed_arc>& arcs) {
   for(const Table_column& column : arc_columns)
@@ -95,13 +111,10 @@ void add_arcs(htl_window::Scene& scene,
     scene.table.lengths.push_back(arc.length);
     scene.table.parts.push_back(arc.arc);
   }
-  scene.groups = {{"bones", {30, 30, 30}}};
-  for(const auto e : CGAL::make_range(edges(answer.graph)))
-    add_line(scene, answer.graph[e].polyline, false, 0, row_of[answer.graph[e].index]);
+  add_bones(scene, bones_of(mesh, answer, answer.embedding.has_value()), row_of);
 }
 
-// The numbers of groups are those of the kinds of bones.
-void add_bones(htl_window::Scene& scene, const Skeleton_answer& answer) {
+void add_arcs(htl_window::Scene& scene, const Skeleton_answer& answer) {
   for(const Table_column& column : skeleton_columns)
     scene.table.columns.push_back({column.name, column.is_number});
   std::vector<std::size_t> row_of(answer.arcs.size());
@@ -111,16 +124,7 @@ void add_bones(htl_window::Scene& scene, const Skeleton_answer& answer) {
     scene.table.lengths.push_back(answer.arcs[arc].length);
     scene.table.parts.push_back(arc);
   }
-  const Exported_lines bones = bones_of(answer, true);
-  for(const Bone_kind& kind : bone_kinds)
-    scene.groups.push_back({kind.many, kind.colour, kind.width});
-  for(const Exported_line& bone : bones.lines) {
-    const bool is_ball = bone.points.size() == 1;
-    add_line(scene, bone.points, bone.is_closed || is_ball,
-             static_cast<std::size_t>(bone.kind_number),
-             is_ball ? htl_window::no_row : row_of[bone.index]);
-    scene.lines.back().radii = bone.radii;
-  }
+  add_bones(scene, bones_of(answer, true), row_of);
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Removed_handle& handle) {
@@ -213,7 +217,7 @@ void write_reeb_page(const std::string& file,
   htl_window::Scene scene =
       scene_of_parts(view, "Reeb graph of", mesh_file, arc_surface(mesh, answer), tints_of(answer));
   scene.paragraphs = lines_of(summary);
-  add_arcs(scene, answer, arcs);
+  add_arcs(scene, mesh, answer, arcs);
   write_page(file, scene);
 }
 
@@ -226,7 +230,7 @@ void write_skeleton_page(const std::string& file,
   const auto [surface, tints] = skeleton_surface(mesh, answer);
   htl_window::Scene scene = scene_of_parts(view, "Skeleton of", mesh_file, surface, tints);
   scene.paragraphs = lines_of(summary);
-  add_bones(scene, answer);
+  add_arcs(scene, answer);
   write_page(file, scene);
 }
 

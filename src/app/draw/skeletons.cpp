@@ -45,15 +45,27 @@ Exported_line line_of(const Skeleton_graph& graph, const Skeleton_arc& arc, std:
   return line;
 }
 
-// The balls of a kind.
-void add_balls(const Skeleton_graph& graph, int kind, bool as_thick, Exported_lines& lines) {
+// The points `v` of a graph with `is_of_kind(v)` as balls.
+template <typename Graph, typename IsOfKind>
+void add_balls(const Graph& graph,
+               int kind,
+               const IsOfKind& is_of_kind,
+               bool as_thick,
+               Exported_lines& lines) {
   for(const auto v : CGAL::make_range(vertices(graph)))
-    if(name_of_point(graph, v) == std::string(bone_kinds[kind].one)) {
+    if(is_of_kind(v)) {
       lines.lines.push_back(bone(kind, v, {graph[v].point}));
       lines.lines.back().is_numbered = false;
       if(as_thick)
         lines.lines.back().radii = {graph[v].radius};
     }
+}
+
+// The legend names kinds in their order.
+void sort_by_kind(Exported_lines& lines) {
+  std::stable_sort(
+      lines.lines.begin(), lines.lines.end(),
+      [](const Exported_line& a, const Exported_line& b) { return a.kind_number < b.kind_number; });
 }
 
 // Those without an arc, as of a single point, are of the first part.
@@ -94,12 +106,35 @@ Exported_lines bones_of(const Skeleton_answer& answer, bool as_thick) {
     for(std::size_t i = 0; i < answer.arcs.size(); ++i)
       for(std::size_t k = 0; k < bones.lines[i].points.size(); ++k)
         bones.lines[i].radii.push_back(answer.graph[answer.arcs[i].points[k]].radius);
-  // The legend names kinds in their order.
-  std::stable_sort(
-      bones.lines.begin(), bones.lines.end(),
-      [](const Exported_line& a, const Exported_line& b) { return a.kind_number < b.kind_number; });
+  sort_by_kind(bones);
   for(const int kind : {2, 3, 4})
-    add_balls(answer.graph, kind, as_thick, bones);
+    add_balls(
+        answer.graph, kind,
+        [&](auto v) { return name_of_point(answer.graph, v) == std::string(bone_kinds[kind].one); },
+        as_thick, bones);
+  return bones;
+}
+
+Exported_lines bones_of(const Mesh& mesh, const Reeb_answer& answer, bool as_thick) {
+  Exported_lines bones = {"Reeb graph", "arc", {}};
+  const CGAL::Reeb_arc_shapes shapes = shapes_of_arcs(mesh, answer);
+  for(const auto e : CGAL::make_range(edges(answer.graph))) {
+    const auto& arc = answer.graph[e];
+    bones.lines.push_back(bone(shapes.is_on_cycle[arc.index] ? 0 : 1, arc.index, arc.polyline));
+    bones.lines.back().length = arc.length;
+    if(as_thick)
+      bones.lines.back().radii = arc.radii;
+  }
+  sort_by_kind(bones);
+  using Type = CGAL::Reeb_node_type;
+  for(const int kind : {2, 3})
+    add_balls(
+        answer.graph, kind,
+        [&](auto v) {
+          const Type type = answer.graph[v].type;
+          return kind == 2 ? type == Type::SADDLE : type == Type::MINIMUM || type == Type::MAXIMUM;
+        },
+        as_thick, bones);
   return bones;
 }
 

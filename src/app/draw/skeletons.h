@@ -12,6 +12,7 @@
 
 #include "draw/lines.h"
 #include "draw/surfaces.h"
+#include "solve/reeb_solver.h"
 #include "solve/skeleton_solver.h"
 #include "write/documents.h"
 
@@ -44,6 +45,9 @@ Exported_lines lines_of(const Skeleton_answer& answer);
 /// with the radii of their points if they are to be `as_thick` as these say; and joints, ends and
 /// inlets as balls.
 Exported_lines bones_of(const Skeleton_answer& answer, bool as_thick);
+
+/// the same of a Reeb graph: saddles are joints, extrema are ends.
+Exported_lines bones_of(const Mesh& mesh, const Reeb_answer& answer, bool as_thick);
 
 /// The surface around a skeleton in parts, one for each arc.
 struct Skeleton_surface

@@ -11,6 +11,7 @@
 
 #include "solve/library_backend.h"
 
+#include <CGAL/embed_reeb_graph.h>
 #include <CGAL/reeb_graph_of_function.h>
 
 #include <algorithm>
@@ -46,6 +47,10 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
     answer.backend = "host";
   } else
     choose_backend(options.backend).diffuse(mesh, options, progress, answer);
+  if(options.do_draw_inside) {
+    progress.start("drawing");
+    answer.embedding = CGAL::embed_reeb_graph<CGAL::Parallel_if_available_tag>(mesh, answer.graph);
+  }
   answer.total_seconds = stopwatch.seconds();
   progress.end();
   return answer;

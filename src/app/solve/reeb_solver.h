@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct Reeb_answer
   std::string function;                ///< of which it is the graph, in a word
   std::string backend;                 ///< what computed the fields of the diffusion, else "host"
   CGAL::Handle_tunnel_loops::Reeb_statistics statistics;
+  /// what is known of the lines, if they have been drawn inside.
+  std::optional<CGAL::Handle_tunnel_loops::Reeb_embedding> embedding;
   int number_of_threads = 1;
   double total_seconds = 0.; ///< without reading and writing
 };
@@ -65,8 +68,9 @@ struct Reeb_options : CGAL::Handle_tunnel_loops::Reeb_options
 {
   std::vector<Mesh::Vertex_index> sources; ///< of the diffusion; none: as the library chooses
   std::vector<double> values;              ///< by vertex, a function; none: a diffusion
-  std::string backend = "auto";            ///< of the diffusion, see `choose_backend()`
-  int number_of_threads = 0;               ///< 0: as many as the machine has
+  bool do_draw_inside = false;  ///< in the middle of the solid, or along the means of contours
+  std::string backend = "auto"; ///< of the diffusion, see `choose_backend()`
+  int number_of_threads = 0;    ///< 0: as many as the machine has
 };
 
 /// the measures by their names.

@@ -179,27 +179,47 @@ Json timings(const Reeb_answer& answer, double read_seconds) {
           {"function", statistics.seconds_of_function},
           {"sweep", statistics.seconds_of_sweep},
           {"finishing", statistics.seconds_of_finishing},
+          {"drawing", answer.embedding ? answer.embedding->seconds : 0.},
           {"total", answer.total_seconds}};
+}
+
+// What is known of the lines.
+Json json_of(const CGAL::Handle_tunnel_loops::Reeb_embedding& embedding) {
+  return {{"inside", embedding.inside},
+          {"embedded", embedding.embedded},
+          {"segments", embedding.number_of_segments},
+          {"segments_inside", embedding.number_of_segments_inside}};
 }
 
 Json json_of_node(const Graph& graph, Graph::vertex_descriptor v) {
   const auto& node = graph[v];
-  return {{"id", v},
-          {"type", name_of(node.type)},
-          {"vertex", node.vertex.idx()},
-          {"value", node.value},
-          {"position", json_of_point(node.point)}};
+  Json json = {{"id", v},
+               {"type", name_of(node.type)},
+               {"vertex", node.vertex.idx()},
+               {"value", node.value},
+               {"position", json_of_point(node.point)}};
+  if(node.radius > 0.)
+    json["radius"] = node.radius;
+  return json;
 }
 
 Json json_of_arc(const Graph& graph, Graph::edge_descriptor e, const std::vector<double>& girths) {
   const auto& arc = graph[e];
-  return {{"id", arc.index},
-          {"source", source(e, graph)},
-          {"target", target(e, graph)},
-          {"vertex_count", arc.vertices.size()},
-          {"length", arc.length},
-          {"girth", girths[arc.index]},
-          {"polyline", array_of(arc.polyline, json_of_point)}};
+  Json json = {{"id", arc.index},
+               {"source", source(e, graph)},
+               {"target", target(e, graph)},
+               {"vertex_count", arc.vertices.size()},
+               {"length", arc.length},
+               {"girth", girths[arc.index]},
+               {"polyline", array_of(arc.polyline, json_of_point)}};
+  if(!arc.radii.empty()) {
+    json["radii"] = arc.radii;
+    json["outside"] = Json::array();
+    for(std::size_t i = 0; i < arc.is_inside.size(); ++i)
+      if(!arc.is_inside[i])
+        json["outside"].push_back(i);
+  }
+  return json;
 }
 
 // Vertices without faces are on no arc: null.
@@ -373,6 +393,8 @@ void write_reeb_json(const std::string& target,
   out.member("threads", answer.number_of_threads);
   out.member("timings", timings(answer, read_seconds));
   out.member("cycles", number_of_cycles(answer));
+  if(answer.embedding)
+    out.member("drawing", json_of(*answer.embedding));
   out.array("nodes", CGAL::make_range(vertices(graph)),
             [&graph](auto v) { return json_of_node(graph, v); });
   out.array("arcs", CGAL::make_range(edges(graph)),

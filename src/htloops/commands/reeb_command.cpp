@@ -11,6 +11,7 @@
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
 #include "app/draw/pages.h"
+#include "app/draw/skeletons.h"
 #include "app/draw/surfaces.h"
 #include "app/draw/tints.h"
 #include "app/failure.h"
@@ -38,6 +39,8 @@ struct Reeb_command_options : Common_options
   std::string parts_file;
   std::string csv_file;
   bool show_all = false;
+  bool has_tubes = false;
+  std::string drawing;
   std::vector<std::uint32_t> seeds;
   std::vector<double> height;
   std::string values_file;
@@ -45,6 +48,13 @@ struct Reeb_command_options : Common_options
   std::optional<double> threshold;
   std::string backend = "auto";
 };
+
+// Where lines are looked at they are worth the time.
+bool is_drawn_inside(const Reeb_command_options& options) {
+  const bool is_looked_at = !options.picture.file.empty() || !options.page_file.empty() ||
+                            !options.gltf_file.empty() || !options.lines_files.empty();
+  return options.drawing.empty() ? is_looked_at : options.drawing == "inside";
+}
 
 void check_options(const Reeb_command_options& options) {
   if(!options.height.empty() && is_zero(options.height))
@@ -54,6 +64,8 @@ void check_options(const Reeb_command_options& options) {
   check_suffix(options.parts_file, ".ply");
   check_common_options(options);
   choose_backend(options.backend);
+  if(options.has_tubes && !is_drawn_inside(options))
+    throw wrong_usage("--tubes needs the radii of lines that are drawn inside");
   check_name(options.csv_file, "a table as CSV", ".csv");
 }
 
@@ -92,6 +104,7 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
   if(!options.measure.empty())
     reeb.measure = reeb_measures().at(options.measure);
   reeb.threshold = options.threshold.value_or(reeb.threshold);
+  reeb.do_draw_inside = is_drawn_inside(options);
   reeb.backend = options.backend;
   reeb.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
@@ -114,11 +127,7 @@ void write_files(const Reeb_command_options& options,
   if(!options.parts_file.empty())
     export_coloured_mesh(options.parts_file, mesh, answer);
   if(!options.picture.file.empty() || !options.gltf_file.empty()) {
-    Exported_lines lines = lines_of(answer);
-    for(Exported_line& line : lines.lines) {
-      line.colour = {30, 30, 30}; // what differs from arc to arc is the surface around them
-      line.width = 1.4;
-    }
+    const Exported_lines lines = bones_of(mesh, answer, options.has_tubes);
     const std::vector<Colour> tints = tints_of(answer);
     Drawn_surface surface =
         drawn_surface(arc_surface(mesh, answer), [&tints](std::size_t arc) { return tints[arc]; });
@@ -135,6 +144,17 @@ bool is_output_taken(const Reeb_command_options& options) {
          options.is_mesh_on_standard_output();
 }
 
+std::string words_of_drawing(const Reeb_answer& answer) {
+  if(!answer.embedding)
+    return "";
+  const std::size_t all = answer.embedding->number_of_segments;
+  const std::size_t inside = answer.embedding->number_of_segments_inside;
+  return "drawn inside: " +
+         (inside == all ? counted(all, "segment", "segments") + ", all strictly inside\n"
+                        : std::to_string(inside) + " of " + counted(all, "segment", "segments") +
+                              " are known to lie strictly inside\n");
+}
+
 std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
   std::map<CGAL::Reeb_node_type, std::size_t> count;
   for(const auto v : CGAL::make_range(vertices(answer.graph)))
@@ -148,7 +168,7 @@ std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
          counted(count[CGAL::Reeb_node_type::SADDLE], "saddle", "saddles") + ", " +
          counted(count[CGAL::Reeb_node_type::MAXIMUM], "maximum", "maxima") + " (of " +
          counted(statistics.number_of_critical_nodes, "node", "nodes") +
-         " before the simplification)\n" +
+         " before the simplification)\n" + words_of_drawing(answer) +
          formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
                    read_seconds, answer.backend.c_str()) +
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
@@ -185,6 +205,8 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   add_picture_options(command, options, "the graph", true, words_of_opacity_around_bones);
   add_page_option(command, options, "the mesh and the graph");
   add_gltf_option(command, options, "the arcs");
+  command.add_flag("--tubes", options.has_tubes,
+                   "bones as thick as the solid, in the picture and as glTF");
   add_view_options(command, options);
 }
 
@@ -218,6 +240,11 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
              "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
              "else persistence",
              reeb_measures());
+  add_choice(
+      command, "--drawing", "NAME", options.drawing,
+      "inside, in the middle of the solid, or means, through the means of contours, at once;\n"
+      "default: inside where there are lines, a picture, a page or glTF",
+      std::vector<std::string>{"inside", "means"});
   add_threads_option(command, options);
 }
 

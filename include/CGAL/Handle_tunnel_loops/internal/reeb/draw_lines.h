@@ -46,7 +46,7 @@ inline Contour_place contour_place(const Flat_mesh& mesh, const Contour_walk& wa
 }
 
 /// A ball that touches a contour and lies inside of it.
-struct Inner_ball
+struct Contour_ball
 {
   Vector centre;
   double radius;
@@ -91,8 +91,8 @@ inline std::vector<Contour_place> contour_places(const Flat_mesh& mesh,
 
 /// the largest ball that touches the contour at one of its places from inside, and holds no other
 /// place.
-inline Inner_ball
-inner_ball(const std::vector<Contour_place>& places, const Contour_place& place, double sign) {
+inline Contour_ball
+contour_ball(const std::vector<Contour_place>& places, const Contour_place& place, double sign) {
   const double length = norm(place.outward);
   if(!(length > 0.))
     return {place.point, 0.};
@@ -123,7 +123,7 @@ public:
   std::vector<Vector> operator()(const Vector& mean) const {
     std::vector<std::pair<double, Vector>> balls;
     const auto add = [&](const Contour_place& place) {
-      const Inner_ball ball = inner_ball(places_, place, sign_);
+      const Contour_ball ball = contour_ball(places_, place, sign_);
       if(ball.radius > 0.)
         balls.emplace_back(ball.distance(mean), ball.centre);
     };

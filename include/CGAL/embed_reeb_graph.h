@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_EMBED_REEB_GRAPH_H
+#define CGAL_EMBED_REEB_GRAPH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/places_of_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+/// \file embed_reeb_graph.h
+/// Reeb graphs drawn in the middle of the solid.
+
+namespace CGAL {
+
+namespace Handle_tunnel_loops::internal {
+
+/// a Reeb graph on the arrays of its surface. \p index gives the numbers of vertices there.
+template <typename Graph, typename IndexOfVertex>
+Graph_of_parts
+parts_of_graph(const Graph& graph, const Flat_mesh& mesh, const IndexOfVertex& index) {
+  Graph_of_parts parts;
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    parts.vertex_of_node.push_back(index(graph[v].vertex));
+  parts.arcs.resize(num_edges(graph));
+  parts.arc_of_vertex.assign(mesh.number_of_vertices(), no_index);
+  for(const auto e : CGAL::make_range(edges(graph))) {
+    const Index arc = static_cast<Index>(graph[e].index);
+    parts.arcs[arc] = {static_cast<Index>(source(e, graph)), static_cast<Index>(target(e, graph))};
+    for(const auto v : graph[e].vertices)
+      parts.arc_of_vertex[index(v)] = arc;
+  }
+  return parts;
+}
+
+/// gives the line of an arc to it. Returns the number of segments that are inside.
+template <typename Arc>
+std::size_t
+take_line(const std::vector<Inner_ball>& line, const std::vector<char>& is_inside, Arc& arc) {
+  using Point_of_arc = typename decltype(arc.polyline)::value_type;
+  arc.polyline.clear();
+  arc.radii.clear();
+  arc.length = 0.;
+  for(std::size_t i = 0; i < line.size(); ++i) {
+    const Vector& p = line[i].centre;
+    arc.polyline.emplace_back(Point_of_arc(p[0], p[1], p[2]));
+    arc.radii.push_back(line[i].radius);
+    if(i > 0)
+      arc.length += norm(p - line[i - 1].centre);
+  }
+  arc.is_inside.assign(is_inside.begin(), is_inside.end());
+  return static_cast<std::size_t>(std::count(is_inside.begin(), is_inside.end(), char(1)));
+}
+
+} // namespace Handle_tunnel_loops::internal
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+draws a Reeb graph in the middle of the solid that its surface encloses. `reeb_graph()` draws lines
+through the means of contours, in hardly any time, which is a quick look at the graph; but these
+leave the solid where contours are not convex. This function draws them again, by the balls that
+`curve_skeleton()` is found by, in a time that is near that of `curve_skeleton()`.
+
+Nodes, arcs and what belongs to them stay as they are. `Reeb_node::point` is put in the middle of
+the solid where its vertex sees it, an end of a limb too, and `Reeb_arc::polyline` leads there in
+the middle of the part of the solid that is around the vertices of the arc; where there is no way in
+this part, as in a flat ring of which the contours surround the hole, the line takes a way elsewhere
+inside. `Reeb_arc::radii` tells how thick the solid is around it.
+
+That each segment lies strictly inside is tested by exact predicates on the coordinates of the mesh
+and of the polylines, as doubles. Of a surface that neither crosses nor touches itself they all do,
+unless the walls are thinner than doubles can tell. On others, those that are known to do are
+marked. The graph has as many cycles as the genus, but these need not be a basis of H1 of the solid,
+as those of `curve_skeleton()` are: `certify_curve_skeleton()` tells.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on it.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex
+  point map
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param graph its graph, as `reeb_graph()` or `reeb_graph_of_function()` computed it
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what is known of the drawing
+
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
+  triangle mesh with finite coordinates
+
+\sa `reeb_graph()`
+\sa `curve_skeleton()`
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename Graph,
+          typename NamedParameters = parameters::Default_named_parameters>
+Handle_tunnel_loops::Reeb_embedding
+embed_reeb_graph(const TriangleMesh& tm,
+                 Graph& graph,
+                 const NamedParameters& np = parameters::default_values()) {
+  namespace impl = Handle_tunnel_loops::internal;
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  const impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  const auto point =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(vertex_point, tm));
+  const impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
+  const impl::Inner_drawing drawing =
+      impl::draw_inside(execution, surface.mesh, impl::places_of_vertices(execution, surface),
+                        impl::parts_of_graph(graph, surface.mesh, [&](const auto v) {
+                          return flat[get(vertex_index, v)];
+                        }));
+
+  Handle_tunnel_loops::Reeb_embedding result;
+  for(const auto v : CGAL::make_range(vertices(graph))) {
+    using Point_of_node = std::decay_t<decltype(graph[v].point)>;
+    const impl::Vector& p = drawing.nodes[v].centre;
+    graph[v].point = Point_of_node(p[0], p[1], p[2]);
+    graph[v].radius = drawing.nodes[v].radius;
+  }
+  for(const auto e : CGAL::make_range(edges(graph))) {
+    auto& arc = graph[e];
+    result.number_of_segments += drawing.is_inside[arc.index].size();
+    result.number_of_segments_inside +=
+        impl::take_line(drawing.lines[arc.index], drawing.is_inside[arc.index], arc);
+  }
+  result.inside = result.number_of_segments_inside == result.number_of_segments;
+  result.embedded = drawing.is_embedded;
+  result.number_of_balls = drawing.number_of_balls;
+  result.seconds = std::chrono::duration<double>(Clock::now() - began).count();
+  return result;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_EMBED_REEB_GRAPH_H
