@@ -15,7 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>

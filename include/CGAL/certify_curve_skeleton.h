@@ -16,9 +16,9 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Skeleton_certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/places_of_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/Named_function_parameters.h>

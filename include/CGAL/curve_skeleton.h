@@ -20,9 +20,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_numbering.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_numbering.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 #include <CGAL/certify_curve_skeleton.h>

@@ -15,8 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 

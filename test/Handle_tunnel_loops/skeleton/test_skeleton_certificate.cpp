@@ -6,7 +6,7 @@
 #include "Skeleton_definitions.h"
 #include "Solids.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Exact_meeting.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Exact_meeting.h>
 #include <CGAL/certify_curve_skeleton.h>
 
 #include <gtest/gtest.h>

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 

@@ -13,10 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 

@@ -12,13 +12,13 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Arc_smoothing.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_borders.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ways_in_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Arc_smoothing.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 
 #include <algorithm>

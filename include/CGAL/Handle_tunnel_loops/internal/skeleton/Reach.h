@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Edges_at.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>

@@ -14,13 +14,13 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Parts_of_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_drawing.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Taken_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

@@ -13,12 +13,12 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Arc_smoothing.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Arc_smoothing.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Edges_at.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

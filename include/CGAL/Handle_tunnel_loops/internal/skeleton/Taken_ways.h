@@ -14,12 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlet_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Limbs.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Shared_ways.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

@@ -12,15 +12,15 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/proof/Inlets.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Inside_test.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Chains_of_arcs.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlets.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inside_test.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_lines.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 
 #include <limits>
 

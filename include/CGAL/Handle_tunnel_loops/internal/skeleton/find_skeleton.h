@@ -15,9 +15,9 @@
 #include <CGAL/Handle_tunnel_loops/Curve_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_frame.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

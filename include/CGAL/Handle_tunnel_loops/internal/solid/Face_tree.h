@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FACE_TREE_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FACE_TREE_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_FACE_TREE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_FACE_TREE_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_boxes.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -156,4 +156,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FACE_TREE_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_FACE_TREE_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_IMPL_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_IMPL_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CERTIFY_SKELETON_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CERTIFY_SKELETON_IMPL_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Hub_places.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Places_of_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_checker.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Hub_places.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Places_of_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_checker.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
 
 #include <string>
 #include <vector>
@@ -55,4 +55,4 @@ CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate, bool wit
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_IMPL_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CERTIFY_SKELETON_IMPL_H

@@ -7,20 +7,20 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SOLID_BALLS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SOLID_BALLS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SOLID_BALLS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SOLID_BALLS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ball_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -175,4 +175,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SOLID_BALLS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SOLID_BALLS_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WAY_ALONG_WALL_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WAY_ALONG_WALL_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_WAY_ALONG_WALL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_WAY_ALONG_WALL_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -188,4 +188,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WAY_ALONG_WALL_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_WAY_ALONG_WALL_H

@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CERTIFY_SKELETON_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CERTIFY_SKELETON_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Skeleton_certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
@@ -67,7 +67,7 @@ CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate, bool wit
 } // namespace CGAL::Handle_tunnel_loops::internal
 
 #ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton_impl.h>
 #endif
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CERTIFY_SKELETON_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CERTIFY_SKELETON_H

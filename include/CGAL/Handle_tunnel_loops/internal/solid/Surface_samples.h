@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SURFACE_SAMPLES_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SURFACE_SAMPLES_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SURFACE_SAMPLES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SURFACE_SAMPLES_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -205,4 +205,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SURFACE_SAMPLES_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SURFACE_SAMPLES_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_EXACT_MEETING_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_EXACT_MEETING_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_EXACT_MEETING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_EXACT_MEETING_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -104,4 +104,4 @@ inline bool do_meet_beyond_corner(const Exact_point& p, const Exact_triangle& t)
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_EXACT_MEETING_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_EXACT_MEETING_H

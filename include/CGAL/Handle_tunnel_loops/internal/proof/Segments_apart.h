@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SEGMENTS_APART_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SEGMENTS_APART_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_SEGMENTS_APART_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_SEGMENTS_APART_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Exact_meeting.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Exact_meeting.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -128,4 +128,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SEGMENTS_APART_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_SEGMENTS_APART_H

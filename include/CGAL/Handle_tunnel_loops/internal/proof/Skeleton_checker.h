@@ -7,22 +7,22 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_CHECKER_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_CHECKER_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_SKELETON_CHECKER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_SKELETON_CHECKER_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Skeleton_certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Cycle_linking.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Hub_places.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlets.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inside_test.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Segments_apart.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_cycles.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Cycle_linking.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Hub_places.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Inlets.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Inside_test.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -340,4 +340,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SKELETON_CHECKER_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_SKELETON_CHECKER_H

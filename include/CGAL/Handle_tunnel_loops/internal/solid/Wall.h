@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WALL_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WALL_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_WALL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_WALL_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Exact_meeting.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Exact_meeting.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -183,4 +183,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_WALL_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_WALL_H

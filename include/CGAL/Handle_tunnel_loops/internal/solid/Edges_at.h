@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_EDGES_AT_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_EDGES_AT_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_EDGES_AT_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_EDGES_AT_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -54,4 +54,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_EDGES_AT_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_EDGES_AT_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CYCLE_LINKING_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CYCLE_LINKING_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CYCLE_LINKING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CYCLE_LINKING_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -16,8 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -209,4 +209,4 @@ inline Integer_lattice::Integer determinant(const Sparse_matrix& matrix, std::si
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_CYCLE_LINKING_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CYCLE_LINKING_H

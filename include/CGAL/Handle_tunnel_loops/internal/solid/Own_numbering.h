@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_OWN_NUMBERING_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_OWN_NUMBERING_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_OWN_NUMBERING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_OWN_NUMBERING_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Own_frame.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -123,4 +123,4 @@ Own_frame put_into_own_frame(Execution execution, Prepared& surface, std::vector
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_OWN_NUMBERING_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_OWN_NUMBERING_H

@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_ARC_SMOOTHING_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_ARC_SMOOTHING_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_ARC_SMOOTHING_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_ARC_SMOOTHING_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <algorithm>
@@ -234,4 +234,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_ARC_SMOOTHING_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_ARC_SMOOTHING_H

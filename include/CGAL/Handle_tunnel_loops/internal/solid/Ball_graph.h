@@ -7,18 +7,18 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_BALL_GRAPH_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_BALL_GRAPH_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_BALL_GRAPH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_BALL_GRAPH_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Edges_at.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_pieces.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Surface_samples.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Way_along_wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Edges_at.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Way_along_wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
@@ -332,4 +332,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_BALL_GRAPH_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_BALL_GRAPH_H

@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SURFACE_PIECES_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SURFACE_PIECES_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SURFACE_PIECES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SURFACE_PIECES_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -209,4 +209,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_SURFACE_PIECES_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_SURFACE_PIECES_H

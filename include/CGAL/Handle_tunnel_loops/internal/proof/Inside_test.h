@@ -7,17 +7,17 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INSIDE_TEST_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INSIDE_TEST_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_INSIDE_TEST_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_INSIDE_TEST_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Exact_meeting.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlets.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Inlets.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Exact_meeting.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -157,4 +157,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INSIDE_TEST_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_INSIDE_TEST_H

@@ -7,16 +7,16 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_PLACES_OF_SKELETON_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_PLACES_OF_SKELETON_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_PLACES_OF_SKELETON_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_PLACES_OF_SKELETON_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Face_tree.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlets.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Inlets.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -135,4 +135,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_PLACES_OF_SKELETON_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_PLACES_OF_SKELETON_H

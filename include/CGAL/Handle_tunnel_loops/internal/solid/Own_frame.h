@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_OWN_FRAME_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_OWN_FRAME_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_OWN_FRAME_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_OWN_FRAME_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -196,4 +196,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_OWN_FRAME_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_OWN_FRAME_H

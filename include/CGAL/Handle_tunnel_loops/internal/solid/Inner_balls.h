@@ -7,12 +7,12 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INNER_BALLS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INNER_BALLS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_INNER_BALLS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_INNER_BALLS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -156,4 +156,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INNER_BALLS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SOLID_INNER_BALLS_H

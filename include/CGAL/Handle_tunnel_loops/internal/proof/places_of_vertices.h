@@ -7,12 +7,12 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_PLACES_OF_VERTICES_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_PLACES_OF_VERTICES_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_PLACES_OF_VERTICES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_PLACES_OF_VERTICES_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/certify_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -47,4 +47,4 @@ std::vector<Index> indices_in_arrays(const Prepared& surface, VertexIndexMap ver
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_PLACES_OF_VERTICES_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_PLACES_OF_VERTICES_H

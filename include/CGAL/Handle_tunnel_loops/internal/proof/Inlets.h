@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INLETS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INLETS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_INLETS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_INLETS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -84,4 +84,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_INLETS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_INLETS_H
