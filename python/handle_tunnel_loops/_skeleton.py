@@ -98,8 +98,9 @@ class CurveSkeleton:
         """Writes it in the format that the end of the name tells.
 
         .swc: trees with radii, each cycle cut at a point that is there twice; .vtp: lines with radii, for
-        ParaView and VMTK; .obj, .ply, .polylines.txt: lines; .graphml, .dot: graphs; .csv: a row for each
-        arc; .json: all, for ``htloops check``. Numbers read back as exactly themselves.
+        ParaView and VMTK, as bytes if the name ends in .binary.vtp; .obj, .ply, .polylines.txt: lines;
+        .graphml, .dot: graphs; .csv: a row for each arc; .json: all, for ``htloops check``. Numbers read
+        back as exactly themselves.
         """
         computed("save", None, _core.save_skeleton, os.fspath(path), self._record)
 

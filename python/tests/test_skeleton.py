@@ -111,12 +111,13 @@ def test_vtp(genus_3, tmp_path):
     assert all(np.array_equal(*pair) for pair in zip(np.split(numbers, ends[:-1]), S.arcs))
 
 
-def test_vtk_reads_it(genus_3, tmp_path):
+@pytest.mark.parametrize("end", ["vtp", "binary.vtp"])
+def test_vtk_reads_it(genus_3, tmp_path, end):
     vtk = pytest.importorskip("vtk")
     S = htl.curve_skeleton(*genus_3)
-    S.save(tmp_path / "a.vtp")
+    S.save(tmp_path / f"a.{end}")
     reader = vtk.vtkXMLPolyDataReader()
-    reader.SetFileName(str(tmp_path / "a.vtp"))
+    reader.SetFileName(str(tmp_path / f"a.{end}"))
     reader.Update()
     data = reader.GetOutput()
     assert data.GetNumberOfPoints() == len(S.points) and data.GetNumberOfLines() == len(S.arcs)
@@ -125,7 +126,7 @@ def test_vtk_reads_it(genus_3, tmp_path):
 
 def test_all_formats(genus_3, tmp_path):
     S = htl.curve_skeleton(*genus_3)
-    for end in ["json", "csv", "swc", "vtp", "obj", "ply", "polylines.txt", "graphml", "dot"]:
+    for end in ["json", "csv", "swc", "vtp", "binary.vtp", "obj", "ply", "polylines.txt", "graphml", "dot"]:
         S.save(tmp_path / f"a.{end}")
         assert (tmp_path / f"a.{end}").stat().st_size > 100
     read = json.loads((tmp_path / "a.json").read_text())

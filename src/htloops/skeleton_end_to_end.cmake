@@ -10,8 +10,8 @@ endfunction()
 # As many cycles as handles, all proved, in the table and in JSON.
 run(0 generate multi-torus --genus 3 --faces 3000 -o mesh.off --quiet)
 run(0 skeleton mesh.off -o mesh.json --csv arcs.csv --lines mesh.swc --lines mesh.vtp --lines mesh.obj
-  --lines mesh.ply --lines mesh.polylines.txt --graph mesh.graphml --graph mesh.dot --parts parts.ply
-  --html mesh.html --gltf mesh.glb --threads 2)
+  --lines mesh.binary.vtp --lines mesh.ply --lines mesh.polylines.txt --graph mesh.graphml
+  --graph mesh.dot --parts parts.ply --html mesh.html --gltf mesh.glb --threads 2)
 expect_equal("${errors}" "")
 expect_match("${output}" "arc +length +smallest radius +mean radius +tortuosity +cycle +from +to\n")
 expect_match("${output}" "genus 3 in 1 component: [0-9]+ arcs, 3 cycles, [0-9]+ joints")
@@ -52,6 +52,9 @@ file(READ "${FOLDER}/mesh.vtp" vtp)
 expect_match("${vtp}" "NumberOfPoints=\"${points}\" NumberOfVerts=\"0\" NumberOfLines=\"${arcs}\"")
 expect_match("${vtp}" "type=\"Float64\" Name=\"MaximumInscribedSphereRadius\"")
 expect_match("${vtp}" "Name=\"Arc\".*Name=\"Component\"")
+file(READ "${FOLDER}/mesh.binary.vtp" bytes)
+expect_match("${bytes}" "NumberOfPoints=\"${points}\" NumberOfVerts=\"0\" NumberOfLines=\"${arcs}\"")
+expect_match("${bytes}" "type=\"Float64\" Name=\"MaximumInscribedSphereRadius\" format=\"binary\"")
 foreach(format_and_count IN ITEMS "graphml:<edge :${edges}" "graphml:<node :${points}" "dot: -- :${edges}")
   string(REPLACE ":" ";" words "${format_and_count}")
   list(GET words 0 format)
@@ -63,7 +66,7 @@ foreach(format_and_count IN ITEMS "graphml:<edge :${edges}" "graphml:<node :${po
 endforeach()
 
 # 'htloops check' proves it again, whatever file it is in.
-foreach(file IN ITEMS mesh.json mesh.swc mesh.vtp mesh.obj mesh.graphml mesh.polylines.txt)
+foreach(file IN ITEMS mesh.json mesh.swc mesh.vtp mesh.binary.vtp mesh.obj mesh.graphml mesh.polylines.txt)
   run(0 check mesh.off ${file})
   expect_match("${output}" "3 cycles are a basis of H1 of the solid")
 endforeach()

@@ -10,6 +10,7 @@
 #ifndef HTL_WINDOW_ENCODING_H
 #define HTL_WINDOW_ENCODING_H
 
+#include "base64.h"
 #include "window.h"
 
 #include <algorithm>
@@ -79,9 +80,6 @@ private:
 
   Point low_ = {infinity, infinity, infinity}, high_ = {-infinity, -infinity, -infinity};
 };
-
-/// bytes as letters, digits, + and / (RFC 4648).
-std::string base64_of(std::string_view bytes);
 
 /// bytes as a stream of RFC 1951, which browsers read as "deflate-raw". Fast rather than small:
 /// what is coded here has been made of small numbers already, which are short words.

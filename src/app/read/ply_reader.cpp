@@ -46,14 +46,6 @@ Ply_element read_element(Text_source& text) {
   return element;
 }
 
-template <typename T> bool read_as(Binary_source& data, double& value) {
-  T number;
-  if(!data.read(number))
-    return false;
-  value = static_cast<double>(number);
-  return true;
-}
-
 constexpr Ply_type types[] = {{"char", "int8", true, read_as<std::int8_t>},
                               {"uchar", "uint8", true, read_as<std::uint8_t>},
                               {"short", "int16", true, read_as<std::int16_t>},

@@ -12,11 +12,13 @@
 #include "read/formats.h"
 #include "read/json_node.h"
 #include "read/sources.h"
+#include "window/base64.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <sstream>
 #include <string>
@@ -279,6 +281,23 @@ std::vector<double> numbers(const Input_file& file, const std::string& content) 
   return numbers;
 }
 
+// Reads the next number; false if there is none.
+using Read_number = bool (*)(Binary_source&, double&);
+
+struct Vtk_type
+{
+  const char* name;
+  Read_number read;
+};
+
+constexpr Vtk_type vtk_types[] = {
+    {"Float64", read_as<double>},     {"Float32", read_as<float>},
+    {"Int64", read_as<std::int64_t>}, {"UInt64", read_as<std::uint64_t>},
+    {"Int32", read_as<std::int32_t>}, {"UInt32", read_as<std::uint32_t>},
+    {"Int16", read_as<std::int16_t>}, {"UInt16", read_as<std::uint16_t>},
+    {"Int8", read_as<std::int8_t>},   {"UInt8", read_as<std::uint8_t>},
+};
+
 class Vtp_reader
 {
 public:
@@ -291,6 +310,11 @@ public:
     const auto poly_data = tree.get_child_optional("VTKFile.PolyData");
     if(!poly_data)
       fail_to_read(file_.name(), "it is no PolyData of VTK");
+    const Tree& root = tree.get_child("VTKFile");
+    is_compressed_ = !attribute(root, "compressor").empty();
+    is_little_endian_ = attribute(root, "byte_order") != "BigEndian";
+    read_header_ = attribute(root, "header_type") == "UInt64" ? read_as<std::uint64_t>
+                                                              : read_as<std::uint32_t>;
     for(const auto& [name, piece] : *poly_data)
       if(name == "Piece")
         read_piece(piece);
@@ -305,14 +329,37 @@ private:
   array(const Tree& piece, const std::string& section, const std::string& name) const {
     if(const auto arrays = piece.get_child_optional(section))
       for(const auto& [kind, array] : *arrays)
-        if(kind == "DataArray" && (name.empty() || attribute(array, "Name") == name)) {
-          if(attribute(array, "format") != "ascii")
-            fail_to_read(file_.name(),
-                         "its arrays are not text: only those of the format \"ascii\" "
-                         "can be read here");
-          return numbers(file_, array.data());
-        }
+        if(kind == "DataArray" && (name.empty() || attribute(array, "Name") == name))
+          return attribute(array, "format") == "ascii" ? numbers(file_, array.data())
+                                                       : numbers_of_bytes(array);
     return {};
+  }
+
+  // In base64, after the number of bytes.
+  std::vector<double> numbers_of_bytes(const Tree& array) const {
+    if(attribute(array, "format") != "binary" || is_compressed_)
+      fail_to_read(file_.name(),
+                   "its arrays are compressed or appended: only those of the formats \"ascii\" "
+                   "and \"binary\", not compressed, can be read here");
+    const std::string bytes = htl_window::bytes_of_base64(array.data());
+    Binary_source source(file_.name(), bytes, 0, is_little_endian_);
+    double size;
+    if(!read_header_(source, size) || !(size <= static_cast<double>(source.bytes_left())))
+      fail_to_read(file_.name(), "an array has fewer bytes than it says");
+    const std::size_t rest = source.bytes_left() - static_cast<std::size_t>(size);
+    const Read_number read_next = reader_of(attribute(array, "type"));
+    std::vector<double> numbers;
+    for(double x; source.bytes_left() > rest && read_next(source, x);)
+      numbers.push_back(x);
+    return numbers;
+  }
+
+  Read_number reader_of(const std::string& type) const {
+    for(const Vtk_type& known : vtk_types)
+      if(type == known.name)
+        return known.read;
+    fail_to_read(file_.name(),
+                 "it has numbers of the type " + in_quotes(type) + ", which cannot be read here");
   }
 
   Cells cells(const Tree& piece, const std::string& section, std::size_t first) const {
@@ -356,6 +403,8 @@ private:
 
   const Input_file& file_;
   Line_collector lines_;
+  bool is_compressed_ = false, is_little_endian_ = true;
+  Read_number read_header_ = nullptr; // the number of bytes of an array
 };
 
 class Graphml_reader

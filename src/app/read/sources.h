@@ -112,6 +112,15 @@ private:
   bool is_swapped_;
 };
 
+/// reads the next number, of a type of its own; false, without moving, if the content ends before.
+template <typename T> bool read_as(Binary_source& data, double& value) {
+  T number;
+  if(!data.read(number))
+    return false;
+  value = static_cast<double>(number);
+  return true;
+}
+
 } // namespace htloops
 
 #endif // HTLOOPS_SOURCES_H

@@ -11,9 +11,12 @@
 #define HTLOOPS_POLYDATA_WRITER_H
 
 #include "mesh_types.h"
+#include "window/base64.h"
 #include "write/files.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -26,16 +29,21 @@ inline Text_writer& operator<<(Text_writer& out, const Point& point) {
 
 /// Writes points, and vertices and lines on them, as a VTK PolyData in a text of XML. Sections come
 /// in any order, and arrays in those that they belong to; those of cells have vertices first.
+/// Arrays are text, or bytes in base64 after their number, which is shorter.
 class Polydata_writer
 {
 public:
   Polydata_writer(Text_writer& out,
                   std::size_t number_of_points,
                   std::size_t number_of_vertices,
-                  std::size_t number_of_lines)
-      : out_(out) {
-    out_ << "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+                  std::size_t number_of_lines,
+                  bool is_binary = false)
+      : out_(out)
+      , is_binary_(is_binary) {
+    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\""
+         << (is_binary ? "1.0" : "0.1") << "\" byte_order=\"LittleEndian\""
+         << (is_binary ? " header_type=\"UInt64\"" : "")
+         << ">\n<PolyData>\n"
             "<Piece NumberOfPoints=\""
          << number_of_points << "\" NumberOfVerts=\"" << number_of_vertices << "\" NumberOfLines=\""
          << number_of_lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
@@ -55,9 +63,17 @@ public:
              Value value,
              const char* attributes = "") {
     out_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"" << attributes
-         << " format=\"ascii\">\n";
-    for(const auto& element : range)
-      out_ << value(element) << '\n';
+         << " format=\"" << (is_binary_ ? "binary" : "ascii") << "\">\n";
+    if(is_binary_) {
+      std::string bytes;
+      for(const auto& element : range)
+        append(bytes, type, value(element));
+      std::string header;
+      append_bytes(header, std::uint64_t(bytes.size()), 8);
+      out_ << htl_window::base64_of(header + bytes) << '\n';
+    } else
+      for(const auto& element : range)
+        out_ << value(element) << '\n';
     out_ << "</DataArray>\n";
   }
 
@@ -71,12 +87,8 @@ public:
   /// writes a section of cells, of which each is the numbers of its points.
   void cells(const std::string& section, const std::vector<std::vector<std::size_t>>& cells) {
     begin(section);
-    array("Int64", "connectivity", cells, [](const std::vector<std::size_t>& points) {
-      std::string line;
-      for(const std::size_t point : points)
-        line += (line.empty() ? "" : " ") + std::to_string(point);
-      return line;
-    });
+    array("Int64", "connectivity", cells,
+          [](const std::vector<std::size_t>& points) { return Numbers_of_points{&points}; });
     std::size_t end_of_cell = 0;
     array("Int64", "offsets", cells, [&end_of_cell](const std::vector<std::size_t>& points) {
       return end_of_cell += points.size();
@@ -87,7 +99,50 @@ public:
   void finish() { out_ << "</Piece>\n</PolyData>\n</VTKFile>\n"; }
 
 private:
+  // Of a cell.
+  struct Numbers_of_points
+  {
+    const std::vector<std::size_t>* points;
+
+    friend Text_writer& operator<<(Text_writer& out, const Numbers_of_points& numbers) {
+      const char* blank = "";
+      for(const std::size_t point : *numbers.points) {
+        out << blank << point;
+        blank = " ";
+      }
+      return out;
+    }
+  };
+
+  // The lowest byte first.
+  static void append_bytes(std::string& bytes, std::uint64_t bits, int number) {
+    for(int i = 0; i < number; ++i)
+      bytes += static_cast<char>(bits >> (8 * i) & 255u);
+  }
+
+  // As a number of a type.
+  template <typename Number>
+  static void append(std::string& bytes, const std::string& type, Number value) {
+    if(type == "Float64") {
+      const double number = static_cast<double>(value);
+      std::uint64_t bits;
+      static_assert(sizeof bits == sizeof number);
+      std::memcpy(&bits, &number, sizeof bits);
+      append_bytes(bytes, bits, 8);
+    } else
+      append_bytes(bytes, static_cast<std::uint64_t>(value), type == "UInt8" ? 1 : 8);
+  }
+  static void append(std::string& bytes, const std::string& type, const Point& point) {
+    for(int i = 0; i < 3; ++i)
+      append(bytes, type, point[i]);
+  }
+  static void append(std::string& bytes, const std::string& type, const Numbers_of_points& cell) {
+    for(const std::size_t point : *cell.points)
+      append(bytes, type, point);
+  }
+
   Text_writer& out_;
+  bool is_binary_;
 };
 
 } // namespace htloops

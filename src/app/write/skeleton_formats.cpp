@@ -178,7 +178,7 @@ void write_swc(Text_writer& out, const Skeleton_answer& answer) {
   }
 }
 
-void write_skeleton_vtp(Text_writer& out, const Skeleton_answer& answer) {
+void write_skeleton_vtp(Text_writer& out, const Skeleton_answer& answer, bool is_binary) {
   const Skeleton_graph& graph = answer.graph;
   const auto points = CGAL::make_range(vertices(graph));
   std::vector<Numbers> alone = lone_points(graph), lines;
@@ -189,7 +189,7 @@ void write_skeleton_vtp(Text_writer& out, const Skeleton_answer& answer) {
     cells.push_back({static_cast<std::int64_t>(lines.size()), arc.component});
     lines.push_back(arc.points);
   }
-  Polydata_writer vtp(out, num_vertices(graph), alone.size(), lines.size());
+  Polydata_writer vtp(out, num_vertices(graph), alone.size(), lines.size(), is_binary);
   vtp.begin("PointData", " Scalars=\"MaximumInscribedSphereRadius\"");
   vtp.array("Float64", "MaximumInscribedSphereRadius", points,
             [&](auto v) { return graph[v].radius; });

@@ -25,7 +25,7 @@ namespace htloops {
 void write_swc(Text_writer& out, const Skeleton_answer& answer);
 
 /// writes a VTK PolyData with a line for each arc, as centre lines of vessels are kept.
-void write_skeleton_vtp(Text_writer& out, const Skeleton_answer& answer);
+void write_skeleton_vtp(Text_writer& out, const Skeleton_answer& answer, bool is_binary);
 
 /// writes points, and a line for each arc.
 void write_skeleton_obj(Text_writer& out, const Skeleton_answer& answer);

@@ -144,8 +144,9 @@ loop that have each other's names are one.
 A skeleton has to lie strictly inside, but for leaves in the middle of boundary curves, must not
 meet itself, and its cycles have to be a basis of H1 of the solid, in each component as if the
 others were away; all of it is decided exactly. It is what 'htloops skeleton' wrote as .json, or any
-.obj (lines), .vtp (text), .swc, .graphml (x, y, z) or .polylines.txt. Edges that leave are named by
-the points of the file, with the face, from 0, that they leave through.
+.obj (lines), .vtp (text, or base64 that is not compressed), .swc, .graphml (x, y, z) or
+.polylines.txt. Edges that leave are named by the points of the file, with the face, from 0, that
+they leave through.
 )";
 
 constexpr char check_examples[] =

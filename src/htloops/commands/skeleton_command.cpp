@@ -119,7 +119,7 @@ void run(const Skeleton_command_options& options) {
 void add_output_options(CLI::App& command, Skeleton_command_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the skeleton");
-  add_lines_option(command, options, "the arcs", ".swc .vtp .obj .ply .polylines.txt");
+  add_lines_option(command, options, "the arcs", ".swc .vtp .binary.vtp .obj .ply .polylines.txt");
   add_output(command, "--graph", "FILE", options.graph_files,
              "points and edges: .graphml .dot; repeatable");
   add_output(command, "--parts", "FILE.ply", options.parts_file,

@@ -60,6 +60,19 @@ TEST(Skeleton_reader, KnowsAllFormats) {
                         "format=\"ascii\">0 1 2 0 0 3</DataArray><DataArray Name=\"offsets\" "
                         "format=\"ascii\">4 6</DataArray></Lines></Piece></PolyData></VTKFile>")
           .lines);
+  // The same in base64, the numbers of points as 32 bits; headers are coded by themselves or not.
+  expect_triangle_with_limb(
+      read("a.vtp",
+           "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece><Points>"
+           "<DataArray type=\"Float64\" format=\"binary\">\n "
+           "YAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAPA/AAAAAAAAAAAAAAAAAAAAAA"
+           "AAAAAAAAAAAAAAAAAA8D8AAAAAAAAAAJqZmZmZmbk/VVVVVVVV1T+X1EZG9Q5nvA=="
+           "</DataArray></Points><Lines><DataArray type=\"Int32\" Name=\"connectivity\" "
+           "format=\"binary\">GAAAAA==AAAAAAEAAAACAAAAAAAAAAAAAAADAAAA</DataArray>"
+           "<DataArray type=\"Int64\" Name=\"offsets\" "
+           "format=\"binary\">EAAAAAQAAAAAAAAABgAAAAAAAAA="
+           "</DataArray></Lines></Piece></PolyData></VTKFile>")
+          .lines);
   std::string nodes;
   for(const char* node : {"n0 0 0 0", "n1 1 0 0", "n2 0 1 0"}) {
     const std::string text(node);
@@ -112,7 +125,20 @@ TEST(Skeleton_reader, SaysWhatIsWrong) {
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray format=\"binary\">AAAA</DataArray>"
                  "</Points></Piece></PolyData></VTKFile>",
-                 "its arrays are not text");
+                 "an array has fewer bytes than it says");
+  expect_problem("a.vtp",
+                 "<VTKFile><PolyData><Piece><Points><DataArray format=\"appended\"></DataArray>"
+                 "</Points></Piece></PolyData></VTKFile>",
+                 "its arrays are compressed or appended");
+  expect_problem(
+      "a.vtp",
+      "<VTKFile compressor=\"vtkZLibDataCompressor\"><PolyData><Piece><Points><DataArray "
+      "format=\"binary\">AAAAAA==</DataArray></Points></Piece></PolyData></VTKFile>",
+      "its arrays are compressed or appended");
+  expect_problem("a.vtp",
+                 "<VTKFile><PolyData><Piece><Points><DataArray type=\"String\" format=\"binary\">"
+                 "AAAAAA==</DataArray></Points></Piece></PolyData></VTKFile>",
+                 "numbers of the type 'String'");
   expect_problem("a.graphml", "<graphml><graph><node id=\"n0\"/></graph></graphml>",
                  "the node n0 has no x");
   expect_problem("a.graphml",

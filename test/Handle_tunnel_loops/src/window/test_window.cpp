@@ -13,6 +13,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_window {
@@ -36,21 +37,6 @@ std::string inflated(const std::string& bytes, std::size_t size) {
   return result;
 }
 
-std::string from_base64(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0;
-  int count = 0;
-  for(const char c : text) {
-    if(c == '=')
-      break;
-    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
-    if((count += 6) >= 8)
-      bytes += static_cast<char>(bits >> (count -= 8) & 255u);
-  }
-  return bytes;
-}
-
 // Reads what the documentation says, as a page does.
 class Decoder
 {
@@ -60,7 +46,7 @@ public:
     std::size_t size = 0;
     for(const std::size_t length : encoded.streams.lengths)
       size += length;
-    const std::string bytes = inflated(from_base64(encoded.streams.text), size);
+    const std::string bytes = inflated(bytes_of_base64(encoded.streams.text), size);
     EXPECT_EQ(bytes.size(), size);
     std::size_t at = 0;
     for(const std::size_t length : encoded.streams.lengths) {
@@ -202,13 +188,19 @@ TEST(Grid, HasTheWholeRangeOfNumbers) {
 
 // The examples of RFC 4648.
 TEST(Base64, IsThatOfTheStandard) {
-  EXPECT_EQ(base64_of(""), "");
-  EXPECT_EQ(base64_of("f"), "Zg==");
-  EXPECT_EQ(base64_of("fo"), "Zm8=");
-  EXPECT_EQ(base64_of("foo"), "Zm9v");
-  EXPECT_EQ(base64_of("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64_of("\xff\xfe\xfd"), "//79");
+  for(const auto& [bytes, text] : {std::pair<const char*, const char*>("", ""),
+                                   {"f", "Zg=="},
+                                   {"fo", "Zm8="},
+                                   {"foo", "Zm9v"},
+                                   {"foobar", "Zm9vYmFy"},
+                                   {"\xff\xfe\xfd", "//79"}})
+  {
+    EXPECT_EQ(base64_of(bytes), text);
+    EXPECT_EQ(bytes_of_base64(text), bytes);
+  }
 }
+
+TEST(Base64, GoesOnAfterAnEnd) { EXPECT_EQ(bytes_of_base64("\n Zg==Zm8=Zm9v\nZg=="), "ffofoof"); }
 
 TEST(Deflated, InflatesToWhatItWas) {
   std::mt19937 random(1);
