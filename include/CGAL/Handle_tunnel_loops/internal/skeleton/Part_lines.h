@@ -589,7 +589,7 @@ private:
     }
     drawn =
         Arc_smoothing(solid_.wall(), solid_.balls(), solid_.least_extent())(drawn, false, false);
-    if(!is_inside(drawn)) {
+    if(!is_line_free(solid_.wall(), drawn)) {
       drawn = straight;
       drawn.insert(drawn.begin(), nodes[lower]);
       drawn.push_back(nodes[upper]);
@@ -608,17 +608,7 @@ private:
     line.erase(line.begin() + 1, line.begin() + std::ptrdiff_t(i));
     if(line.size() == 2)
       return;
-    const Vector from = line[1].centre, way = line[2].centre - from, off = from - ball.centre;
-    const double a = dot(way, way), b = dot(off, way), c = dot(off, off) - most * most;
-    const double part = a > 0. ? (std::sqrt((std::max)(0., b * b - a * c)) - b) / a : 0.;
-    line[1] = {from + (std::max)(0., (std::min)(1., part)) * way, ball.radius - most};
-  }
-
-  bool is_inside(const Balls& line) const {
-    for(std::size_t i = 1; i < line.size(); ++i)
-      if(solid_.wall().meets(line[i - 1].centre, line[i].centre))
-        return false;
-    return true;
+    line[1] = {exit_of_ball(ball, within, line[1].centre, line[2].centre), ball.radius - most};
   }
 
   // No edge but an only one is without length.

@@ -174,11 +174,7 @@ private:
 
   // Where the segment to a place leaves a ball.
   Vector way_out(const Inner_ball& ball, const Vector& from, Index to) const {
-    const Vector way = places_[to].ball.centre - from, off = from - ball.centre;
-    const double a = dot(way, way), b = dot(off, way),
-                 c = dot(off, off) - within * within * ball.radius * ball.radius;
-    const double part = a > 0. ? (std::sqrt((std::max)(0., b * b - a * c)) - b) / a : 0.;
-    return from + (std::max)(0., (std::min)(1., part)) * way;
+    return exit_of_ball(ball, within, from, places_[to].ball.centre);
   }
 
   // By that place.

@@ -24,6 +24,14 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// whether no segment between balls one after the other meets the surface.
+inline bool is_line_free(const Wall& wall, const std::vector<Inner_ball>& line) {
+  for(std::size_t i = 1; i < line.size(); ++i)
+    if(wall.meets(line[i - 1].centre, line[i].centre))
+      return false;
+  return true;
+}
+
 /*!
 Draws the arcs of a skeleton as a person would: smooth, and in the middle.
 
@@ -66,7 +74,7 @@ private:
     }
     measure(smooth);
     smooth = without_needless_bends(smooth);
-    return is_inside(smooth) ? smooth : arc;
+    return is_line_free(wall_, smooth) ? smooth : arc;
   }
 
   static constexpr int rounds_of_smoothing = 12, rounds_of_centring = 2;
@@ -218,13 +226,6 @@ private:
       most = (std::max)(most, norm(off - t * way));
     }
     return most;
-  }
-
-  bool is_inside(const Balls& arc) const {
-    for(std::size_t i = 1; i < arc.size(); ++i)
-      if(wall_.meets(arc[i - 1].centre, arc[i].centre))
-        return false;
-    return true;
   }
 
   const Wall& wall_;

@@ -42,7 +42,7 @@ public:
   /// of faces 0 .. n - 1; `triangle(i)` has the corners of the i-th.
   template <typename Function>
   Face_boxes(Execution execution, std::size_t n, const Function& triangle) {
-    place(execution, n, triangle);
+    place(n, triangle);
     const std::vector<Index> begin = number_parts(execution, n, triangle);
     std::vector<Index> face_of_part;
     if(begin.back() > n)
@@ -110,11 +110,9 @@ private:
   // ---- building
 
   // The middle of all goes to the origin, and nothing is farther away than 1.
-  template <typename Function>
-  void place(Execution execution, std::size_t n, const Function& triangle) {
+  template <typename Function> void place(std::size_t n, const Function& triangle) {
     constexpr int most = 400; // so that squares are no problem
     Box<3> all = Box<3>::empty();
-    (void)execution;
     for(std::size_t i = 0; i < n; ++i)
       for(const Vector& p : triangle(static_cast<Index>(i)))
         all.extend({p, p});

@@ -31,6 +31,17 @@ struct Inner_ball
   double radius;
 };
 
+/// where the segment from a point leaves a ball of which the radius is `within` times that of a
+/// given one, in which the point is; or the end of the segment.
+inline Vector
+exit_of_ball(const Inner_ball& ball, double within, const Vector& from, const Vector& end) {
+  const Vector way = end - from, off = from - ball.centre;
+  const double a = dot(way, way), b = dot(off, way),
+               c = dot(off, off) - within * within * ball.radius * ball.radius;
+  const double part = a > 0. ? (std::sqrt((std::max)(0., b * b - a * c)) - b) / a : 0.;
+  return from + (std::max)(0., (std::min)(1., part)) * way;
+}
+
 /*!
 Finds large balls inside: from a place on the surface along the normal to the middle of the solid.
 
