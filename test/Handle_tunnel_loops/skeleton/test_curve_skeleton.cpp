@@ -397,6 +397,33 @@ TEST(Curve_skeleton, HasInletsAtCurvesThatWind) {
   }
 }
 
+// The means of their vertices lie in their plane, but for rounding: a cap there would leave no
+// room.
+TEST(Curve_skeleton, IsInsideOfFlatPiecesAndTheirCaps) {
+  const Soup triangle = {{{0.4800198, -0.36519819, 0.79762853},
+                          {0.79050479, -0.58457007, -0.18270195},
+                          {0.89951939, 0.38958253, 0.19771273}},
+                         {{0, 1, 2}}};
+  Soup square;
+  for(std::uint32_t i = 0; i < 4; ++i)
+    for(std::uint32_t j = 0; j < 4; ++j) {
+      square.points.push_back({0.1 * i, 0.3 * j, 0.7 * i - 0.9 * j});
+      if(const std::uint32_t a = 4 * i + j; i < 3 && j < 3) {
+        square.triangles.push_back({a, a + 4, a + 5});
+        square.triangles.push_back({a, a + 5, a + 1});
+      }
+    }
+  // The cap is farther from its curve than any ball is large.
+  Soup within = transformed(soup_of({"sphere", {180, 0, 0}}), 3., 0.);
+  const auto first = static_cast<std::uint32_t>(within.points.size());
+  within.points.insert(within.points.end(), triangle.points.begin(), triangle.points.end());
+  within.triangles.push_back({first, first + 1, first + 2});
+  for(const Soup& soup : {triangle, square, within}) {
+    const Mesh mesh = mesh_of(soup);
+    expect_truth(mesh, skeleton_of(mesh));
+  }
+}
+
 TEST(Curve_skeleton, DoesNotDependOnHowASurfaceWithBoundaryIsOriented) {
   const Soup soup = generators::with_holes(soup_of({"lattice", {1500, 3, 1}}), {3, 8, false, 1});
   const Mesh mesh = mesh_of(generators::reversed(soup));

@@ -135,7 +135,9 @@ private:
 /*!
 Places the hubs of the caps, so that the surface with its caps does not meet itself if the surface
 does not: in the middle of the curve, or, where the cap meets itself or something else there, at the
-first candidate where it meets nothing. If there is none it stays in the middle.
+first candidate where it meets nothing. If there is none it stays in the middle. The cap of a flat
+piece of surface would lie upon it, but for rounding: where there is one, a place is preferred that
+leaves room between them.
 */
 class Hub_places
 {
@@ -154,16 +156,20 @@ public:
     if(mesh_.number_of_hubs == 0)
       return;
     const Face_tree faces(execution_, mesh_, span_of(places_));
-    for(Index hub : caps_met(faces))
+    for(Index hub : caps_met(faces, Contact::NEARLY))
       move(faces, hub);
   }
 
+  /// what is no better than to meet.
+  enum class Contact { EXACTLY, NEARLY };
+
   /// the hubs, which have places, of caps that meet themselves, the surface or each other.
-  std::vector<Index> caps_met(const Face_tree& faces) const {
+  std::vector<Index> caps_met(const Face_tree& faces, Contact contact = Contact::EXACTLY) const {
     std::vector<char> is_met(mesh_.number_of_hubs);
     for_each_index(
         execution_, is_met.size(),
-        [&](std::size_t i) { is_met[i] = is_cap_met(faces, mesh_.first_hub + Index(i)); }, 1);
+        [&](std::size_t i) { is_met[i] = is_cap_met(faces, mesh_.first_hub + Index(i), contact); },
+        1);
     std::vector<Index> hubs;
     for(Index i = 0; i < is_met.size(); ++i)
       if(is_met[i] != 0)
@@ -182,22 +188,25 @@ private:
   }
 
   void move(const Face_tree& faces, Index hub) {
-    if(!is_cap_met(faces, hub)) // by now
-      return;
     const Vector middle = places_[hub];
-    for(const Vector& p : candidates(hub).others()) {
-      places_[hub] = p;
-      if(!is_cap_met(faces, hub)) {
-        is_moved_[hub - mesh_.first_hub] = 1;
-        moved_.push_back(hub);
+    std::vector<Vector> all = candidates(hub).others();
+    all.insert(all.begin(), middle); // other caps have been moved
+    for(const Contact contact : {Contact::NEARLY, Contact::EXACTLY})
+      for(const Vector& p : all) {
+        places_[hub] = p;
+        if(is_cap_met(faces, hub, contact))
+          continue;
+        if(p != middle) {
+          is_moved_[hub - mesh_.first_hub] = 1;
+          moved_.push_back(hub);
+        }
         return;
       }
-    }
     places_[hub] = middle;
   }
 
   // Whether the cap meets itself, the surface or another cap.
-  bool is_cap_met(const Face_tree& faces, Index hub) const {
+  bool is_cap_met(const Face_tree& faces, Index hub, Contact contact) const {
     const std::vector<Corners> cap = faces_of_cap(hub);
     std::vector<Box<3>> boxes;
     for(const Corners& face : cap)
@@ -205,14 +214,14 @@ private:
     const Box_tree<3> tree(boxes);
     const auto is_met_by = [&](const Corners& face) {
       return tree.any_meeting(box(face), [&](Index i, const Box<3>&) {
-        return cap[i] != face && do_meet_elsewhere(cap[i], face);
+        return cap[i] != face && do_meet_elsewhere(cap[i], face, contact);
       });
     };
     for(std::size_t i = 0; i < cap.size(); ++i)
       if(is_degenerate(cap[i]) || is_met_by(cap[i]) ||
          faces.boxes().any_meeting(boxes[i], [&](Index f) {
            return is_where_it_was(faces.corners(f), hub) &&
-                  do_meet_elsewhere(cap[i], faces.corners(f));
+                  do_meet_elsewhere(cap[i], faces.corners(f), contact);
          }))
         return true;
     for(Index other : moved_) {
@@ -255,7 +264,7 @@ private:
   }
 
   // Whether two faces meet elsewhere than in the corners and the side that they share.
-  bool do_meet_elsewhere(const Corners& a, const Corners& b) const {
+  bool do_meet_elsewhere(const Corners& a, const Corners& b, Contact contact) const {
     std::vector<int> in_a, in_b;
     for(int i = 0; i < 3; ++i)
       for(int j = 0; j < 3; ++j)
@@ -268,9 +277,12 @@ private:
       return any_side_meets(a, triangle(b)) || any_side_meets(b, triangle(a));
     case 1: // where they meet, both are star-shaped from the corner
       return do_meet(side(a, in_a[0]), triangle(b)) || do_meet(side(b, in_b[0]), triangle(a));
-    case 2:
-      return do_overlap_at_side(a[in_a[0]], a[in_a[1]], a[3 - in_a[0] - in_a[1]],
-                                b[3 - in_b[0] - in_b[1]]);
+    case 2: {
+      const Index u = a[in_a[0]], v = a[in_a[1]], p = a[3 - in_a[0] - in_a[1]],
+                  q = b[3 - in_b[0] - in_b[1]];
+      return do_overlap_at_side(u, v, p, q) ||
+             (contact == Contact::NEARLY && is_angle_tiny(u, v, p, q));
+    }
     default:
       return true;
     }
@@ -292,6 +304,21 @@ private:
     const Exact_point a = point(u), b = point(v), c = point(p), d = point(q);
     return CGAL::orientation(a, b, c, d) == COPLANAR && !CGAL::collinear(a, b, c) &&
            !CGAL::collinear(a, b, d) && CGAL::coplanar_orientation(a, b, c, d) == POSITIVE;
+  }
+
+  // Between faces with a common side: no more than rounding may make of two in one plane.
+  bool is_angle_tiny(Index u, Index v, Index p, Index q) const {
+    constexpr double tiny = 0x1p-30;
+    const Vector side = direction(u, v), normal_p = cross(side, direction(u, p)),
+                 normal_q = cross(side, direction(u, q)), turn = cross(normal_p, normal_q);
+    return dot(normal_p, normal_q) > 0. && norm(turn) <= tiny * norm(normal_p) * norm(normal_q);
+  }
+
+  // Of a length that is neither large nor small.
+  Vector direction(Index from, Index to) const {
+    const Vector way = places_[to] - places_[from];
+    const double size = (std::max)({std::abs(way[0]), std::abs(way[1]), std::abs(way[2])});
+    return size > 0. ? (1. / size) * way : way;
   }
 
   Execution execution_;

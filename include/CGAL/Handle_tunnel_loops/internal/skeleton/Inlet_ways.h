@@ -69,7 +69,8 @@ private:
     for(Index v : curve)
       for(Index u : mesh_.ring(v))
         if(const Index f = pieces_.face_left_of(v, u); !wall_.is_of_cap(f))
-          balls.push_back(graph.ball_of_sample[samples_.region(pieces_.piece_at(f, points_[v]))]);
+          if(const Index s = samples_.region(pieces_.piece_at(f, points_[v])); s != no_index)
+            balls.push_back(graph.ball_of_sample[s]);
     std::sort(balls.begin(), balls.end());
     balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
     const auto distance = [&](Index b) { return norm(graph.balls[b].centre - points_[hub]); };

@@ -202,7 +202,8 @@ private:
   void find_tree() {
     for(Index b = 0; b < graph_.balls.size(); ++b) {
       Index& root = roots_[graph_.component[b]];
-      if(root == no_index || graph_.balls[b].radius > graph_.balls[root].radius)
+      if(graph_.is_inlet[b] == 0 && // which is a leaf
+         (root == no_index || graph_.balls[b].radius > graph_.balls[root].radius))
         root = b;
     }
     for(Index root : roots_)

@@ -121,6 +121,8 @@ public:
     graph_ = std::move(graph);
     for(const std::vector<Index>& path : paths) {
       const Index sample = samples_.region(path.front());
+      if(sample == no_index) // of a component without balls
+        continue;
       const std::vector<Vector> around = way_along_wall_.around(path);
       if(around.empty())
         continue;
