@@ -55,7 +55,7 @@ template <typename Graph> Flat_skeleton flat_skeleton(const Graph& graph) {
     const auto& p = graph[v].point;
     flat.points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     flat.radii.push_back(graph[v].radius);
-    flat.component_of.push_back(static_cast<Index>(graph[v].component));
+    flat.component_of.push_back(component_number(graph[v].component));
     flat.is_inlet.push_back(graph[v].is_inlet);
   }
   for(const auto e : CGAL::make_range(edges(graph)))
@@ -130,8 +130,9 @@ All of it is decided by exact predicates on the coordinates of the mesh and of t
 as doubles (those of an exact kernel are rounded), and in integers. Near linear in the size of the
 mesh and of the skeleton.
 
-As by `certify_handle_tunnel_loops()`, that the surface, with its caps, neither crosses nor touches
-itself is not checked. Where it does, it has no inside, and what is said of it means nothing.
+As by `certify_handle_tunnel_loops()`, that the surface neither crosses nor touches itself is not
+checked. Where it does, it has no inside, and what is said of it means nothing. That its caps meet
+neither it nor each other is.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the

@@ -63,7 +63,7 @@ internal::Flat_skeleton as_arrays(const Skeleton_lines& skeleton) {
   for(const auto& [p, q] : skeleton.edges)
     arrays.edges.push_back({static_cast<internal::Index>(p), static_cast<internal::Index>(q)});
   for(const std::size_t component : skeleton.components)
-    arrays.component_of.push_back(static_cast<internal::Index>(component));
+    arrays.component_of.push_back(internal::component_number(component));
   arrays.is_inlet = skeleton.is_inlet;
   return arrays;
 }

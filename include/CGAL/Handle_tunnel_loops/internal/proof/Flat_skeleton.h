@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -30,6 +31,9 @@ struct Flat_skeleton
   std::vector<Index> component_of;         ///< by point, the number of a component of the mesh
   std::vector<char> is_inlet;              ///< by point, whether it is the hub of a cap
 };
+
+/// the number of a component, of whatever size; that of none if it is too large.
+inline Index component_number(std::size_t c) { return c < no_index ? Index(c) : no_index; }
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

@@ -39,9 +39,15 @@ public:
     for(Index p = 0; p < skeleton.points.size(); ++p)
       if(skeleton.is_inlet[p] && degree[p] == 1)
         hubs_[p] = hub_at(mesh, places, skeleton.points[p], skeleton.component_of[p]);
+    std::vector<char> is_taken(mesh.number_of_hubs, 0); // there is one edge at a hub
     for(Index p = 0; p < skeleton.points.size(); ++p)
-      if(hubs_[p] != no_index)
-        places[hubs_[p]] = skeleton.points[p];
+      if(Index& hub = hubs_[p]; hub != no_index) {
+        if(char& taken = is_taken[hub - mesh.first_hub]; taken == 0) {
+          taken = 1;
+          places[hub] = skeleton.points[p];
+        } else
+          hub = no_index;
+      }
   }
 
   /// the hub of the cap on which a point may lie; `no_index` if it may not.

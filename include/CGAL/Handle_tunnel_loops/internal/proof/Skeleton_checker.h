@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -57,15 +58,15 @@ public:
       , parts_of_component_(mesh.seeds.size()) {}
 
   Skeleton_certificate run() {
-    if(!has_known_components())
+    if(!has_known_points())
       return std::move(certificate_);
     const Skeleton_cycles cycles(skeleton_);
     check_parts(cycles);
     check_inside();
     check_embedding();
     check_basis(cycles);
-    if(!certificate_ && mesh_.number_of_hubs > 0)
-      note_caps();
+    if(mesh_.number_of_hubs > 0)
+      check_caps();
     return std::move(certificate_);
   }
 
@@ -106,14 +107,19 @@ private:
 
   // ---- connected parts
 
-  bool has_known_components() {
-    for(Index p = 0; p < skeleton_.points.size(); ++p)
-      if(skeleton_.component_of[p] >= mesh_.seeds.size()) {
+  bool has_known_points() {
+    for(Index p = 0; p < skeleton_.points.size(); ++p) {
+      const Vector& at = skeleton_.points[p];
+      if(!std::all_of(at.begin(), at.end(), [](double x) { return std::isfinite(x); }))
+        fail("point " + name(p) + " is not finite");
+      else if(skeleton_.component_of[p] >= mesh_.seeds.size())
         fail("point " + name(p) + " is said to be of component " +
              std::to_string(skeleton_.component_of[p]) + ", and the mesh has " +
              std::to_string(mesh_.seeds.size()));
-        return false;
-      }
+      else
+        continue;
+      return false;
+    }
     return true;
   }
 
@@ -177,19 +183,21 @@ private:
     for(Index p = 0; p < skeleton_.points.size(); ++p)
       if(skeleton_.is_inlet[p] && inlets.hub(p) == no_index)
         lines.push_back("point " + name(p) +
-                        " is no inlet: no leaf in the middle of a boundary curve");
+                        " is no inlet: not the only leaf in the middle of a boundary curve");
     certificate_.inside = lines.empty();
     fail(lines, "that are not inside");
   }
 
-  // Why there may be no proof.
-  void note_caps() {
+  // Where a cap meets something there is no inside, whatever the lines do.
+  void check_caps() {
     std::vector<std::string> lines;
     const Face_tree tree(execution_, mesh_, span_of(places_));
     for(Index hub : Hub_places(execution_, mesh_, places_).caps_met(tree))
       lines.push_back("the cap of the boundary curve at vertex " +
                       std::to_string(mesh_.index_of_caller(hub)) +
                       " meets itself, the surface or another cap: no inside is known there");
+    if(!lines.empty())
+      certificate_.inside = certificate_.basis = false;
     fail(lines, "that meet something");
   }
 
