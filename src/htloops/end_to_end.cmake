@@ -15,7 +15,8 @@ endforeach()
 run(0 generate multi-torus --genus 3 --faces 3000 -o mesh.off)
 expect_match("${output}" "genus 3")
 run(0 loops mesh.off -o loops.json --threads 2 --seed 5
-  --lines loops.ply --lines loops.obj --lines loops.vtp --lines loops.polylines.txt)
+  --lines loops.ply --lines loops.obj --lines loops.vtp --lines loops.binary.vtp
+  --lines loops.polylines.txt)
 expect_match("${output}" "genus 3 in 1 component: 3 pairs")
 expect_equal("${errors}" "")
 file(READ "${FOLDER}/loops.json" loops)
@@ -31,7 +32,7 @@ expect_match("${output}" "3 of 3 handle loops bound inside, 3 of 3 tunnel loops 
 string(JSON sides GET "${loops}" certificate tunnels_bound_outside)
 string(JSON side GET "${loops}" pairs 2 tunnel bounds)
 expect_equal("${sides} ${side}" "3 outside")
-foreach(file IN ITEMS loops.ply loops.obj loops.vtp loops.polylines.txt)
+foreach(file IN ITEMS loops.ply loops.obj loops.vtp loops.binary.vtp loops.polylines.txt)
   file(SIZE "${FOLDER}/${file}" size)
   expect_match("${size}" "^[0-9][0-9][0-9][0-9]+$")
 endforeach()
@@ -45,7 +46,7 @@ run(0 loops mesh.off -o - --quiet --no-refine --no-tighten)
 expect_equal("${errors}" "")
 
 # Reeb graphs: as many cycles as handles, in all formats, of any function.
-run(0 reeb mesh.off -o reeb.json --lines reeb.ply --lines reeb.obj --lines reeb.vtp
+run(0 reeb mesh.off -o reeb.json --lines reeb.ply --lines reeb.obj --lines reeb.vtp --lines reeb.binary.vtp
   --lines reeb.polylines.txt --graph reeb.graphml --graph reeb.dot --parts parts.ply)
 expect_match("${output}" "genus 3 in 1 component: .* 3 cycles")
 expect_equal("${errors}" "")
@@ -63,7 +64,7 @@ expect_match("${points}" "^([2-9]|[0-9][0-9]+)$")
 string(JSON vertex_arcs LENGTH "${reeb}" vertex_arc)
 string(JSON vertices GET "${reeb}" mesh vertices)
 expect_equal("${vertex_arcs}" "${vertices}")
-foreach(file IN ITEMS reeb.ply reeb.obj reeb.vtp reeb.polylines.txt reeb.graphml reeb.dot parts.ply)
+foreach(file IN ITEMS reeb.ply reeb.obj reeb.vtp reeb.binary.vtp reeb.polylines.txt reeb.graphml reeb.dot parts.ply)
   file(SIZE "${FOLDER}/${file}" size)
   expect_match("${size}" "^[0-9][0-9][0-9]+$")
 endforeach()

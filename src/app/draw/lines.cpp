@@ -44,7 +44,7 @@ void write_lines_obj(Text_writer& out, const Exported_lines& lines) {
 
 // The lines as lines of a VTK PolyData with their kind, index and length. A closed line names its
 // first point again at the end.
-void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
+template <bool is_binary> void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> cells;
   for(const Exported_line& line : lines.lines) {
@@ -53,7 +53,7 @@ void write_lines_vtp(Text_writer& out, const Exported_lines& lines) {
       cells.back().push_back(points.size() + i % line.points.size());
     points.insert(points.end(), line.points.begin(), line.points.end());
   }
-  Polydata_writer vtp(out, points.size(), 0, cells.size());
+  Polydata_writer vtp(out, points.size(), 0, cells.size(), is_binary);
   vtp.points(points, [](const Point& point) -> const Point& { return point; });
   vtp.cells("Lines", cells);
   vtp.begin("CellData", " Scalars=\"kind\"");
@@ -71,7 +71,8 @@ constexpr File_format<void(Text_writer&, const Exported_lines&)> line_formats[] 
     {".ply", write_lines_ply},
     {".obj", write_lines_obj},
     {".polylines.txt", write_lines_polylines},
-    {".vtp", write_lines_vtp},
+    {".binary.vtp", write_lines_vtp<true>}, // before what it ends in
+    {".vtp", write_lines_vtp<false>},
 };
 
 } // namespace

@@ -79,12 +79,8 @@ void write_skeleton_ply(Text_writer& out, const Skeleton_answer& answer) {
   write_lines_ply(out, lines_of(answer));
 }
 
-void write_skeleton_vtp_as_text(Text_writer& out, const Skeleton_answer& answer) {
-  write_skeleton_vtp(out, answer, false);
-}
-
-void write_skeleton_vtp_as_bytes(Text_writer& out, const Skeleton_answer& answer) {
-  write_skeleton_vtp(out, answer, true);
+template <bool is_binary> void write_vtp(Text_writer& out, const Skeleton_answer& answer) {
+  write_skeleton_vtp(out, answer, is_binary);
 }
 
 void write_skeleton_polylines(Text_writer& out, const Skeleton_answer& answer) {
@@ -92,12 +88,9 @@ void write_skeleton_polylines(Text_writer& out, const Skeleton_answer& answer) {
 }
 
 constexpr File_format<void(Text_writer&, const Skeleton_answer&)> skeleton_formats[] = {
-    {".swc", write_swc},
-    {".binary.vtp", write_skeleton_vtp_as_bytes}, // before what it ends in
-    {".vtp", write_skeleton_vtp_as_text},
-    {".obj", write_skeleton_obj},
-    {".ply", write_skeleton_ply},
-    {".polylines.txt", write_skeleton_polylines},
+    {".swc", write_swc},          {".binary.vtp", write_vtp<true>}, // before what it ends in
+    {".vtp", write_vtp<false>},   {".obj", write_skeleton_obj},
+    {".ply", write_skeleton_ply}, {".polylines.txt", write_skeleton_polylines},
 };
 
 } // namespace

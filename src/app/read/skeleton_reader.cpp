@@ -306,6 +306,8 @@ public:
       , lines_(file, true) {}
 
   Skeleton_record read() {
+    if(file_.content().find("<AppendedData") != std::string_view::npos) // it may not be XML then
+      fail_at_packed_arrays();
     const Tree tree = read_xml(file_);
     const auto poly_data = tree.get_child_optional("VTKFile.PolyData");
     if(!poly_data)
@@ -324,6 +326,12 @@ public:
 private:
   using Cells = std::vector<std::vector<std::size_t>>;
 
+  [[noreturn]] void fail_at_packed_arrays() const {
+    fail_to_read(file_.name(),
+                 "its arrays are compressed or appended; save it from ParaView with the data mode "
+                 "Ascii, or with Binary and the compressor type None");
+  }
+
   // An array of a section; empty if there is none.
   std::vector<double>
   array(const Tree& piece, const std::string& section, const std::string& name) const {
@@ -338,9 +346,7 @@ private:
   // In base64, after the number of bytes.
   std::vector<double> numbers_of_bytes(const Tree& array) const {
     if(attribute(array, "format") != "binary" || is_compressed_)
-      fail_to_read(file_.name(),
-                   "its arrays are compressed or appended: only those of the formats \"ascii\" "
-                   "and \"binary\", not compressed, can be read here");
+      fail_at_packed_arrays();
     const std::string bytes = htl_window::bytes_of_base64(array.data());
     Binary_source source(file_.name(), bytes, 0, is_little_endian_);
     double size;

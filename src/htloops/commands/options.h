@@ -138,7 +138,7 @@ void add_json_option(CLI::App& command, Common_options& options, const std::stri
 void add_lines_option(CLI::App& command,
                       Common_options& options,
                       const std::string& what,
-                      const std::string& formats = ".ply .obj .vtp .polylines.txt");
+                      const std::string& formats = ".ply .obj .vtp .binary.vtp .polylines.txt");
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,

@@ -5,6 +5,7 @@
 
 #include "app/failure.h"
 #include "app/read/input_file.h"
+#include "app/read/skeleton_reader.h"
 #include "app/read/soup.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
@@ -81,6 +82,19 @@ TEST_F(Exports, vtp_has_data_for_each_line) {
   EXPECT_EQ(count_of(text, "\n0\n1\n0\n1\n"), 1u);   // kinds
   EXPECT_EQ(count_of(text, "\n0\n0\n1\n1\n"), 1u);   // pairs
   EXPECT_EQ(count_of(text, "<DataArray"), count_of(text, "</DataArray>"));
+}
+
+TEST_F(Exports, vtp_of_bytes_says_the_same) {
+  const auto lines = [this](const std::string& name) {
+    exported(name);
+    return read_skeleton(Input_file(folder_.path(name))).lines;
+  };
+  const Skeleton_lines text = lines("a.vtp"), bytes = lines("a.binary.vtp");
+  EXPECT_EQ(folder_.read("a.vtp").find("\"binary\""), std::string::npos);
+  EXPECT_NE(folder_.read("a.binary.vtp").find("\"binary\""), std::string::npos);
+  EXPECT_EQ(text.points, bytes.points);
+  EXPECT_EQ(text.edges, bytes.edges);
+  EXPECT_EQ(bytes.edges.size(), 12u);
 }
 
 TEST_F(Exports, open_lines_do_not_come_back) {

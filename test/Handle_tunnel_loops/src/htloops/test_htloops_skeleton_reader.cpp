@@ -130,6 +130,12 @@ TEST(Skeleton_reader, SaysWhatIsWrong) {
                  "<VTKFile><PolyData><Piece><Points><DataArray format=\"appended\"></DataArray>"
                  "</Points></Piece></PolyData></VTKFile>",
                  "its arrays are compressed or appended");
+  // What follows the underscore may be any bytes.
+  expect_problem("a.vtp",
+                 "<VTKFile><PolyData><Piece/></PolyData><AppendedData encoding=\"raw\">_<&"
+                 "</AppendedData></VTKFile>",
+                 "save it from ParaView with the data mode Ascii, or with Binary and the "
+                 "compressor type None");
   expect_problem(
       "a.vtp",
       "<VTKFile compressor=\"vtkZLibDataCompressor\"><PolyData><Piece><Points><DataArray "
