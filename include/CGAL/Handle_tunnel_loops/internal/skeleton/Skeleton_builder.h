@@ -14,11 +14,13 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Hub_places.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Parts_of_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_drawing.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Taken_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
@@ -88,7 +90,7 @@ private:
       const bool is_inside = is_free(solid.wall());
       take_out_of(frame, solid);
       certify();
-      if(found_.certificate)
+      if(found_.certificate || fails_by_caps_alone())
         return true;
       if(!is_smooth)
         return !is_inside; // on a surface that crosses itself
@@ -148,6 +150,17 @@ private:
       walks.push_back(walk_beside(mesh_, *loop));
     found_.certificate =
         certify_skeleton(execution_, mesh_, places_, found_.skeleton, walks, face_number_);
+  }
+
+  // Caps that meet something do so in any frame.
+  bool fails_by_caps_alone() const {
+    const Skeleton_certificate& c = found_.certificate;
+    if(mesh_.number_of_hubs == 0 || !c.connected || !c.embedded || !c.edges_outside.empty())
+      return false;
+    std::vector<Vector> places = places_;
+    return !Hub_places(execution_, mesh_, places)
+                .caps_met(Face_tree(execution_, mesh_, span_of(places_)))
+                .empty();
   }
 
   Execution execution_;
