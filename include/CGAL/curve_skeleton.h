@@ -117,7 +117,7 @@ which there are at most tens of thousands, whatever the number \f$ n \f$ of face
     \cgalParamExtra{After a stop the graph is as it was.}
   \cgalParamNEnd
   \cgalParamNBegin{solver_options}
-    \cgalParamDescription{how the handle loops are computed}
+    \cgalParamDescription{how the handle loops are computed; they are not made short, as any basis will do}
     \cgalParamType{`Handle_tunnel_loops::Solver_options`}
     \cgalParamDefault{as that says}
   \cgalParamNEnd
@@ -168,7 +168,8 @@ curve_skeleton(const TriangleMesh& tm,
   const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
   impl::Loop_request request = impl::loop_request(
       choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()));
-  request.classes.do_link = true; // which of them are handle loops
+  request.classes.do_shorten = false; // any basis will do
+  request.classes.do_link = true;     // which of them are handle loops
   request.make_passes = &impl::make_passes<ConcurrencyTag>;
   impl::Loops_on_arrays loops(surface.coordinates(execution));
   loops.find(

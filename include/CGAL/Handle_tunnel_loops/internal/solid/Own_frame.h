@@ -29,9 +29,9 @@ namespace CGAL::Handle_tunnel_loops::internal {
 A frame that turns with a mesh, whatever the numbers of its vertices: its origin is their mean, one
 axis points to the vertex that is farthest from there, another to the vertex that is farthest from
 this axis. Of several that are equally far it is the one with the longest edges; if these are equal,
-too, the mesh is likely to look the same from all of them. If a face is large, axes are turned to be
-at right angles to the largest one, and to the largest one at right angles to that: parts that are
-made of planes are likely to fill their boxes.
+too, the mesh is likely to look the same from all of them. If much of the surface has nearly one
+normal, the first axis is turned to that, and if much has a normal at right angles to it, the second
+to that: parts that are made of planes are likely to fill their boxes, however many faces they have.
 
 Coordinates in it are between 0 and 1, and rounded so far that those of a mesh that has been turned,
 and rounded by that, are the same but for few.
@@ -58,12 +58,15 @@ public:
     for(Index v = 0; v < n; ++v)
       mean = mean + (1. / n) * into(places[v]);
     const auto way = [&](Index v) { return into(places[v]) - mean; };
-    const Vector longest = farthest(mesh, places, way), first = unit(longest);
-    const Vector second =
-        unit(farthest(mesh, places, [&](Index v) { return way(v) - dot(way(v), first) * first; }));
-    if(norm(second) > 0.)
+    const Vector longest = farthest(mesh, places, way);
+    const auto off = [&](const Vector& axis) {
+      return unit(farthest(mesh, places, [&](Index v) { return across(way(v), axis); }));
+    };
+    const Vector first = unit(longest), second = off(first);
+    if(norm(second) > 0.) {
       axes_ = {first, second, cross(first, second)};
-    turn_to(large_faces(mesh, places, 1e-3));
+      turn_to_planes(mesh, places, off);
+    }
     origin_ = mean;
     std::frexp(norm(longest), &second_exponent_);
     is_rounded_ = true;
@@ -107,6 +110,9 @@ private:
     return length > 0. ? (1. / length) * v : Vector{0., 0., 0.};
   }
 
+  // The part of a vector at right angles to an axis.
+  static Vector across(const Vector& v, const Vector& axis) { return v - dot(v, axis) * axis; }
+
   // The longest of the vectors of vertices.
   template <typename Way>
   Vector farthest(const Flat_mesh& mesh, const std::vector<Vector>& places, const Way& way) const {
@@ -129,17 +135,11 @@ private:
     return best;
   }
 
-  // Twice the area as a vector, and the sum of the corners.
-  struct Face
-  {
-    Vector normal, corners;
-  };
-
-  // Those that have a part of all the area.
-  std::vector<Face>
-  large_faces(const Flat_mesh& mesh, const std::vector<Vector>& places, double part) const {
-    std::vector<Face> faces;
-    double area = 0.;
+  // Calls `f(normal, corners)` for the faces, with twice the area as a vector and the sum of the
+  // corners.
+  template <typename Function>
+  void
+  for_each_face(const Flat_mesh& mesh, const std::vector<Vector>& places, const Function& f) const {
     for(Index v = 0; v < mesh.first_hub; ++v) {
       const Ring ring = mesh.ring(v);
       const Vector p = into(places[v]);
@@ -147,46 +147,81 @@ private:
         const Index u = ring[i], w = ring[ring.next(i)];
         if(v > u || v > w || mesh.is_hub(u) || mesh.is_hub(w))
           continue;
-        const Vector q = into(places[u]), r = into(places[w]), normal = cross(q - p, r - p);
-        area += norm(normal);
-        if(norm(normal) > part * area)
-          faces.push_back({normal, p + q + r});
+        const Vector q = into(places[u]), r = into(places[w]);
+        f(cross(q - p, r - p), p + q + r);
       }
     }
-    const auto is_small = [&](const Face& f) { return norm(f.normal) < part * area; };
-    faces.erase(std::remove_if(faces.begin(), faces.end(), is_small), faces.end());
-    return faces;
   }
 
-  // The normal of the largest of these faces; of several, of the one that is first along a line.
+  // Which of the bins a normal is in, whatever its sign. Of the normals of planes that are parallel
+  // to axes, or at usual angles to them, none is where rounding decides.
+  std::size_t bin(const Vector& normal) const {
+    constexpr Vector a = {0.8137, 0.4421, 0.3774};
+    const Vector n = {dot(normal, axes_[0]), dot(normal, axes_[1]), dot(normal, axes_[2])};
+    const Vector turned = 2. * dot(n, a) / dot(a, a) * a - n;
+    std::size_t d = 0;
+    for(std::size_t k = 1; k < 3; ++k)
+      if(std::abs(turned[k]) > std::abs(turned[d]))
+        d = k;
+    const auto cell = [&](std::size_t k) {
+      const double part = 0.5 + 0.5 * turned[(d + k) % 3] / turned[d];
+      return (std::min)(static_cast<std::size_t>((std::max)(part, 0.) * bins), bins - 1);
+    };
+    return (d * bins + cell(1)) * bins + cell(2);
+  }
+
+  // The normal that most of the surface has nearly, of that part of it where `is_possible(normal)`:
+  // exactly that of the largest face there, and of several that of the first along a line.
   template <typename Predicate>
-  Vector largest_normal(const std::vector<Face>& faces, const Predicate& is_possible) const {
-    constexpr double equal = 1e-9;
-    Vector best = {0., 0., 0.};
-    double best_place = 0.;
-    for(const auto& [normal, corners] : faces) {
-      const double size = norm(normal), best_size = norm(best),
+  Vector most_common_normal(const Flat_mesh& mesh,
+                            const std::vector<Vector>& places,
+                            const Predicate& is_possible) const {
+    constexpr double equal = 1e-9, least_part = 0.05;
+    struct Bin
+    {
+      double area = 0., place = 0.;
+      Vector largest = {0., 0., 0.};
+    };
+    std::vector<Bin> all(3 * bins * bins);
+    double area = 0.;
+    for_each_face(mesh, places, [&](const Vector& normal, const Vector& corners) {
+      const double size = norm(normal);
+      area += size;
+      if(!(size > 0.) || !is_possible(normal))
+        return;
+      Bin& there = all[bin(normal)];
+      there.area += size;
+      const double largest = norm(there.largest),
                    place = dot(corners, axes_[0] + 0.6171 * axes_[1] + 0.3731 * axes_[2]);
-      if(size > (1. - equal) * best_size && is_possible(normal) &&
-         (size > (1. + equal) * best_size || place > best_place))
-      {
-        best = normal;
-        best_place = place;
+      if(size > (1. - equal) * largest && (size > (1. + equal) * largest || place > there.place)) {
+        there.largest = normal;
+        there.place = place;
       }
-    }
-    return unit(best);
+    });
+    const Bin* best = &all.front();
+    for(const Bin& b : all)
+      if(b.area > (1. + equal) * best->area)
+        best = &b;
+    return best->area > least_part * area ? unit(best->largest) : Vector{0., 0., 0.};
   }
 
-  void turn_to(const std::vector<Face>& faces) {
+  // `off(axis)` is the direction of what is farthest from an axis.
+  template <typename Function>
+  void
+  turn_to_planes(const Flat_mesh& mesh, const std::vector<Vector>& places, const Function& off) {
     constexpr double right_angle = 1e-3; // by cosine
-    const Vector first = largest_normal(faces, [](const Vector&) { return true; });
-    const Vector other = largest_normal(faces, [&](const Vector& normal) {
+    const Vector first = most_common_normal(mesh, places, [](const Vector&) { return true; });
+    if(norm(first) == 0.)
+      return;
+    const Vector other = most_common_normal(mesh, places, [&](const Vector& normal) {
       return std::abs(dot(first, normal)) < right_angle * norm(normal);
     });
-    const Vector second = unit(other - dot(other, first) * first);
+    const Vector second = norm(other) > 0. ? unit(across(other, first)) : off(first);
     if(norm(second) > 0.)
       axes_ = {first, second, cross(first, second)};
   }
+
+  static constexpr std::size_t bins = 16; // of normals, along each side of a cube
 
   int exponent_ = 0, second_exponent_ = 0;
   bool is_rounded_ = false;

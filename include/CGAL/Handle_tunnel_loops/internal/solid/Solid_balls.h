@@ -106,7 +106,7 @@ private:
 
   // A surface has so many pieces if they are even: few faces have little to say.
   double number_of_pieces() const {
-    constexpr double least = 5000., most = 50000., by_face = 0.5;
+    constexpr double least = 2000., most = 50000., by_face = 0.5;
     return (std::max)(least, (std::min)(most, by_face * static_cast<double>(wall_.size())));
   }
 

@@ -76,9 +76,10 @@ public:
     std::vector<Vector> way;
     for(const Place& p : places)
       way.push_back(p.point + p.inward);
+    std::vector<char> is_open(way.size(), 1); // whether the segment that ends here may be met
     constexpr int most_rounds = 60, few_rounds = 6;
     for(int i = 0; i < most_rounds; ++i) {
-      if(lower(places, way))
+      if(lower(places, way, is_open))
         return way;
       if(i == few_rounds && is_in_vain(places))
         return {};
@@ -165,18 +166,21 @@ private:
   }
 
   // Brings the ends of segments that are not free nearer to the surface. Returns whether all are.
-  bool lower(std::vector<Place>& places, std::vector<Vector>& way) const {
+  bool
+  lower(std::vector<Place>& places, std::vector<Vector>& way, std::vector<char>& is_open) const {
     std::vector<char> is_lowered(way.size(), 0);
     for(std::size_t i = 1; i < way.size(); ++i)
-      if(wall_.meets(way[i - 1], way[i]))
+      if(is_open[i] != 0 && wall_.meets(way[i - 1], way[i]))
         is_lowered[i - 1] = is_lowered[i] = 1;
     bool is_free = !way.empty();
-    for(std::size_t i = 0; i < way.size(); ++i)
-      if(is_lowered[i]) {
+    for(std::size_t i = 0; i < way.size(); ++i) {
+      is_open[i] = is_lowered[i] | (i > 0 ? is_lowered[i - 1] : 0);
+      if(is_lowered[i] != 0) {
         is_free = false;
         places[i].inward = 0.5 * places[i].inward;
         way[i] = places[i].point + places[i].inward;
       }
+    }
     return is_free;
   }
 
