@@ -24,16 +24,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 The faces of a surface, large ones divided so that no piece is much longer than a given spacing.
 
-A face is cut by lines parallel to its longest side into rows, and from its apex into columns: a
-grid in the two numbers that tell how far a place is from the longest side and along it. Pieces of
-two faces are neighbours where they share a part of the edge between them. Caps are no part of the
-surface.
+A face is cut by lines parallel to its base into rows, and from its apex into columns: a grid in the
+two numbers that tell how far a place is from the base and along it. The base is the longest side;
+or the shortest of a needle, so that both of its long sides are divided. Pieces of two faces are
+neighbours where they share a part of the edge between them. Caps are no part of the surface.
 */
 class Surface_pieces
 {
@@ -118,7 +119,7 @@ public:
   }
 
 private:
-  // How a face is divided. The apex is opposite to the longest side.
+  // How a face is divided. The apex is opposite to the base.
   struct Shape
   {
     std::uint16_t rows, columns;
@@ -135,22 +136,26 @@ private:
   Shape shape(Index f, double spacing) const {
     if(wall_.is_of_cap(f))
       return {0, 0, 0};
-    double longest = -1.;
-    int apex = 0;
-    for(int k = 0; k < 3; ++k) {
-      const double length = norm(wall_.corner(f, (k + 1) % 3) - wall_.corner(f, (k + 2) % 3));
-      if(length > longest) {
-        longest = length;
-        apex = k;
-      }
-    }
-    const double height = longest > 0. ? norm(wall_.normal(f)) / longest : 0.;
+    std::array<std::pair<double, int>, 3> sides; // the longest first, with the corner opposite
+    for(int k = 0; k < 3; ++k)
+      sides[k] = {norm(wall_.corner(f, (k + 1) % 3) - wall_.corner(f, (k + 2) % 3)), k};
+    std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) {
+      return std::make_pair(b.first, a.second) < std::make_pair(a.first, b.second);
+    });
+    const auto height = [&](int side) {
+      return sides[side].first > 0. ? norm(wall_.normal(f)) / sides[side].first : 0.;
+    };
     const auto number = [&](double length) {
       constexpr double largest = (std::numeric_limits<std::uint16_t>::max)();
       return static_cast<std::uint16_t>(
           (std::max)(1., (std::min)(std::ceil(length / spacing), largest)));
     };
-    return {number(height), number(longest), static_cast<std::uint8_t>(apex)};
+    constexpr double most = 2., upright = 0.7;
+    const double middle = sides[1].first;
+    const int base =
+        middle > most * spacing * number(height(0)) && height(2) > upright * middle ? 2 : 0;
+    return {number(height(base)), number(sides[base].first),
+            static_cast<std::uint8_t>(sides[base].second)};
   }
 
   Place place(Index piece) const {
