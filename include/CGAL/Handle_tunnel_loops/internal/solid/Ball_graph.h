@@ -24,6 +24,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,14 @@ struct Ball_graph
   Edges_at edges_at;                 ///< by ball
   /// samples that a ball touches on two sides of the solid
   std::vector<std::pair<Index, Index>> opposites;
+  std::vector<char> is_at_rim;  ///< by sample, whether the solid goes on on its other side
+  std::vector<double> breadths; ///< by ball; of those that were added later none
+
+  /// no less than the radius.
+  double breadth(Index ball) const {
+    return ball < breadths.size() ? (std::max)(breadths[ball], balls[ball].radius)
+                                  : balls[ball].radius;
+  }
 
   Index other_end(Index edge, Index ball) const {
     return edges[edge][0] == ball ? edges[edge][1] : edges[edge][0];
@@ -194,6 +203,7 @@ private:
     constexpr double part = 0.5; // of the radius
     const std::size_t n = samples_.samples().size();
     std::vector<Index> opposite(n, no_index);
+    graph_.is_at_rim.resize(n);
     for_each_index(
         execution_, n,
         [&](std::size_t i) {
@@ -203,6 +213,7 @@ private:
           if(there.face != no_index && !wall_.is_of_cap(there.face) &&
              wall_.component(there.face) == component_of(s))
             opposite[s] = samples_.region(pieces_.piece_at(there.face, there.point));
+          graph_.is_at_rim[s] = there.face == no_index && is_room_behind(s);
         },
         256);
     for(Index s = 0; s < n; ++s)
@@ -211,6 +222,16 @@ private:
     std::sort(graph_.opposites.begin(), graph_.opposites.end());
     graph_.opposites.erase(std::unique(graph_.opposites.begin(), graph_.opposites.end()),
                            graph_.opposites.end());
+  }
+
+  // Whether a ball that touches at its place can be moved away from there.
+  bool is_room_behind(Index s) const {
+    constexpr double most = 1.5, part = 0.9, step = 0.5; // of the radius
+    const Vector out = ball(s).centre - place(s);
+    const double radius = ball(s).radius, distance = norm(out);
+    return radius > 0. && distance < most * radius &&
+           wall_.nearest(ball(s).centre + (step * radius / distance) * out, part * radius).face ==
+               no_index;
   }
 
   void join_neighbors() {
