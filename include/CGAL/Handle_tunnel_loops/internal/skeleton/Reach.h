@@ -33,16 +33,10 @@ namespace CGAL::Handle_tunnel_loops::internal {
 inline std::vector<Index> balls_of_skeleton(const Ball_graph& graph,
                                             const std::vector<Index>& roots,
                                             const std::vector<char>& is_taken) {
-  std::vector<Index> balls;
-  std::vector<char> has_edge(roots.size(), 0);
+  std::vector<Index> balls = graph.roots_without_edges(roots, is_taken);
   for(Index e = 0; e < graph.edges.size(); ++e)
-    if(is_taken[e]) {
-      has_edge[graph.component[graph.edges[e][0]]] = 1;
+    if(is_taken[e])
       balls.insert(balls.end(), graph.edges[e].begin(), graph.edges[e].end());
-    }
-  for(std::size_t c = 0; c < roots.size(); ++c)
-    if(!has_edge[c] && roots[c] != no_index)
-      balls.push_back(roots[c]);
   std::sort(balls.begin(), balls.end());
   balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
   return balls;

@@ -84,6 +84,20 @@ struct Ball_graph
     return norm(balls[edges[edge][1]].centre - balls[edges[edge][0]].centre);
   }
 
+  /// of balls, one by component or none, those of components without an edge that is taken.
+  std::vector<Index> roots_without_edges(const std::vector<Index>& roots,
+                                         const std::vector<char>& is_taken) const {
+    std::vector<char> has_edge(roots.size(), 0);
+    for(Index e = 0; e < edges.size(); ++e)
+      if(is_taken[e] != 0)
+        has_edge[component[edges[e][0]]] = 1;
+    std::vector<Index> found;
+    for(std::size_t c = 0; c < roots.size(); ++c)
+      if(has_edge[c] == 0 && roots[c] != no_index)
+        found.push_back(roots[c]);
+    return found;
+  }
+
   /// sorts the edges and finds those at each ball.
   void link() {
     for(Edge& e : edges)
