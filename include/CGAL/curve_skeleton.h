@@ -62,13 +62,15 @@ meets nothing; if no such place is found, the certificate says so.
 From places on the surface, evenly spread against the thickness of the solid there, balls are grown
 along the normals until they reach the opposite side. Balls of neighbouring places are joined where
 the way between them is free, or else along the surface a little inside, which always is. Cycles of
-this graph are chosen by how they link with the handle loops, the ones through large balls first;
-then ways to the ends of limbs. A limb is a region of places far from the cycles, or from the
-largest ball, that is long against the girth of its base. Arcs that leave a joint side by side are
-one until they part. In the ball around a joint, ways are straight; arcs are smooth and in the
-middle, and straight in plates. All of this is done in a frame that is told by the shape of the
-mesh: how the mesh lies, and how its elements are numbered, makes no difference but by rounding,
-unless the mesh looks the same, or nearly, from several sides.
+this graph are chosen by how they link with the handle loops, the ones through large balls first,
+and where balls are alike, as in plates and in the walls of tubes, the ones far from the rim; then
+ways to the ends of limbs. A limb is a region of places far from the cycles, or from the widest
+place, that is long against the girth of its base, or that narrow places lead to, as to a wheel on
+its axle; and what is left may be a limb of a limb. Arcs that leave a joint side by side are one
+until they part. In the ball around a joint, ways are straight; arcs are smooth and in the middle,
+and straight in plates. All of this is done in a frame that is told by the shape of the mesh: how
+the mesh lies, and how its elements are numbered, makes no difference but by rounding, unless the
+mesh looks the same, or nearly, from several sides.
 
 The time is that of `handle_tunnel_loops()`, plus \f$ O(n + m \log n) \f$ for \f$ m \f$ places, of
 which there are at most tens of thousands, whatever the number \f$ n \f$ of faces.

@@ -489,6 +489,35 @@ TEST(Curve_skeleton, HasNoLimbsInCornersOfPlates) {
     EXPECT_EQ(degree, 2u);
 }
 
+// A tube with thick walls, of faces as long as it is.
+Soup pipe(int sides) {
+  Soup soup;
+  constexpr double full_turn = 6.283185307179586;
+  for(int i = 0; i < sides; ++i)
+    for(const auto& [radius, height] :
+        std::vector<std::pair<double, double>>{{0.3, 0.}, {0.3, 1.}, {0.18, 1.}, {0.18, 0.}})
+    {
+      const double angle = full_turn * i / sides;
+      soup.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+    }
+  using Triangle = std::decay_t<decltype(soup.triangles.front())>;
+  using Number = std::decay_t<decltype(std::declval<Triangle>()[0])>;
+  const auto number = [&](int i, int k) { return static_cast<Number>(4 * (i % sides) + k % 4); };
+  for(int i = 0; i < sides; ++i)
+    for(int k = 0; k < 4; ++k) {
+      soup.triangles.push_back({number(i, k), number(i + 1, k), number(i + 1, k + 1)});
+      soup.triangles.push_back({number(i, k), number(i + 1, k + 1), number(i, k + 1)});
+    }
+  return soup;
+}
+
+TEST(Curve_skeleton, LeadsAroundTubesInTheMiddleOfTheirLengths) {
+  const Graph graph = expect_skeleton(mesh_of(pipe(40)));
+  EXPECT_EQ(num_edges(graph), num_vertices(graph));
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    EXPECT_NEAR(graph[v].point.z(), 0.5, 0.2);
+}
+
 TEST(Curve_skeleton, IsATreeInTheSmallestMeshes) {
   for(const Soup& soup : {tetrahedron(), box()}) {
     const Graph graph = expect_skeleton(mesh_of(soup));

@@ -89,6 +89,20 @@ TEST(Shared_ways, AreOneAsFarAsArcsRunSideBySide) {
   EXPECT_EQ(ladder.number_of_taken(), 1u + (length - 1) + 1 + 4);
 }
 
+TEST(Shared_ways, AreOneIfAnArcComesBackBesideWhereItBegan) {
+  Ladder ladder;
+  for(const Index joint : {Index(0), length}) {
+    const Index tip = ladder.add_ball({-3., joint == 0 ? 1. : -1., 0.}, 0.5);
+    ladder.graph.edges.push_back({joint, tip});
+    ladder.graph.link();
+    const Index limb = ladder.edge(joint, tip);
+    ladder.names.insert(ladder.names.begin() + limb, 0);
+    ladder.is_taken.insert(ladder.is_taken.begin() + limb, 1);
+  }
+  Shared_ways(ladder.graph, ladder.names).find(ladder.is_taken);
+  EXPECT_EQ(ladder.number_of_taken(), 2u + 1 + (length - 1) + 1 + 4);
+}
+
 TEST(Shared_ways, KeepClasses) {
   Ladder ladder;
   ladder.names[ladder.edge(2, length + 2)] = 1; // something between the rails

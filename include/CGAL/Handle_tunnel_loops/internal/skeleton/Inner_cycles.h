@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -143,7 +144,7 @@ private:
 Chooses cycles of a graph inside a surface that are a basis of the first homology group of the
 solid.
 
-Shortest paths from the largest ball, where ways through large balls are short, are a tree. An edge
+Shortest paths from the widest place, where ways through large balls are short, are a tree. An edge
 that is not of the tree closes a cycle. Cycles in the order of their lengths are taken as long as
 they are independent of those before. What is taken is the union of the paths and the edges that
 close them, so that there are exactly so many cycles.
@@ -169,19 +170,16 @@ public:
       close_cycles(execution, loops, component_of_loop);
   }
 
-  /// what the way along an edge costs: the integral of one over the square of the radius, about.
+  /// what the way along an edge costs: the integral of one over the square of the radius, about;
+  /// less in the middle of sheets, where radii are alike.
   static double cost(const Ball_graph& graph, Index edge) {
-    constexpr double least = 1e-100;
-    double sum = 0.;
-    for(Index b : graph.edges[edge]) {
-      const double radius = (std::max)(graph.balls[b].radius, least);
-      sum += 0.5 / (radius * radius);
-    }
-    return graph.length(edge) * sum;
+    const auto [a, b] = graph.edges[edge];
+    return 0.5 * graph.length(edge) *
+           (1. / square_of_width(graph, a) + 1. / square_of_width(graph, b));
   }
 
   const std::vector<char>& is_taken() const { return is_taken_; }
-  /// the largest balls, by component.
+  /// the balls in the widest places, by component.
   const std::vector<Index>& roots() const { return roots_; }
   /// numbers of edges that add up along closed ways to a number of their class, 0 - that of the
   /// same way back; of different classes different ones, almost surely. Those of edges are for the
@@ -197,13 +195,20 @@ private:
     Index edge = no_index; // to the ball before
   };
 
+  static double square_of_width(const Ball_graph& graph, Index ball) {
+    constexpr double least = 1e-100;
+    const double radius = (std::max)(graph.balls[ball].radius, least),
+                 breadth = (std::max)(graph.breadth(ball), least);
+    return radius * std::sqrt(radius * std::sqrt(radius * breadth));
+  }
+
   Index before(Index ball) const { return graph_.other_end(paths_[ball].edge, ball); }
 
   void find_tree() {
     for(Index b = 0; b < graph_.balls.size(); ++b) {
       Index& root = roots_[graph_.component[b]];
       if(graph_.is_inlet[b] == 0 && // which is a leaf
-         (root == no_index || graph_.balls[b].radius > graph_.balls[root].radius))
+         (root == no_index || square_of_width(graph_, b) > square_of_width(graph_, root)))
         root = b;
     }
     for(Index root : roots_)

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Bulges.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Reach.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
@@ -54,24 +55,34 @@ public:
       , neighbors_(united(neighbors, graph.opposites))
       , neighbors_at_(areas_.size(), neighbors_)
       , starts_(balls_of_skeleton(graph, roots, is_taken))
-      , reach_(graph, samples, neighbors_, starts_)
+      , reach_(graph, samples, neighbors, starts_)
       , paths_(graph.balls.size())
       , slenderness_(areas_.size(), 0.)
-      , visit_(areas_.size(), 0) {}
+      , visit_(areas_.size(), 0) {
+    for(Index b : starts_)
+      paths_.reach(b, {0., no_index});
+    grow();
+  }
 
-  /// takes the edges to the ends of limbs, and to other ends that are given.
+  /// takes the edges to ends that are given, and to bulges.
   void add(const std::vector<Index>& ends,
            double shortest_limb,
            double least_length,
            std::vector<char>& is_taken) {
-    examine_regions(least_length);
-    for(Index b : starts_)
-      paths_.reach(b, {0., no_index});
-    grow();
     for(Index end : ends)
       take(end, is_taken);
-    for(Index tip : tips(least_slenderness(shortest_limb)))
+    for(Index ball : bulges_outside(shortest_limb, least_length))
+      take(ball, is_taken);
+  }
+
+  /// takes the edges to the ends of limbs. Returns whether there are any: what is left may be limbs
+  /// of these.
+  bool add_ends(double shortest_limb, double least_length, std::vector<char>& is_taken) {
+    examine_regions(least_length);
+    const std::vector<Index> found = tips(least_slenderness(shortest_limb));
+    for(Index tip : found)
       take(graph_.ball_of_sample[tip], is_taken);
+    return !found.empty();
   }
 
 private:
@@ -226,6 +237,27 @@ private:
         [](const Label&, double distance, Index e) {
           return Label{distance, e};
         });
+  }
+
+  // Larger than the skeleton is where the way to them begins, out of it, and far.
+  std::vector<Index> bulges_outside(double shortest_limb, double least_length) const {
+    constexpr double ratio = 2.;
+    std::vector<Index> balls = Bulges(graph_, starts_).balls();
+    const auto is_no_limb = [&](Index ball) {
+      const Inner_ball &bulge = graph_.balls[ball], &start = graph_.balls[start_of_way(ball)];
+      const double length = norm(bulge.centre - start.centre);
+      return bulge.radius < ratio * start.radius ||
+             length < (std::max)(bulge.radius, least_length) ||
+             length + bulge.radius < shortest_limb * start.radius;
+    };
+    balls.erase(std::remove_if(balls.begin(), balls.end(), is_no_limb), balls.end());
+    return balls;
+  }
+
+  Index start_of_way(Index ball) const {
+    for(Index e = paths_[ball].edge; e != no_index; e = paths_[ball].edge)
+      ball = graph_.other_end(e, ball);
+    return ball;
   }
 
   // Takes the way to a ball. Ways to others may go on from there.

@@ -33,16 +33,10 @@ namespace CGAL::Handle_tunnel_loops::internal {
 inline std::vector<Index> balls_of_skeleton(const Ball_graph& graph,
                                             const std::vector<Index>& roots,
                                             const std::vector<char>& is_taken) {
-  std::vector<Index> balls;
-  std::vector<char> has_edge(roots.size(), 0);
+  std::vector<Index> balls = graph.roots_without_edges(roots, is_taken);
   for(Index e = 0; e < graph.edges.size(); ++e)
-    if(is_taken[e]) {
-      has_edge[graph.component[graph.edges[e][0]]] = 1;
+    if(is_taken[e])
       balls.insert(balls.end(), graph.edges[e].begin(), graph.edges[e].end());
-    }
-  for(std::size_t c = 0; c < roots.size(); ++c)
-    if(!has_edge[c] && roots[c] != no_index)
-      balls.push_back(roots[c]);
   std::sort(balls.begin(), balls.end());
   balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
   return balls;
@@ -75,7 +69,7 @@ public:
         const std::vector<std::pair<Index, Index>>& neighbors,
         const std::vector<Index>& from)
       : graph_(graph)
-      , pairs_(united(pairs_of_edges(), pairs_of_neighbors(neighbors)))
+      , pairs_(united(pairs_of_edges(), pairs_of_neighbors(united(neighbors, graph.opposites))))
       , pairs_at_(graph.balls.size(), pairs_)
       , extents_(graph.balls.size())
       , paths_(graph.balls.size()) {
@@ -84,8 +78,7 @@ public:
       paths_.reach(b, {0., no_index, b});
     grow();
     for(Index s = 0; s < samples.samples().size(); ++s) {
-      const Index b = graph.ball_of_sample[s];
-      distances_.push_back(paths_[b].distance + norm(samples.place(s) - graph.balls[b].centre));
+      distances_.push_back(straight_distance(graph.ball_of_sample[s], samples.place(s)));
     }
     make_even(neighbors);
   }
@@ -150,21 +143,22 @@ private:
     paths_.grow([&](Index b) {
       for(Index pair : pairs_at_[b]) {
         const Index other = other_end(pair, b);
-        const double distance = straight_distance(b, other);
+        const double distance = straight_distance(b, centre(other));
         if(distance < paths_[other].distance)
           paths_.reach(other, {distance, pair, paths_[b].start});
       }
     });
   }
 
-  double straight_distance(Index before, Index ball) const {
+  // To a place, by way of the ball before it.
+  double straight_distance(Index before, const Vector& place) const {
     constexpr std::size_t most_steps = 6;
     std::array<Index, most_steps> way;
     way[0] = before;
-    double least = paths_[before].distance + norm(centre(ball) - centre(before));
+    double least = paths_[before].distance + norm(place - centre(before));
     for(std::size_t n = 1; n < most_steps && paths_[way[n - 1]].pair != no_index; ++n) {
       way[n] = other_end(paths_[way[n - 1]].pair, way[n - 1]);
-      const Vector line = centre(ball) - centre(way[n]);
+      const Vector line = place - centre(way[n]);
       for(std::size_t k = 0; k < n; ++k)
         if(!is_beside(way[k], centre(way[n]), line))
           return least;

@@ -126,7 +126,7 @@ private:
 
   // ---- arcs
 
-  // The most expensive first.
+  // The most expensive first; and halves of them, of which one may share its way with the other.
   std::vector<Arc> arcs() const {
     std::vector<Arc> arcs;
     std::vector<char> is_passed(is_taken_.size(), 0);
@@ -135,8 +135,13 @@ private:
         if(is_taken_[e] == 0 || is_passed[e] != 0)
           return;
         Arc arc = follow(ball, e, is_passed);
-        if(arc.from == arc.to && degree_[ball] > 2)
+        const bool is_loop = arc.from == arc.to;
+        if(!is_loop)
+          arcs.push_back(arc);
+        if(is_loop ? degree_[ball] > 2 : arc.edges.size() > 1)
           arcs.push_back(cut_off_half(arc));
+        else if(!is_loop)
+          return;
         arcs.push_back(std::move(arc));
       });
     };

@@ -41,7 +41,8 @@ smooth arcs; and proves it.
 
 All of this is done in the frame of the mesh itself, and what comes out is turned back and rounded,
 and proved there. Where walls are so thin that the proof fails by rounding, it is done in the frame
-of the caller, where nothing is rounded any more; and where it fails because of smoothing, without.
+of the caller, where nothing is rounded any more; and where it fails because of smoothing, with
+less.
 */
 class Skeleton_builder
 {
@@ -80,22 +81,24 @@ private:
     const Taken_ways ways(execution_, solid, pairs_, options_.shortest_limb);
     found_.number_of_balls = ways.graph().balls.size();
     const Skeleton_drawing draw(execution_, solid);
-    for(const bool is_smooth : {true, false}) {
+    bool is_inside = true;
+    for(const Smoothness smoothness : {Smoothness::straight, Smoothness::smooth, Smoothness::none})
+    {
+      if(smoothness == Smoothness::smooth && !is_inside)
+        continue; // on a surface that crosses itself
       Skeleton_draft draft(ways.graph(), ways.is_taken(), ways.roots());
-      if(is_smooth)
+      if(smoothness != Smoothness::none)
         draft.draw_stars(solid.wall());
-      found_.skeleton = draw(draft, is_smooth);
+      found_.skeleton = draw(draft, smoothness);
       found_.point_of_vertex =
           Parts_of_surface(solid, ways.graph(), found_.skeleton).points(execution_);
-      const bool is_inside = is_free(solid.wall());
+      is_inside = is_free(solid.wall());
       take_out_of(frame, solid);
       certify();
       if(found_.certificate || fails_by_caps_alone())
         return true;
-      if(!is_smooth)
-        return !is_inside; // on a surface that crosses itself
     }
-    return false;
+    return !is_inside;
   }
 
   bool is_free(const Wall& wall) const {

@@ -54,18 +54,11 @@ public:
       }
       return place;
     };
-    std::vector<char> has_edge;
     for(Index e = 0; e < graph.edges.size(); ++e)
-      if(is_taken[e]) {
-        const Index component = graph.component[graph.edges[e][0]];
-        has_edge.resize((std::max)(has_edge.size(), std::size_t(component) + 1), 0);
-        has_edge[component] = 1;
+      if(is_taken[e])
         join(place_of(graph.edges[e][0]), place_of(graph.edges[e][1]));
-      }
-    for(Index root : roots)
-      if(root != no_index &&
-         (graph.component[root] >= has_edge.size() || has_edge[graph.component[root]] == 0))
-        place_of(root);
+    for(Index root : graph.roots_without_edges(roots, is_taken))
+      place_of(root);
   }
 
   std::size_t size() const { return places_.size(); }

@@ -63,7 +63,14 @@ inline void contract_points(Flat_skeleton& flat) {
   flat.edges.resize(kept);
 }
 
-/// Draws a draft: its arcs, smooth if that is wanted, with points that are apart.
+/// How much arcs are changed to be drawn; the less, the surer are their classes.
+enum class Smoothness {
+  none,
+  smooth,
+  straight ///< pulled straight first
+};
+
+/// Draws a draft: its arcs, as smooth as is wanted, with points that are apart.
 class Skeleton_drawing
 {
 public:
@@ -71,8 +78,8 @@ public:
       : execution_(execution)
       , solid_(solid) {}
 
-  Flat_skeleton operator()(const Skeleton_draft& draft, bool is_smooth) const {
-    Flat_skeleton flat = lines(draft, is_smooth);
+  Flat_skeleton operator()(const Skeleton_draft& draft, Smoothness smoothness) const {
+    Flat_skeleton flat = lines(draft, smoothness);
     contract_points(flat);
     move_apart(flat);
     measure(flat);
@@ -83,7 +90,7 @@ private:
   using Balls = Arc_smoothing::Balls;
   using Arcs = std::vector<std::vector<Index>>;
 
-  Flat_skeleton lines(const Skeleton_draft& draft, bool is_smooth) const {
+  Flat_skeleton lines(const Skeleton_draft& draft, Smoothness smoothness) const {
     Flat_skeleton flat;
     std::vector<Index> point(draft.size(), no_index);
     const auto add = [&](const Inner_ball& ball, const Skeleton_draft::Place& of, bool is_inlet) {
@@ -102,7 +109,7 @@ private:
       if(draft[p].beside.empty() && draft[p].ball.radius >= 0.)
         point_of(p);
     const Arcs arcs = draft.arcs();
-    const std::vector<Balls> balls = balls_along(draft, arcs, is_smooth);
+    const std::vector<Balls> balls = balls_along(draft, arcs, smoothness);
     for(std::size_t i = 0; i < arcs.size(); ++i) {
       const Skeleton_draft::Place& front = draft[arcs[i].front()];
       const bool is_cycle = !draft.is_node(arcs[i].front());
@@ -121,16 +128,17 @@ private:
   }
 
   std::vector<Balls>
-  balls_along(const Skeleton_draft& draft, const Arcs& arcs, bool is_smooth) const {
+  balls_along(const Skeleton_draft& draft, const Arcs& arcs, Smoothness smoothness) const {
     std::vector<Balls> balls(arcs.size());
-    const Arc_smoothing smooth(solid_.wall(), solid_.balls(), solid_.least_extent());
+    const Arc_smoothing smooth(solid_.wall(), solid_.balls(), solid_.least_extent(),
+                               smoothness == Smoothness::straight);
     for_each_index(
         execution_, arcs.size(),
         [&](std::size_t i) {
           const Index first = arcs[i].front(), last = arcs[i].back();
           for(Index p : arcs[i])
             balls[i].push_back(draft[p].ball);
-          if(!is_smooth)
+          if(smoothness == Smoothness::none)
             return;
           balls[i] = smooth(balls[i], draft[first].is_inlet, draft[last].is_inlet);
           if(!draft.is_node(first)) // a cycle: also where it began

@@ -76,8 +76,15 @@ public:
     take_cycles(solid, pairs);
     Shared_ways shared_ways(graph_, names_);
     shared_ways.find(is_taken_);
-    Limbs(graph_, solid.samples(), solid.neighbors(), roots_, is_taken_)
-        .add(inlets, shortest_limb, part_of_diagonal * solid.diagonal(), is_taken_);
+    constexpr int most_rounds = 3;
+    const double least_length = part_of_diagonal * solid.diagonal();
+    for(int round = 0; round < most_rounds; ++round) {
+      Limbs limbs(graph_, solid.samples(), solid.neighbors(), roots_, is_taken_);
+      if(round == 0)
+        limbs.add(inlets, shortest_limb, least_length, is_taken_);
+      if(!limbs.add_ends(shortest_limb, least_length, is_taken_))
+        break;
+    }
     shared_ways.find(is_taken_);
   }
 

@@ -44,11 +44,16 @@ class Arc_smoothing
 public:
   using Balls = std::vector<Inner_ball>;
 
-  /// where the solid is thin, bends are no closer together than \p least_spacing.
-  Arc_smoothing(const Wall& wall, const Inner_balls& balls, double least_spacing)
+  /// where the solid is thin, bends are no closer together than \p least_spacing. If it is not
+  /// wanted, arcs are not pulled straight first.
+  Arc_smoothing(const Wall& wall,
+                const Inner_balls& balls,
+                double least_spacing,
+                bool pulls_straight = true)
       : wall_(wall)
       , balls_(balls)
-      , least_spacing_(least_spacing) {}
+      , least_spacing_(least_spacing)
+      , pulls_straight_(pulls_straight) {}
 
   /// an arc by the balls along it, of which the first and the last stay where they are; the same
   /// for a cycle, which is open at its first place.
@@ -66,7 +71,7 @@ public:
 
 private:
   Balls operator()(const Balls& arc) const {
-    Balls smooth = with_bends(pulled_straight(arc));
+    Balls smooth = with_bends(pulls_straight_ ? pulled_straight(arc) : arc);
     make_smooth(smooth);
     for(int round = 0; round < rounds_of_centring; ++round) {
       make_central(smooth);
@@ -97,12 +102,12 @@ private:
   }
 
   // Whether the straight way from a place to another is so far from the surface as that along the
-  // arc.
+  // arc. That to the one before is known to be free; nothing is to be between the two.
   bool is_as_central(const Balls& arc, std::size_t first, std::size_t last) const {
     constexpr double part = 0.9;
     constexpr int number = 8;
     const Vector &a = arc[first].centre, &b = arc[last].centre;
-    if(wall_.meets(a, b))
+    if(wall_.meets(a, b) || wall_.meets(a, 0.5 * (arc[last - 1].centre + b)))
       return false;
     double length = 0.;
     for(std::size_t i = first; i < last; ++i)
@@ -231,6 +236,7 @@ private:
   const Wall& wall_;
   const Inner_balls& balls_;
   double least_spacing_;
+  bool pulls_straight_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -24,6 +24,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,14 @@ struct Ball_graph
   Edges_at edges_at;                 ///< by ball
   /// samples that a ball touches on two sides of the solid
   std::vector<std::pair<Index, Index>> opposites;
+  std::vector<char> is_at_rim;  ///< by sample, whether the solid goes on on its other side
+  std::vector<double> breadths; ///< by ball; of those that were added later none
+
+  /// no less than the radius.
+  double breadth(Index ball) const {
+    return ball < breadths.size() ? (std::max)(breadths[ball], balls[ball].radius)
+                                  : balls[ball].radius;
+  }
 
   Index other_end(Index edge, Index ball) const {
     return edges[edge][0] == ball ? edges[edge][1] : edges[edge][0];
@@ -73,6 +82,20 @@ struct Ball_graph
 
   double length(Index edge) const {
     return norm(balls[edges[edge][1]].centre - balls[edges[edge][0]].centre);
+  }
+
+  /// of balls, one by component or none, those of components without an edge that is taken.
+  std::vector<Index> roots_without_edges(const std::vector<Index>& roots,
+                                         const std::vector<char>& is_taken) const {
+    std::vector<char> has_edge(roots.size(), 0);
+    for(Index e = 0; e < edges.size(); ++e)
+      if(is_taken[e] != 0)
+        has_edge[component[edges[e][0]]] = 1;
+    std::vector<Index> found;
+    for(std::size_t c = 0; c < roots.size(); ++c)
+      if(has_edge[c] == 0 && roots[c] != no_index)
+        found.push_back(roots[c]);
+    return found;
   }
 
   /// sorts the edges and finds those at each ball.
@@ -196,6 +219,7 @@ private:
     constexpr double part = 0.5; // of the radius
     const std::size_t n = samples_.samples().size();
     std::vector<Index> opposite(n, no_index);
+    graph_.is_at_rim.resize(n);
     for_each_index(
         execution_, n,
         [&](std::size_t i) {
@@ -205,6 +229,7 @@ private:
           if(there.face != no_index && !wall_.is_of_cap(there.face) &&
              wall_.component(there.face) == component_of(s))
             opposite[s] = samples_.region(pieces_.piece_at(there.face, there.point));
+          graph_.is_at_rim[s] = there.face == no_index && is_room_behind(s);
         },
         256);
     for(Index s = 0; s < n; ++s)
@@ -213,6 +238,16 @@ private:
     std::sort(graph_.opposites.begin(), graph_.opposites.end());
     graph_.opposites.erase(std::unique(graph_.opposites.begin(), graph_.opposites.end()),
                            graph_.opposites.end());
+  }
+
+  // Whether a ball that touches at its place can be moved away from there.
+  bool is_room_behind(Index s) const {
+    constexpr double most = 1.5, part = 0.9, step = 0.5; // of the radius
+    const Vector out = ball(s).centre - place(s);
+    const double radius = ball(s).radius, distance = norm(out);
+    return radius > 0. && distance < most * radius &&
+           wall_.nearest(ball(s).centre + (step * radius / distance) * out, part * radius).face ==
+               no_index;
   }
 
   void join_neighbors() {

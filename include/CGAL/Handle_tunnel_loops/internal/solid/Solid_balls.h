@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/find_breadths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -66,7 +67,11 @@ public:
   /// pairs of samples with regions that meet.
   const std::vector<std::pair<Index, Index>>& neighbors() const { return neighbors_; }
 
-  Ball_graph graph() const { return graph_builder().build(); }
+  Ball_graph graph() const {
+    Ball_graph graph = graph_builder().build();
+    find_breadths(samples_, neighbors_, graph);
+    return graph;
+  }
 
   /// adds ways around the loops, along the wall, to a graph of the balls.
   void add_ways_along_wall(Ball_graph& graph) const {
