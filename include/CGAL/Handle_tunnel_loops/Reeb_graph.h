@@ -90,7 +90,7 @@ struct Reeb_arc
   /// the range `edges(graph)`, both included.
   std::vector<Point> polyline;
   /// the vertices of the mesh that belong to the arc, by increasing value. A critical point belongs
-  /// to the arc below it, or to the only one that it has.
+  /// to the arc below it, or to the only one that it has, if the graph is not contracted.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
   /// the length of the polyline.
   double length = 0.;

@@ -253,10 +253,12 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
              reeb_measures());
   command
       .add_option("--shortest-arc", options.shortest_arc,
-                  "contract arcs between saddles that are shorter than so many times their radius;\n"
-                  "default: 2, as long as thick, where there are parts, a picture, a page or glTF, "
-                  "else 0")
-      ->option_text("R");
+                  "arcs between saddles that are shorter than K times their radius are contracted,\n"
+                  "cycles never; default: 2, as long as thick, where there are parts, a picture, a\n"
+                  "page or glTF, else 0")
+      ->option_text("K")
+      ->check(CLI::NonNegativeNumber)
+      ->check(why_not_finite);
   add_choice(
       command, "--drawing", "NAME", options.drawing,
       "inside, in the middle of the solid, or means, through the means of contours, at once;\n"
