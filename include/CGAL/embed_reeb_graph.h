@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_numbering.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
@@ -146,10 +147,12 @@ embed_reeb_graph(const TriangleMesh& tm,
   const auto point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
-  const impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  std::vector<impl::Vector> places = impl::places_of_vertices(execution, surface);
+  const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
   const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
   const impl::Inner_drawing drawing =
-      impl::draw_inside(execution, surface.mesh, impl::places_of_vertices(execution, surface),
+      impl::draw_inside(execution, surface.mesh, frame, places,
                         impl::parts_of_graph(graph, surface.mesh, [&](const auto v) {
                           return flat[get(vertex_index, v)];
                         }));

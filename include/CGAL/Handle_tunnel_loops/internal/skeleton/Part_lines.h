@@ -221,8 +221,10 @@ private:
   // The balls from the lower to the upper node; only these two if there is no way.
   std::vector<Index> way(Index arc, Workspace& work) const {
     const Index from = ball_of_node_[graph_.arcs[arc][0]], to = ball_of_node_[graph_.arcs[arc][1]];
-    if(graph_.arcs[arc][0] == graph_.arcs[arc][1] && from != no_index)
-      return way_around(arc, from, work);
+    if(graph_.arcs[arc][0] == graph_.arcs[arc][1] && from != no_index) {
+      std::vector<Index> around = way_around(arc, from, false, work);
+      return around.size() > 1 ? around : way_around(arc, from, true, work);
+    }
     if(from == to)
       return {from};
     if(from == no_index || to == no_index)
@@ -250,10 +252,11 @@ private:
 
   // From the ball of a node back to it: by way of a large ball of the arc that is far away, and
   // back beside the way there.
-  std::vector<Index> way_around(Index arc, Index node, Workspace& work) const {
+  std::vector<Index>
+  way_around(Index arc, Index node, bool is_everywhere, Workspace& work) const {
     const auto always = [](double) { return true; };
     grow(
-        arc, node, false, always, [this](Index e) { return balls_.length(e); }, work);
+        arc, node, is_everywhere, always, [this](Index e) { return balls_.length(e); }, work);
     const auto distance = [&](Index b) {
       return work.paths.is_reached(b) ? work.paths[b].distance : 0.;
     };
@@ -267,12 +270,12 @@ private:
         farthest = b;
     });
     grow(
-        arc, node, false, always, [this](Index e) { return cost(e); }, work);
+        arc, node, is_everywhere, always, [this](Index e) { return cost(e); }, work);
     std::vector<Index> there = way_back(farthest, work);
     std::reverse(there.begin(), there.end());
     constexpr double penalty = 10.;
     grow(
-        arc, node, false, always,
+        arc, node, is_everywhere, always,
         [&](Index e) { return (is_beside(there, e) ? penalty : 1.) * cost(e); }, work);
     std::vector<Index> back = way_back(farthest, work);
     while(there.size() > 1 && back.size() > 1 && there[there.size() - 2] == back[1]) {
@@ -594,7 +597,18 @@ private:
       drawn.insert(drawn.begin(), nodes[lower]);
       drawn.push_back(nodes[upper]);
     }
-    return without_repetition(drawn);
+    drawn = without_repetition(drawn);
+    return lower == upper && drawn.size() < 4 ? small_cycle(nodes[lower]) : drawn;
+  }
+
+  // In the ball of a node, where there is no way around elsewhere.
+  static Balls small_cycle(const Inner_ball& node) {
+    const double step = 0.5 * within * node.radius, radius = node.radius - step;
+    const Vector& centre = node.centre;
+    return {node,
+            {centre + Vector{step, 0., 0.}, radius},
+            {centre + Vector{0., step, 0.}, radius},
+            node};
   }
 
   // Straight from the first place of a line to where it leaves the ball there.
