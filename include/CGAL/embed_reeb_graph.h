@@ -92,6 +92,10 @@ the middle of the part of the solid that is around the vertices of the arc; wher
 this part, as in a flat ring of which the contours surround the hole, the line takes a way elsewhere
 inside. `Reeb_arc::radii` tells how thick the solid is around it.
 
+It is done in a frame that the shape tells, so that the drawing of a mesh that is turned, or has
+other numbers, is the same if the graph is. Lines that run side by side are a little apart:
+`Reeb_embedding::embedded` tells that none meet.
+
 That each segment lies strictly inside is tested by exact predicates on the coordinates of the mesh
 and of the polylines, as doubles. Of a surface that neither crosses nor touches itself they all do,
 unless the walls are thinner than doubles can tell. On others, those that are known to do are

@@ -252,10 +252,11 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
              "else persistence",
              reeb_measures());
   command
-      .add_option("--shortest-arc", options.shortest_arc,
-                  "arcs between saddles that are shorter than K times their radius are contracted,\n"
-                  "cycles never; default: 2, as long as thick, where there are parts, a picture, a\n"
-                  "page or glTF, else 0")
+      .add_option(
+          "--shortest-arc", options.shortest_arc,
+          "arcs between saddles that are shorter than K times their radius are contracted,\n"
+          "cycles never; default: 2, as long as thick, where there are parts, a picture, a\n"
+          "page or glTF, else 0")
       ->option_text("K")
       ->check(CLI::NonNegativeNumber)
       ->check(why_not_finite);

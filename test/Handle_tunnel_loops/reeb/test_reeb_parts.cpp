@@ -188,8 +188,7 @@ TEST(Reeb_parts, AreFewConnectedAndHaveAllCycles) {
     CGAL::Handle_tunnel_loops::Reeb_options options;
     options.allow_parallel_arcs = true;
     CGAL::Reeb_graph<Mesh> all, graph;
-    const auto statistics =
-        CGAL::reeb_graph(mesh, all, CGAL::parameters::reeb_options(options));
+    const auto statistics = CGAL::reeb_graph(mesh, all, CGAL::parameters::reeb_options(options));
     options.shortest_arc = 2.;
     CGAL::reeb_graph(mesh, graph, CGAL::parameters::reeb_options(options));
     EXPECT_LE(num_edges(graph), num_edges(all));

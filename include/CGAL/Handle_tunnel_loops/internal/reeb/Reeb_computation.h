@@ -120,9 +120,8 @@ Embedded_reeb_graph find_reeb_graph(Execution execution,
   statistics.number_of_critical_nodes = graph.nodes.size();
   const auto has_swept = Clock::now();
   statistics.seconds_of_sweep = std::chrono::duration<double>(has_swept - began).count();
-  Embedded_reeb_graph result =
-      Reeb_finishing<Value>(execution, mesh, order, graph, value)
-          .run(measure, threshold, shortest_arc);
+  Embedded_reeb_graph result = Reeb_finishing<Value>(execution, mesh, order, graph, value)
+                                   .run(measure, threshold, shortest_arc);
   statistics.seconds_of_finishing = std::chrono::duration<double>(Clock::now() - has_swept).count();
   return result;
 }

@@ -31,8 +31,8 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// From a swept graph to one that is handed out: simplified, contracted, embedded, and with the vertices of its
-/// arcs. `Value` gives the value of the function at a vertex.
+/// From a swept graph to one that is handed out: simplified, contracted, embedded, and with the
+/// vertices of its arcs. `Value` gives the value of the function at a vertex.
 template <typename Value> class Reeb_finishing
 {
 public:
@@ -87,8 +87,8 @@ public:
     for(Index i = 0; i < paths.size(); ++i)
       if(contraction.is_kept(i)) {
         number[i] = static_cast<Index>(kept.size());
-        kept.push_back(between(std::move(paths[i]), contraction.arc(i).lower,
-                               contraction.arc(i).upper));
+        kept.push_back(
+            between(std::move(paths[i]), contraction.arc(i).lower, contraction.arc(i).upper));
       }
     for(Index& part : part_of_vertex)
       part = number[contraction.owner(part)];

@@ -60,9 +60,7 @@ skeleton_of(const Flat_mesh& mesh, const Graph_of_parts& graph, const Inner_draw
 /// gives a skeleton that was made of a drawing back to it.
 inline void
 take_places(const Flat_skeleton& flat, const Graph_of_parts& graph, Inner_drawing& drawing) {
-  const auto ball = [&](Index p) {
-    return Inner_ball{flat.points[p], flat.radii[p]};
-  };
+  const auto ball = [&](Index p) { return Inner_ball{flat.points[p], flat.radii[p]}; };
   for(Index n = 0; n < drawing.nodes.size(); ++n)
     drawing.nodes[n] = ball(n);
   Index next = static_cast<Index>(drawing.nodes.size());
@@ -75,9 +73,9 @@ take_places(const Flat_skeleton& flat, const Graph_of_parts& graph, Inner_drawin
   }
 }
 
-/// Draws a graph in the frame of the mesh itself, and tests what comes out on the coordinates of the
-/// caller. Where this fails by rounding, it is done in the frame of the caller, where nothing is
-/// rounded any more.
+/// Draws a graph in the frame of the mesh itself, and tests what comes out on the coordinates of
+/// the caller. Where this fails by rounding, it is done in the frame of the caller, where nothing
+/// is rounded any more.
 class Drawing_inside
 {
 public:
