@@ -50,13 +50,11 @@ public:
       , visit_(part_of_vertex.size(), 0) {}
 
   void run() {
-    constexpr int number_of_rounds = 2; // parts of which three meet depend on each other
     connect_parts();
     find_inner_halves();
-    for(int round = 0; round < number_of_rounds; ++round)
-      for(const auto& [parts, vertices] : borders())
-        for(const std::vector<Index>& band : bands(parts, vertices))
-          shorten(parts, band);
+    for(const auto& [parts, vertices] : borders())
+      for(const std::vector<Index>& band : bands(parts, vertices))
+        shorten(parts, band);
   }
 
 private:
