@@ -57,12 +57,10 @@ bool is_drawn_inside(const Reeb_command_options& options) {
   return options.drawing.empty() ? is_looked_at : options.drawing == "inside";
 }
 
-// Where parts are looked at they are to be ones that one would name.
+// Parts are to be ones that one would name.
 double shortest_arc_of(const Reeb_command_options& options) {
   constexpr double as_long_as_thick = 2.;
-  const bool has_parts = !options.picture.file.empty() || !options.page_file.empty() ||
-                         !options.gltf_file.empty() || !options.parts_file.empty();
-  return options.shortest_arc.value_or(has_parts ? as_long_as_thick : 0.);
+  return options.shortest_arc.value_or(options.parts_file.empty() ? 0. : as_long_as_thick);
 }
 
 void check_options(const Reeb_command_options& options) {
@@ -255,8 +253,7 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
       .add_option(
           "--shortest-arc", options.shortest_arc,
           "arcs between saddles that are shorter than K times their radius are contracted,\n"
-          "cycles never; default: 2, as long as thick, where there are parts, a picture, a\n"
-          "page or glTF, else 0")
+          "cycles never; default: 2, as long as thick, with --parts, else 0")
       ->option_text("K")
       ->check(CLI::NonNegativeNumber)
       ->check(why_not_finite);
