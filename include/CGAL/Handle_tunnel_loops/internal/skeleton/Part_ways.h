@@ -180,7 +180,8 @@ private:
   }
 
   // By way of a large ball of the arc that is far from where it begins, and on beside the way
-  // there: cycles, and arcs of which the part is not between the nodes.
+  // there: for cycles, and for arcs of which the part is not between the nodes. Empty if there is
+  // none.
   Way way_by_part(Index arc, Index from, Index to, bool is_everywhere, Workspace& work) const {
     const auto always = [](double) { return true; };
     grow(
@@ -206,6 +207,8 @@ private:
         arc, to, is_everywhere, always,
         [&](Index e) { return (is_beside(there, e) ? penalty : 1.) * cost(e); }, work);
     Way back = way_back(farthest, work);
+    if(back.back() != to)
+      return {};
     while(there.size() > 1 && back.size() > 1 && there[there.size() - 2] == back[1]) {
       there.pop_back();
       back.erase(back.begin());
