@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_numbering.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
@@ -91,6 +92,10 @@ the middle of the part of the solid that is around the vertices of the arc; wher
 this part, as in a flat ring of which the contours surround the hole, the line takes a way elsewhere
 inside. `Reeb_arc::radii` tells how thick the solid is around it.
 
+It is done in a frame that the shape tells, so that the drawing of a mesh that is turned, or has
+other numbers, is the same if the graph is. Lines that run side by side are a little apart:
+`Reeb_embedding::embedded` tells that none meet.
+
 That each segment lies strictly inside is tested by exact predicates on the coordinates of the mesh
 and of the polylines, as doubles. Of a surface that neither crosses nor touches itself they all do,
 unless the walls are thinner than doubles can tell. On others, those that are known to do are
@@ -146,10 +151,12 @@ embed_reeb_graph(const TriangleMesh& tm,
   const auto point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
-  const impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  std::vector<impl::Vector> places = impl::places_of_vertices(execution, surface);
+  const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
   const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
   const impl::Inner_drawing drawing =
-      impl::draw_inside(execution, surface.mesh, impl::places_of_vertices(execution, surface),
+      impl::draw_inside(execution, surface.mesh, frame, places,
                         impl::parts_of_graph(graph, surface.mesh, [&](const auto v) {
                           return flat[get(vertex_index, v)];
                         }));

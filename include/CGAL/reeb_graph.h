@@ -57,7 +57,8 @@ all of it inside, in more time.
 
 Leaves that are small, the smallest first, are taken off together with the saddle that they end at.
 An arc that has become one with another by this may pass a cancelled extremum. A leaf stays where
-without it the component would have no node with three arcs.
+without it the component would have no node with three arcs. Arcs that are shorter than thick can be
+contracted (`Reeb_options::shortest_arc`), so that each stands for a part that one would name.
 
 The time for a given function is linear but for sorting the vertices, plus the length of the shorter
 contour at each saddle where one parts; if these add up to more than eight times the number of

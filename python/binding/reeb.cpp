@@ -76,6 +76,8 @@ py::dict reeb(const py::array& points,
               const std::optional<py::array_t<double, py::array::c_style>>& values,
               const std::optional<double>& simplify,
               const std::optional<std::string>& measure,
+              double shortest_arc,
+              bool is_drawn_inside,
               const std::vector<py::ssize_t>& sources,
               int threads,
               Watch& watch) {
@@ -87,6 +89,9 @@ py::dict reeb(const py::array& points,
     options.threshold = *simplify;
   if(measure)
     options.measure = htloops::reeb_measures().at(*measure);
+  options.shortest_arc = shortest_arc;
+  options.allow_parallel_arcs = shortest_arc > 0.;
+  options.do_draw_inside = is_drawn_inside;
   options.sources = vertices_of(mesh, sources);
   Reeb_answer answer;
   CGAL::Reeb_arc_shapes shapes;

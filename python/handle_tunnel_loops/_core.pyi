@@ -49,6 +49,8 @@ def reeb(
     values: Optional[np.ndarray],
     simplify: Optional[float],
     measure: Optional[str],
+    shortest_arc: float,
+    is_drawn_inside: bool,
     sources: Sequence[int],
     threads: int,
     watch: Watch,

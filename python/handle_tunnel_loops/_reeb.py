@@ -13,6 +13,7 @@ from ._meshes import arrays
 from ._waiting import computed
 
 _measures = ("limbs", "persistence", "length", "area", "vertices")
+_drawings = ("means", "inside")
 
 
 class ReebGraph:
@@ -37,7 +38,7 @@ class ReebGraph:
         self.values: np.ndarray = record["values"]  #: by vertex, of the function
         self.number_of_cycles: int = record["number_of_cycles"]  #: independent ones
         cuts = arcs["starts"][1:-1]
-        #: by arc, (k, 3): the means of its contours, from the lower end to the upper one
+        #: by arc, (k, 3): from the lower end to the upper one
         self.polylines: List[np.ndarray] = np.split(arcs["points"], cuts)
         #: by arc, (k,): how thick the surface is around the points of the polyline
         self.radii: List[np.ndarray] = np.split(arcs["radii"], cuts)
@@ -141,6 +142,8 @@ def reeb(
     simplify: Optional[float] = None,
     measure: Optional[str] = None,
     *,
+    shortest_arc: float = 0.0,
+    drawing: str = "means",
     sources: Sequence[int] = (),
     threads: Optional[int] = 0,
     progress: Any = None,
@@ -155,11 +158,19 @@ def reeb(
     simplify : the part of the whole up to which leaves are taken off, by ``measure``; default 0.03
     measure : "limbs" (the default without f), "persistence" (the default with f), "length", "area" or
         "vertices"
+    shortest_arc : arcs between saddles that are shorter than so many times their radius are contracted,
+        cycles never; with 2, as long as thick, arcs are parts of the surface that one would name, with
+        short borders, and may be parallel, or lead from a node to itself
+    drawing : "means", along the means of contours, or "inside", in the middle of the solid, which takes
+        many times as long
     sources : the vertices that the front starts at; chosen if there are none
     threads, progress : as for `loops`
     """
     points, triangles = arrays(V, F)
     starts = vertices("sources", sources)
+    shortest = real_or_none("shortest_arc", shortest_arc)
+    if shortest is None or not 0 <= shortest < float("inf"):
+        raise ValueError(f"shortest_arc cannot be {shortest_arc}")
     if f is not None:
         if starts:
             raise ValueError("sources are of a front, which plays no part where f is given")
@@ -176,6 +187,8 @@ def reeb(
             f,
             real_or_none("simplify", simplify),
             None if measure is None else word("measure", measure, _measures),
+            shortest,
+            word("drawing", drawing, _drawings) == "inside",
             starts,
             threads_of(threads),
         )

@@ -41,6 +41,26 @@ def test_cycles(genus_3):
         assert data["length"] == G.lengths[key]
 
 
+def test_parts(genus_3):
+    V, F = genus_3
+    G, parts = htl.reeb(V, F), htl.reeb(V, F, shortest_arc=2)
+    assert parts.number_of_cycles == len(parts.arcs) - len(parts.positions) + 1 == 3
+    assert len(parts.arcs) < len(G.arcs)
+    assert np.array_equal(
+        np.bincount(parts.arc_of_vertex, minlength=len(parts.arcs)), parts.numbers_of_vertices
+    )
+
+def test_drawing_inside(genus_3):
+    V, F = genus_3
+    means, inside = htl.reeb(V, F), htl.reeb(V, F, drawing="inside")
+    assert np.array_equal(means.arcs, inside.arcs)
+    assert np.array_equal(means.arc_of_vertex, inside.arc_of_vertex)
+    assert not np.array_equal(means.positions, inside.positions)
+    for line, radii in zip(inside.polylines, inside.radii):
+        for point, radius in zip(line, radii):  # of the largest ball inside, which holds no vertex
+            assert 0 < radius < np.linalg.norm(V - point, axis=1).min() * (1 + 1e-9)
+
+
 def test_radii_of_a_tube():
     """Of a torus with a tube of radius r around a circle of radius R."""
     R, r, n = 1.0, 0.2, 120
@@ -107,6 +127,11 @@ def test_what_is_refused(torus):
         htl.reeb(V, F, V[:5, 0])
     with pytest.raises(ValueError, match="measure is"):
         htl.reeb(V, F, measure="size")
+    with pytest.raises(ValueError, match="drawing is"):
+        htl.reeb(V, F, drawing="outside")
+    for shortest_arc in (-1, float("nan"), float("inf"), None):
+        with pytest.raises(ValueError, match="shortest_arc"):
+            htl.reeb(V, F, shortest_arc=shortest_arc)
     with pytest.raises(ValueError, match="sources"):
         htl.reeb(V, F, V[:, 0], sources=[0])
     with pytest.raises(ValueError, match="vertex"):

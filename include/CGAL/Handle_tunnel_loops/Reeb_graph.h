@@ -90,7 +90,7 @@ struct Reeb_arc
   /// the range `edges(graph)`, both included.
   std::vector<Point> polyline;
   /// the vertices of the mesh that belong to the arc, by increasing value. A critical point belongs
-  /// to the arc below it, or to the only one that it has.
+  /// to the arc below it, or to the only one that it has, if the graph is not contracted.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
   /// the length of the polyline.
   double length = 0.;
@@ -137,6 +137,15 @@ struct Reeb_options
   /// leaves are taken off whose size is at most this part of the whole, in [0, 1]; 0 gives the full
   /// Reeb graph.
   double threshold = default_simplification_threshold;
+
+  /// arcs between saddles that are shorter than so many times their radius are contracted, that is,
+  /// their nodes become one, with more than three arcs: where saddles come almost at once there are
+  /// few arcs then, each for a part of the surface that one would name. How long an arc is, its
+  /// area tells and the girth of its contours. No cycle is lost: arcs from a node to itself stay,
+  /// and so do leaves. The vertices of an arc that is contracted go to arcs beside it, and the
+  /// borders between arcs to where they are short, off the contours. 0 contracts nothing. 2, as
+  /// long as thick, is a good value; `allow_parallel_arcs` should be set then.
+  double shortest_arc = 0.;
 
   /// whether several arcs may join the same two nodes, or one a node to itself; if so there are no
   /// regular nodes.

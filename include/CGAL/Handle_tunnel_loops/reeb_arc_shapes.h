@@ -98,8 +98,6 @@ std::vector<double> reeb_arc_girths(const TriangleMesh& tm,
 computes how thick a surface is along the arcs of its Reeb graph, and which of them lie on cycles.
 What is given is the same as for `reeb_arc_girths()`.
 
-\pre no node of `graph` has more than three arcs
-
 \return the shapes, by `Reeb_arc::index`
 */
 template <typename TriangleMesh,

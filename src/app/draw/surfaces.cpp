@@ -10,6 +10,7 @@
 #include "draw/surfaces.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace htloops {
 
@@ -98,6 +99,8 @@ std::uint32_t Level_cutter::add_middle(Mesh::Face_index f) {
 namespace internal = CGAL::Handle_tunnel_loops::internal;
 
 Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer) {
+  if(answer.is_contracted) // borders are no contours
+    return surface_of_labels(mesh, answer.vertex_arc);
   const internal::Vertices_on_arcs vertices(mesh, get(boost::vertex_index, mesh),
                                             map_of_vertices(mesh, answer.vertex_arc),
                                             map_of_vertices(mesh, answer.values));
@@ -116,7 +119,8 @@ Drawn_surface drawn_surface(const Arc_surface& surface,
 
 namespace {
 
-/// Cuts faces half way between vertices of different labels.
+/// Cuts faces between vertices of different labels, at places of edges that slide to where the cuts
+/// are straight.
 class Label_cutter
 {
 public:
@@ -127,10 +131,19 @@ public:
   Arc_surface cut() {
     for(const Mesh::Face_index f : mesh_.faces())
       cut_face(mesh_.halfedge(f));
+    straighten_cuts();
     return std::move(surface_);
   }
 
 private:
+  /// Where an edge, or a face, is cut.
+  struct Cut
+  {
+    std::uint32_t point;
+    std::optional<Mesh::Edge_index> edge;
+    std::vector<std::uint32_t> beside; ///< points on the same cuts
+  };
+
   std::size_t label(Mesh::Vertex_index v) const { return labels_[v.idx()]; }
 
   void add(std::size_t part, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -148,37 +161,74 @@ private:
         continue;
       if(label(a) == label(b))
         return add(label(a), a.idx(), b.idx(), c.idx());
-      const std::uint32_t ab = middle_of(h), ca = middle_of(mesh_.prev(h));
-      add(label(a), a.idx(), ab, ca);
-      add(label(b), ab, b.idx(), c.idx());
-      return add(label(b), ab, c.idx(), ca);
+      const std::uint32_t ab = cut_of(h), ca = cut_of(mesh_.prev(h));
+      join(ab, ca);
+      const std::uint32_t p = cuts_[ab].point, q = cuts_[ca].point;
+      add(label(a), a.idx(), p, q);
+      add(label(b), p, b.idx(), c.idx());
+      return add(label(b), p, c.idx(), q);
     }
     const std::uint32_t middle =
-        add_point(CGAL::centroid(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)),
-                                 mesh_.point(mesh_.target(mesh_.next(h)))));
+        add_cut(CGAL::centroid(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)),
+                               mesh_.point(mesh_.target(mesh_.next(h)))),
+                std::nullopt);
+    const std::uint32_t m = cuts_[middle].point;
     for(int i = 0; i < 3; ++i, h = mesh_.next(h)) {
       const Mesh::Vertex_index a = mesh_.source(h);
-      add(label(a), a.idx(), middle_of(h), middle);
-      add(label(a), a.idx(), middle, middle_of(mesh_.prev(h)));
+      const std::uint32_t after = cut_of(h), before = cut_of(mesh_.prev(h));
+      join(after, middle);
+      add(label(a), a.idx(), cuts_[after].point, m);
+      add(label(a), a.idx(), m, cuts_[before].point);
     }
   }
 
-  std::uint32_t middle_of(Mesh::Halfedge_index h) {
+  void join(std::uint32_t a, std::uint32_t b) {
+    cuts_[a].beside.push_back(cuts_[b].point);
+    cuts_[b].beside.push_back(cuts_[a].point);
+  }
+
+  std::uint32_t cut_of(Mesh::Halfedge_index h) {
+    const Mesh::Edge_index e = mesh_.edge(h);
     const auto [position, is_new] =
-        middles_.try_emplace(mesh_.edge(h), static_cast<std::uint32_t>(surface_.points.size()));
+        cut_of_edge_.try_emplace(e, static_cast<std::uint32_t>(cuts_.size()));
     if(is_new)
-      add_point(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))));
+      add_cut(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))), e);
     return position->second;
   }
 
-  std::uint32_t add_point(const Point& point) {
+  std::uint32_t add_cut(const Point& point, std::optional<Mesh::Edge_index> edge) {
+    cuts_.push_back({static_cast<std::uint32_t>(surface_.points.size()), edge, {}});
     surface_.points.push_back(coordinates(point));
-    return static_cast<std::uint32_t>(surface_.points.size() - 1);
+    return static_cast<std::uint32_t>(cuts_.size() - 1);
+  }
+
+  // Each place goes to the middle of those beside it, as near as it can on its edge.
+  void straighten_cuts() {
+    constexpr int number_of_rounds = 50;
+    for(int round = 0; round < number_of_rounds; ++round)
+      for(const Cut& cut : cuts_) {
+        Vector middle = {};
+        for(const std::uint32_t p : cut.beside)
+          for(int i = 0; i < 3; ++i)
+            middle[i] += surface_.points[p][i] / double(cut.beside.size());
+        surface_.points[cut.point] = cut.edge ? nearest_on(*cut.edge, middle) : middle;
+      }
+  }
+
+  // Not quite to the ends.
+  Vector nearest_on(Mesh::Edge_index e, const Vector& p) const {
+    constexpr double margin = 0.02;
+    const Point &a = mesh_.point(mesh_.vertex(e, 0)), &b = mesh_.point(mesh_.vertex(e, 1));
+    const auto way = b - a;
+    const double squared = way.squared_length(),
+                 t = squared > 0. ? ((Point(p[0], p[1], p[2]) - a) * way) / squared : 0.5;
+    return coordinates(a + std::clamp(t, margin, 1. - margin) * way);
   }
 
   const Mesh& mesh_;
   const std::vector<std::size_t>& labels_;
-  std::map<Mesh::Edge_index, std::uint32_t> middles_;
+  std::vector<Cut> cuts_;
+  std::map<Mesh::Edge_index, std::uint32_t> cut_of_edge_;
   Arc_surface surface_ = {coordinates(mesh_.points()), {}, {}};
 };
 

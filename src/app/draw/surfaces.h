@@ -187,14 +187,15 @@ private:
 };
 
 /// The parts of the arcs: faces are cut along the contours where fronts meet, so that the border of
-/// a part is as smooth as the function.
+/// a part is as smooth as the function; if the graph is contracted, as `surface_of_labels()` does.
 Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer);
 
 /// a surface in the colours of its parts.
 Drawn_surface drawn_surface(const Arc_surface& surface,
                             const std::function<Colour(std::size_t)>& colour_of_part);
 
-/// The parts of labels of the vertices: faces are cut half way between those of different labels.
+/// The parts of labels of the vertices: faces are cut between those of different labels, where that
+/// makes the borders straight.
 Arc_surface surface_of_labels(const Mesh& mesh, const std::vector<std::size_t>& labels);
 
 } // namespace htloops

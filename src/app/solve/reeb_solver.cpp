@@ -36,6 +36,7 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
 
   Reeb_answer answer;
   answer.function = has_values ? "given" : "diffusion";
+  answer.is_contracted = options.shortest_arc > 0.;
   answer.number_of_threads = limit.number_of_threads();
   answer.vertex_arc.assign(mesh.number_of_vertices(), Reeb_answer::no_arc);
   answer.values.assign(mesh.number_of_vertices(), 0.);

@@ -37,6 +37,7 @@ struct Reeb_answer
   std::vector<std::size_t> vertex_arc; ///< by vertex
   std::vector<double> values;          ///< by vertex, of the function
   std::string function;                ///< of which it is the graph, in a word
+  bool is_contracted = false;          ///< whether arcs are parts with short borders
   std::string backend;                 ///< what computed the fields of the diffusion, else "host"
   CGAL::Handle_tunnel_loops::Reeb_statistics statistics;
   /// what is known of the lines, if they have been drawn inside.

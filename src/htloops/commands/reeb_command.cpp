@@ -46,6 +46,7 @@ struct Reeb_command_options : Common_options
   std::string values_file;
   std::string measure;
   std::optional<double> threshold;
+  std::optional<double> shortest_arc;
   std::string backend = "auto";
 };
 
@@ -54,6 +55,12 @@ bool is_drawn_inside(const Reeb_command_options& options) {
   const bool is_looked_at = !options.picture.file.empty() || !options.page_file.empty() ||
                             !options.gltf_file.empty() || !options.lines_files.empty();
   return options.drawing.empty() ? is_looked_at : options.drawing == "inside";
+}
+
+// Parts are to be ones that one would name.
+double shortest_arc_of(const Reeb_command_options& options) {
+  constexpr double as_long_as_thick = 2.;
+  return options.shortest_arc.value_or(options.parts_file.empty() ? 0. : as_long_as_thick);
 }
 
 void check_options(const Reeb_command_options& options) {
@@ -104,6 +111,8 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
   if(!options.measure.empty())
     reeb.measure = reeb_measures().at(options.measure);
   reeb.threshold = options.threshold.value_or(reeb.threshold);
+  reeb.shortest_arc = shortest_arc_of(options);
+  reeb.allow_parallel_arcs = reeb.shortest_arc > 0.;
   reeb.do_draw_inside = is_drawn_inside(options);
   reeb.backend = options.backend;
   reeb.number_of_threads = options.number_of_threads;
@@ -240,6 +249,14 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
              "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
              "else persistence",
              reeb_measures());
+  command
+      .add_option(
+          "--shortest-arc", options.shortest_arc,
+          "arcs between saddles that are shorter than K times their radius are contracted,\n"
+          "cycles never; default: 2, as long as thick, with --parts, else 0")
+      ->option_text("K")
+      ->check(CLI::NonNegativeNumber)
+      ->check(why_not_finite);
   add_choice(
       command, "--drawing", "NAME", options.drawing,
       "inside, in the middle of the solid, or means, through the means of contours, at once;\n"

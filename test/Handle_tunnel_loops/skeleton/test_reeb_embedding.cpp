@@ -75,20 +75,49 @@ TEST(Reeb_embedding, IsInside) {
   for(const Recipe& recipe :
       {Recipe{"torus", {600, 1, 0}}, Recipe{"plates", {3000, 3, 0}}, Recipe{"gyroid", {4000, 5, 0}},
        Recipe{"sponge", {3000, 5, 0}}, Recipe{"lattice", {3000, 5, 0}}})
-    for(const bool allow_parallel_arcs : {false, true}) {
-      SCOPED_TRACE(testing::Message() << recipe << ' ' << allow_parallel_arcs);
+    for(const double shortest_arc : {0., 2.}) {
+      SCOPED_TRACE(testing::Message() << recipe << ' ' << shortest_arc);
       const Solid_mesh mesh = mesh_of<Solid_mesh>(soup_of(recipe));
       CGAL::Handle_tunnel_loops::Reeb_options options;
-      options.allow_parallel_arcs = allow_parallel_arcs;
+      options.shortest_arc = shortest_arc;
+      options.allow_parallel_arcs = shortest_arc > 0.;
       Graph graph;
       CGAL::reeb_graph(mesh, graph, CGAL::parameters::reeb_options(options));
       Graph drawn = graph;
       const Reeb_embedding embedding = CGAL::embed_reeb_graph(mesh, drawn);
       EXPECT_TRUE(embedding.inside);
+      EXPECT_TRUE(embedding.embedded);
       EXPECT_EQ(embedding.number_of_segments_inside, embedding.number_of_segments);
       expect_same_but_for_lines(graph, drawn);
       expect_inside(mesh, drawn);
     }
+}
+
+// Of a shape without symmetry, all coordinates of which are others then.
+TEST(Reeb_embedding, TurnsWithTheMesh) {
+  Solid_mesh mesh = mesh_of<Solid_mesh>(soup_of({"multi-torus", {2000, 3, 0}}));
+  for(const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    mesh.point(v) = {p.x() + 0.05 * p.y() * p.y(), 0.8 * p.y() + 0.03 * p.x() * p.x(),
+                     p.z() + 0.1 * p.x()};
+  }
+  const Kernel::Aff_transformation_3 turn(0.36, 0.48, -0.8, 5., -0.8, 0.6, 0., 2., 0.48, 0.64, 0.6,
+                                          3.);
+  Solid_mesh turned = mesh;
+  for(const auto v : turned.vertices())
+    turned.point(v) = turn(turned.point(v));
+  Graph graph, other;
+  CGAL::reeb_graph(mesh, graph);
+  other = graph;
+  CGAL::embed_reeb_graph(mesh, graph);
+  CGAL::embed_reeb_graph(turned, other);
+  auto e = edges(other).first;
+  for(const auto a : CGAL::make_range(edges(graph))) {
+    const auto &line = graph[a].polyline, &turned_line = other[*e++].polyline;
+    ASSERT_EQ(line.size(), turned_line.size());
+    for(std::size_t i = 0; i < line.size(); ++i)
+      EXPECT_LT(CGAL::squared_distance(turn(line[i]), turned_line[i]), 1e-12);
+  }
 }
 
 // Each component by itself.

@@ -13,9 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -30,7 +31,12 @@ public:
   Bridge_arcs(const Flat_reeb_graph& graph, const std::vector<double>& weights)
       : graph_(graph)
       , weights_(weights)
-      , arcs_at_(arcs_at_nodes(graph))
+      , arcs_at_(graph.nodes.size(),
+                 [&](const auto& f) {
+                   for(Index a = 0; a < graph.arcs.size(); ++a)
+                     for(const Index node : {graph.arcs[a].lower, graph.arcs[a].upper})
+                       f(node, a);
+                 })
       , number_(graph.nodes.size(), 0)
       , lowest_reached_(graph.nodes.size(), 0)
       , weight_(graph.nodes.size(), 0.)
@@ -52,23 +58,18 @@ public:
   double total(Index arc) const { return total_[arc]; }
 
   /// the arcs at a node.
-  const std::array<Index, 3>& arcs_at(Index node) const { return arcs_at_[node]; }
+  Span<const Index> arcs_at(Index node) const {
+    return {arcs_at_.items.data() + arcs_at_.begin[node],
+            arcs_at_.begin[node + 1] - arcs_at_.begin[node]};
+  }
 
 private:
   struct Step
   {
     Index node;
-    Index arc; ///< by which it was reached
-    int next;  ///< of its arcs
+    Index arc;        ///< by which it was reached
+    std::size_t next; ///< of its arcs
   };
-
-  static std::vector<std::array<Index, 3>> arcs_at_nodes(const Flat_reeb_graph& graph) {
-    std::vector<std::array<Index, 3>> arcs(graph.nodes.size(), {no_index, no_index, no_index});
-    for(Index a = 0; a < graph.arcs.size(); ++a)
-      for(const Index node : {graph.arcs[a].lower, graph.arcs[a].upper})
-        *std::find(arcs[node].begin(), arcs[node].end(), no_index) = a;
-    return arcs;
-  }
 
   Index other_end(Index arc, Index node) const {
     const Flat_reeb_graph::Arc& a = graph_.arcs[arc];
@@ -83,11 +84,11 @@ private:
     number_[root] = lowest_reached_[root] = ++count_;
     while(!steps_.empty()) {
       Step& step = steps_.back();
-      if(step.next == 3 || arcs_at_[step.node][step.next] == no_index) {
+      if(step.next == arcs_at(step.node).size()) {
         leave(step);
         continue;
       }
-      const Index arc = arcs_at_[step.node][step.next++];
+      const Index arc = arcs_at(step.node)[step.next++];
       if(arc == step.arc)
         continue;
       const Index node = step.node, end = other_end(arc, node);
@@ -128,7 +129,7 @@ private:
 
   const Flat_reeb_graph& graph_;
   const std::vector<double>& weights_;
-  std::vector<std::array<Index, 3>> arcs_at_;
+  Grouped<Index> arcs_at_;                     // by node
   std::vector<Index> number_, lowest_reached_; // by node, in the order of the search
   std::vector<double> weight_;                 // by node, beyond it
   std::vector<char> is_bridge_, is_upper_beyond_;

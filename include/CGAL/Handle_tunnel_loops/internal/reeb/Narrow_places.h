@@ -173,8 +173,6 @@ private:
       std::vector<End> ends;
       bool is_end = true;
       for(const Index arc : bridges_.arcs_at(node)) {
-        if(arc == no_index)
-          continue;
         const bool is_upper_end = graph_.arcs[arc].upper == node;
         const End end = is_upper_end ? fronts_[arc].last : fronts_[arc].first;
         is_end = is_end && bridges_.is_bridge(arc) && end.kind != Kind::LONG;

@@ -103,6 +103,7 @@ Embedded_reeb_graph find_reeb_graph(Execution execution,
                                     const Value& value,
                                     Reeb_measure measure,
                                     double threshold,
+                                    double shortest_arc,
                                     Reeb_statistics& statistics) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
@@ -119,8 +120,8 @@ Embedded_reeb_graph find_reeb_graph(Execution execution,
   statistics.number_of_critical_nodes = graph.nodes.size();
   const auto has_swept = Clock::now();
   statistics.seconds_of_sweep = std::chrono::duration<double>(has_swept - began).count();
-  Embedded_reeb_graph result =
-      Reeb_finishing<Value>(execution, mesh, order, graph, value).run(measure, threshold);
+  Embedded_reeb_graph result = Reeb_finishing<Value>(execution, mesh, order, graph, value)
+                                   .run(measure, threshold, shortest_arc);
   statistics.seconds_of_finishing = std::chrono::duration<double>(Clock::now() - has_swept).count();
   return result;
 }
@@ -156,6 +157,8 @@ public:
             parameters::get_parameter(np, internal_np::reeb_options), Reeb_options())) {
     if(!(options_.threshold >= 0. && options_.threshold <= 1.))
       throw std::invalid_argument("the threshold of the simplification must be in [0, 1]");
+    if(!(options_.shortest_arc >= 0.))
+      throw std::invalid_argument("the length of the shortest arc must not be negative");
     surface_.describe(statistics_);
     statistics_.seconds_of_adaptor = seconds_since(began_);
   }
@@ -221,7 +224,7 @@ private:
   find(const Key& key, const Value& value, Reeb_measure default_measure, Graph& graph) {
     Embedded_reeb_graph flat =
         find_reeb_graph(execution_, mesh_, key, value, options_.measure.value_or(default_measure),
-                        options_.threshold, statistics_);
+                        options_.threshold, options_.shortest_arc, statistics_);
     const auto began = Clock::now();
     name_hubs(key);
     if(!options_.allow_parallel_arcs)

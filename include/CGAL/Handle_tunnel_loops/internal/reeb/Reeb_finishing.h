@@ -13,9 +13,12 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Arc_contraction.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Short_borders.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/draw_lines.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/measure_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -28,8 +31,8 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// From a swept graph to one that is handed out: simplified, embedded, and with the vertices of its
-/// arcs. `Value` gives the value of the function at a vertex.
+/// From a swept graph to one that is handed out: simplified, contracted, embedded, and with the
+/// vertices of its arcs. `Value` gives the value of the function at a vertex.
 template <typename Value> class Reeb_finishing
 {
 public:
@@ -45,37 +48,70 @@ public:
       , value_(value)
       , embedding_(graph) {}
 
-  Embedded_reeb_graph run(Reeb_measure measure, double threshold) const {
-    Undrawn_reeb_graph undrawn = simplified_graph(measure, threshold);
+  Embedded_reeb_graph run(Reeb_measure measure, double threshold, double shortest_arc) const {
+    Undrawn_reeb_graph undrawn = shortest_arc > 0.
+                                     ? contracted_graph(measure, threshold, shortest_arc)
+                                     : simplified_graph(measure, threshold);
     draw_lines(execution_, mesh_, order_, undrawn);
     return std::move(undrawn.graph);
   }
 
   /// what there is to draw. Nothing but the lines depends on how it is drawn.
   Undrawn_reeb_graph simplified_graph(Reeb_measure measure, double threshold) const {
-    using Path = Reeb_simplification::Path;
     if(!(threshold > 0.)) {
       const auto path = [this](Index a) {
         return Path{graph_.arcs[a].lower, graph_.arcs[a].upper, {{a, false}}};
       };
-      return graph_of(graph_.arcs.size(), path, [](Index arc) { return arc; });
+      return graph_of(graph_.arcs.size(), path, [this](Index v) { return graph_.vertex_arc[v]; });
     }
     const auto [paths, path_of_arc] = simplified(measure, threshold);
     return graph_of(
         paths.size(), [&paths = paths](Index i) -> const Path& { return paths[i]; },
-        [&path_of_arc = path_of_arc](Index arc) { return path_of_arc[arc]; });
+        [this, &path_of_arc = path_of_arc](Index v) { return path_of_arc[graph_.vertex_arc[v]]; });
+  }
+
+  /// the same without arcs between saddles that are less long than so many times their radius: each
+  /// arc stands for a part of the surface, of which the borders are short.
+  Undrawn_reeb_graph
+  contracted_graph(Reeb_measure measure, double threshold, double shortest_arc) const {
+    auto [paths, path_of_arc] = simplified(measure, threshold);
+    std::vector<Index> part_of_vertex(graph_.vertex_arc.size());
+    for(Index v = 0; v < part_of_vertex.size(); ++v)
+      part_of_vertex[v] = path_of_arc[graph_.vertex_arc[v]];
+    Arc_contraction contraction(graph_.nodes.size(), sized_arcs(paths, part_of_vertex),
+                                shared_borders(mesh_, part_of_vertex));
+    contraction.run(shortest_arc);
+
+    std::vector<Path> kept;
+    std::vector<Index> number(paths.size(), no_index);
+    for(Index i = 0; i < paths.size(); ++i)
+      if(contraction.is_kept(i)) {
+        number[i] = static_cast<Index>(kept.size());
+        kept.push_back(
+            between(std::move(paths[i]), contraction.arc(i).lower, contraction.arc(i).upper));
+      }
+    for(Index& part : part_of_vertex)
+      part = number[contraction.owner(part)];
+    Short_borders(mesh_, part_of_vertex).run();
+    return graph_of(
+        kept.size(), [&](Index i) -> const Path& { return kept[i]; },
+        [&](Index v) { return part_of_vertex[v]; });
   }
 
 private:
+  using Path = Reeb_simplification::Path;
+
   // A leaf that is less long than this, in units of the radius at its base, is a bump and no limb.
   // On animals and parts, most bumps and round ends have less, toes, ears, legs and heads have
   // more.
   static constexpr double slenderness_of_limbs = 0.8;
 
   // The paths, and for each arc the number of its path.
-  std::pair<std::vector<Reeb_simplification::Path>, std::vector<Index>>
-  simplified(Reeb_measure measure, double threshold) const {
+  std::pair<std::vector<Path>, std::vector<Index>> simplified(Reeb_measure measure,
+                                                              double threshold) const {
     Reeb_simplification simplification(graph_, extents(measure));
+    if(!(threshold > 0.))
+      return simplification.result();
     const std::vector<double> sizes = sizes_of_components(measure);
     simplification.run([measure](const Arc_extent& extent) { return size(extent, measure); },
                        [&](const Arc_extent& extent, const Arc_end& base, Index node) {
@@ -163,17 +199,48 @@ private:
     return sizes;
   }
 
-  // Of so many paths: `path(i)`, to which the arcs with `path_of_arc(arc) == i` belong.
-  template <typename PathAt, typename PathOfArc>
-  Undrawn_reeb_graph
-  graph_of(std::size_t number_of_paths, const PathAt& path, const PathOfArc& path_of_arc) const {
+  // Of the paths, as arcs of a graph.
+  std::vector<Sized_arc> sized_arcs(const std::vector<Path>& paths,
+                                    const std::vector<Index>& part_of_vertex) const {
+    std::vector<Sized_arc> arcs;
+    for(const Path& path : paths) {
+      const auto girth = [this](Reeb_simplification::Piece piece, bool is_lower) {
+        const Flat_reeb_graph::Arc& arc = graph_.arcs[piece.arc];
+        return is_lower != piece.is_reversed ? arc.lower_girth : arc.upper_girth;
+      };
+      arcs.push_back({path.lower, path.upper, 0.,
+                      0.5 * (girth(path.pieces.front(), true) + girth(path.pieces.back(), false))});
+    }
+    for(Index v = 0; v < part_of_vertex.size(); ++v)
+      arcs[part_of_vertex[v]].area += area_around(mesh_, v);
+    return arcs;
+  }
+
+  // A path after its ends have become these, from the lower one to the upper one.
+  static Path between(Path&& path, Index lower, Index upper) {
+    Path result = std::move(path);
+    result.lower = (std::min)(lower, upper);
+    result.upper = (std::max)(lower, upper);
+    if(upper < lower) {
+      std::reverse(result.pieces.begin(), result.pieces.end());
+      for(Reeb_simplification::Piece& piece : result.pieces)
+        piece.is_reversed = !piece.is_reversed;
+    }
+    return result;
+  }
+
+  // Of so many paths: `path(i)`, to which the vertices with `path_of_vertex(v) == i` belong.
+  template <typename PathAt, typename PathOfVertex>
+  Undrawn_reeb_graph graph_of(std::size_t number_of_paths,
+                              const PathAt& path,
+                              const PathOfVertex& path_of_vertex) const {
     Undrawn_reeb_graph result;
     result.means.resize(number_of_paths);
     result.graph.arcs.resize(number_of_paths);
     number_nodes(path, result.graph);
     const Grouped<Index> vertices(number_of_paths, [&](const auto& f) {
       for(Index v : order_.vertices())
-        f(path_of_arc(graph_.vertex_arc[v]), v);
+        f(path_of_vertex(v), v);
     });
     for_each_index(
         execution_, number_of_paths,
@@ -191,7 +258,7 @@ private:
   void number_nodes(const PathAt& path, Embedded_reeb_graph& result) const {
     std::vector<Index> number(graph_.nodes.size(), no_index);
     for(Index i = 0; i < result.arcs.size(); ++i) {
-      const Reeb_simplification::Path& ends = path(i);
+      const Path& ends = path(i);
       number[ends.lower] = number[ends.upper] = 0;
       result.arcs[i].lower = ends.lower;
       result.arcs[i].upper = ends.upper;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/depths_in_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -41,12 +42,11 @@ public:
                const std::vector<Index>& part_of_vertex)
       : mesh_(mesh)
       , places_(places)
-      , part_(part_of_vertex)
-      , depth_(part_of_vertex.size(), 0) {}
+      , part_(part_of_vertex) {}
 
   /// by part, a curve around each that is wanted; none, if there are not two anywhere.
   std::vector<Curve> operator()(const std::vector<char>& is_wanted) {
-    find_depths(is_wanted);
+    depth_ = depths_in_parts(mesh_, part_, [&](Index part) { return is_wanted[part] != 0; });
     std::vector<std::vector<Index>> vertices(is_wanted.size());
     for(Index v = 0; v < part_.size(); ++v)
       if(depth_[v] > 0)
@@ -59,26 +59,6 @@ public:
 
 private:
   static std::uint64_t key(Index v, Index u) { return std::uint64_t(v) << 32 | u; }
-
-  // How many edges there are to the next vertex of another part.
-  void find_depths(const std::vector<char>& is_wanted) {
-    std::vector<Index> reached;
-    const auto is_at_end = [&](Index v) {
-      const Ring ring = mesh_.ring(v);
-      return std::any_of(ring.begin(), ring.end(), [&](Index u) { return part_[u] != part_[v]; });
-    };
-    for(Index v = 0; v < part_.size(); ++v)
-      if(part_[v] != no_index && is_wanted[part_[v]] != 0 && is_at_end(v)) {
-        depth_[v] = 1;
-        reached.push_back(v);
-      }
-    for(std::size_t i = 0; i < reached.size(); ++i)
-      for(const Index u : mesh_.ring(reached[i]))
-        if(part_[u] == part_[reached[i]] && depth_[u] == 0) {
-          depth_[u] = depth_[reached[i]] + 1;
-          reached.push_back(u);
-        }
-  }
 
   Curve curve_around(const std::vector<Index>& vertices) const {
     Index deepest = 0;
@@ -126,7 +106,7 @@ private:
   const Flat_mesh& mesh_;
   Span<const Vector> places_;
   const std::vector<Index>& part_;
-  std::vector<Index> depth_; // by vertex of a part that is wanted
+  std::vector<Index> depth_; // by vertex
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -315,11 +315,8 @@ private:
     if(best.edge == no_index)
       return {};
     std::vector<Index> way = {best.edge};
-    for(Index b : graph_.edges[best.edge])
-      for(Index e = paths_[b].edge; e != no_index; e = paths_[b].edge) {
-        way.push_back(e);
-        b = graph_.other_end(e, b);
-      }
+    for(const Index b : graph_.edges[best.edge])
+      graph_.for_each_back(paths_, b, [&](Index, Index e) { way.push_back(e); });
     return way;
   }
 

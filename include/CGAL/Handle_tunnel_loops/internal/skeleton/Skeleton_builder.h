@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Hub_places.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Parts_of_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_drawing.h>
@@ -29,7 +30,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -92,59 +92,13 @@ private:
       found_.skeleton = draw(draft, smoothness);
       found_.point_of_vertex =
           Parts_of_surface(solid, ways.graph(), found_.skeleton).points(execution_);
-      is_inside = is_free(solid.wall());
-      take_out_of(frame, solid);
+      is_inside = is_free(solid.wall(), found_.skeleton);
+      take_out_of(execution_, frame, solid, places_, found_.skeleton);
       certify();
       if(found_.certificate || fails_by_caps_alone())
         return true;
     }
     return !is_inside;
-  }
-
-  bool is_free(const Wall& wall) const {
-    const Flat_skeleton& flat = found_.skeleton;
-    return std::none_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) {
-      return flat.is_inlet[e[0]] == 0 && flat.is_inlet[e[1]] == 0 &&
-             wall.meets(flat.points[e[0]], flat.points[e[1]]);
-    });
-  }
-
-  // Inlets are where the caller has them.
-  void take_out_of(const Own_frame& frame, const Solid_balls& solid) {
-    Flat_skeleton& flat = found_.skeleton;
-    const Own_frame frame_of_caller = Own_frame::of_caller(places_);
-    for_each_index(
-        execution_, flat.points.size(),
-        [&](std::size_t p) {
-          const Vector point = flat.points[p];
-          if(flat.is_inlet[p] != 0) {
-            const auto hub =
-                std::find(solid.points().begin() + mesh_.first_hub, solid.points().end(), point);
-            flat.points[p] = places_[hub - solid.points().begin()];
-            flat.radii[p] = frame.length_out_of(flat.radii[p]);
-          } else {
-            flat.points[p] = frame.out_of(point);
-            flat.radii[p] = frame_of_caller.length_out_of(
-                radius(solid.wall(), point, flat.radii[p], frame_of_caller, flat.points[p]));
-          }
-        },
-        64);
-  }
-
-  // Of a point of the caller, if that there is in the frame of the wall is known but for rounding.
-  double radius(const Wall& wall,
-                const Vector& point,
-                double about,
-                const Own_frame& frame_of_caller,
-                const Vector& point_of_caller) const {
-    constexpr double rounding = 0x1p-30;
-    const Vector p = frame_of_caller.into(point_of_caller);
-    double least = std::numeric_limits<double>::infinity();
-    wall.for_each_within(point, about + rounding, [&](Index f) {
-      const auto corner = [&](int k) { return frame_of_caller.into(places_[wall[f][k]]); };
-      least = (std::min)(least, norm(nearest_point(p, corner(0), corner(1), corner(2)) - p));
-    });
-    return least;
   }
 
   void certify() {

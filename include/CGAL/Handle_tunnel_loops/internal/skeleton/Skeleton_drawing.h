@@ -14,10 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Points_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Arc_smoothing.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -25,8 +25,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
-#include <random>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -81,8 +79,8 @@ public:
   Flat_skeleton operator()(const Skeleton_draft& draft, Smoothness smoothness) const {
     Flat_skeleton flat = lines(draft, smoothness);
     contract_points(flat);
-    move_apart(flat);
-    measure(flat);
+    Points_apart(execution_, solid_.wall()).move(flat, [](const Flat_skeleton& f) { return f; });
+    measure_radii(execution_, solid_.wall(), flat);
     return flat;
   }
 
@@ -155,50 +153,6 @@ private:
                 cycle.end());
     cycle.push_back(cycle.front());
     return cycle;
-  }
-
-  // Moves points of edges that meet a little: on shapes with a plane of symmetry, edges in it may.
-  void move_apart(Flat_skeleton& flat) const {
-    constexpr int most_rounds = 32;
-    constexpr double part = 1e-3; // of the radius
-    std::minstd_rand random;
-    const auto number = [&] { return 2. * double(random()) / double(random.max()) - 1.; };
-    const Edges_at edges_at(flat.points.size(), flat.edges);
-    for(int round = 0; round < most_rounds; ++round) {
-      const auto pairs = Segments_apart(flat).edges_that_meet(execution_);
-      if(pairs.empty())
-        return;
-      for(const auto& [a, b] : pairs)
-        for(const auto& edge : {a, b})
-          for(Index p : edge)
-            if(flat.is_inlet[p] == 0) {
-              const double most = part * flat.radii[p];
-              const Vector to =
-                  flat.points[p] + Vector{most * number(), most * number(), most * number()};
-              if(can_move(flat, edges_at[p], p, to))
-                flat.points[p] = to;
-            }
-    }
-  }
-
-  // Edges may be close to the surface far from their ends. At inlets they lie on a cap.
-  bool
-  can_move(const Flat_skeleton& flat, Span<const Index> edges, Index p, const Vector& to) const {
-    return std::none_of(edges.begin(), edges.end(), [&](Index e) {
-      const Index other = flat.edges[e][flat.edges[e][0] == p ? 1 : 0];
-      return flat.is_inlet[other] == 0 && solid_.wall().meets(to, flat.points[other]);
-    });
-  }
-
-  void measure(Flat_skeleton& flat) const {
-    constexpr double any = std::numeric_limits<double>::infinity();
-    for_each_index(
-        execution_, flat.points.size(),
-        [&](std::size_t p) {
-          if(flat.is_inlet[p] == 0)
-            flat.radii[p] = solid_.wall().nearest(flat.points[p], any).distance;
-        },
-        64);
   }
 
   Execution execution_;

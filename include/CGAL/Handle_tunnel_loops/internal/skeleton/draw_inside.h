@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
@@ -43,10 +44,11 @@ struct Inner_drawing
   std::size_t number_of_balls = 0;            ///< that the lines were chosen from
 };
 
-/// draws a graph. \p places are the coordinates of the vertices as the caller has them, hubs
-/// included; those of the drawing are of the same kind.
+/// draws a graph. \p mesh is in its own frame; \p places are the coordinates of its vertices as the
+/// caller has them, hubs included, and those of the drawing are of the same kind.
 CGAL_HTL_CORE Inner_drawing draw_inside(Execution execution,
                                         const Flat_mesh& mesh,
+                                        const Own_frame& frame,
                                         const std::vector<Vector>& places,
                                         const Graph_of_parts& graph);
 

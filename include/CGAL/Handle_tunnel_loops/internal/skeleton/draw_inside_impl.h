@@ -16,13 +16,17 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Inside_test.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Chains_of_arcs.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_lines.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Points_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 
-#include <limits>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
@@ -53,58 +57,104 @@ skeleton_of(const Flat_mesh& mesh, const Graph_of_parts& graph, const Inner_draw
   return flat;
 }
 
-/// finds out what of a drawing is inside, by exact predicates.
-inline void test_drawing(Execution execution,
-                         const Flat_mesh& mesh,
-                         std::vector<Vector> places,
-                         const Graph_of_parts& graph,
-                         Inner_drawing& drawing) {
-  const Flat_skeleton flat = skeleton_of(mesh, graph, drawing);
-  const Inlets inlets(mesh, flat, places);
-  const Face_tree tree(execution, mesh, span_of(places));
-  const Inside_test::Outside outside =
-      Inside_test(mesh, tree, inlets, flat).edges_outside(execution);
-  Index edge = 0;
-  drawing.is_inside.clear();
-  for(const std::vector<Inner_ball>& line : drawing.lines) {
-    drawing.is_inside.emplace_back();
-    for(std::size_t i = 1; i < line.size(); ++i)
-      drawing.is_inside.back().push_back(outside.count(edge++) == 0);
+/// gives a skeleton that was made of a drawing back to it.
+inline void
+take_places(const Flat_skeleton& flat, const Graph_of_parts& graph, Inner_drawing& drawing) {
+  const auto ball = [&](Index p) { return Inner_ball{flat.points[p], flat.radii[p]}; };
+  for(Index n = 0; n < drawing.nodes.size(); ++n)
+    drawing.nodes[n] = ball(n);
+  Index next = static_cast<Index>(drawing.nodes.size());
+  for(std::size_t a = 0; a < drawing.lines.size(); ++a) {
+    std::vector<Inner_ball>& line = drawing.lines[a];
+    for(std::size_t i = 1; i + 1 < line.size(); ++i)
+      line[i] = ball(next++);
+    line.front() = drawing.nodes[graph.arcs[a][0]];
+    line.back() = drawing.nodes[graph.arcs[a][1]];
   }
-  const Segments_apart apart(flat);
-  drawing.is_embedded =
-      apart.edges_without_length().empty() && apart.edges_that_meet(execution).empty();
 }
+
+/// Draws a graph in the frame of the mesh itself, and tests what comes out on the coordinates of
+/// the caller. Where this fails by rounding, it is done in the frame of the caller, where nothing
+/// is rounded any more.
+class Drawing_inside
+{
+public:
+  Drawing_inside(Execution execution,
+                 const Flat_mesh& mesh,
+                 const std::vector<Vector>& places,
+                 const Graph_of_parts& graph)
+      : execution_(execution)
+      , mesh_(mesh)
+      , places_(places)
+      , graph_(graph)
+      , chains_(graph) {}
+
+  Inner_drawing draw(const Own_frame& frame) {
+    if(!draw_in(frame, span_of(mesh_.points))) {
+      const Own_frame frame_of_caller = Own_frame::of_caller(places_);
+      std::vector<Vector> points = places_;
+      for(Vector& p : points)
+        p = frame_of_caller.into(p);
+      draw_in(frame_of_caller, span_of(points));
+    }
+    return std::move(drawing_);
+  }
+
+private:
+  // Returns whether it is no use to try in another frame.
+  bool draw_in(const Own_frame& frame, Span<const Vector> points) {
+    const Solid_balls solid(execution_, mesh_, points, {});
+    const Ball_graph balls = solid.graph();
+    drawing_ = chains_.cut(Part_lines(execution_, solid, balls, chains_.graph()).draw());
+    drawing_.number_of_balls = balls.balls.size();
+    Flat_skeleton flat = skeleton_of(mesh_, graph_, drawing_);
+    measure_radii(execution_, solid.wall(), flat);
+    Points_apart(execution_, solid.wall()).move(flat, [&](Flat_skeleton turned) {
+      for(Vector& p : turned.points)
+        p = frame.out_of(p);
+      return turned;
+    });
+    measure_radii(execution_, solid.wall(), flat);
+    const bool is_inside = is_free(solid.wall(), flat);
+    take_out_of(execution_, frame, solid, places_, flat);
+    take_places(flat, graph_, drawing_);
+    return test(flat) || !is_inside;
+  }
+
+  // By exact predicates. Returns whether all is inside.
+  bool test(const Flat_skeleton& flat) {
+    std::vector<Vector> places = places_;
+    const Inlets inlets(mesh_, flat, places);
+    const Face_tree tree(execution_, mesh_, span_of(places));
+    const Inside_test::Outside outside =
+        Inside_test(mesh_, tree, inlets, flat).edges_outside(execution_);
+    Index edge = 0;
+    drawing_.is_inside.clear();
+    for(const std::vector<Inner_ball>& line : drawing_.lines) {
+      drawing_.is_inside.emplace_back();
+      for(std::size_t i = 1; i < line.size(); ++i)
+        drawing_.is_inside.back().push_back(outside.count(edge++) == 0);
+    }
+    const Segments_apart apart(flat);
+    drawing_.is_embedded =
+        apart.edges_without_length().empty() && apart.edges_that_meet(execution_).empty();
+    return outside.empty();
+  }
+
+  Execution execution_;
+  const Flat_mesh& mesh_;
+  const std::vector<Vector>& places_;
+  const Graph_of_parts& graph_;
+  Chains_of_arcs chains_;
+  Inner_drawing drawing_;
+};
 
 CGAL_HTL_CORE Inner_drawing draw_inside(Execution execution,
                                         const Flat_mesh& mesh,
+                                        const Own_frame& frame,
                                         const std::vector<Vector>& places,
                                         const Graph_of_parts& graph) {
-  const Own_frame frame = Own_frame::of_caller(places);
-  std::vector<Vector> points = places;
-  for(Vector& p : points)
-    p = frame.into(p);
-  const Solid_balls solid(execution, mesh, span_of(points), {});
-  const Ball_graph balls = solid.graph();
-  const Chains_of_arcs chains(graph);
-  Inner_drawing drawing = chains.cut(Part_lines(execution, solid, balls, chains.graph()).draw());
-  drawing.number_of_balls = balls.balls.size();
-  const auto complete = [&](Inner_ball& ball) {
-    ball.radius = frame.length_out_of(
-        solid.wall().nearest(ball.centre, std::numeric_limits<double>::infinity()).distance);
-    ball.centre = frame.out_of(ball.centre);
-  };
-  for(Inner_ball& ball : drawing.nodes)
-    complete(ball);
-  for_each_index(
-      execution, drawing.lines.size(),
-      [&](std::size_t a) {
-        for(Inner_ball& ball : drawing.lines[a])
-          complete(ball);
-      },
-      4);
-  test_drawing(execution, mesh, places, graph, drawing);
-  return drawing;
+  return Drawing_inside(execution, mesh, places, graph).draw(frame);
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

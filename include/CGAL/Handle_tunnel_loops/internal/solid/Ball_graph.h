@@ -80,6 +80,13 @@ struct Ball_graph
     });
   }
 
+  /// calls `f(ball, edge)` on the way by which a ball was reached, back to where that begins.
+  template <typename Label, typename Function>
+  void for_each_back(const Shortest_paths<Label>& paths, Index ball, const Function& f) const {
+    for(Index e = paths[ball].edge; e != no_index; e = paths[ball].edge)
+      f(ball = other_end(e, ball), e);
+  }
+
   double length(Index edge) const {
     return norm(balls[edges[edge][1]].centre - balls[edges[edge][0]].centre);
   }
