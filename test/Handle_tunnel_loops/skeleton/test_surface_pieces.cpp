@@ -22,6 +22,8 @@ namespace test_surface_pieces {
 
 using namespace CGAL::Handle_tunnel_loops::internal;
 
+using Place = std::array<double, 3>;
+
 /// a surface that is drawn out along an axis, so that faces are long and thin, in pieces.
 struct Divided_surface
 {
@@ -30,7 +32,7 @@ struct Divided_surface
     std::mt19937 random(7);
     std::uniform_real_distribution<double> shift(-1., 1.);
     const double edge = norm(mesh.points[mesh.neighbor[0]] - mesh.points[0]);
-    for(Vector& p : mesh.points) {
+    for(Place& p : mesh.points) {
       for(double& x : p)
         x += 0.2 * edge * shift(random);
       p[0] *= stretch;
@@ -61,9 +63,9 @@ TEST(Surface_pieces, KnowWhereTheyAre) {
     const Wall& wall = surface.wall;
     for(Index p = 0; p < pieces.size(); ++p) {
       const Index f = pieces.face(p);
-      const Vector centre = pieces.centre(p);
+      const Place centre = pieces.centre(p);
       ASSERT_EQ(pieces.piece_at(f, centre), p);
-      const Vector on_face =
+      const Place on_face =
           nearest_point(centre, wall.corner(f, 0), wall.corner(f, 1), wall.corner(f, 2));
       ASSERT_LT(norm(on_face - centre), 1e-6 * surface.spacing);
     }
@@ -79,8 +81,8 @@ TEST(Surface_pieces, AreNotMuchLongerThanTheSpacing) {
     for(Index f = 0; f < wall.size(); ++f)
       for(int i = 0; i < 50; ++i) {
         const double part = std::sqrt(number(random)), along = number(random);
-        const Vector base = (1. - along) * wall.corner(f, 1) + along * wall.corner(f, 2);
-        const Vector point = (1. - part) * wall.corner(f, 0) + part * base;
+        const Place base = (1. - along) * wall.corner(f, 1) + along * wall.corner(f, 2);
+        const Place point = (1. - part) * wall.corner(f, 0) + part * base;
         const Index piece = pieces.piece_at(f, point);
         ASSERT_EQ(pieces.face(piece), f);
         ASSERT_LT(norm(pieces.centre(piece) - point), 1.3 * surface.spacing);
