@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -46,8 +47,7 @@ public:
       , degree_(graph.balls.size())
       , is_taken_(graph.edges.size(), 0)
       , is_end_(graph.balls.size())
-      , change_(graph.balls.size(), 0)
-      , examination_(graph.edges.size(), 0) {
+      , change_(graph.balls.size(), 0) {
     for(Index e = 0; e < graph.edges.size(); ++e)
       costs_.push_back(Inner_cycles::cost(graph, e));
   }
@@ -235,9 +235,8 @@ private:
 
   // Whether nothing has changed since an arc was examined, as far as one comes along what is taken.
   bool is_known(const Arc& arc) {
-    Index &front = examination_[arc.edges.front()], &back = examination_[arc.edges.back()];
-    const Index last = front == back ? front : 0;
-    front = back = time_;
+    const auto [front, back] = std::minmax(arc.edges.front(), arc.edges.back());
+    const Index last = std::exchange(examinations_[{front, back}], time_);
     const auto is_old = [&](Index b) { return change_[b] < last; };
     const std::vector<Index>& there = along_.reached();
     return std::all_of(there.begin(), there.end(), is_old) &&
@@ -369,8 +368,8 @@ private:
   std::vector<char> is_end_;   // by ball
   std::uint64_t class_ = 0;    // of a cycle that an arc closes
   Index time_ = 0;
-  std::vector<Index> change_;      // by ball, when something there changed
-  std::vector<Index> examination_; // by edge, when an arc was examined that begins or ends by it
+  std::vector<Index> change_;                             // by ball, when something there changed
+  std::map<std::pair<Index, Index>, Index> examinations_; // of arcs, by their first and last edges
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
