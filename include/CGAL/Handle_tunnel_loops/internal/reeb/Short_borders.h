@@ -36,8 +36,8 @@ Moves the borders of parts of a surface to where they are short, and makes each 
 
 What of a part does not hang together with most of it goes to those around. Then each border of two
 parts, piece by piece, becomes a minimum cut of a band around it, as wide to both sides as the
-radius of a circle of its length. The inner half of a part stays, and so does a border if a part
-would come apart.
+radius of a circle of its length; lengths there count up to twice, the more the farther away. The
+inner half of a part stays, and so does a border if a part would come apart.
 */
 class Short_borders
 {
@@ -149,7 +149,7 @@ private:
 
   // What is near a border on both sides of it, in connected pieces.
   std::vector<std::vector<Index>> bands(const Pair& parts, const std::vector<Index>& vertices) {
-    const double most = radius(parts, vertices);
+    width_ = radius(parts, vertices);
     paths_.clear();
     for(const Index v : vertices)
       if(is_of(parts, v))
@@ -158,7 +158,7 @@ private:
                 [&](Index v) {
                   for(const Index u : mesh_.ring(v)) {
                     const double sum = paths_[v].distance + mesh_.edge_length(v, u);
-                    if(is_of(parts, u) && sum <= most && sum < paths_[u].distance)
+                    if(is_of(parts, u) && sum <= width_ && sum < paths_[u].distance)
                       paths_.reach(u, {sum});
                   }
                 });
@@ -184,6 +184,12 @@ private:
     return reached;
   }
 
+  // Of an edge in a band: limbs taper, and their borders are not to slip to the tips.
+  double weight(Index v, Index u) const {
+    const double moved = (std::min)(paths_[v].distance, paths_[u].distance);
+    return (1. + moved / width_) * length_across(mesh_, v, u);
+  }
+
   void shorten(const Pair& parts, const std::vector<Index>& band) {
     std::vector<Index> free;
     for(const Index v : band)
@@ -200,7 +206,7 @@ private:
         const Index end = part_[u] == parts[0] ? Minimum_cut::source : Minimum_cut::sink;
         if(node_[u] == no_index)
           has_end[end] = true;
-        cut.add_edge(node_[v], node_[u] == no_index ? end : node_[u], length_across(mesh_, v, u));
+        cut.add_edge(node_[v], node_[u] == no_index ? end : node_[u], weight(v, u));
       }
     for(const Index v : free)
       node_[v] = no_index;
@@ -255,10 +261,11 @@ private:
 
   const Flat_mesh& mesh_;
   std::vector<Index>& part_;
-  std::vector<char> is_inner_; // by vertex
-  Shortest_paths<Label> paths_;
-  std::vector<Index> node_;  // by vertex, in the graph that is cut
-  std::vector<Index> visit_; // by vertex, the last one
+  std::vector<char> is_inner_;  // by vertex
+  Shortest_paths<Label> paths_; // from a border
+  double width_ = 0.;           // of the band around it
+  std::vector<Index> node_;     // by vertex, in the graph that is cut
+  std::vector<Index> visit_;    // by vertex, the last one
   Index number_of_visits_ = 0;
 };
 
