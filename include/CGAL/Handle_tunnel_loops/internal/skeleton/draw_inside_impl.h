@@ -23,12 +23,29 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
+
+/// gives a bend to lines that would be the same segment as one before, so that they can be moved
+/// apart.
+inline void bend_equal_segments(const Graph_of_parts& graph, Inner_drawing& drawing) {
+  std::set<std::pair<Index, Index>> segments;
+  for(std::size_t a = 0; a < drawing.lines.size(); ++a) {
+    std::vector<Inner_ball>& line = drawing.lines[a];
+    if(line.size() != 2 || segments.insert(std::minmax(graph.arcs[a][0], graph.arcs[a][1])).second)
+      continue;
+    const Inner_ball middle = {0.5 * (line[0].centre + line[1].centre),
+                               (std::min)(line[0].radius, line[1].radius)};
+    line.insert(line.begin() + 1, middle);
+  }
+}
 
 /// a drawing as a skeleton: first the nodes, then the bends arc by arc. The edges of an arc follow
 /// each other.
@@ -107,6 +124,7 @@ private:
     const Ball_graph balls = solid.graph();
     drawing_ = chains_.cut(Part_lines(execution_, solid, balls, chains_.graph()).draw());
     drawing_.number_of_balls = balls.balls.size();
+    bend_equal_segments(graph_, drawing_);
     Flat_skeleton flat = skeleton_of(mesh_, graph_, drawing_);
     measure_radii(execution_, solid.wall(), flat);
     Points_apart(execution_, solid.wall()).move(flat, [&](Flat_skeleton turned) {
