@@ -121,7 +121,12 @@ private:
       names_ = cycles.names();
       return cycles.number_of_missing_cycles();
     };
-    if(choose() > 0) { // holes that are small against the balls around them
+    if(choose() == 0)
+      return prune();
+    // Walls that are thin against the distance of the balls; and holes that are small against the
+    // balls around them.
+    solid.join_along_wall(graph_);
+    if(choose() > 0) {
       solid.add_ways_along_wall(graph_);
       choose();
     }

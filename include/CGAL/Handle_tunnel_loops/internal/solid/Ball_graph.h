@@ -48,6 +48,8 @@ struct Ball_graph
   Edges_at edges_at;                 ///< by ball
   /// samples that a ball touches on two sides of the solid
   std::vector<std::pair<Index, Index>> opposites;
+  /// samples of which the regions meet, and that nothing joins
+  std::vector<std::pair<Index, Index>> apart;
   std::vector<char> is_at_rim;  ///< by sample, whether the solid goes on on its other side
   std::vector<double> breadths; ///< by ball; of those that were added later none
 
@@ -144,6 +146,15 @@ public:
     join_neighbors();
     graph_.link();
     return std::move(graph_);
+  }
+
+  /// joins what is apart in a graph that has been built, along the wall.
+  void join_along_wall(Ball_graph& graph) {
+    graph_ = std::move(graph);
+    for(const Pair& p : std::exchange(graph_.apart, {}))
+      join_by_detour(p.first, p.second, true);
+    graph_.link();
+    graph = std::move(graph_);
   }
 
   /// adds closed ways along the wall by these pieces to a graph that has been built.
@@ -291,6 +302,8 @@ private:
       const bool is_needed = connected.find(b.first) != connected.find(b.second);
       if(join_by_detour(p.first, p.second, is_needed))
         connected.unite(b.first, b.second);
+      else
+        graph_.apart.push_back(p);
     }
   }
 

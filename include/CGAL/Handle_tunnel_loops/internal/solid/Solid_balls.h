@@ -73,6 +73,9 @@ public:
     return graph;
   }
 
+  /// joins balls of regions that meet in a graph of the balls, along the wall.
+  void join_along_wall(Ball_graph& graph) const { graph_builder().join_along_wall(graph); }
+
   /// adds ways around the loops, along the wall, to a graph of the balls.
   void add_ways_along_wall(Ball_graph& graph) const {
     graph_builder().add_ways_along_wall(paths_, graph);
