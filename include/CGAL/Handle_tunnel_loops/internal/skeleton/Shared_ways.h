@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
@@ -126,7 +127,8 @@ private:
 
   // ---- arcs
 
-  // The most expensive first; and halves of them, of which one may share its way with the other.
+  // The most expensive first; and halves of those that end near where they begin, of which one may
+  // share its way with the other.
   std::vector<Arc> arcs() const {
     std::vector<Arc> arcs;
     std::vector<char> is_passed(is_taken_.size(), 0);
@@ -138,7 +140,7 @@ private:
         const bool is_loop = arc.from == arc.to;
         if(!is_loop)
           arcs.push_back(arc);
-        if(is_loop ? degree_[ball] > 2 : arc.edges.size() > 1)
+        if(is_loop ? degree_[ball] > 2 : arc.edges.size() > 1 && comes_back(arc))
           arcs.push_back(cut_off_half(arc));
         else if(!is_loop)
           return;
@@ -155,6 +157,14 @@ private:
       return std::tie(b.cost, a.edges) < std::tie(a.cost, b.edges);
     });
     return arcs;
+  }
+
+  bool comes_back(const Arc& arc) const {
+    constexpr double part = 1. / 3.; // of the length, between the ends
+    double length = 0.;
+    for(Index e : arc.edges)
+      length += graph_.length(e);
+    return norm(graph_.balls[arc.to].centre - graph_.balls[arc.from].centre) < part * length;
   }
 
   Arc follow(Index from, Index edge, std::vector<char>& is_passed) const {

@@ -121,14 +121,12 @@ private:
       names_ = cycles.names();
       return cycles.number_of_missing_cycles();
     };
-    if(choose() == 0)
-      return prune();
-    // Walls that are thin against the distance of the balls; and holes that are small against the
-    // balls around them.
-    solid.join_along_wall(graph_);
-    if(choose() > 0) {
+    if(choose() > 0) { // holes that are small against the balls around them
       solid.add_ways_along_wall(graph_);
-      choose();
+      if(choose() > 0) { // walls that are thin everywhere against the distance of the balls
+        solid.join_along_wall(graph_);
+        choose();
+      }
     }
     prune();
   }
