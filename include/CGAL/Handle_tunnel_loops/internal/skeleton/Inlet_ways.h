@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -63,23 +64,41 @@ public:
   }
 
 private:
+  // Of those at the curve, or else of those beside them, and so on.
   Index ball_seen_from(Index hub, const Ball_graph& graph) const {
+    const auto distance = [&](Index b) { return norm(graph.balls[b].centre - points_[hub]); };
+    std::vector<Index> balls = balls_at_curve(hub, graph);
+    std::vector<char> is_known;
+    while(!balls.empty()) {
+      std::stable_sort(balls.begin(), balls.end(),
+                       [&](Index a, Index b) { return distance(a) < distance(b); });
+      for(Index b : balls)
+        if(!wall_.is_met_from_hub(hub, graph.balls[b].centre))
+          return b;
+      is_known.resize(graph.balls.size(), 0);
+      for(Index b : balls)
+        is_known[b] = 1;
+      std::vector<Index> next;
+      for(Index ball : balls)
+        graph.for_each_beside(ball, [&](Index other, Index) {
+          if(std::exchange(is_known[other], 1) == 0)
+            next.push_back(other);
+        });
+      balls = std::move(next);
+    }
+    return no_index;
+  }
+
+  std::vector<Index> balls_at_curve(Index hub, const Ball_graph& graph) const {
     std::vector<Index> balls;
-    const Ring curve = mesh_.ring(hub);
-    for(Index v : curve)
+    for(Index v : mesh_.ring(hub))
       for(Index u : mesh_.ring(v))
         if(const Index f = pieces_.face_left_of(v, u); !wall_.is_of_cap(f))
           if(const Index s = samples_.region(pieces_.piece_at(f, points_[v])); s != no_index)
             balls.push_back(graph.ball_of_sample[s]);
     std::sort(balls.begin(), balls.end());
     balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
-    const auto distance = [&](Index b) { return norm(graph.balls[b].centre - points_[hub]); };
-    std::stable_sort(balls.begin(), balls.end(),
-                     [&](Index a, Index b) { return distance(a) < distance(b); });
-    for(Index b : balls)
-      if(!wall_.is_met_from_hub(hub, graph.balls[b].centre))
-        return b;
-    return no_index;
+    return balls;
   }
 
   double distance_to_curve(Index hub) const {
