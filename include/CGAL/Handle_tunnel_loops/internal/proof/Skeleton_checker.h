@@ -62,11 +62,13 @@ public:
       return std::move(certificate_);
     const Skeleton_cycles cycles(skeleton_);
     check_parts(cycles);
-    check_inside();
+    const Inlets inlets(mesh_, skeleton_, places_);
+    const Face_tree tree(execution_, mesh_, span_of(places_));
+    check_inside(inlets, tree);
     check_embedding();
     check_basis(cycles);
     if(mesh_.number_of_hubs > 0)
-      check_caps();
+      check_caps(tree);
     return std::move(certificate_);
   }
 
@@ -167,9 +169,7 @@ private:
 
   // ---- inside
 
-  void check_inside() {
-    const Inlets inlets(mesh_, skeleton_, places_);
-    const Face_tree tree(execution_, mesh_, span_of(places_));
+  void check_inside(const Inlets& inlets, const Face_tree& tree) {
     const Inside_test test(mesh_, tree, inlets, skeleton_);
     is_outside_.assign(skeleton_.edges.size(), 0);
     std::vector<std::string> lines;
@@ -189,9 +189,8 @@ private:
   }
 
   // Where a cap meets something there is no inside, whatever the lines do.
-  void check_caps() {
+  void check_caps(const Face_tree& tree) {
     std::vector<std::string> lines;
-    const Face_tree tree(execution_, mesh_, span_of(places_));
     for(Index hub : Hub_places(execution_, mesh_, places_).caps_met(tree))
       lines.push_back("the cap of the boundary curve at vertex " +
                       std::to_string(mesh_.index_of_caller(hub)) +

@@ -90,10 +90,8 @@ public:
   /// the area of a piece, about.
   double area(Index piece) const {
     const Index f = face(piece);
-    const std::size_t end = first_row_[f + 1];
     return 0.5 * norm(wall_.normal(f)) /
-           ((end < first_of_row_.size() ? first_of_row_[end] : size()) -
-            first_of_row_[first_row_[f]]);
+           (first_of_row_[first_row_[f + 1]] - first_of_row_[first_row_[f]]);
   }
 
   /// calls `f(neighbor)` for the pieces beside a piece.
@@ -239,10 +237,14 @@ private:
     const double margin = 1e-6 / row.columns;
     const double low = (std::max)(along.low, row.begin) + margin,
                  high = (std::min)(along.high, row.end) - margin;
-    if(low > high)
-      return;
-    const Index begin = first_piece(face, row) - row.first, last = row.column_at(high);
-    for(Index column = row.column_at(low); column <= last; ++column)
+    if(low <= high)
+      visit_columns(face, row, {low, high}, f);
+  }
+
+  template <typename Function>
+  void visit_columns(Index face, const Row& row, Interval along, const Function& f) const {
+    const Index begin = first_piece(face, row) - row.first, last = row.column_at(along.high);
+    for(Index column = row.column_at(along.low); column <= last; ++column)
       f(begin + column);
   }
 
@@ -281,12 +283,11 @@ private:
     for(Index r = index_of(part.low + margin, shape.rows); r <= last; ++r) {
       const Row row(shape, r);
       const double low = (std::max)(part.low, row.low), high = (std::min)(part.high, row.high);
-      const Interval along =
-          side == 0 ? Interval{shape.foot * low, shape.foot * high}
-                    : Interval{1. - (1. - shape.foot) * high, 1. - (1. - shape.foot) * low};
-      const Index begin = first_piece(other, row) - row.first, end = row.column_at(along.high);
-      for(Index column = row.column_at(along.low); column <= end; ++column)
-        f(begin + column);
+      visit_columns(other, row,
+                    side == 0
+                        ? Interval{shape.foot * low, shape.foot * high}
+                        : Interval{1. - (1. - shape.foot) * high, 1. - (1. - shape.foot) * low},
+                    f);
     }
   }
 
