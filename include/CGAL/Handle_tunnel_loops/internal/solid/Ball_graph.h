@@ -30,6 +30,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -164,14 +165,13 @@ public:
       const Index sample = samples_.region(path.front());
       if(sample == no_index) // of a component without balls
         continue;
-      const std::vector<Vector> around = way_along_wall_.around(path);
+      const std::vector<Way_along_wall::Step> around = way_along_wall_.around(path);
       if(around.empty())
         continue;
-      std::vector<Vector> way = balls_.way(place(sample), face(sample));
-      std::reverse(way.begin(), way.end());
-      Index last = append(graph_.ball_of_sample[sample], way);
-      const Index first = last = append(last, {around.front()});
-      last = append(last, {around.begin() + 1, around.end()});
+      const Index first = append(ball_at_place(sample), around.front().point);
+      Index last = first;
+      for(std::size_t i = 1; i < around.size(); ++i)
+        last = append(last, around[i].point);
       graph_.edges.push_back({last, first}); // along the normal
     }
     graph_.link();
@@ -322,17 +322,13 @@ private:
     if(from.empty() || to.empty())
       return false;
     if(!wall_.meets(from.back(), to.back())) {
-      join(a, {from.back(), to.back()}, b);
+      join(graph_.ball_of_sample[a], {from.back(), to.back()}, graph_.ball_of_sample[b]);
       return true;
     }
-    std::vector<Vector> between = free_way(a, from.front(), b, to.front());
-    if(between.empty() && is_needed)
-      between = way_along_wall_(a, b);
+    const std::vector<Vector> between = free_way(a, from.front(), b, to.front());
     if(between.empty())
-      return false;
-    between.insert(between.begin(), from.rbegin(), from.rend());
-    between.insert(between.end(), to.begin(), to.end());
-    join(a, between, b);
+      return is_needed && join_by_pieces(a, b);
+    join(ball_at_place(a), between, ball_at_place(b));
     return true;
   }
 
@@ -353,23 +349,69 @@ private:
   Vector place(Index sample) const { return samples_.place(sample); }
   Index face(Index sample) const { return pieces_.face(samples_.samples()[sample].piece); }
 
-  // By these places, the first and last of which are inside the balls of the samples.
-  void join(Index a, const std::vector<Vector>& places, Index b) {
-    const Index last = append(graph_.ball_of_sample[a], places), end = graph_.ball_of_sample[b];
-    if(last != end)
-      graph_.edges.push_back({last, end});
+  // Along the wall, between ways that have been there before: each piece is passed about once.
+  bool join_by_pieces(Index a, Index b) {
+    for(const Index s : {a, b})
+      ball_at_place(s);
+    if(pieces_passed_[a].size() > pieces_passed_[b].size())
+      std::swap(a, b);
+    const std::vector<Index> walk = way_along_wall_.walk(
+        pieces_passed_[a],
+        [&](Index p) { return samples_.region(p) == b && ball_of_piece_.count(p) > 0; }, a, b);
+    const std::vector<Way_along_wall::Step> way = way_along_wall_.way(walk);
+    if(way.empty())
+      return false;
+    std::vector<Index> balls = {ball_of_piece_.at(walk.front())};
+    for(const Way_along_wall::Step& step : way)
+      balls.push_back(append(balls.back(), step.point));
+    graph_.edges.push_back({balls.back(), ball_of_piece_.at(walk.back())}); // along the normal
+    for(std::size_t i = 0; i < way.size() && pass(way[i].piece, a, balls[i + 1]);)
+      ++i;
+    for(std::size_t i = way.size(); i > 0 && pass(way[i - 1].piece, b, balls[i]);)
+      --i;
+    return true;
   }
 
-  // Leads on from a ball by these places. Returns the last ball.
-  Index append(Index before, const std::vector<Vector>& places) {
+  // Notes the ball of a piece, by which others can be joined to a sample: one in its region.
+  bool pass(Index piece, Index sample, Index ball) {
+    if(piece == no_index)
+      return true;
+    if(samples_.region(piece) != sample)
+      return false;
+    if(ball_of_piece_.emplace(piece, ball).second)
+      pieces_passed_[sample].push_back(piece);
+    return true;
+  }
+
+  // The first of the balls that grow from the place of a sample, joined to the last one.
+  Index ball_at_place(Index s) {
+    const Index piece = samples_.samples()[s].piece;
+    if(const auto known = ball_of_piece_.find(piece); known != ball_of_piece_.end())
+      return known->second;
+    const std::vector<Vector> way = balls_.way(place(s), face(s));
+    Index last = graph_.ball_of_sample[s];
+    for(auto p = way.rbegin(); p != way.rend(); ++p)
+      last = append(last, *p);
+    pass(piece, s, last);
+    return last;
+  }
+
+  // By these places.
+  void join(Index a, const std::vector<Vector>& places, Index b) {
     for(const Vector& p : places)
-      if(p != graph_.balls[before].centre) {
-        const Inner_ball ball = {p, wall_.nearest(p, ball_limit(p, before)).distance};
-        const Index next = add_ball(ball, graph_.component[before]);
-        graph_.edges.push_back({before, next});
-        before = next;
-      }
-    return before;
+      a = append(a, p);
+    if(a != b)
+      graph_.edges.push_back({a, b});
+  }
+
+  // Leads on from a ball to a place, if that is another one. Returns the last ball.
+  Index append(Index before, const Vector& p) {
+    if(p == graph_.balls[before].centre)
+      return before;
+    const Inner_ball ball = {p, wall_.nearest(p, ball_limit(p, before)).distance};
+    const Index next = add_ball(ball, graph_.component[before]);
+    graph_.edges.push_back({before, next});
+    return next;
   }
 
   // The distance to the surface changes no faster than one goes.
@@ -384,6 +426,8 @@ private:
   const Surface_samples& samples_;
   const std::vector<Pair>& neighbors_;
   Way_along_wall way_along_wall_{wall_, pieces_, balls_, samples_};
+  std::unordered_map<Index, Index> ball_of_piece_;              // on ways along the wall
+  std::unordered_map<Index, std::vector<Index>> pieces_passed_; // by sample
   Ball_graph graph_;
 };
 

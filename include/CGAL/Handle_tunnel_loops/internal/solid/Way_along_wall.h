@@ -46,36 +46,61 @@ public:
       , balls_(balls)
       , samples_(samples) {}
 
-  /// a way from the piece of one sample to that of another of which the region is beside the
-  /// first's; nothing if there is none, on a surface that touches itself or is too thin for
-  /// doubles.
-  std::vector<Vector> operator()(Index a, Index b) const {
-    return way(pieces_between(samples_.samples()[a].piece, samples_.samples()[b].piece, a, b));
+  /// A place on a way, and the piece in the middle of which it is; none on an edge.
+  struct Step
+  {
+    Vector point;
+    Index piece;
+  };
+
+  /// a shortest walk in the regions a and b, by pieces that are beside each other, from some pieces
+  /// to one for which `is_end(piece)` holds; an empty one if there is none.
+  template <typename Predicate>
+  std::vector<Index>
+  walk(const std::vector<Index>& from, const Predicate& is_end, Index a, Index b) const {
+    std::unordered_map<Index, Index> before;
+    std::vector<Index> reached = from, walk;
+    for(Index p : from)
+      before.emplace(p, p);
+    std::size_t i = 0;
+    while(i < reached.size() && !is_end(reached[i]))
+      pieces_.for_each_neighbor(reached[i++], [&](Index p) {
+        const Index region = samples_.region(p);
+        if((region == a || region == b) && before.emplace(p, reached[i - 1]).second)
+          reached.push_back(p);
+      });
+    if(i == reached.size())
+      return walk;
+    for(walk = {reached[i]}; before[walk.back()] != walk.back();)
+      walk.push_back(before[walk.back()]);
+    std::reverse(walk.begin(), walk.end());
+    return walk;
   }
 
   /// a closed way around by pieces that are beside each other, from the piece of the sample of
   /// which the first is in the region: there and back.
-  std::vector<Vector> around(const std::vector<Index>& pieces) const {
+  std::vector<Step> around(const std::vector<Index>& pieces) const {
     const Index region = samples_.region(pieces.front());
-    std::vector<Index> walk =
-        pieces_between(samples_.samples()[region].piece, pieces.front(), region, region);
-    const std::vector<Index> back(walk.rbegin(), walk.rend());
-    walk.insert(walk.end(), pieces.begin() + 1, pieces.end());
-    walk.insert(walk.end(), back.begin(), back.end());
-    return way(walk);
+    std::vector<Index> all = walk(
+        {samples_.samples()[region].piece}, [&](Index p) { return p == pieces.front(); }, region,
+        region);
+    const std::vector<Index> back(all.rbegin(), all.rend());
+    all.insert(all.end(), pieces.begin() + 1, pieces.end());
+    all.insert(all.end(), back.begin(), back.end());
+    return way(all);
   }
 
-  /// the same by way of pieces that are beside each other.
-  std::vector<Vector> way(const std::vector<Index>& walk) const {
+  /// the way of a walk; nothing on a surface that touches itself or is too thin for doubles.
+  std::vector<Step> way(const std::vector<Index>& walk) const {
     std::vector<Place> places;
     for(std::size_t i = 0; i < walk.size(); ++i) {
       if(i > 0 && pieces_.face(walk[i]) != pieces_.face(walk[i - 1]))
         append_edge(walk[i - 1], walk[i], places);
       append_middle(walk[i], places);
     }
-    std::vector<Vector> way;
+    std::vector<Step> way;
     for(const Place& p : places)
-      way.push_back(p.point + p.inward);
+      way.push_back({p.point + p.inward, p.piece});
     std::vector<char> is_open(way.size(), 1); // whether the segment that ends here may be met
     constexpr int most_rounds = 60, few_rounds = 6;
     for(int i = 0; i < most_rounds; ++i) {
@@ -91,34 +116,15 @@ private:
   struct Place
   {
     Vector point, inward; // as far in as there is room
+    Index piece;
   };
-
-  // In the regions a and b.
-  std::vector<Index> pieces_between(Index from, Index to, Index a, Index b) const {
-    std::unordered_map<Index, Index> before = {{from, from}};
-    std::vector<Index> reached = {from};
-    for(std::size_t i = 0; i < reached.size() && before.count(to) == 0; ++i)
-      pieces_.for_each_neighbor(reached[i], [&](Index p) {
-        const Index region = samples_.region(p);
-        if((region == a || region == b) && before.emplace(p, reached[i]).second)
-          reached.push_back(p);
-      });
-    std::vector<Index> walk;
-    if(before.count(to) == 0)
-      return walk;
-    for(Index p = to; p != from; p = before[p])
-      walk.push_back(p);
-    walk.push_back(from);
-    std::reverse(walk.begin(), walk.end());
-    return walk;
-  }
 
   // Faces without a normal are passed over.
   void append_middle(Index piece, std::vector<Place>& places) const {
     const Index f = pieces_.face(piece);
     if(const std::optional<Vector> normal = balls_.inward_normal(f)) {
       const Vector middle = pieces_.centre(piece);
-      places.push_back({middle, depth(middle, *normal, f) * *normal});
+      places.push_back({middle, depth(middle, *normal, f) * *normal, piece});
     }
   }
 
@@ -136,7 +142,7 @@ private:
     const Vector sum = *normal_f + *normal_g, middle = place_on_edge(p, q, f, g);
     const double length = norm(sum), deep = norm(places.back().inward);
     if(length > 0.)
-      places.push_back({middle, (deep / length) * sum});
+      places.push_back({middle, (deep / length) * sum, no_index});
   }
 
   // On the common edge of two faces, about between the pieces.
@@ -166,11 +172,10 @@ private:
   }
 
   // Brings the ends of segments that are not free nearer to the surface. Returns whether all are.
-  bool
-  lower(std::vector<Place>& places, std::vector<Vector>& way, std::vector<char>& is_open) const {
+  bool lower(std::vector<Place>& places, std::vector<Step>& way, std::vector<char>& is_open) const {
     std::vector<char> is_lowered(way.size(), 0);
     for(std::size_t i = 1; i < way.size(); ++i)
-      if(is_open[i] != 0 && wall_.meets(way[i - 1], way[i]))
+      if(is_open[i] != 0 && wall_.meets(way[i - 1].point, way[i].point))
         is_lowered[i - 1] = is_lowered[i] = 1;
     bool is_free = !way.empty();
     for(std::size_t i = 0; i < way.size(); ++i) {
@@ -178,7 +183,7 @@ private:
       if(is_lowered[i] != 0) {
         is_free = false;
         places[i].inward = 0.5 * places[i].inward;
-        way[i] = places[i].point + places[i].inward;
+        way[i].point = places[i].point + places[i].inward;
       }
     }
     return is_free;
