@@ -70,12 +70,13 @@ public:
     });
   }
 
-  /// the balls from the lower to the upper node; only these two if there is no way.
+  /// the balls from the lower to the upper node; only these two if there is no way, and none if
+  /// these have none.
   Way way(Index arc, Workspace& work) const {
     const Index from = drawn_.ball_of_node[graph_.arcs[arc][0]],
                 to = drawn_.ball_of_node[graph_.arcs[arc][1]];
     if(from == no_index || to == no_index)
-      return {from, to};
+      return {};
     const bool is_cycle = graph_.arcs[arc][0] == graph_.arcs[arc][1];
     const Way straight = is_cycle ? Way{from} : cheapest_way(arc, from, to, work);
     if(!is_cycle && is_seen(arc, straight))
