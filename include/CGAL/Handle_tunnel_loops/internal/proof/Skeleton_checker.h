@@ -72,6 +72,9 @@ public:
     return std::move(certificate_);
   }
 
+  /// something, as has been found by then.
+  bool do_caps_meet() const { return do_caps_meet_; }
+
 private:
   using Edge = std::array<Index, 2>;
 
@@ -195,7 +198,8 @@ private:
       lines.push_back("the cap of the boundary curve at vertex " +
                       std::to_string(mesh_.index_of_caller(hub)) +
                       " meets itself, the surface or another cap: no inside is known there");
-    if(!lines.empty())
+    do_caps_meet_ = !lines.empty();
+    if(do_caps_meet_)
       certificate_.inside = certificate_.basis = false;
     fail(lines, "that meet something");
   }
@@ -343,6 +347,7 @@ private:
   std::vector<std::vector<Index>> parts_of_component_; // by component
   std::vector<char> is_outside_;                       // by edge
   Skeleton_certificate certificate_;
+  bool do_caps_meet_ = false;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -43,15 +43,16 @@ place_hubs(Execution execution, const Flat_mesh& mesh, std::vector<Vector>& plac
 /// their vertices: for each component as many as its genus, which are independent in the space
 /// outside, as handle loops are; more do no harm, nor do other loops, but that less can be proved.
 /// That the surface does not cross or touch itself is not looked at. Points are called by their
-/// numbers, or by
-/// \p point_name if that is something.
+/// numbers, or by \p point_name if that is something. \p do_caps_meet is told whether the caps meet
+/// anything, so that there is no inside whatever the skeleton.
 CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
                                                     const Flat_mesh& mesh,
                                                     const std::vector<Vector>& places,
                                                     const Flat_skeleton& skeleton,
                                                     const std::vector<std::vector<Index>>& loops,
                                                     const Face_number& face_number,
-                                                    const Point_name& point_name = {});
+                                                    const Point_name& point_name = {},
+                                                    bool* do_caps_meet = nullptr);
 
 /// finds out which points of a skeleton are inlets and what component each part belongs to, if
 /// these arrays are empty.

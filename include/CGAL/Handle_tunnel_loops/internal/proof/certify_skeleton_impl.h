@@ -28,8 +28,13 @@ CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
                                                     const Flat_skeleton& skeleton,
                                                     const std::vector<std::vector<Index>>& loops,
                                                     const Face_number& face_number,
-                                                    const Point_name& point_name) {
-  return Skeleton_checker(execution, mesh, places, skeleton, loops, face_number, point_name).run();
+                                                    const Point_name& point_name,
+                                                    bool* do_caps_meet) {
+  Skeleton_checker checker(execution, mesh, places, skeleton, loops, face_number, point_name);
+  Skeleton_certificate certificate = checker.run();
+  if(do_caps_meet != nullptr)
+    *do_caps_meet = checker.do_caps_meet();
+  return certificate;
 }
 
 CGAL_HTL_CORE void

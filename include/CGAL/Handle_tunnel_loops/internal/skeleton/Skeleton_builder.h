@@ -14,14 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/proof/Hub_places.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Parts_of_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_drawing.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Taken_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
@@ -105,19 +103,14 @@ private:
     std::vector<std::vector<Index>> walks;
     for(const Crossing_loop* loop : loops_inside(mesh_, pairs_, &Flat_pair::handle))
       walks.push_back(walk_beside(mesh_, *loop));
-    found_.certificate =
-        certify_skeleton(execution_, mesh_, places_, found_.skeleton, walks, face_number_);
+    found_.certificate = certify_skeleton(execution_, mesh_, places_, found_.skeleton, walks,
+                                          face_number_, {}, &do_caps_meet_);
   }
 
   // Caps that meet something do so in any frame.
   bool fails_by_caps_alone() const {
     const Skeleton_certificate& c = found_.certificate;
-    if(mesh_.number_of_hubs == 0 || !c.connected || !c.embedded || !c.edges_outside.empty())
-      return false;
-    std::vector<Vector> places = places_;
-    return !Hub_places(execution_, mesh_, places)
-                .caps_met(Face_tree(execution_, mesh_, span_of(places_)))
-                .empty();
+    return do_caps_meet_ && c.connected && c.embedded && c.edges_outside.empty();
   }
 
   Execution execution_;
@@ -128,6 +121,7 @@ private:
   Skeleton_options options_;
   const Face_number& face_number_;
   Found_skeleton found_;
+  bool do_caps_meet_ = false;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
