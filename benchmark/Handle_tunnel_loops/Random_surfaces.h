@@ -1,11 +1,12 @@
 #ifndef BENCHMARK_RANDOM_SURFACES_H
 #define BENCHMARK_RANDOM_SURFACES_H
 
+#include "Random_rotations.h"
+
 #include "generators/Random.h"
 #include "generators/generators.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -102,36 +103,6 @@ inline Soup make_with_faces_enough(const generators::Kind& kind, Request& reques
       request.faces += request.faces / 2;
     }
   return kind.make(request);
-}
-
-/// A rotation, as the rows of its matrix.
-using Rotation = std::array<std::array<double, 3>, 3>;
-
-/// that of a random quaternion.
-inline Rotation random_rotation(Random& random) {
-  std::array<double, 4> q;
-  double norm = 0.;
-  do {
-    for(double& x : q)
-      x = random.uniform(-1., 1.);
-    norm = std::sqrt(std::inner_product(q.begin(), q.end(), q.begin(), 0.));
-  } while(norm > 1. || norm < 0.1);
-  for(double& x : q)
-    x /= norm;
-  const auto [w, x, y, z] = q;
-  return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-           {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-           {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
-}
-
-/// turns all points at random.
-inline void turn(Soup& soup, Random& random) {
-  const Rotation rotation = random_rotation(random);
-  for(auto& p : soup.points) {
-    const auto from = p;
-    for(std::size_t i = 0; i < 3; ++i)
-      p[i] = rotation[i][0] * from[0] + rotation[i][1] * from[1] + rotation[i][2] * from[2];
-  }
 }
 
 inline std::string words_of(const generators::Kind& kind, const Request& request, bool is_flipped) {

@@ -10,6 +10,7 @@
 #ifndef BENCHMARK_ROUGH_SURFACES_H
 #define BENCHMARK_ROUGH_SURFACES_H
 
+#include "Needles.h"
 #include "Random_surfaces.h"
 
 #include <algorithm>
@@ -18,9 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 /// \file Rough_surfaces.h
@@ -29,11 +28,11 @@
 
 namespace rough_surfaces {
 
+namespace generators = CGAL::Handle_tunnel_loops::generators;
 using generators::Random;
 using generators::Request;
 using generators::Soup;
 using random_surfaces::Recipe;
-namespace generators = CGAL::Handle_tunnel_loops::generators;
 
 inline std::vector<Recipe> recipes() {
   std::vector<Recipe> all = random_surfaces::recipes();
@@ -73,39 +72,6 @@ inline Soup with_noise(Soup soup, double part, Random& random) {
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     for(double& x : soup.points[v])
       x += part * shortest[v] * random.uniform(-1., 1.);
-  return soup;
-}
-
-/// with a point on a side of some pairs of triangles, very near to its end.
-inline Soup with_needles(Soup soup, Random& random) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> left; // triangle of a side
-  for(std::size_t t = 0; t < soup.triangles.size(); ++t)
-    for(int k = 0; k < 3; ++k)
-      left[{soup.triangles[t][k], soup.triangles[t][(k + 1) % 3]}] = t;
-  std::vector<bool> is_used(soup.triangles.size(), false);
-  for(std::size_t t = 0; t < is_used.size(); ++t) {
-    if(is_used[t] || random.below(4) != 0)
-      continue;
-    const auto [a, b, c] = soup.triangles[t];
-    const auto other = left.find({b, a});
-    if(other == left.end() || is_used[other->second])
-      continue;
-    is_used[t] = is_used[other->second] = true;
-    std::uint32_t d = 0;
-    for(const std::uint32_t v : soup.triangles[other->second])
-      if(v != a && v != b)
-        d = v;
-    const double ratio = std::ldexp(1., -1 - static_cast<int>(random.below(20)));
-    const auto m = static_cast<std::uint32_t>(soup.points.size());
-    std::array<double, 3> point;
-    for(int i = 0; i < 3; ++i)
-      point[i] = (1. - ratio) * soup.points[a][i] + ratio * soup.points[b][i];
-    soup.points.push_back(point);
-    soup.triangles[t] = {a, m, c};
-    soup.triangles[other->second] = {m, a, d};
-    soup.triangles.push_back({m, b, c});
-    soup.triangles.push_back({b, m, d});
-  }
   return soup;
 }
 
