@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/climb.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
@@ -130,7 +131,7 @@ private:
   }
 
   void draw_star(Index joint, const Wall& wall) {
-    const Inner_ball ball = places_[joint].ball;
+    const Inner_ball ball = middle(joint, wall);
     std::vector<Index> inside = {joint};
     std::vector<std::pair<Index, Index>> exits;
     std::size_t edges = 0;
@@ -151,7 +152,7 @@ private:
     const bool is_tree = edges == 2 * (inside.size() - 1);
     for(Index p : inside)
       is_inside_[p] = 0;
-    if(inside.size() == 1 || !is_tree)
+    if(!is_tree || (inside.size() == 1 && ball.centre == places_[joint].ball.centre))
       return;
     for(const auto& [from, to] : exits)
       if(wall.meets_cap(ball.centre, way_out(ball, places_[from].ball.centre, to)))
@@ -159,10 +160,21 @@ private:
     for(Index p : inside)
       while(!places_[p].beside.empty())
         part(p, places_[p].beside.back());
+    std::vector<Vector> from_places;
+    for(const auto& exit : exits)
+      from_places.push_back(places_[exit.first].ball.centre);
     for(std::size_t i = 1; i < inside.size(); ++i)
       places_[inside[i]].ball.radius = -1.; // is no more
-    for(const auto& [from, to] : exits)
-      lead_out(joint, ball, places_[from].ball.centre, to);
+    places_[joint].ball = ball;
+    for(std::size_t i = 0; i < exits.size(); ++i)
+      lead_out(joint, ball, from_places[i], exits[i].second);
+  }
+
+  // The largest ball found uphill in which the joint still is.
+  Inner_ball middle(Index joint, const Wall& wall) const {
+    constexpr int most_steps = 12;
+    const Inner_ball &start = places_[joint].ball, ball = climb_around(wall, start, most_steps);
+    return norm(ball.centre - start.centre) < within * ball.radius ? ball : start;
   }
 
   // Where the segment to a place leaves a ball.

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/climb.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <algorithm>
@@ -73,16 +74,16 @@ private:
   Balls operator()(const Balls& arc) const {
     Balls smooth = with_bends(pulls_straight_ ? pulled_straight(arc) : arc);
     make_smooth(smooth);
-    for(int round = 0; round < rounds_of_centring; ++round) {
-      make_central(smooth);
-      make_smooth(smooth);
-    }
+    climb_together(smooth);
+    make_smooth(smooth);
+    make_central(smooth);
+    make_smooth(smooth);
     measure(smooth);
     smooth = without_needless_bends(smooth);
     return is_line_free(wall_, smooth) ? smooth : arc;
   }
 
-  static constexpr int rounds_of_smoothing = 12, rounds_of_centring = 2;
+  static constexpr int rounds_of_smoothing = 12;
   static constexpr double mobility = 0.25;  // of a bend, in its radius
   static constexpr double spacing = 0.5;    // of bends, in their radius
   static constexpr double precision = 0.95; // of radii
@@ -176,6 +177,42 @@ private:
     return distance > most ? ball.centre + (most / distance) * off : p;
   }
 
+  // Moves bends across the arc to where the solid is wider. Those beside each other go the same
+  // way: in plates, any way leads to larger balls, by chance.
+  void climb_together(Balls& arc) const {
+    std::vector<Vector> shifts(arc.size(), Vector{0., 0., 0.});
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
+      const Vector along = arc[i + 1].centre - arc[i - 1].centre;
+      if(const double length = norm(along); length > 0.)
+        shifts[i] = shift_to_wider_place(arc[i], (1. / length) * along);
+    }
+    make_even(shifts);
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i)
+      if(const double length = norm(shifts[i]); length > 0.) {
+        const double way = (std::min)(length, arc[i].radius); // so that it is inside
+        move_if_larger(arc[i], arc[i].centre + (way / length) * shifts[i], arc[i].radius + way);
+      }
+  }
+
+  Vector shift_to_wider_place(const Inner_ball& start, const Vector& tangent) const {
+    constexpr int most_steps = 6;
+    constexpr double gain = 1.05;
+    const Inner_ball ball = climb_across(wall_, start, tangent, most_steps);
+    return ball.radius > gain * start.radius ? ball.centre - start.centre : Vector{0., 0., 0.};
+  }
+
+  static void make_even(std::vector<Vector>& shifts) {
+    constexpr int number_of_rounds = 3;
+    for(int round = 0; round < number_of_rounds; ++round) {
+      Vector before = shifts.front();
+      for(std::size_t i = 1; i + 1 < shifts.size(); ++i) {
+        const Vector mean = 0.25 * (before + shifts[i + 1]) + 0.5 * shifts[i];
+        before = shifts[i];
+        shifts[i] = mean;
+      }
+    }
+  }
+
   // Moves bends across the arc, towards the middles of larger balls.
   void make_central(Balls& arc) const {
     const Balls before = arc;
@@ -190,11 +227,14 @@ private:
       constexpr double most = 0.5;
       const double distance = norm(across), far_enough = most * before[i].radius;
       const Vector step = distance > far_enough ? (far_enough / distance) * across : across;
-      const Vector p = before[i].centre + step;
-      const double radius = wall_.nearest(p, 2. * larger.radius, precision).distance;
-      if(radius > before[i].radius)
-        arc[i] = {p, radius};
+      move_if_larger(arc[i], before[i].centre + step, 2. * larger.radius);
     }
+  }
+
+  void move_if_larger(Inner_ball& ball, const Vector& p, double limit) const {
+    const double radius = wall_.nearest(p, limit, precision).distance;
+    if(radius > ball.radius)
+      ball = {p, radius};
   }
 
   void measure(Balls& arc) const {
