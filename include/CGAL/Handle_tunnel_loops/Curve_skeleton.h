@@ -77,10 +77,12 @@ namespace Handle_tunnel_loops {
 struct Skeleton_options
 {
   /// limbs are left out that are shorter than about this many times the radius of their base, which
-  /// is its girth over two pi; not negative. About: the line is drawn where, within 10%, it tells
-  /// best between the limbs of the surface. So are those shorter than 2.5% of the diagonal of the
-  /// box around it, and those that end in the ball that they begin in. Cycles never are.
-  double shortest_limb = 1.9;
+  /// is its girth over two pi; not negative. A limb that tapers, as the corner of a plate does,
+  /// counts as shorter by its mean girth over that of its base. About: the line is drawn where,
+  /// within 10%, it tells best between the limbs of the surface. So are those shorter than 2.5% of
+  /// the diagonal of the box around it, and those that end in the ball that they begin in. Cycles
+  /// never are.
+  double shortest_limb = 1.5;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

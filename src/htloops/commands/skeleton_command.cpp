@@ -138,7 +138,7 @@ void add_computation_options(CLI::App& command, Skeleton_command_options& option
   command
       .add_option("--shortest-limb", options.skeleton.shortest_limb,
                   "limbs that are shorter than K times the radius of their base are left out,\n"
-                  "cycles never; default: 1.9")
+                  "cycles never; default: 1.5")
       ->option_text("K")
       ->check(CLI::NonNegativeNumber)
       ->check(why_not_finite);

@@ -489,6 +489,74 @@ TEST(Curve_skeleton, HasNoLimbsInCornersOfPlates) {
     EXPECT_EQ(degree, 2u);
 }
 
+// A plate of square cells, one for each mark in the rows.
+Soup plate_of(const std::vector<std::string>& rows, double thickness) {
+  Soup soup;
+  using Triangle = std::decay_t<decltype(soup.triangles.front())>;
+  using Number = std::decay_t<decltype(std::declval<Triangle>()[0])>;
+  std::map<std::array<int, 3>, Number> numbers;
+  const auto number = [&](int x, int y, int z) {
+    const auto [it, is_new] =
+        numbers.try_emplace({x, y, z}, static_cast<Number>(soup.points.size()));
+    if(is_new)
+      soup.points.push_back({double(x), double(y), z * thickness});
+    return it->second;
+  };
+  const auto add = [&](Number a, Number b, Number c, Number d) {
+    soup.triangles.push_back({a, b, c});
+    soup.triangles.push_back({a, c, d});
+  };
+  const auto is_full = [&](int x, int y) {
+    return y >= 0 && y < int(rows.size()) && x >= 0 && x < int(rows[y].size()) && rows[y][x] == '#';
+  };
+  for(int y = 0; y < int(rows.size()); ++y)
+    for(int x = 0; x < int(rows[y].size()); ++x) {
+      if(!is_full(x, y))
+        continue;
+      add(number(x, y, 1), number(x + 1, y, 1), number(x + 1, y + 1, 1), number(x, y + 1, 1));
+      add(number(x, y, 0), number(x, y + 1, 0), number(x + 1, y + 1, 0), number(x + 1, y, 0));
+      const std::array<std::array<int, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+      for(int k = 0; k < 4; ++k) {
+        const auto [ax, ay] = corners[k];
+        const auto [bx, by] = corners[(k + 1) % 4];
+        if(!is_full(x + by - ay, y - bx + ax))
+          add(number(x + ax, y + ay, 0), number(x + bx, y + by, 0), number(x + bx, y + by, 1),
+              number(x + ax, y + ay, 1));
+      }
+    }
+  return soup;
+}
+
+// A frame with something at one side, each mark of which stands for four cells.
+Soup frame_with(std::vector<std::string> rows) {
+  rows.insert(rows.end(), 3, "############");
+  rows.insert(rows.end(), 6, "###      ###");
+  rows.insert(rows.end(), 3, "############");
+  std::vector<std::string> cells;
+  for(const std::string& row : rows) {
+    std::string twice;
+    for(const char mark : row)
+      twice.append(2, mark);
+    cells.insert(cells.end(), 2, twice);
+  }
+  return plate_of(cells, 1.);
+}
+
+TEST(Curve_skeleton, HasLimbsInEarsAndNotInWhatIsBroadWhereItBegins) {
+  for(const std::size_t degree :
+      degrees(expect_skeleton(mesh_of(frame_with({"    ####", "   ######"})))))
+    EXPECT_EQ(degree, 2u);
+  const Graph graph =
+      expect_skeleton(mesh_of(frame_with({"    ####", "  ########", "  ########", "   ######"})));
+  std::size_t number_of_ends = 0;
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    if(degree(v, graph) == 1) {
+      ++number_of_ends;
+      EXPECT_LT(graph[v].point.y(), 8.);
+    }
+  EXPECT_GT(number_of_ends, 0u);
+}
+
 // A tube with thick walls, of faces as long as it is.
 Soup pipe(int sides) {
   Soup soup;
@@ -516,6 +584,45 @@ TEST(Curve_skeleton, LeadsAroundTubesInTheMiddleOfTheirLengths) {
   EXPECT_EQ(num_edges(graph), num_vertices(graph));
   for(const auto v : CGAL::make_range(vertices(graph)))
     EXPECT_NEAR(graph[v].point.z(), 0.5, 0.2);
+}
+
+// A ring around the z axis with four arms as its profile, which wind around it.
+Soup ring_with_arms(int sections) {
+  constexpr double full_turn = 6.283185307179586, half_width = 0.1, length = 0.3;
+  const std::array<std::array<double, 2>, 3> arm = {
+      {{half_width, half_width}, {length, half_width}, {length, -half_width}}};
+  Soup soup;
+  for(int i = 0; i < sections; ++i)
+    for(int quarter = 0; quarter < 4; ++quarter)
+      for(const auto& [x, y] : arm) {
+        const double around = full_turn * i / sections, turn = around - full_turn * quarter / 4,
+                     out = 1. + std::cos(turn) * x - std::sin(turn) * y;
+        soup.points.push_back({std::cos(around) * out, std::sin(around) * out,
+                               std::sin(turn) * x + std::cos(turn) * y});
+      }
+  constexpr int width = 12;
+  using Triangle = std::decay_t<decltype(soup.triangles.front())>;
+  using Number = std::decay_t<decltype(std::declval<Triangle>()[0])>;
+  const auto number = [&](int i, int k) {
+    return static_cast<Number>(width * (i % sections) + k % width);
+  };
+  for(int i = 0; i < sections; ++i)
+    for(int k = 0; k < width; ++k) {
+      soup.triangles.push_back({number(i, k), number(i + 1, k), number(i + 1, k + 1)});
+      soup.triangles.push_back({number(i, k), number(i + 1, k + 1), number(i, k + 1)});
+    }
+  return soup;
+}
+
+TEST(Curve_skeleton, IsInTheMiddleOfAProfileWithArms) {
+  const Graph graph = expect_skeleton(mesh_of(ring_with_arms(96)));
+  EXPECT_EQ(num_edges(graph), num_vertices(graph));
+  double sum = 0.;
+  for(const auto v : CGAL::make_range(vertices(graph))) {
+    const auto& p = graph[v].point;
+    sum += std::hypot(std::hypot(p.x(), p.y()) - 1., p.z());
+  }
+  EXPECT_LT(sum, 0.05 * double(num_vertices(graph))); // half the width of an arm is 0.1
 }
 
 TEST(Curve_skeleton, IsATreeInTheSmallestMeshes) {

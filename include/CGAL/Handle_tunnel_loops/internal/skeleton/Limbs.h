@@ -38,8 +38,8 @@ largest ball.
 
 The places on the surface that are farther from there than some distance fall apart into regions,
 which join as the distance falls. A region is a limb if at some distance it is long against its
-girth there. The girth at its base it is, not the mean one: that of a corner of a plate grows from
-nothing, and is half as large in the mean.
+girth there. The less so, the more it tapers: the girth of a corner of a plate grows from nothing,
+and is half as large in the mean, so that such a corner counts as half as long.
 */
 class Limbs
 {
@@ -147,8 +147,8 @@ private:
         examine(top[s], 0., least_length);
   }
 
-  // Finds how long the region around the end of a limb is against its girth, where that is most,
-  // down to a distance.
+  // Finds how slender the region around the end of a limb is, where it is most so, down to a
+  // distance.
   void examine(Index tip, double level, double least_length) {
     constexpr double step = 1.1, beyond_start = 1.1, two_pi = 6.283185307179586;
     const double base = (std::max)(level, beyond_start * reach_.radius_at_start(tip)),
@@ -157,8 +157,11 @@ private:
       return;
     const std::vector<Part> region = region_beyond(tip, base);
     for(double length = most; length > least_length; length /= step)
-      if(const double around = girth(region, length); around > 0.)
-        slenderness_[tip] = (std::max)(slenderness_[tip], two_pi * length / around);
+      if(const double around = girth(region, length); around > 0.) {
+        const double mean = part_within(region, length).area / length;
+        slenderness_[tip] =
+            (std::max)(slenderness_[tip], two_pi * length / around * (std::min)(1., mean / around));
+      }
   }
 
   // Around the end of a limb.
