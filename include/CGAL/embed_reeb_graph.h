@@ -15,6 +15,9 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_numbering.h>
@@ -99,8 +102,13 @@ other numbers, is the same if the graph is. Lines that run side by side are a li
 That each segment lies strictly inside is tested by exact predicates on the coordinates of the mesh
 and of the polylines, as doubles. Of a surface that neither crosses nor touches itself they all do,
 unless the walls are thinner than doubles can tell. On others, those that are known to do are
-marked. The graph has as many cycles as the genus, but these need not be a basis of H1 of the solid,
-as those of `curve_skeleton()` are: `certify_curve_skeleton()` tells.
+marked.
+
+The graph has as many cycles as the genus, and is drawn so that these are a basis of H1 of the
+solid, as those of `curve_skeleton()` are: `certify_curve_skeleton()` tells. Where contours bound
+inside the lines of the arcs do so by themselves. Where they bound outside, as around the hole of a
+flat ring, all arcs between two nodes are in the same place, and do not tell what they lead around:
+one of them takes the cheapest way around a hole that no other cycle leads around.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
@@ -154,9 +162,15 @@ embed_reeb_graph(const TriangleMesh& tm,
   impl::Prepared_surface surface(execution, tm, vertex_index, point);
   std::vector<impl::Vector> places = impl::places_of_vertices(execution, surface);
   const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
+  impl::Loop_request request = impl::loop_request({});
+  request.classes.do_shorten = false; // any basis will do
+  request.classes.do_link = true;     // which of them are handle loops
+  request.make_passes = &impl::make_passes<ConcurrencyTag>;
+  impl::Loops_on_arrays loops(surface.coordinates(execution));
+  loops.find(execution, surface.mesh, std::move(request), {});
   const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
   const impl::Inner_drawing drawing =
-      impl::draw_inside(execution, surface.mesh, frame, places,
+      impl::draw_inside(execution, surface.mesh, frame, places, loops.pairs(),
                         impl::parts_of_graph(graph, surface.mesh, [&](const auto v) {
                           return flat[get(vertex_index, v)];
                         }));

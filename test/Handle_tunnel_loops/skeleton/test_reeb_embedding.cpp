@@ -1,7 +1,9 @@
 // Reeb graphs that are drawn inside are so, by definition: no segment meets a face, and its middle
-// is on the bounded side, as CGAL's own trees and tests say. The graphs stay what they were.
+// is on the bounded side, as CGAL's own trees and tests say. Their cycles are a basis of those of
+// the solid. The graphs stay what they were.
 
 #include "Meshes_of_soups.h"
+#include "Skeleton_definitions.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -10,12 +12,15 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/embed_reeb_graph.h>
+#include <CGAL/handle_tunnel_loops.h>
 #include <CGAL/reeb_graph.h>
+#include <CGAL/reeb_graph_of_function.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace test_reeb_embedding {
@@ -68,6 +73,63 @@ void expect_inside(const Solid_mesh& mesh, const Graph& graph) {
       EXPECT_FALSE(tree.do_intersect(Kernel::Segment_3(line[i - 1], line[i])));
     }
     EXPECT_NEAR(graph[e].length, length, 1e-9 * length);
+  }
+}
+
+// Its nodes and lines, of one component.
+skeleton_definitions::Skeleton skeleton_of(const Graph& graph) {
+  skeleton_definitions::Skeleton skeleton;
+  const auto add = [&](const Kernel::Point_3& p) {
+    skeleton.points.push_back({p.x(), p.y(), p.z()});
+    return skeleton.points.size() - 1;
+  };
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    add(graph[v].point);
+  for(const auto e : CGAL::make_range(edges(graph))) {
+    const auto& line = graph[e].polyline;
+    std::size_t before = source(e, graph);
+    for(std::size_t i = 1; i < line.size(); ++i) {
+      const std::size_t next = i + 1 < line.size() ? add(line[i]) : target(e, graph);
+      skeleton.edges.push_back({before, next});
+      before = next;
+    }
+  }
+  skeleton.component.assign(skeleton.points.size(), 0);
+  skeleton.is_inlet.assign(skeleton.points.size(), false);
+  return skeleton;
+}
+
+void expect_skeleton(const Solid_mesh& mesh, Graph& graph) {
+  CGAL::embed_reeb_graph(mesh, graph);
+  std::vector<CGAL::Handle_tunnel_pair<Solid_mesh>> pairs;
+  CGAL::handle_tunnel_loops(mesh, std::back_inserter(pairs));
+  const auto truth = skeleton_definitions::truth(mesh, skeleton_of(graph), pairs);
+  EXPECT_TRUE(truth.is_connected);
+  EXPECT_TRUE(truth.is_inside);
+  EXPECT_TRUE(truth.is_embedded);
+  EXPECT_TRUE(truth.is_basis);
+}
+
+// Whatever the contours bound.
+TEST(Reeb_embedding, CyclesAreABasis) {
+  for(const Recipe& recipe : {Recipe{"torus", {600, 1, 0}}, Recipe{"multi-torus", {1500, 3, 0}},
+                              Recipe{"plates", {1500, 3, 0}}, Recipe{"gyroid", {2000, 5, 0}}})
+  {
+    const Solid_mesh mesh = mesh_of<Solid_mesh>(soup_of(recipe));
+    for(const bool is_from_middle : {false, true}) {
+      SCOPED_TRACE(testing::Message() << recipe << ' ' << is_from_middle);
+      std::vector<double> values; // their contours lead around the hole of a torus
+      for(const auto v : mesh.vertices()) {
+        const auto& p = mesh.point(v);
+        values.push_back(is_from_middle ? std::hypot(p.x(), p.y(), 0.1 * p.z())
+                                        : p.x() + 0.1 * p.y());
+      }
+      Graph graph;
+      CGAL::reeb_graph_of_function(
+          mesh, boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh)),
+          graph);
+      expect_skeleton(mesh, graph);
+    }
   }
 }
 

@@ -12,8 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loop_curtains.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Linked_edges.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loops_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -26,7 +28,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <random>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -152,22 +153,17 @@ close them, so that there are exactly so many cycles.
 class Inner_cycles
 {
 public:
-  /// \p loops are loops on the surface, of which some are the handle loops of a component, and no
-  /// others are linked with what is inside; those of a component one after the other.
-  Inner_cycles(Execution execution,
-               const Ball_graph& graph,
-               const std::vector<std::vector<Vector>>& loops,
-               const std::vector<Index>& component_of_loop,
-               const std::vector<std::size_t>& genus)
+  /// \p across are loops on the surface, of which some are the handle loops of a component, and no
+  /// others are linked with what is inside.
+  Inner_cycles(Execution execution, const Ball_graph& graph, const Loops_across& across)
       : graph_(graph)
       , paths_(graph.balls.size())
       , is_taken_(graph.edges.size(), 0)
-      , genus_(genus)
-      , roots_(genus.size(), no_index)
-      , names_(graph.edges.size(), 0) {
+      , roots_(across.genus.size(), no_index)
+      , linked_(execution, graph, across) {
     find_tree();
-    if(!loops.empty())
-      close_cycles(execution, loops, component_of_loop);
+    if(!across.loops.empty())
+      close_cycles(across.genus);
   }
 
   /// what the way along an edge costs: the integral of one over the square of the radius, about;
@@ -184,7 +180,7 @@ public:
   /// numbers of edges that add up along closed ways to a number of their class, 0 - that of the
   /// same way back; of different classes different ones, almost surely. Those of edges are for the
   /// way from the smaller end.
-  const std::vector<std::uint64_t>& names() const { return names_; }
+  const std::vector<std::uint64_t>& names() const { return linked_.names(); }
   /// the number of loops of which no cycle could be found.
   std::size_t number_of_missing_cycles() const { return missing_; }
 
@@ -223,8 +219,6 @@ private:
 
   // ---- cycles
 
-  using Passage = Loop_curtains::Passage;
-
   // Closes a cycle of a certain class, which is a number that is different for other classes but
   // for its sign, almost surely.
   struct Closing_edge
@@ -234,54 +228,24 @@ private:
     std::uint64_t name;
   };
 
-  void close_cycles(Execution execution,
-                    const std::vector<std::vector<Vector>>& loops,
-                    const std::vector<Index>& component_of_loop) {
-    const Loop_curtains curtains(execution, loops);
-    passages_.resize(graph_.edges.size());
-    for_each_index(
-        execution, graph_.edges.size(),
-        [&](std::size_t e) {
-          const auto [a, b] = graph_.edges[e];
-          curtains.for_each_passage(graph_.balls[a].centre, graph_.balls[b].centre,
-                                    [&](const Passage& p) {
-                                      if(component_of_loop[p.loop] == graph_.component[a])
-                                        passages_[e].push_back(p);
-                                    });
-        },
-        1024);
-    std::size_t first = 0;
-    find_names(loops.size());
+  void close_cycles(const std::vector<std::size_t>& genus) {
     const std::vector<Closing_edge> closing = closing_edges();
-    for(std::size_t l = 1; l <= loops.size(); ++l)
-      if(l == loops.size() || component_of_loop[l] != component_of_loop[first]) {
-        take_basis(closing, component_of_loop[first], first, l);
-        first = l;
-      }
-  }
-
-  void find_names(std::size_t number_of_loops) {
-    std::mt19937_64 random;
-    std::vector<std::uint64_t> key(number_of_loops);
-    for(std::uint64_t& k : key)
-      k = random();
-    for(Index e = 0; e < names_.size(); ++e)
-      for(const Passage& p : passages_[e])
-        names_[e] += p.sign > 0 ? key[p.loop] : 0 - key[p.loop];
+    for(Index c = 0; c < genus.size(); ++c)
+      take_basis(closing, c, genus[c]);
   }
 
   std::vector<Closing_edge> closing_edges() const {
     std::vector<std::uint64_t> name(graph_.balls.size(), 0);
     for(Index b : down_the_tree()) {
       const Index e = paths_[b].edge;
-      name[b] = name[before(b)] + (graph_.edges[e][1] == b ? names_[e] : 0 - names_[e]);
+      name[b] = name[before(b)] + linked_.name_from(before(b), e);
     }
     std::vector<Closing_edge> closing;
     for(Index e = 0; e < graph_.edges.size(); ++e) {
       const auto [a, b] = graph_.edges[e];
       if(paths_[a].edge == e || paths_[b].edge == e || !paths_.is_reached(a))
         continue;
-      const std::uint64_t n = name[a] + names_[e] - name[b];
+      const std::uint64_t n = name[a] + linked_.names()[e] - name[b];
       if(n != 0)
         closing.push_back(
             {paths_[a].distance + paths_[b].distance + cost(graph_, e), e, (std::min)(n, 0 - n)});
@@ -312,19 +276,15 @@ private:
     return order;
   }
 
-  void take_basis(const std::vector<Closing_edge>& closing,
-                  Index component,
-                  std::size_t first,
-                  std::size_t end) {
-    const std::size_t width = end - first, number = genus_[component];
-    Independent_rows rows(width);
+  void take_basis(const std::vector<Closing_edge>& closing, Index component, std::size_t number) {
+    Independent_rows rows(linked_.width(component));
     std::size_t taken = 0;
     for(const Closing_edge& c : closing) {
       if(taken == number)
         break;
-      if(graph_.component[graph_.edges[c.edge][0]] != component)
-        continue;
-      if(rows.add(linking_numbers(c.edge, first, width))) {
+      if(graph_.component[graph_.edges[c.edge][0]] == component &&
+         rows.add(linking_numbers(c.edge, component)))
+      {
         ++taken;
         take(c.edge);
       }
@@ -332,18 +292,12 @@ private:
     missing_ += number - taken;
   }
 
-  std::vector<int> linking_numbers(Index edge, std::size_t first, std::size_t width) const {
-    std::vector<int> row(width, 0);
-    const auto add = [&](Index e, int sign) {
-      for(const Passage& p : passages_[e])
-        row[p.loop - first] += sign * p.sign;
-    };
-    add(edge, 1);
-    for(int k = 0; k < 2; ++k)
-      for(Index b = graph_.edges[edge][k]; paths_[b].edge != no_index; b = before(b)) {
-        const Index e = paths_[b].edge;
-        add(e, (graph_.edges[e][1] == b) == (k == 0) ? 1 : -1);
-      }
+  std::vector<int> linking_numbers(Index edge, Index component) const {
+    std::vector<int> row(linked_.width(component), 0);
+    const auto [a, b] = graph_.edges[edge];
+    linked_.add(a, edge, 1, row);
+    graph_.for_each_back(paths_, a, [&](Index from, Index e) { linked_.add(from, e, 1, row); });
+    graph_.for_each_back(paths_, b, [&](Index from, Index e) { linked_.add(from, e, -1, row); });
     return row;
   }
 
@@ -356,13 +310,24 @@ private:
 
   const Ball_graph& graph_;
   Shortest_paths<Label> paths_;
-  std::vector<char> is_taken_;     // by edge
-  std::vector<std::size_t> genus_; // by component
-  std::vector<Index> roots_;       // by component
-  std::vector<std::vector<Passage>> passages_;
-  std::vector<std::uint64_t> names_; // by edge
+  std::vector<char> is_taken_; // by edge
+  std::vector<Index> roots_;   // by component
+  Linked_edges linked_;
   std::size_t missing_ = 0;
 };
+
+/// adds ways along the wall to a graph of balls as long as `choose()`, which returns how many of
+/// the cycles of the solid it misses there, misses some.
+template <typename Choose>
+void add_missing_ways(const Solid_balls& solid, Ball_graph& graph, const Choose& choose) {
+  if(choose() > 0) { // holes that are small against the balls around them
+    solid.add_ways_along_wall(graph);
+    if(choose() > 0) { // walls that are thin everywhere against the distance of the balls
+      solid.join_along_wall(graph);
+      choose();
+    }
+  }
+}
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Linked_edges.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ways_of_arcs.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
@@ -36,11 +37,13 @@ public:
   Node_balls(Execution execution,
              const Wall& wall,
              const Ball_graph& balls,
+             const Linked_edges& linked,
              const Part_balls& part_balls,
              Ways_of_arcs& drawn)
       : execution_(execution)
       , wall_(wall)
       , balls_(balls)
+      , linked_(linked)
       , part_balls_(part_balls)
       , graph_(drawn.graph)
       , drawn_(drawn) {}
@@ -127,7 +130,7 @@ private:
         other = i;
       }
     Way &a = ways[(other + 1) % 3], &b = ways[(other + 2) % 3];
-    if(most.first + most.second == 0 || !is_free(a[most.first], b[most.second]))
+    if(most.first + most.second == 0 || !are_side_by_side(a, most.first, b, most.second))
       return;
     lead_on(a, most.first, ways[other]);
     a.erase(a.begin(), a.begin() + std::ptrdiff_t(most.first));
@@ -142,7 +145,8 @@ private:
   void move_along_cycle(Index node, std::size_t first, std::array<Way, 3>& ways) {
     Way& cycle = ways[first];
     auto [i, j] = begin_in_common(cycle, ways[first + 1]);
-    if(i + j == 0 || 2 * (i + j + 2) > cycle.size() || !is_free(cycle[i], ways[first + 1][j]))
+    if(i + j == 0 || 2 * (i + j + 2) > cycle.size() ||
+       !are_side_by_side(cycle, i, ways[first + 1], j))
       return;
     const std::size_t other = first == 0 ? 2 : 0;
     lead_on(cycle, i, ways[other]);
@@ -154,8 +158,18 @@ private:
     drawn_.ball_of_node[node] = cycle.front();
   }
 
-  bool is_free(Index a, Index b) const {
-    return a == b || !wall_.meets(balls_.balls[a].centre, balls_.balls[b].centre);
+  // Whether one can go across from one way to another, and nothing that is linked with loops is in
+  // between.
+  bool are_side_by_side(const Way& a, std::size_t i, const Way& b, std::size_t j) const {
+    if(a[i] != b[j] && wall_.meets(balls_.balls[a[i]].centre, balls_.balls[b[j]].centre))
+      return false;
+    std::vector<int> row(linked_.width(balls_.component[a[0]]), 0);
+    Way across(a.begin(), a.begin() + std::ptrdiff_t(i) + 1);
+    if(a[i] != b[j])
+      across.push_back(b[j]);
+    linked_.add(across, 1, row);
+    linked_.add(Way(b.begin(), b.begin() + std::ptrdiff_t(j) + 1), -1, row);
+    return std::all_of(row.begin(), row.end(), [](int x) { return x == 0; });
   }
 
   // Lets a way begin at a ball of another one, instead of where both begin.
@@ -172,6 +186,7 @@ private:
   Execution execution_;
   const Wall& wall_;
   const Ball_graph& balls_;
+  const Linked_edges& linked_;
   const Part_balls& part_balls_;
   const Graph_of_parts& graph_;
   Ways_of_arcs& drawn_;

@@ -12,10 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Basis_of_parts.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Linked_edges.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Node_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_ways.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Tree_of_arcs.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ways_of_arcs.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Arc_smoothing.h>
@@ -37,7 +39,8 @@ Draws a graph of parts of a surface in the middle of the solid.
 A node is put into the ball that its vertex sees. The line of an arc is the cheapest way from ball
 to ball, where balls that its own part of the surface sees cost less than others: these take over
 where the part has no way of its own inside. Where two of the three lines at a node begin with the
-same balls, the node goes to where they part. In the ball of a node lines are straight, and they are
+same balls, the node goes to where they part. The cycles of the graph are a basis of those of the
+solid. In the ball of a node lines are straight, and they are
 smooth and in the middle from there on.
 */
 class Part_lines
@@ -47,10 +50,12 @@ public:
   Part_lines(Execution execution,
              const Solid_balls& solid,
              const Ball_graph& balls,
+             const Linked_edges& linked,
              const Graph_of_parts& graph)
       : execution_(execution)
       , solid_(solid)
       , balls_(balls)
+      , linked_(linked)
       , graph_(graph)
       , drawn_(graph) {}
 
@@ -73,14 +78,15 @@ private:
   void find_ways() {
     const Part_balls part_balls(solid_, balls_, graph_);
     const Part_ways ways(balls_, part_balls, drawn_);
-    Node_balls nodes(execution_, solid_.wall(), balls_, part_balls, drawn_);
+    Node_balls nodes(execution_, solid_.wall(), balls_, linked_, part_balls, drawn_);
     nodes.find();
     auto pool = ways.workspaces();
     for_each_index(
         execution_, drawn_.ways.size(),
         [&](std::size_t a) { drawn_.ways[a] = ways.way(static_cast<Index>(a), *pool.borrow()); },
         16);
-    Part_cycles(execution_, solid_, balls_, part_balls, drawn_).close(ways);
+    const Tree_of_arcs tree(part_balls, drawn_);
+    Basis_of_parts(balls_, linked_, tree, drawn_).close(ways);
     nodes.move();
   }
 
@@ -126,15 +132,23 @@ private:
         leave_ball(nodes[node], drawn);
       std::reverse(drawn.begin(), drawn.end());
     }
-    drawn =
-        Arc_smoothing(solid_.wall(), solid_.balls(), solid_.least_extent())(drawn, false, false);
-    if(!is_line_free(solid_.wall(), drawn)) {
-      drawn = straight;
-      drawn.insert(drawn.begin(), nodes[lower]);
-      drawn.push_back(nodes[upper]);
-    }
-    drawn = without_repetition(drawn);
+    straight.insert(straight.begin(), nodes[lower]);
+    straight.push_back(nodes[upper]);
+    drawn = without_repetition(smooth(drawn, straight));
     return lower == upper && drawn.size() < 4 ? small_cycle(nodes[lower]) : drawn;
+  }
+
+  // A line that is smooth, and pulled straight if it may be: not across what the way by balls leads
+  // around. This is returned if there is no such line.
+  Balls smooth(const Balls& line, const Balls& way) const {
+    for(const bool pulls_straight : {true, false}) {
+      const Arc_smoothing smoothing(solid_.wall(), solid_.balls(), solid_.least_extent(),
+                                    pulls_straight);
+      if(Balls smooth = smoothing(line, false, false);
+         is_line_free(solid_.wall(), smooth) && linked_.are_alike(smooth, way))
+        return smooth;
+    }
+    return way;
   }
 
   // In the ball of a node, where there is no way around elsewhere.
@@ -174,6 +188,7 @@ private:
   Execution execution_;
   const Solid_balls& solid_;
   const Ball_graph& balls_;
+  const Linked_edges& linked_;
   const Graph_of_parts& graph_;
   Ways_of_arcs drawn_;
 };

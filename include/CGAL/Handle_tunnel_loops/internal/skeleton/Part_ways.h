@@ -13,8 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Linked_edges.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Ways_in_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Ways_of_arcs.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
@@ -25,8 +25,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -89,28 +93,85 @@ public:
     return straight;
   }
 
-  /// the cheapest way with one of two names, by balls of the arc and of those beside it; an empty
-  /// one if there is none, or it is not found in time.
-  Way around(Index arc,
-             const Ways_in_classes& classes,
-             const std::array<Ways_in_classes::Name, 2>& names,
-             Workspace& work) const {
+  /// the cheapest way that is good, of those by an edge and the cheapest ways to its ends: by balls
+  /// of the arc and of those beside it if there is one, or else by any. Empty if there is none.
+  /// Ways with the same name are asked for once.
+  template <typename IsGood>
+  Way other_way(Index arc, const Linked_edges& linked, const IsGood& is_good) const {
+    Workspace work = {Shortest_paths<Label>(0), std::vector<Index>(balls_.balls.size(), no_index)};
     mark(arc, work.mark);
-    std::size_t size = 0; // of where it may go
-    for(const Index node : graph_.arcs[arc])
-      for(const Index beside : drawn_.arcs_at[node])
-        size += part_balls_.number(beside);
-    constexpr std::size_t steps_per_ball = 4;
-    const auto [lower, upper] = graph_.arcs[arc];
-    return classes.find(
-        drawn_.ball_of_node[lower], drawn_.ball_of_node[upper], names,
-        [&](Index e, Index b) {
-          return work.mark[b] / 2 == arc ? factor(b, arc, work) * cost(e) : -1.;
-        },
-        steps_per_ball * size);
+    std::unordered_set<std::uint64_t> known;
+    for(const bool is_everywhere : {false, true}) {
+      const auto cost_of = [&](Index e) {
+        const auto [a, b] = balls_.edges[e];
+        const bool is_free = is_everywhere || (work.mark[a] / 2 == arc && work.mark[b] / 2 == arc);
+        return is_free ? 0.5 * (factor(a, arc, work) + factor(b, arc, work)) * cost(e)
+                       : (std::numeric_limits<double>::infinity)();
+      };
+      const Named_paths there =
+                            named_paths(drawn_.ball_of_node[graph_.arcs[arc][0]], linked, cost_of),
+                        back =
+                            named_paths(drawn_.ball_of_node[graph_.arcs[arc][1]], linked, cost_of);
+      for(const auto& [distance, edge, from] : closing_edges(there, back, linked, cost_of, known))
+        if(Way way = way_by(edge, from, there, back); is_good(way))
+          return way;
+    }
+    return {};
   }
 
 private:
+  struct Named_label
+  {
+    double distance = (std::numeric_limits<double>::infinity)();
+    Index edge = no_index, ball = no_index;
+    std::uint64_t name = 0; ///< of the way from where paths begin
+  };
+  using Named_paths = Shortest_paths<Named_label>;
+  using Closing = std::tuple<double, Index, Index>; ///< how far, by which edge, from which ball
+
+  template <typename Cost>
+  Named_paths named_paths(Index from, const Linked_edges& linked, const Cost& cost_of) const {
+    Named_paths paths(balls_.balls.size());
+    paths.reach(from, {0., no_index, from, 0});
+    balls_.grow(paths, cost_of, [&](const Named_label& label, double distance, Index e) {
+      return Named_label{distance, e, balls_.other_end(e, label.ball),
+                         label.name + linked.name_from(label.ball, e)};
+    });
+    return paths;
+  }
+
+  // One for each name that is not known, the cheapest first.
+  template <typename Cost>
+  std::vector<Closing> closing_edges(const Named_paths& there,
+                                     const Named_paths& back,
+                                     const Linked_edges& linked,
+                                     const Cost& cost_of,
+                                     std::unordered_set<std::uint64_t>& known) const {
+    std::vector<std::pair<Closing, std::uint64_t>> all;
+    for(const Index b : there.reached())
+      balls_.for_each_beside(b, [&](Index other, Index e) {
+        if(back.is_reached(other))
+          all.push_back({{there[b].distance + cost_of(e) + back[other].distance, e, b},
+                         there[b].name + linked.name_from(b, e) - back[other].name});
+      });
+    std::sort(all.begin(), all.end());
+    std::vector<Closing> closing;
+    for(const auto& [edge, name] : all)
+      if(known.insert(name).second)
+        closing.push_back(edge);
+    return closing;
+  }
+
+  // From where paths begin to a ball, along an edge, and on to where others begin.
+  Way way_by(Index edge, Index from, const Named_paths& there, const Named_paths& back) const {
+    Way way = {from};
+    balls_.for_each_back(there, from, [&](Index b, Index) { way.push_back(b); });
+    std::reverse(way.begin(), way.end());
+    way.push_back(balls_.other_end(edge, from));
+    balls_.for_each_back(back, way.back(), [&](Index b, Index) { way.push_back(b); });
+    return way;
+  }
+
   // Marks the balls of an arc and of those beside it.
   void mark(Index arc, std::vector<Index>& marks) const {
     for(Index node : graph_.arcs[arc])
@@ -204,9 +265,14 @@ private:
     Way there = way_back(farthest, work);
     std::reverse(there.begin(), there.end());
     constexpr double penalty = 10.;
+    const std::vector<char> is_beside = balls_beside(there);
     grow(
         arc, to, is_everywhere, always,
-        [&](Index e) { return (is_beside(there, e) ? penalty : 1.) * cost(e); }, work);
+        [&](Index e) {
+          const auto [a, b] = balls_.edges[e];
+          return (is_beside[a] != 0 && is_beside[b] != 0 ? penalty : 1.) * cost(e);
+        },
+        work);
     Way back = way_back(farthest, work);
     if(back.back() != to)
       return {};
@@ -218,14 +284,14 @@ private:
     return there;
   }
 
-  // Whether an edge begins and ends in balls of a way.
-  bool is_beside(const std::vector<Index>& way, Index edge) const {
-    const auto& ends = balls_.edges[edge];
-    return std::all_of(ends.begin(), ends.end(), [&](Index end) {
-      return std::any_of(way.begin(), way.end(), [&](Index b) {
-        return norm(balls_.balls[b].centre - balls_.balls[end].centre) < balls_.balls[b].radius;
+  // By ball, whether its centre is in a ball of a way.
+  std::vector<char> balls_beside(const Way& way) const {
+    std::vector<char> is_beside(balls_.balls.size());
+    for(std::size_t b = 0; b < is_beside.size(); ++b)
+      is_beside[b] = std::any_of(way.begin(), way.end(), [&](Index w) {
+        return norm(balls_.balls[w].centre - balls_.balls[b].centre) < balls_.balls[w].radius;
       });
-    });
+    return is_beside;
   }
 
   const Ball_graph& balls_;

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlet_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Limbs.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loops_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Shared_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
@@ -30,33 +31,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// a loop as a closed walk on the edges, by its vertices. A loop passes an edge to a hub at its
-/// other end.
-inline std::vector<Index> walk_beside(const Flat_mesh& mesh, const Crossing_loop& loop) {
-  std::vector<Index> walk;
-  for(const Crossing& c : loop)
-    if(const Index v = mesh.is_hub(c.left) ? c.right : c.left; walk.empty() || walk.back() != v)
-      walk.push_back(v);
-  while(walk.size() > 1 && walk.front() == walk.back())
-    walk.pop_back();
-  return walk;
-}
-
-/// Loops of pairs, of which some lead around inside, or across. On the walls of a cavity the solid
-/// is outside, and with a boundary it is where the normals do not look: then loops of both kinds
-/// are taken.
-inline std::vector<const Crossing_loop*> loops_inside(const Flat_mesh& mesh,
-                                                      const std::vector<Flat_pair>& pairs,
-                                                      Crossing_loop Flat_pair::*kind) {
-  std::vector<const Crossing_loop*> loops;
-  for(const Flat_pair& pair : pairs) {
-    loops.push_back(&(pair.*kind));
-    if(mesh.seeds.size() > 1 || mesh.number_of_hubs > 0)
-      loops.push_back(&(kind == &Flat_pair::handle ? pair.tunnel : pair.handle));
-  }
-  return loops;
-}
 
 /// The edges of a graph of balls that a skeleton consists of: cycles that are a basis, the ways to
 /// inlets and to the ends of limbs, as far as they go by themselves.
@@ -98,45 +72,16 @@ private:
   static constexpr double part_of_diagonal = 0.025; // of the shortest limbs
 
   void take_cycles(const Solid_balls& solid, const std::vector<Flat_pair>& pairs) {
-    std::vector<const Crossing_loop*> across = loops_inside(mesh_, pairs, &Flat_pair::handle);
-    const auto component = [&](const Crossing_loop* loop) {
-      return mesh_.component[loop->front().left];
-    };
-    std::stable_sort(across.begin(), across.end(),
-                     [&](const Crossing_loop* a, const Crossing_loop* b) {
-                       return component(a) < component(b);
-                     });
-    std::vector<std::vector<Vector>> loops;
-    std::vector<Index> components;
-    for(const Crossing_loop* loop : across) {
-      components.push_back(component(loop));
-      loops.emplace_back();
-      for(Index v : walk_beside(mesh_, *loop))
-        loops.back().push_back(solid.points()[v]);
-    }
+    const Loops_across across(mesh_, solid.points(), pairs);
     const auto choose = [&] {
-      const Inner_cycles cycles(execution_, graph_, loops, components, genus(pairs));
+      const Inner_cycles cycles(execution_, graph_, across);
       is_taken_ = cycles.is_taken();
       roots_ = cycles.roots();
       names_ = cycles.names();
       return cycles.number_of_missing_cycles();
     };
-    if(choose() > 0) { // holes that are small against the balls around them
-      solid.add_ways_along_wall(graph_);
-      if(choose() > 0) { // walls that are thin everywhere against the distance of the balls
-        solid.join_along_wall(graph_);
-        choose();
-      }
-    }
+    add_missing_ways(solid, graph_, choose);
     prune();
-  }
-
-  // By component: each pair is of one.
-  std::vector<std::size_t> genus(const std::vector<Flat_pair>& pairs) const {
-    std::vector<std::size_t> genus(mesh_.seeds.size(), 0);
-    for(const Flat_pair& pair : pairs)
-      ++genus[mesh_.component[pair.handle.front().left]];
-    return genus;
   }
 
   // Takes back what leads to no cycle.

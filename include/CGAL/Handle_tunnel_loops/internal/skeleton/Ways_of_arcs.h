@@ -46,6 +46,11 @@ struct Ways_of_arcs
     ways[arc] = std::move(way);
   }
 
+  bool are_ends_drawn(Index arc) const {
+    const auto [lower, upper] = graph.arcs[arc];
+    return ball_of_node[lower] != no_index && ball_of_node[upper] != no_index;
+  }
+
   const Graph_of_parts& graph;
   Edges_at arcs_at;                // by node
   std::vector<Index> ball_of_node; ///< `no_index`: none

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
@@ -45,11 +46,13 @@ struct Inner_drawing
 };
 
 /// draws a graph. \p mesh is in its own frame; \p places are the coordinates of its vertices as the
-/// caller has them, hubs included, and those of the drawing are of the same kind.
+/// caller has them, hubs included, and those of the drawing are of the same kind; \p pairs are a
+/// basis of loops.
 CGAL_HTL_CORE Inner_drawing draw_inside(Execution execution,
                                         const Flat_mesh& mesh,
                                         const Own_frame& frame,
                                         const std::vector<Vector>& places,
+                                        const std::vector<Flat_pair>& pairs,
                                         const Graph_of_parts& graph);
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -16,6 +16,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Inside_test.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Chains_of_arcs.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Linked_edges.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loops_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Part_lines.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Points_apart.h>
@@ -99,10 +102,12 @@ public:
   Drawing_inside(Execution execution,
                  const Flat_mesh& mesh,
                  const std::vector<Vector>& places,
+                 const std::vector<Flat_pair>& pairs,
                  const Graph_of_parts& graph)
       : execution_(execution)
       , mesh_(mesh)
       , places_(places)
+      , pairs_(pairs)
       , graph_(graph)
       , chains_(graph) {}
 
@@ -120,9 +125,15 @@ public:
 private:
   // Returns whether it is no use to try in another frame.
   bool draw_in(const Own_frame& frame, Span<const Vector> points) {
-    const Solid_balls solid(execution_, mesh_, points, {});
-    const Ball_graph balls = solid.graph();
-    drawing_ = chains_.cut(Part_lines(execution_, solid, balls, chains_.graph()).draw());
+    const Solid_balls solid(execution_, mesh_, points,
+                            loops_inside(mesh_, pairs_, &Flat_pair::tunnel));
+    const Loops_across across(mesh_, points, pairs_);
+    Ball_graph balls = solid.graph();
+    add_missing_ways(solid, balls, [&] {
+      return Inner_cycles(execution_, balls, across).number_of_missing_cycles();
+    });
+    const Linked_edges linked(execution_, balls, across);
+    drawing_ = chains_.cut(Part_lines(execution_, solid, balls, linked, chains_.graph()).draw());
     drawing_.number_of_balls = balls.balls.size();
     bend_equal_segments(graph_, drawing_);
     Flat_skeleton flat = skeleton_of(mesh_, graph_, drawing_);
@@ -162,6 +173,7 @@ private:
   Execution execution_;
   const Flat_mesh& mesh_;
   const std::vector<Vector>& places_;
+  const std::vector<Flat_pair>& pairs_;
   const Graph_of_parts& graph_;
   Chains_of_arcs chains_;
   Inner_drawing drawing_;
@@ -171,8 +183,9 @@ CGAL_HTL_CORE Inner_drawing draw_inside(Execution execution,
                                         const Flat_mesh& mesh,
                                         const Own_frame& frame,
                                         const std::vector<Vector>& places,
+                                        const std::vector<Flat_pair>& pairs,
                                         const Graph_of_parts& graph) {
-  return Drawing_inside(execution, mesh, places, graph).draw(frame);
+  return Drawing_inside(execution, mesh, places, pairs, graph).draw(frame);
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -64,6 +64,14 @@ struct Ball_graph
     return edges[edge][0] == ball ? edges[edge][1] : edges[edge][0];
   }
 
+  /// `no_index` if there is none.
+  Index edge_between(Index a, Index b) const {
+    for(const Index e : edges_at[a])
+      if(other_end(e, a) == b)
+        return e;
+    return no_index;
+  }
+
   /// calls `f(ball, edge)` for what is beside a ball.
   template <typename Function> void for_each_beside(Index ball, const Function& f) const {
     for(Index e : edges_at[ball])
