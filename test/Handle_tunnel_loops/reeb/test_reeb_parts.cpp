@@ -6,13 +6,17 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Arc_contraction.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Limb_bases.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Short_borders.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/measure_parts.h>
 #include <CGAL/reeb_graph.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <set>
@@ -178,6 +182,59 @@ TEST(Short_borders, AreShorterAndPartsConnected) {
 }
 
 // Of graphs that are handed out.
+// A ball of radius 3 around the origin, with a limb of radius 1 up to x = 10.
+Soup body_with_limb() {
+  constexpr double base = 2.8284271247461903; // where the limb leaves the ball
+  std::vector<std::array<double, 2>> profile; // x, radius
+  for(double t = -1.5; t < 1.2; t += 0.05)
+    profile.push_back({3. * std::sin(t), 3. * std::cos(t)});
+  for(double x = base; x < 9.9; x += 0.15)
+    profile.push_back({x, 1.});
+  constexpr std::uint32_t around = 40;
+  Soup soup;
+  for(std::size_t i = 0; i < profile.size(); ++i)
+    for(std::uint32_t j = 0; j < around; ++j) {
+      const double u = 6.283185307179586 * (j + 0.5 * double(i % 2)) / around;
+      soup.points.push_back(
+          {profile[i][0], profile[i][1] * std::cos(u), profile[i][1] * std::sin(u)});
+    }
+  const auto end = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.push_back({-3., 0., 0.});
+  soup.points.push_back({10., 0., 0.});
+  for(std::uint32_t j = 0; j < around; ++j) {
+    const std::uint32_t next = (j + 1) % around, last = end - around;
+    soup.triangles.push_back({end, next, j});
+    soup.triangles.push_back({end + 1, last + j, last + next});
+    for(std::uint32_t row = 0; row < last; row += around) {
+      soup.triangles.push_back({row + j, row + next, row + around + j});
+      soup.triangles.push_back({row + next, row + around + next, row + around + j});
+    }
+  }
+  return soup;
+}
+
+// Whether its part ends halfway or holds half of the body.
+TEST(Limb_bases, AreWhereTheGirthJumps) {
+  const Soup soup = body_with_limb();
+  const Flat_mesh mesh = flat_mesh_of(soup);
+  const auto x = [&](Index v) { return soup.points[mesh.original[v]][0]; };
+  Index tip = 0;
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    tip = x(v) > x(tip) ? v : tip;
+  for(const double border : {7., 5., 0., -1.}) {
+    std::vector<Index> parts;
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      parts.push_back(x(v) > border ? 0 : 1);
+    Limb_bases(mesh, parts).run({tip, no_index});
+    for(Index v = 0; v < parts.size(); ++v) {
+      if(x(v) > 3.8)
+        EXPECT_EQ(parts[v], 0u) << border << ' ' << x(v);
+      if(x(v) < 2.)
+        EXPECT_EQ(parts[v], 1u) << border << ' ' << x(v);
+    }
+  }
+}
+
 TEST(Reeb_parts, AreFewConnectedAndHaveAllCycles) {
   for(const Recipe& recipe : {Recipe{"torus", {600, 1, 0}}, Recipe{"multi-torus", {3000, 4, 0}},
                               Recipe{"gyroid", {4000, 5, 0}}, Recipe{"lattice", {3000, 5, 0}},

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Arc_contraction.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Limb_bases.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Short_borders.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/draw_lines.h>
@@ -92,6 +93,7 @@ public:
       }
     for(Index& part : part_of_vertex)
       part = number[contraction.owner(part)];
+    Limb_bases(mesh_, part_of_vertex).run(tips(kept));
     Short_borders(mesh_, part_of_vertex).run();
     return graph_of(
         kept.size(), [&](Index i) -> const Path& { return kept[i]; },
@@ -214,6 +216,19 @@ private:
     for(Index v = 0; v < part_of_vertex.size(); ++v)
       arcs[part_of_vertex[v]].area += area_around(mesh_, v);
     return arcs;
+  }
+
+  // By path, the vertex at its end, if it is a leaf at one end alone.
+  std::vector<Index> tips(const std::vector<Path>& paths) const {
+    std::vector<Index> degree(graph_.nodes.size(), 0), tips;
+    for(const Path& path : paths)
+      for(const Index node : {path.lower, path.upper})
+        ++degree[node];
+    for(const Path& path : paths)
+      tips.push_back((degree[path.lower] == 1) == (degree[path.upper] == 1)
+                         ? no_index
+                         : graph_.nodes[degree[path.lower] == 1 ? path.lower : path.upper].vertex);
+    return tips;
   }
 
   // A path after its ends have become these, from the lower one to the upper one.

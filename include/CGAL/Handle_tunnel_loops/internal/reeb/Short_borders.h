@@ -13,9 +13,9 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/depths_in_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/length_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/measure_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Minimum_cut.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -52,7 +52,7 @@ public:
 
   void run() {
     connect_parts();
-    find_inner_halves();
+    is_inner_ = inner_halves(mesh_, part_);
     for(const auto& [parts, vertices] : borders())
       for(const std::vector<Index>& band : bands(parts, vertices))
         shorten(parts, band);
@@ -96,16 +96,6 @@ private:
           node_[u] = no_index;
           reached.push_back(u);
         }
-  }
-
-  void find_inner_halves() {
-    const std::vector<Index> depths = depths_in_parts(mesh_, part_, [](Index) { return true; });
-    std::vector<Index> deepest(part_.size(), 0); // by part, of which there are no more
-    for(Index v = 0; v < part_.size(); ++v)
-      deepest[part_[v]] = (std::max)(deepest[part_[v]], depths[v]);
-    is_inner_.resize(part_.size());
-    for(Index v = 0; v < part_.size(); ++v)
-      is_inner_[v] = 2 * depths[v] > deepest[part_[v]];
   }
 
   // ---- borders

@@ -13,11 +13,13 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/depths_in_parts.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/length_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Arc_contraction.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -33,6 +35,18 @@ inline double area_around(const Flat_mesh& mesh, Index v) {
     sum += norm(cross(mesh.points[ring[p]] - mesh.points[v],
                       mesh.points[ring[ring.next(p)]] - mesh.points[v]));
   return sum / 6.;
+}
+
+/// by vertex, whether it is in the inner half of its part, by its depth there.
+inline std::vector<char> inner_halves(const Flat_mesh& mesh, const std::vector<Index>& part) {
+  const std::vector<Index> depths = depths_in_parts(mesh, part, [](Index) { return true; });
+  std::vector<Index> deepest(part.size(), 0); // by part, of which there are no more
+  for(Index v = 0; v < part.size(); ++v)
+    deepest[part[v]] = (std::max)(deepest[part[v]], depths[v]);
+  std::vector<char> is_inner(part.size());
+  for(Index v = 0; v < part.size(); ++v)
+    is_inner[v] = 2 * depths[v] > deepest[part[v]];
+  return is_inner;
 }
 
 /// along how much the parts of a surface meet.
