@@ -227,10 +227,10 @@ TEST(Limb_bases, AreWhereTheGirthJumps) {
       parts.push_back(x(v) > border ? 0 : 1);
     Limb_bases(mesh, parts).run({tip, no_index});
     for(Index v = 0; v < parts.size(); ++v) {
-      if(x(v) > 3.8)
-        EXPECT_EQ(parts[v], 0u) << border << ' ' << x(v);
-      if(x(v) < 2.)
-        EXPECT_EQ(parts[v], 1u) << border << ' ' << x(v);
+      const bool is_of_limb = x(v) > 3.8, is_of_body = x(v) < 2.; // the base is at 2.83
+      if(is_of_limb || is_of_body) {
+        EXPECT_EQ(parts[v], is_of_limb ? 0u : 1u) << border << ' ' << x(v);
+      }
     }
   }
 }

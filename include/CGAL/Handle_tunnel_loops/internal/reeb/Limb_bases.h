@@ -33,8 +33,8 @@ Where contours part, at a saddle, is as much a matter of where the function bega
 to a leg from the side part far down on it. Hence regions grow around the tips of limbs, by distance
 on the surface. The length of their border to the power of 3/2 over their area falls along a limb,
 also on a cone, and rises where they come out on a body. A limb is the region where it is least
-before it rises for good. What a limb leaves of its part goes to a part beside it of which more is
-left, or that is no limb, if it is not far more than that.
+before it rises for good; but a part of which it is even less stays. What a limb leaves of its part
+goes to a part beside it of which more is left, or that is no limb, if it is not far more than that.
 */
 class Limb_bases
 {
@@ -54,17 +54,22 @@ public:
   /// \p tips has a vertex for each part that is a limb, `no_index` for others.
   void run(const std::vector<Index>& tips) {
     const std::vector<double> areas = areas_of_parts(tips.size());
+    std::vector<double> borders(tips.size(), 0.);
+    for(const Shared_border& border : shared_borders(mesh_, part_))
+      for(const Index part : {border.part, border.other})
+        borders[part] += border.length;
     std::vector<std::vector<Index>> limbs;
     for(Index part = 0; part < tips.size(); ++part)
-      limbs.push_back(tips[part] == no_index ? std::vector<Index>()
-                                             : limb(part, tips[part], areas[part]));
+      limbs.push_back(tips[part] == no_index
+                          ? std::vector<Index>()
+                          : limb(part, tips[part], areas[part], value(borders[part], areas[part])));
     for(Index part = 0; part < tips.size(); ++part)
       for(const Index v : limbs[part])
         if(is_claimed_[v] == 0) {
           is_claimed_[v] = 1;
           part_[v] = part;
         }
-    give_away_rests(limbs);
+    give_away_rests(limbs, tips);
   }
 
 private:
@@ -83,10 +88,12 @@ private:
     return areas;
   }
 
+  static double value(double girth, double area) { return girth * std::sqrt(girth) / area; }
+
   // Lengths of borders are means, while the region becomes a little larger. It does not grow into
-  // the inner half of another part. Empty if it would be but a bump on its part.
-  std::vector<Index> limb(Index part, Index tip, double area_of_part) {
-    constexpr double first_part = 0.05, least_part = 0.15, step = 1.1, rise = 1.5;
+  // the inner half of another part. Empty if the part itself is better.
+  std::vector<Index> limb(Index part, Index tip, double area_of_part, double value_of_part) {
+    constexpr double first_part = 0.05, step = 1.1, rise = 1.5;
     std::vector<Index> region;
     std::size_t size = 0; // of the limb
     double girth = 0., area = 0., least = (std::numeric_limits<double>::max)();
@@ -108,10 +115,10 @@ private:
       if(began > 0. && area < step * began)
         return;
       if(began > 0.) {
-        const double mean = sum / (area - began), value = mean * std::sqrt(mean) / area;
-        goes_on = value < rise * least;
-        if(value < least) {
-          least = value;
+        const double now = value(sum / (area - began), area);
+        goes_on = now < rise * least;
+        if(now < least) {
+          least = now;
           size = region.size();
         }
       }
@@ -122,15 +129,13 @@ private:
     for(const Index v : region)
       is_in_region_[v] = 0;
     region.resize(size);
-    double area_of_limb = 0.;
-    for(const Index v : region)
-      area_of_limb += areas_[v];
-    if(area_of_limb < least_part * area_of_part)
+    if(!(least < value_of_part))
       region.clear();
     return region;
   }
 
-  void give_away_rests(const std::vector<std::vector<Index>>& limbs) {
+  void give_away_rests(const std::vector<std::vector<Index>>& limbs,
+                       const std::vector<Index>& tips) {
     const std::vector<double> rests = areas_of_parts(limbs.size());
     std::vector<char> gives(limbs.size(), 0);
     constexpr double body = 4.; // how much more counts what is left of a part that is no limb
@@ -138,7 +143,7 @@ private:
       for(const Index u : mesh_.ring(v))
         if(const Index part = part_[v], other = part_[u];
            is_claimed_[v] == 0 && is_claimed_[u] == 0 && !limbs[part].empty() &&
-           rests[part] < (limbs[other].empty() ? body : 1.) * rests[other] && part != other)
+           rests[part] < (tips[other] == no_index ? body : 1.) * rests[other] && part != other)
           gives[part] = 1;
     paths_.clear();
     for(Index v = 0; v < part_.size(); ++v)

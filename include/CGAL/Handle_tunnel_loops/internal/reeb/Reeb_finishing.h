@@ -93,6 +93,7 @@ public:
       }
     for(Index& part : part_of_vertex)
       part = number[contraction.owner(part)];
+    Short_borders(mesh_, part_of_vertex).run();
     Limb_bases(mesh_, part_of_vertex).run(tips(kept));
     Short_borders(mesh_, part_of_vertex).run();
     return graph_of(

@@ -140,6 +140,8 @@ private:
   // What is near a border on both sides of it, in connected pieces.
   std::vector<std::vector<Index>> bands(const Pair& parts, const std::vector<Index>& vertices) {
     width_ = radius(parts, vertices);
+    if(!(width_ > 0.)) // it is gone since
+      return {};
     paths_.clear();
     for(const Index v : vertices)
       if(is_of(parts, v))

@@ -64,7 +64,10 @@ public:
       : balls_(balls)
       , part_balls_(part_balls)
       , graph_(drawn.graph)
-      , drawn_(drawn) {}
+      , drawn_(drawn) {
+    for(Index e = 0; e < balls.edges.size(); ++e)
+      costs_.push_back(Inner_cycles::cost(balls, e));
+  }
 
   Workspace_pool<Workspace> workspaces() const {
     return Workspace_pool<Workspace>([this] {
@@ -209,7 +212,7 @@ private:
     });
   }
 
-  double cost(Index edge) const { return Inner_cycles::cost(balls_, edge); }
+  double cost(Index edge) const { return costs_[edge]; }
 
   // From a ball to where ways began to grow.
   Way way_back(Index ball, const Workspace& work) const {
@@ -265,12 +268,18 @@ private:
     Way there = way_back(farthest, work);
     std::reverse(there.begin(), there.end());
     constexpr double penalty = 10.;
-    const std::vector<char> is_beside = balls_beside(there);
+    constexpr char unknown = 2;
+    std::vector<char> is_beside(balls_.balls.size(), unknown);
+    const auto is_end_beside = [&](Index end) {
+      if(is_beside[end] == unknown)
+        is_beside[end] = this->is_beside(there, end) ? 1 : 0;
+      return is_beside[end] != 0;
+    };
     grow(
         arc, to, is_everywhere, always,
         [&](Index e) {
           const auto [a, b] = balls_.edges[e];
-          return (is_beside[a] != 0 && is_beside[b] != 0 ? penalty : 1.) * cost(e);
+          return (is_end_beside(a) && is_end_beside(b) ? penalty : 1.) * cost(e);
         },
         work);
     Way back = way_back(farthest, work);
@@ -284,20 +293,18 @@ private:
     return there;
   }
 
-  // By ball, whether its centre is in a ball of a way.
-  std::vector<char> balls_beside(const Way& way) const {
-    std::vector<char> is_beside(balls_.balls.size());
-    for(std::size_t b = 0; b < is_beside.size(); ++b)
-      is_beside[b] = std::any_of(way.begin(), way.end(), [&](Index w) {
-        return norm(balls_.balls[w].centre - balls_.balls[b].centre) < balls_.balls[w].radius;
-      });
-    return is_beside;
+  // Whether the centre of a ball is in one of a way.
+  bool is_beside(const Way& way, Index ball) const {
+    return std::any_of(way.begin(), way.end(), [&](Index b) {
+      return norm(balls_.balls[b].centre - balls_.balls[ball].centre) < balls_.balls[b].radius;
+    });
   }
 
   const Ball_graph& balls_;
   const Part_balls& part_balls_;
   const Graph_of_parts& graph_;
   const Ways_of_arcs& drawn_;
+  std::vector<double> costs_; // by edge
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
