@@ -91,7 +91,8 @@ private:
   static double value(double girth, double area) { return girth * std::sqrt(girth) / area; }
 
   // Lengths of borders are means, while the region becomes a little larger. It does not grow into
-  // the inner half of another part. Empty if the part itself is better.
+  // the inner half of another part, but into half of its own at least: an end may be flat, or
+  // ragged. Empty if the part itself is better.
   std::vector<Index> limb(Index part, Index tip, double area_of_part, double value_of_part) {
     constexpr double first_part = 0.05, step = 1.1, rise = 1.5;
     std::vector<Index> region;
@@ -116,7 +117,7 @@ private:
         return;
       if(began > 0.) {
         const double now = value(sum / (area - began), area);
-        goes_on = now < rise * least;
+        goes_on = now < rise * least || 2. * area < area_of_part;
         if(now < least) {
           least = now;
           size = region.size();
