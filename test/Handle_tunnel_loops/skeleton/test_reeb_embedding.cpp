@@ -12,7 +12,6 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/embed_reeb_graph.h>
-#include <CGAL/handle_tunnel_loops.h>
 #include <CGAL/reeb_graph.h>
 #include <CGAL/reeb_graph_of_function.h>
 
@@ -20,7 +19,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace test_reeb_embedding {
@@ -101,9 +99,7 @@ skeleton_definitions::Skeleton skeleton_of(const Graph& graph) {
 
 void expect_skeleton(const Solid_mesh& mesh, Graph& graph) {
   CGAL::embed_reeb_graph(mesh, graph);
-  std::vector<CGAL::Handle_tunnel_pair<Solid_mesh>> pairs;
-  CGAL::handle_tunnel_loops(mesh, std::back_inserter(pairs));
-  const auto truth = skeleton_definitions::truth(mesh, skeleton_of(graph), pairs);
+  const auto truth = skeleton_definitions::truth(mesh, skeleton_of(graph), find_loops(mesh));
   EXPECT_TRUE(truth.is_connected);
   EXPECT_TRUE(truth.is_inside);
   EXPECT_TRUE(truth.is_embedded);
