@@ -347,7 +347,7 @@ void export_gltf(const std::string& file,
   if(!surface.points.empty() && !(diagonal > least && diagonal < most))
     throw wrong_usage("--gltf " + file +
                       ": the numbers of glTF are of single precision, in which the " +
-                      "surface is too " + (diagonal > least ? "large" : "small"));
+                      "surface is too " + (diagonal <= least ? "small" : "large"));
   Gltf gltf(box);
   add_surface(gltf, surface, diagonal);
   constexpr double relative_radius = 0.003;

@@ -153,7 +153,8 @@ template <typename Read> auto read_json(const Input_file& file, Read read) {
   } catch(const Json::exception& exception) {
     throw Failure(Exit_code::UNREADABLE_FILE, file.name() + " is not JSON: " + exception.what());
   } catch(const Failure& failure) {
-    throw Failure(failure.code(), file.name() + ": " + failure.what());
+    const std::string what = failure.what(), name = file.name() + ": ";
+    throw Failure(failure.code(), what.compare(0, name.size(), name) == 0 ? what : name + what);
   }
 }
 

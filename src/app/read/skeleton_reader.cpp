@@ -508,6 +508,13 @@ bool is_skeleton_file(const Input_file& file) {
   return file.content().find("\"" + std::string(json_format) + "\"") != std::string_view::npos;
 }
 
+std::string endings_of_skeletons() {
+  std::string all;
+  for(const Format& format : formats)
+    all += (all.empty() ? "" : " ") + std::string(format.ending);
+  return all;
+}
+
 Skeleton_record read_skeleton(const Input_file& file) {
   for(const Format& format : formats)
     if(file.is_of_format(format.ending))

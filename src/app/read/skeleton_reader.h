@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace htloops {
 
@@ -28,6 +29,9 @@ struct Skeleton_record
 
 /// whether a file has a skeleton, by its ending or, of JSON, by what it says it is.
 bool is_skeleton_file(const Input_file& file);
+
+/// the endings by which it may have one.
+std::string endings_of_skeletons();
 
 /// reads a skeleton: JSON of htloops, lines of OBJ, PolyData of VTK as text, SWC, GraphML with x, y
 /// and z of nodes, and polylines of CGAL. Where a format is one of lines and not of graphs,

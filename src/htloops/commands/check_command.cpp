@@ -19,7 +19,9 @@
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
+#include <cstddef>
 #include <memory>
+#include <string_view>
 
 namespace htloops {
 namespace {
@@ -124,8 +126,12 @@ void run(const Check_options& options) {
   const Mesh mesh = read_mesh(options);
   write_read_mesh(options, mesh);
   const Input_file file(options.loops_file);
+  const std::size_t first = file.content().find_first_not_of(" \t\r\n");
   if(is_skeleton_file(file))
     check_skeleton(options, mesh, file);
+  else if(first == std::string_view::npos || file.content()[first] != '{')
+    fail_to_read(file.name(), "it is not JSON, and has none of the endings of skeletons: " +
+                                  endings_of_skeletons());
   else
     check_loops(options, mesh, file);
 }

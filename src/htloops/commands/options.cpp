@@ -326,6 +326,13 @@ std::string why_not_finite(const std::string& text) {
   return is_finite ? "" : text + " is not a finite number";
 }
 
+std::string why_negative(const std::string& text) {
+  std::string why = why_not_finite(text);
+  if(double number; why.empty() && CLI::detail::lexical_cast(text, number) && number < 0.)
+    why = text + " is negative";
+  return why;
+}
+
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
   const std::string name = "the seed vertex " + std::to_string(number);
   if(number >= mesh.number_of_vertices())

@@ -170,6 +170,9 @@ std::string why_no_count(const std::string& text);
 /// above.
 std::string why_not_finite(const std::string& text);
 
+/// the same for one that is not negative.
+std::string why_negative(const std::string& text);
+
 /// the vertex that a number stands for; throws `Failure` if there is none, or if it has no face.
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number);
 

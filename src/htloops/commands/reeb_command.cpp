@@ -255,8 +255,7 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
           "arcs between saddles that are shorter than K times their radius are contracted,\n"
           "cycles never; default: 2, as long as thick, with --parts, else 0")
       ->option_text("K")
-      ->check(CLI::NonNegativeNumber)
-      ->check(why_not_finite);
+      ->check(why_negative);
   add_choice(
       command, "--drawing", "NAME", options.drawing,
       "inside, in the middle of the solid, or means, through the means of contours, at once;\n"

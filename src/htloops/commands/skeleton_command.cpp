@@ -140,8 +140,7 @@ void add_computation_options(CLI::App& command, Skeleton_command_options& option
                   "limbs that are shorter than K times the radius of their base are left out,\n"
                   "cycles never; default: 1.5")
       ->option_text("K")
-      ->check(CLI::NonNegativeNumber)
-      ->check(why_not_finite);
+      ->check(why_negative);
   add_threads_option(command, options);
 }
 

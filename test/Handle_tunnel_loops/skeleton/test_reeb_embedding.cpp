@@ -194,6 +194,24 @@ TEST(Reeb_embedding, IsInsideOfEachComponent) {
   expect_inside(mesh, graph);
 }
 
+// There is no solid.
+TEST(Reeb_embedding, IsThereOnFlatSurfaces) {
+  for(const int flat_axes : {1, 2, 3}) {
+    Soup soup = soup_of({"torus", {300, 1, 0}});
+    for(auto& p : soup.points)
+      for(int axis = 0; axis < flat_axes; ++axis)
+        p[2 - axis] = 0.;
+    const Solid_mesh mesh = mesh_of<Solid_mesh>(soup);
+    Graph graph;
+    CGAL::reeb_graph(mesh, graph);
+    Graph drawn = graph;
+    EXPECT_FALSE(CGAL::embed_reeb_graph(mesh, drawn).inside);
+    expect_same_but_for_lines(graph, drawn);
+    for(const auto e : CGAL::make_range(edges(drawn)))
+      EXPECT_GE(drawn[e].polyline.size(), 2u);
+  }
+}
+
 TEST(Reeb_embedding, DoesNotDependOnThreads) {
   const Solid_mesh mesh = mesh_of<Solid_mesh>(soup_of({"sponge", {3000, 5, 0}}));
   Graph graph, other;
