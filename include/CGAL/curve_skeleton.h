@@ -170,8 +170,8 @@ curve_skeleton(const TriangleMesh& tm,
   const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
   impl::Loop_request request = impl::loop_request(
       choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()));
-  request.classes.do_shorten = false; // any basis will do
-  request.classes.do_link = true;     // which of them are handle loops
+  request.passes.do_tighten = request.classes.do_shorten = false; // any basis will do
+  request.classes.do_link = true;                                 // which of them are handle loops
   request.make_passes = &impl::make_passes<ConcurrencyTag>;
   impl::Loops_on_arrays loops(surface.coordinates(execution));
   loops.find(

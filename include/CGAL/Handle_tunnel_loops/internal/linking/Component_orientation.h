@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Volume_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
@@ -36,8 +37,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-using Triangle = std::array<Vector, 3>;
 
 /// the signs of the volumes that components enclose, exactly. `for_each_triangle(f)` calls
 /// `f(component, triangle)` for all of their triangles.
@@ -147,55 +146,10 @@ private:
     }
   };
 
-  // Six times the volume between faces and their projections to a plane, and the sum of the
-  // absolute values of the terms that were added up.
-  struct Volume
-  {
-    std::size_t terms = 0;
-    double value = 0., magnitude = 0.;
-
-    void add(const Triangle& t, double plane) {
-      const Vector a = t[1] - t[0], b = t[2] - t[0];
-      const double left = a[0] * b[1], right = a[1] * b[0];
-      const double z[3] = {t[0][2] - plane, t[1][2] - plane, t[2][2] - plane};
-      value += (left - right) * (z[0] + z[1] + z[2]);
-      magnitude +=
-          (std::abs(left) + std::abs(right)) * (std::abs(z[0]) + std::abs(z[1]) + std::abs(z[2]));
-      ++terms;
-    }
-
-    // What the faces at a vertex have by the height of this corner; summed over all vertices, it is
-    // the same.
-    template <typename Graph>
-    void add_star(Index v, const Graph& g, VertexPointMap point, double plane) {
-      const auto around = g.mesh().ring(v);
-      const Vector corner = coordinates(point, v);
-      const double z = corner[2] - plane;
-      Vector a = coordinates(point, around[around.size() - 1]) - corner;
-      double area = 0., size = 0.;
-      for(const Index u : around) {
-        const Vector b = coordinates(point, u) - corner;
-        const double left = a[0] * b[1], right = a[1] * b[0];
-        area += left - right;
-        size += std::abs(left) + std::abs(right);
-        a = b;
-      }
-      value += area * z;
-      magnitude += size * std::abs(z);
-      terms += around.size();
-    }
-
-    void add(const Volume& v, std::size_t) {
-      terms += v.terms;
-      value += v.value;
-      magnitude += v.magnitude;
-    }
-  };
-
   struct Part
   {
     Extent extent;
-    Volume volume;
+    Volume_sum volume;
     int sign = 0;
     bool is_touched = false;
   };
@@ -249,13 +203,15 @@ private:
             return parts_.size() == 1 ? 0 : component_(face(Flat_graph::Halfedge{v, 0}, tm_));
           },
           &Part::volume,
-          [&](Volume& volume, std::size_t component, Index v) {
+          [&](Volume_sum& volume, std::size_t component, Index v) {
             if(is_wanted_[component])
-              volume.add_star(v, tm_, point_, plane(component));
+              volume.add_star(
+                  v, tm_.mesh().ring(v), [&](Index u) { return coordinates(point_, u); },
+                  plane(component));
           });
     else
       add_up(execution, all, component_, &Part::volume,
-             [&](Volume& volume, std::size_t component, face_descriptor f) {
+             [&](Volume_sum& volume, std::size_t component, face_descriptor f) {
                if(is_wanted_[component])
                  volume.add(triangle(f), plane(component));
              });
@@ -269,13 +225,8 @@ private:
         part.sign = 1;
       if(!is_wanted_[i] || has_boundary_[i])
         continue;
-      // Each term is off by a few roundings, each sum by one; nothing is known of what underflows.
-      const Volume& volume = part.volume;
-      const double error = volume.magnitude * (8. * double(volume.terms) + 16.) * 0x1p-53;
-      if(std::abs(volume.value) > error && std::abs(volume.value) > 1e-250)
-        part.sign = volume.value > 0. ? 1 : -1;
-      else
-        is_open[i] = 1;
+      part.sign = part.volume.sign();
+      is_open[i] = part.sign == 0;
     }
     if(std::find(is_open.begin(), is_open.end(), 1) != is_open.end())
       find_exact_signs(is_open);

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Projected_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Volume_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Square_root_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/exact_vectors.h>
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,13 +47,28 @@ CGAL_HTL_CORE std::vector<int> signs_of_volumes(
     std::size_t number_of_components,
     const std::function<void(const std::function<void(std::size_t, const Triangle&)>&)>&
         for_each_triangle) {
-  std::vector<Exact_number> volumes(number_of_components);
+  std::vector<Volume_sum> sums(number_of_components);
+  std::vector<std::optional<double>> planes(number_of_components);
   for_each_triangle([&](std::size_t component, const Triangle& t) {
-    volumes[component] += dot(exact(t[0]), cross(exact(t[1]), exact(t[2])));
+    std::optional<double>& plane = planes[component];
+    if(!plane)
+      plane = t[0][2];
+    sums[component].add(t, *plane);
   });
   std::vector<int> signs;
-  for(const Exact_number& volume : volumes)
-    signs.push_back(sign_of(volume));
+  for(const Volume_sum& sum : sums)
+    signs.push_back(sum.sign());
+  if(std::find(signs.begin(), signs.end(), 0) == signs.end())
+    return signs;
+
+  std::vector<Exact_number> volumes(number_of_components);
+  for_each_triangle([&](std::size_t component, const Triangle& t) {
+    if(signs[component] == 0)
+      volumes[component] += dot(exact(t[0]), cross(exact(t[1]), exact(t[2])));
+  });
+  for(std::size_t i = 0; i < signs.size(); ++i)
+    if(signs[i] == 0)
+      signs[i] = sign_of(volumes[i]);
   return signs;
 }
 

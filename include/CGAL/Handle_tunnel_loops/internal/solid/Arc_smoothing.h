@@ -74,8 +74,9 @@ private:
   Balls operator()(const Balls& arc) const {
     Balls smooth = with_bends(pulls_straight_ ? pulled_straight(arc) : arc);
     make_smooth(smooth);
-    climb_together(smooth);
-    make_smooth(smooth);
+    std::vector<char> climbs(smooth.size(), 1);
+    for(int k = 0; k < most_climbs && climb_together(smooth, climbs); ++k)
+      make_smooth(smooth);
     make_central(smooth);
     make_smooth(smooth);
     measure(smooth);
@@ -83,7 +84,7 @@ private:
     return is_line_free(wall_, smooth) ? smooth : arc;
   }
 
-  static constexpr int rounds_of_smoothing = 12;
+  static constexpr int rounds_of_smoothing = 12, most_climbs = 4;
   static constexpr double mobility = 0.25;  // of a bend, in its radius
   static constexpr double spacing = 0.5;    // of bends, in their radius
   static constexpr double precision = 0.95; // of radii
@@ -126,7 +127,7 @@ private:
       const double s = step > 0. ? (t * length - before) / step : 0.;
       const double least = part * ((1. - s) * arc[i].radius + s * arc[i + 1].radius);
       const Vector p = (1. - t) * a + t * b;
-      if(wall_.nearest(p, least).face != no_index)
+      if(wall_.is_within(p, least))
         return false;
     }
     return true;
@@ -178,20 +179,28 @@ private:
   }
 
   // Moves bends across the arc to where the solid is wider. Those beside each other go the same
-  // way: in plates, any way leads to larger balls, by chance.
-  void climb_together(Balls& arc) const {
+  // way: in plates, any way leads to larger balls, by chance. Those that went so far that they may
+  // go on climb the next time, if any do.
+  bool climb_together(Balls& arc, std::vector<char>& climbs) const {
+    constexpr double long_part = 0.5; // of the radius
     std::vector<Vector> shifts(arc.size(), Vector{0., 0., 0.});
+    bool is_any = false;
     for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
       const Vector along = arc[i + 1].centre - arc[i - 1].centre;
-      if(const double length = norm(along); length > 0.)
+      if(const double length = norm(along); climbs[i] != 0 && length > 0.) {
         shifts[i] = shift_to_wider_place(arc[i], (1. / length) * along);
+        is_any = true;
+      }
+      climbs[i] = 0;
     }
     make_even(shifts);
     for(std::size_t i = 1; i + 1 < arc.size(); ++i)
       if(const double length = norm(shifts[i]); length > 0.) {
         const double way = (std::min)(length, arc[i].radius); // so that it is inside
+        climbs[i] = way > long_part * arc[i].radius;
         move_if_larger(arc[i], arc[i].centre + (way / length) * shifts[i], arc[i].radius + way);
       }
+    return is_any;
   }
 
   Vector shift_to_wider_place(const Inner_ball& start, const Vector& tangent) const {

@@ -272,8 +272,7 @@ private:
     const Vector out = ball(s).centre - place(s);
     const double radius = ball(s).radius, distance = norm(out);
     return radius > 0. && distance < most * radius &&
-           wall_.nearest(ball(s).centre + (step * radius / distance) * out, part * radius).face ==
-               no_index;
+           !wall_.is_within(ball(s).centre + (step * radius / distance) * out, part * radius);
   }
 
   void join_neighbors() {
@@ -316,7 +315,7 @@ private:
   }
 
   bool is_way_free(const Inner_ball& a, const Inner_ball& b) const {
-    constexpr double sure = 0.9;
+    constexpr double sure = 0.85;
     return norm(b.centre - a.centre) < sure * (a.radius + b.radius)
                ? !wall_.meets_cap(a.centre, b.centre)
                : !wall_.meets(a.centre, b.centre);

@@ -97,7 +97,7 @@ private:
   // Two places where a ball touches are beside each other if they are seen at a smaller angle.
   static constexpr double cosine_beside = -0.17;
   // What is less far in is not told from what is on the surface of a ball.
-  static constexpr double tolerance = 0.95;
+  static constexpr double tolerance = 0.9;
 
   static constexpr double precision = 0.95; // of distances
 

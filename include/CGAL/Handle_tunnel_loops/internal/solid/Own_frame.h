@@ -45,8 +45,10 @@ public:
     for(const Vector& p : places)
       for(double x : p)
         largest = (std::max)(largest, std::abs(x));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
     Own_frame frame;
-    std::frexp(largest, &frame.exponent_);
+    frame.scale_ = Power_of_two(exponent);
     return frame;
   }
 
@@ -68,15 +70,17 @@ public:
       turn_to_planes(mesh, places, off);
     }
     origin_ = mean;
-    std::frexp(norm(longest), &second_exponent_);
+    int exponent = 0;
+    std::frexp(norm(longest), &exponent);
+    second_scale_ = Power_of_two(exponent);
     is_rounded_ = true;
   }
 
   Vector into(const Vector& p) const {
     if(!is_rounded_)
-      return scaled(p, -exponent_);
+      return scale_.divide(p);
     constexpr double cells = 0x1p34;
-    const Vector way = scaled(scaled(p, -exponent_) - origin_, -second_exponent_);
+    const Vector way = second_scale_.divide(scale_.divide(p) - origin_);
     Vector q;
     for(int d = 0; d < 3; ++d)
       q[d] = 0.5 + std::nearbyint(dot(way, axes_[d]) * cells) / (2. * cells);
@@ -85,25 +89,38 @@ public:
 
   Vector out_of(const Vector& p) const {
     if(!is_rounded_)
-      return scaled(p, exponent_);
+      return scale_.multiply(p);
     const Vector q = 2. * (p - Vector{0.5, 0.5, 0.5});
     const Vector way = q[0] * axes_[0] + q[1] * axes_[1] + q[2] * axes_[2];
-    return scaled(origin_ + scaled(way, second_exponent_), exponent_);
+    return scale_.multiply(origin_ + second_scale_.multiply(way));
   }
 
   /// a length in the unit of the caller.
   double length_out_of(double length) const {
-    return std::ldexp(length, exponent_ + (is_rounded_ ? 1 + second_exponent_ : 0));
+    if(!is_rounded_)
+      return scale_.multiply(length);
+    return scale_.multiply(second_scale_.multiply(2. * length));
   }
 
 private:
-  Own_frame() = default;
+  // In two factors, as one of its own may be beyond all doubles.
+  class Power_of_two
+  {
+  public:
+    explicit Power_of_two(int exponent = 0)
+        : half_(std::ldexp(1., exponent / 2))
+        , rest_(std::ldexp(1., exponent - exponent / 2))
+        , inverse_half_(1. / half_)
+        , inverse_rest_(1. / rest_) {}
 
-  static Vector scaled(Vector p, int exponent) {
-    for(double& x : p)
-      x = std::ldexp(x, exponent);
-    return p;
-  }
+    template <typename T> T multiply(const T& x) const { return rest_ * (half_ * x); }
+    template <typename T> T divide(const T& x) const { return inverse_rest_ * (inverse_half_ * x); }
+
+  private:
+    double half_, rest_, inverse_half_, inverse_rest_;
+  };
+
+  Own_frame() = default;
 
   static Vector unit(const Vector& v) {
     const double length = norm(v);
@@ -223,7 +240,7 @@ private:
 
   static constexpr std::size_t bins = 16; // of normals, along each side of a cube
 
-  int exponent_ = 0, second_exponent_ = 0;
+  Power_of_two scale_, second_scale_;
   bool is_rounded_ = false;
   Vector origin_ = {0., 0., 0.};
   std::array<Vector, 3> axes_ = {{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};

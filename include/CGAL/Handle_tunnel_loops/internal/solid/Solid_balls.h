@@ -82,10 +82,7 @@ public:
   }
 
   /// how far a region of a sample extends at least.
-  double least_extent() const {
-    constexpr double samples = 1.2; // by piece, at most
-    return std::sqrt(area_ / (samples * number_of_pieces()));
-  }
+  double least_extent() const { return std::sqrt(area_ / number_by_faces(1800., 60000., 0.45)); }
 
   double diagonal() const {
     Box<3> all = Box<3>::empty();
@@ -112,15 +109,14 @@ private:
     return sum;
   }
 
-  // A surface has so many pieces if they are even: few faces have little to say.
-  double number_of_pieces() const {
-    constexpr double least = 2000., most = 50000., by_face = 0.5;
+  // Few faces have little to say.
+  double number_by_faces(double least, double most, double by_face) const {
     return (std::max)(least, (std::min)(most, by_face * static_cast<double>(wall_.size())));
   }
 
-  // Faces without any area are not divided.
+  // Even faces are pieces, whole. Faces without any area are not divided.
   double spacing() const {
-    return area_ > 0. ? std::sqrt(area_ / number_of_pieces())
+    return area_ > 0. ? std::sqrt(area_ / number_by_faces(2000., 50000., 0.3))
                       : std::numeric_limits<double>::infinity();
   }
 

@@ -103,7 +103,7 @@ public:
 
 private:
   static constexpr std::size_t first_number = 256, ratio_of_strides = 4;
-  static constexpr double part_of_radius = 0.5; // that a region extends
+  static constexpr double part_of_radius = 0.6; // that a region extends
 
   std::vector<Sample> samples_at(Execution execution, const std::vector<Index>& pieces) const {
     std::vector<Sample> found(pieces.size());

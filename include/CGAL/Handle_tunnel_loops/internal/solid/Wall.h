@@ -105,6 +105,20 @@ public:
     return best;
   }
 
+  /// whether a face that is not of a cap is nearer to a point than a distance.
+  bool is_within(const Vector& p, double distance) const {
+    const double limit = distance * distance;
+    bool is_found = false;
+    faces_.boxes().for_each_nearer(p, limit, [&](Index f) {
+      if(!is_of_cap(f)) {
+        const Vector q = nearest_point(p, corner(f, 0), corner(f, 1), corner(f, 2));
+        is_found = is_found || dot(q - p, q - p) < limit;
+      }
+      return is_found ? 0. : limit;
+    });
+    return is_found;
+  }
+
   /// calls `f(face)` for the faces that are not of a cap and about as near to a point as this, or
   /// nearer.
   template <typename Function>

@@ -40,7 +40,7 @@ climb(const Wall& wall, const Inner_ball& start, int most_steps, const Direction
     const Inner_ball before = ball;
     for(const Vector& direction : directions(k)) {
       const Vector p = before.centre + step * direction;
-      if(wall.nearest(p, (std::max)(ball.radius, norm(p - start.centre))).face == no_index)
+      if(!wall.is_within(p, (std::max)(ball.radius, norm(p - start.centre))))
         ball = {p, wall.nearest(p, before.radius + step, precision).distance};
     }
     step = ball.radius > before.radius ? (std::min)(2. * step, longest * ball.radius) : 0.5 * step;
