@@ -211,7 +211,7 @@ private:
   }
 
   static void make_even(std::vector<Vector>& shifts) {
-    constexpr int number_of_rounds = 3;
+    constexpr int number_of_rounds = 20;
     for(int round = 0; round < number_of_rounds; ++round) {
       Vector before = shifts.front();
       for(std::size_t i = 1; i + 1 < shifts.size(); ++i) {
