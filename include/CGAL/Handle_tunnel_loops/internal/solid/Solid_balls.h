@@ -27,6 +27,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -114,10 +115,24 @@ private:
     return (std::max)(least, (std::min)(most, by_face * static_cast<double>(wall_.size())));
   }
 
-  // Even faces are pieces, whole. Faces without any area are not divided.
+  // Even faces are pieces, whole; those of needles are not many more. Faces without any area are
+  // not divided.
   double spacing() const {
-    return area_ > 0. ? std::sqrt(area_ / number_by_faces(2000., 50000., 0.3))
+    constexpr double most_times = 16.;
+    const double pieces = number_by_faces(2000., 50000., 0.3);
+    double length = 0.;
+    for(Index f = 0; f < wall_.size(); ++f)
+      if(!wall_.is_of_cap(f))
+        length += longest_side(f);
+    return area_ > 0. ? (std::max)(std::sqrt(area_ / pieces), length / (most_times * pieces))
                       : std::numeric_limits<double>::infinity();
+  }
+
+  double longest_side(Index f) const {
+    double longest = 0.;
+    for(int k = 0; k < 3; ++k)
+      longest = (std::max)(longest, norm(wall_.corner(f, (k + 1) % 3) - wall_.corner(f, k)));
+    return longest;
   }
 
   // Where the bounded side of the components is.
