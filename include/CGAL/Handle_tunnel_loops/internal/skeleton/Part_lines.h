@@ -175,12 +175,14 @@ private:
     line[1] = {exit_of_ball(ball, within, line[1].centre, line[2].centre), ball.radius - most};
   }
 
-  // No edge but an only one is without length.
+  // No edge but an only one is without length. A line may pass its end before.
   static Balls without_repetition(const Balls& line) {
     Balls kept = {line.front()};
     for(std::size_t i = 1; i + 1 < line.size(); ++i)
-      if(line[i].centre != kept.back().centre && line[i].centre != line.back().centre)
+      if(line[i].centre != kept.back().centre)
         kept.push_back(line[i]);
+    while(kept.size() > 1 && kept.back().centre == line.back().centre)
+      kept.pop_back();
     kept.push_back(line.back());
     return kept;
   }
