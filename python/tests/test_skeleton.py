@@ -130,8 +130,13 @@ def test_all_formats(genus_3, tmp_path):
         S.save(tmp_path / f"a.{end}")
         assert (tmp_path / f"a.{end}").stat().st_size > 100
     read = json.loads((tmp_path / "a.json").read_text())
-    assert read["format"] == "htloops skeleton" and read["certificate"]["basis"]
-    assert np.array_equal(read["points"], S.points) and np.array_equal(read["edges"], S.edges)
+    assert read["format"] == "htloops-skeleton/1" and read["certificate"]["cycles"]
+    assert all(np.array_equal(arc["polyline"], line) for arc, line in zip(read["arcs"], S.polylines))
+    assert len(read["arcs"]) == len(S.arcs)
+    points = [node["position"] for node in read["nodes"]]
+    assert [points[arc["target"]] for arc in read["arcs"]] == [line[-1].tolist() for line in S.polylines]
+    points += [point for arc in read["arcs"] for point in arc["polyline"][1:-1]]
+    assert np.array_equal(np.array(points)[read["vertex_point"]], S.points[S.point_of_vertex])
     obj = [line.split() for line in (tmp_path / "a.obj").read_text().splitlines()]
     assert np.array_equal([list(map(float, words[1:])) for words in obj if words[0] == "v"], S.points)
     lines = [np.array(words[1:], dtype=int) - 1 for words in obj if words[0] == "l"]

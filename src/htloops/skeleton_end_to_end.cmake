@@ -18,22 +18,39 @@ expect_match("${output}" "genus 3 in 1 component: [0-9]+ arcs, 3 cycles, [0-9]+ 
 expect_match("${output}" "certified: all [0-9]+ edges lie inside, .*; the 3 cycles are a basis of H1 of the solid\n")
 file(READ "${FOLDER}/mesh.json" skeleton)
 string(JSON format GET "${skeleton}" format)
-expect_equal("${format}" "htloops skeleton")
-foreach(claim IN ITEMS connected inside embedded basis)
+expect_equal("${format}" "htloops-skeleton/1")
+foreach(claim IN ITEMS inside cycles embedded connected)
   string(JSON is_so GET "${skeleton}" certificate ${claim})
   expect_equal("${claim} ${is_so}" "${claim} ON")
 endforeach()
 expect_length("${skeleton}" 0 certificate edges_outside)
-expect_length("${skeleton}" 0 inlets)
-string(JSON points LENGTH "${skeleton}" points)
-string(JSON edges LENGTH "${skeleton}" edges)
-math(EXPR cycles "${edges} - ${points} + 1")
+string(JSON nodes LENGTH "${skeleton}" nodes)
+string(JSON arcs LENGTH "${skeleton}" arcs)
+math(EXPR cycles "${arcs} - ${nodes} + 1")
 expect_equal("${cycles}" "3")
-expect_length("${skeleton}" ${points} radii)
-expect_length("${skeleton}" ${points} components)
 string(JSON vertices GET "${skeleton}" mesh vertices)
 expect_length("${skeleton}" ${vertices} vertex_point)
-string(JSON arcs LENGTH "${skeleton}" arcs)
+
+# Arcs lead from node to node; their points within are numbered after these.
+set(points ${nodes})
+set(edges 0)
+math(EXPR last_arc "${arcs} - 1")
+foreach(arc RANGE ${last_arc})
+  string(JSON length LENGTH "${skeleton}" arcs ${arc} polyline)
+  expect_length("${skeleton}" ${length} arcs ${arc} radii)
+  math(EXPR last "${length} - 1")
+  foreach(end IN ITEMS source:0 target:${last})
+    string(REPLACE ":" ";" end "${end}")
+    list(GET end 0 name)
+    list(GET end 1 place)
+    string(JSON node GET "${skeleton}" arcs ${arc} ${name})
+    string(JSON position GET "${skeleton}" nodes ${node} position)
+    string(JSON point GET "${skeleton}" arcs ${arc} polyline ${place})
+    expect_equal("${point}" "${position}")
+  endforeach()
+  math(EXPR points "${points} + ${length} - 2")
+  math(EXPR edges "${edges} + ${last}")
+endforeach()
 
 # In all formats points have their numbers, and there is a line for each arc.
 file(STRINGS "${FOLDER}/arcs.csv" rows)
@@ -103,6 +120,14 @@ if(output MATCHES "--picture")
   endforeach()
 endif()
 
+# Formats have options by their names, too.
+run(0 skeleton mesh.off --swc named.swc --vtp named.vtp --graphml named.graphml --lines named.obj --quiet)
+foreach(format IN ITEMS swc vtp graphml obj)
+  file(READ "${FOLDER}/named.${format}" named)
+  file(READ "${FOLDER}/mesh.${format}" expected)
+  expect_equal("${named}" "${expected}")
+endforeach()
+
 # Whatever the number of threads is.
 foreach(threads IN ITEMS 1 16)
   run(0 skeleton mesh.off --lines other.vtp --threads ${threads} --quiet)
@@ -113,7 +138,7 @@ endforeach()
 # On the standard output it is alone.
 run(0 skeleton mesh.off -o -)
 string(JSON format GET "${output}" format)
-expect_equal("${format}" "htloops skeleton")
+expect_equal("${format}" "htloops-skeleton/1")
 expect_match("${errors}" "certified")
 
 # Limbs; several components; boundary curves.
@@ -133,7 +158,22 @@ run(0 generate multi-torus --genus 1 --holes 3 --hole-faces 30 --faces 3000 -o v
 run(0 skeleton vessel.off -o vessel.json --lines vessel.vtp)
 expect_match("${output}" "genus 1 in 1 component, 3 boundary curves: .* 3 inlets\n.*certified")
 file(READ "${FOLDER}/vessel.json" vessel)
-expect_length("${vessel}" 3 inlets)
+string(REGEX MATCHALL "\"kind\": *\"inlet\"" inlets "${vessel}")
+list(LENGTH inlets count)
+expect_equal("${count}" "3")
+run(0 check vessel.off vessel.json)
+
+# A cycle without joints has a node, where its arc begins and ends.
+run(0 generate torus --faces 1000 -o ring.off --quiet)
+run(0 skeleton ring.off -o ring.json --quiet)
+file(READ "${FOLDER}/ring.json" ring)
+expect_length("${ring}" 1 nodes)
+expect_length("${ring}" 1 arcs)
+foreach(end IN ITEMS source target)
+  string(JSON node GET "${ring}" arcs 0 ${end})
+  expect_equal("${end} ${node}" "${end} 0")
+endforeach()
+run(0 check ring.off ring.json)
 
 # A mesh that crosses itself has a skeleton, and a reason.
 file(WRITE "${FOLDER}/crossing.off" "OFF\n8 8 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n1 1 1\n10 1 1\n1 10 1\n1 1 10\n"
@@ -147,7 +187,8 @@ expect_equal("${inside}" OFF)
 
 # What is refused.
 foreach(arguments IN ITEMS "--lines;a.png" "--lines;a.json" "--graph;a.swc" "--parts;a.obj" "--csv;a.json"
-    "--shortest-limb;-1" "--shortest-limb;nan" "--html;a.png" "--gltf;a.gltf" "-o;a.swc")
+    "--shortest-limb;-1" "--shortest-limb;nan" "--html;a.png" "--gltf;a.gltf" "-o;a.swc"
+    "--swc;a.vtp" "--graphml;a.dot")
   run(2 skeleton mesh.off ${arguments})
 endforeach()
 run(3 skeleton missing.off)

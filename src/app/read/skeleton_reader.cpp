@@ -81,6 +81,10 @@ public:
   Skeleton_lines finish() {
     Skeleton_lines used;
     std::vector<std::size_t> number(is_used_.size());
+    if(!lines_.components.empty())
+      lines_.components.resize(number.size());
+    if(!lines_.is_inlet.empty())
+      lines_.is_inlet.resize(number.size());
     for(std::size_t i = 0; i < number.size(); ++i)
       if(is_used_[i] != 0) {
         number[i] = used.points.size();
@@ -115,41 +119,82 @@ private:
 
 // ---- JSON
 
-constexpr char json_format[] = "htloops skeleton";
+constexpr char json_format[] = "htloops-skeleton/1";
 
-Skeleton_record read_document(const Input_file& file, const Json_node& document) {
-  if(!document.member("format").is(json_format))
-    document.fail("is not of the format " + std::string(json_format));
-  if(document.member("version").count() != 1)
-    document.fail("is of a version of its format that this program does not know");
-  Line_collector lines(file);
-  document.member("points").for_each("point", [&](const Json_node& node) {
+// Nodes, and then the points within arcs, in their order.
+class Json_reader
+{
+public:
+  explicit Json_reader(const Input_file& file)
+      : lines_(file) {}
+
+  Skeleton_record read(const Json_node& document) {
+    if(!document.member("format").is(json_format))
+      document.fail("is not of the format " + std::string(json_format));
+    document.member("nodes").for_each("node", [&](const Json_node& node) { add_node(node); });
+    document.member("arcs").for_each("arc", [&](const Json_node& arc) { add_arc(arc); });
+    Skeleton_record record = {lines_.finish(), {}};
+    if(document.has("mesh")) {
+      const Json_node mesh = document.member("mesh");
+      record.mesh_size = {mesh.member("vertices").count(), mesh.member("faces").count()};
+    }
+    return record;
+  }
+
+private:
+  std::size_t add_point(const Point& p) {
+    return lines_.add_point(p, std::to_string(lines_.number_of_points()));
+  }
+
+  static Point point_of(const Json_node& node) {
     const auto [x, y, z] = node.point();
-    lines.use(lines.add_point(Point(x, y, z), std::to_string(lines.number_of_points())));
-  });
-  document.member("edges").for_each("edge", [&](const Json_node& node) {
-    const auto [p, q] = node.counts();
-    lines.add_edge(p, q);
-  });
-  std::size_t number = 0;
-  const Json_node components = document.member("components");
-  if(components.size() != lines.number_of_points())
-    components.fail("are not as many as points");
-  components.for_each("component", [&](const Json_node& component) {
-    lines.set_component(number, component.count());
-    lines.set_inlet(number++, false);
-  });
-  document.member("inlets").for_each("inlet", [&](const Json_node& inlet) {
-    if(inlet.count() >= lines.number_of_points())
-      inlet.fail("is no point");
-    lines.set_inlet(inlet.count(), true);
-  });
-  const Json_node mesh = document.member("mesh");
-  return {lines.finish(), {{mesh.member("vertices").count(), mesh.member("faces").count()}}};
-}
+    return Point(x, y, z);
+  }
+
+  void add_node(const Json_node& node) {
+    if(node.member("id").count() != nodes_.size())
+      node.fail("has an id that is not its place");
+    nodes_.push_back(point_of(node.member("position")));
+    const std::size_t p = add_point(nodes_.back());
+    lines_.use(p);
+    lines_.set_inlet(p, node.member("kind").is("inlet"));
+    if(node.has("component")) // those of arcs tell it, too
+      lines_.set_component(p, node.member("component").count());
+  }
+
+  std::size_t end_of(const Json_node& arc, const char* name, const Point& place) const {
+    const std::size_t node = arc.member(name).count();
+    if(node >= nodes_.size())
+      arc.member(name).fail("is no node");
+    if(nodes_[node] != place)
+      arc.fail("has a polyline that does not lead to its " + std::string(name));
+    return node;
+  }
+
+  void add_arc(const Json_node& arc) {
+    std::vector<Point> polyline;
+    arc.member("polyline").for_each("point", [&](const Json_node& point) {
+      polyline.push_back(point_of(point));
+    });
+    if(polyline.size() < 2)
+      arc.fail("has a polyline of less than two points");
+    std::vector<std::size_t> points = {end_of(arc, "source", polyline.front())};
+    for(std::size_t i = 1; i + 1 < polyline.size(); ++i)
+      points.push_back(add_point(polyline[i]));
+    points.push_back(end_of(arc, "target", polyline.back()));
+    lines_.add_line(points);
+    const std::size_t component = arc.member("component").count();
+    for(const std::size_t p : points)
+      lines_.set_component(p, component);
+  }
+
+  Line_collector lines_;
+  std::vector<Point> nodes_; // by id
+};
 
 Skeleton_record read_skeleton_json(const Input_file& file) {
-  return read_json(file, [&](const Json_node& document) { return read_document(file, document); });
+  return read_json(file,
+                   [&](const Json_node& document) { return Json_reader(file).read(document); });
 }
 
 // ---- lines of text

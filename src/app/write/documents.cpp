@@ -14,8 +14,12 @@
 #include "write/pair_listing.h"
 #include "write/tables.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace htloops {
@@ -302,22 +306,73 @@ template <typename Statistics> Json json_of_mesh(const Mesh& mesh, const Statist
   return json_of_mesh(mesh.number_of_vertices(), mesh.number_of_faces(), statistics);
 }
 
-Json json_of(const Skeleton_certificate& certificate) {
-  return {{"connected", certificate.connected},
-          {"inside", certificate.inside},
-          {"embedded", certificate.embedded},
-          {"basis", certificate.basis},
-          {"failure", certificate.failure},
-          {"edges_outside", array_of(certificate.edges_outside, [](const auto& outside) {
-             return Json::array({outside.edge.first, outside.edge.second});
-           })}};
+// The segments of arcs that are edges not known to be inside: arc and place in it.
+Json json_of_edges_outside(const Skeleton_answer& answer) {
+  std::set<std::pair<std::size_t, std::size_t>> outside;
+  for(const auto& [edge, face] : answer.certificate().edges_outside)
+    outside.insert(std::minmax(edge.first, edge.second));
+  Json segments = Json::array();
+  for(std::size_t arc = 0; arc < answer.arcs.size(); ++arc) {
+    const std::vector<std::size_t>& points = answer.arcs[arc].points;
+    for(std::size_t i = 1; i < points.size(); ++i)
+      if(outside.count(std::minmax(points[i - 1], points[i])) != 0)
+        segments.push_back({arc, i - 1});
+  }
+  return segments;
 }
 
-// What is in a row of a table of arcs, and the numbers of the points.
-Json json_of_arc(const Skeleton_answer& answer, std::size_t number) {
+Json json_of_certificate(const Skeleton_answer& answer) {
+  const Skeleton_certificate& certificate = answer.certificate();
+  return {{"connected", certificate.connected}, {"inside", certificate.inside},
+          {"embedded", certificate.embedded},   {"cycles", certificate.basis},
+          {"failure", certificate.failure},     {"edges_outside", json_of_edges_outside(answer)}};
+}
+
+// The points of a skeleton as a document numbers them: the nodes, and then those within arcs, in
+// their order.
+class Points_in_document
+{
+public:
+  explicit Points_in_document(const Skeleton_answer& answer)
+      : numbers_(num_vertices(answer.graph), Skeleton_answer::none) {
+    constexpr std::size_t within = Skeleton_answer::none - 1;
+    for_each_within_arcs(answer, [&](std::size_t p) { numbers_[p] = within; });
+    for(std::size_t p = 0; p < numbers_.size(); ++p)
+      if(numbers_[p] != within) {
+        numbers_[p] = nodes_.size();
+        nodes_.push_back(p);
+      }
+    std::size_t next = nodes_.size();
+    for_each_within_arcs(answer, [&](std::size_t p) { numbers_[p] = next++; });
+  }
+
+  const std::vector<std::size_t>& nodes() const { return nodes_; }
+  std::size_t number(std::size_t point) const { return numbers_[point]; }
+
+private:
+  template <typename Visit>
+  static void for_each_within_arcs(const Skeleton_answer& answer, Visit visit) {
+    for(const Skeleton_arc& arc : answer.arcs)
+      std::for_each(std::next(arc.points.begin()), std::prev(arc.points.end()), visit);
+  }
+
+  std::vector<std::size_t> numbers_, nodes_;
+};
+
+Json json_of_node(const Skeleton_graph& graph, std::size_t point, std::size_t id) {
+  return {{"id", id},
+          {"position", json_of_point(graph[point].point)},
+          {"radius", graph[point].radius},
+          {"kind", name_of_point(graph, point)},
+          {"component", graph[point].component}};
+}
+
+Json json_of_arc(const Skeleton_answer& answer,
+                 std::size_t number,
+                 const Points_in_document& points) {
+  const Skeleton_graph& graph = answer.graph;
   const Skeleton_arc& arc = answer.arcs[number];
-  const std::size_t from = arc.points.front(), to = arc.points.back();
-  const double chord = chord_of(answer.graph, arc);
+  const double chord = chord_of(graph, arc);
   return {{"arc", number},
           {"component", arc.component},
           {"length", arc.length},
@@ -325,11 +380,10 @@ Json json_of_arc(const Skeleton_answer& answer, std::size_t number) {
           {"mean_radius", arc.mean_radius},
           {"tortuosity", chord > 0. ? Json(arc.length / chord) : Json()},
           {"on_cycle", arc.is_on_cycle},
-          {"from", from},
-          {"from_kind", name_of_point(answer.graph, from)},
-          {"to", to},
-          {"to_kind", name_of_point(answer.graph, to)},
-          {"points", arc.points}};
+          {"source", points.number(arc.points.front())},
+          {"target", points.number(arc.points.back())},
+          {"polyline", array_of(arc.points, [&](auto p) { return json_of_point(graph[p].point); })},
+          {"radii", array_of(arc.points, [&](auto p) { return graph[p].radius; })}};
 }
 
 } // namespace
@@ -406,11 +460,9 @@ void write_reeb_json(const std::string& target,
 void write_skeleton_json(const std::string& file,
                          const Skeleton_answer& answer,
                          const Run_record& run) {
-  const Skeleton_graph& graph = answer.graph;
-  const auto points = CGAL::make_range(vertices(graph));
+  const Points_in_document points(answer);
   Json_writer out(file);
-  out.member("format", "htloops skeleton");
-  out.member("version", 1);
+  out.member("format", "htloops-skeleton/1");
   out.member("tool", version());
   Json mesh = json_of_mesh(answer.vertex_point.size(), answer.statistics.number_of_faces,
                            answer.statistics);
@@ -423,24 +475,17 @@ void write_skeleton_json(const std::string& file,
                          {"skeleton", answer.statistics.seconds_of_skeleton},
                          {"total", answer.total_seconds}});
   out.member("balls", answer.statistics.number_of_balls);
-  out.member("cycles", number_of_cycles(graph));
-  out.member("certificate", json_of(answer.certificate()));
-  out.array("points", points, [&](auto v) { return json_of_point(graph[v].point); });
-  out.member("radii", array_of(points, [&](auto v) { return graph[v].radius; }));
-  out.array("edges", CGAL::make_range(edges(graph)), [&](auto e) {
-    return Json::array({source(e, graph), target(e, graph)});
-  });
-  out.member("components", array_of(points, [&](auto v) { return graph[v].component; }));
-  Json inlets = Json::array();
-  for(const auto v : points)
-    if(graph[v].is_inlet)
-      inlets.push_back(v);
-  out.member("inlets", inlets);
+  out.member("cycles", number_of_cycles(answer.graph));
+  out.member("certificate", json_of_certificate(answer));
+  std::size_t id = 0;
+  out.array("nodes", points.nodes(),
+            [&](std::size_t point) { return json_of_node(answer.graph, point, id++); });
   std::size_t arc = 0;
-  out.array("arcs", answer.arcs, [&](const Skeleton_arc&) { return json_of_arc(answer, arc++); });
+  out.array("arcs", answer.arcs,
+            [&](const Skeleton_arc&) { return json_of_arc(answer, arc++, points); });
   // Vertices without faces belong to no point: null.
-  out.member("vertex_point", array_of(answer.vertex_point, [](std::size_t point) {
-               return point == Skeleton_answer::none ? Json() : Json(point);
+  out.member("vertex_point", array_of(answer.vertex_point, [&](std::size_t point) {
+               return point == Skeleton_answer::none ? Json() : Json(points.number(point));
              }));
   out.finish();
 }

@@ -53,7 +53,7 @@ void write_reeb_json(const std::string& target,
                      const Reeb_answer& answer,
                      double read_seconds);
 
-/// writes a curve skeleton in the format "htloops skeleton"; every number reads back as exactly
+/// writes a curve skeleton in the format "htloops-skeleton/1"; every number reads back as exactly
 /// itself.
 void write_skeleton_json(const std::string& file,
                          const Skeleton_answer& answer,

@@ -20,9 +20,13 @@
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace htloops {
 namespace {
@@ -116,12 +120,31 @@ void run(const Skeleton_command_options& options) {
             (options.is_quiet ? ":" + indented(lines_of(answer.certificate().failure)) : ""));
 }
 
+// One format by its name, besides the option that takes all of them and is declared before.
+void add_named_format(CLI::App& command,
+                      const std::string& format,
+                      std::vector<std::string>& files,
+                      const std::string& what) {
+  const std::string ending = "." + format;
+  const auto add = [&files](const std::string& file) { files.push_back(file); };
+  const auto why_not = [ending](const std::string& file) {
+    return boost::algorithm::iends_with(file, ending) ? "" : "the name must end in " + ending;
+  };
+  command.add_option_function<std::string>("--" + format, add, what)
+      ->option_text("FILE" + ending)
+      ->type_name(output_file)
+      ->check(why_not);
+}
+
 void add_output_options(CLI::App& command, Skeleton_command_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the skeleton");
   add_lines_option(command, options, "the arcs", ".swc .vtp .binary.vtp .obj .ply .polylines.txt");
+  for(const char* format : {"swc", "vtp"})
+    add_named_format(command, format, options.lines_files, "as --lines with this ending");
   add_output(command, "--graph", "FILE", options.graph_files,
              "points and edges: .graphml .dot; repeatable");
+  add_named_format(command, "graphml", options.graph_files, "as --graph with this ending");
   add_output(command, "--parts", "FILE.ply", options.parts_file,
              "the mesh with vertices coloured by arc");
   add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");

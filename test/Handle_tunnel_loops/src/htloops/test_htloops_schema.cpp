@@ -185,10 +185,13 @@ TEST(Skeleton_schema, fits_what_is_written) {
     schema.expect_fits(document);
     EXPECT_TRUE(document["vertex_point"].back().is_null());
   }
-  schema.expect_refuses(document, {[](json& d) { d["version"] = 2; },
-                                   [](json& d) { d["points"][0].erase(0); },
-                                   [](json& d) { d["edges"][0].push_back(0); },
-                                   [](json& d) { d["arcs"][0]["from_kind"] = "peak"; },
+  schema.expect_refuses(document, {[](json& d) { d["format"] = "htloops-skeleton/2"; },
+                                   [](json& d) { d["certificate"].erase("cycles"); },
+                                   [](json& d) { d["certificate"]["edges_outside"] = {1}; },
+                                   [](json& d) { d["nodes"][0]["position"].erase(0); },
+                                   [](json& d) { d["nodes"][0]["kind"] = "peak"; },
+                                   [](json& d) { d["arcs"][0].erase("target"); },
+                                   [](json& d) { d["arcs"][0]["polyline"].clear(); },
                                    [](json& d) { d["arcs"][0].erase("mean_radius"); },
                                    [](json& d) { d["vertex_point"][0] = -1; },
                                    [](json& d) { d["mesh"].erase("genus"); }});

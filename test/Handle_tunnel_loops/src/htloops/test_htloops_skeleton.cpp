@@ -207,6 +207,30 @@ TEST_F(Skeletons, have_a_row_for_each_arc) {
   EXPECT_LT(table.find("bend 7"), table.find("end 5")); // of length 3.4 and 2.3
 }
 
+// The nodes 1, 5, 6, 7 and 10, and then what is within arcs: 0, 3, 2; 4; 8, 9.
+TEST_F(Skeletons, are_nodes_and_arcs_in_json) {
+  Skeleton_answer answer = answer_;
+  answer.statistics.certificate.edges_outside = {{{5, 4}, 7}, {{0, 1}, {}}};
+  save_skeleton(folder_.path("a.json"), answer, {"a.off", Json::object()});
+  const Json json = Json::parse(folder_.read("a.json"));
+  std::vector<std::string> kinds;
+  for(const Json& node : json["nodes"]) {
+    EXPECT_EQ(node["id"], kinds.size());
+    kinds.push_back(node["kind"]);
+  }
+  EXPECT_EQ(kinds, (std::vector<std::string>{"joint", "end", "inlet", "bend", "end"}));
+  std::vector<std::vector<int>> arcs;
+  for(const Json& arc : json["arcs"]) {
+    arcs.push_back({arc["source"], arc["target"], int(arc["polyline"].size())});
+    EXPECT_EQ(arc["polyline"].front(), json["nodes"][arcs.back()[0]]["position"]);
+    EXPECT_EQ(arc["polyline"].back(), json["nodes"][arcs.back()[1]]["position"]);
+    EXPECT_EQ(arc["radii"].size(), arc["polyline"].size());
+  }
+  EXPECT_EQ(arcs, (std::vector<std::vector<int>>{{0, 0, 5}, {0, 1, 3}, {0, 2, 2}, {3, 3, 4}}));
+  EXPECT_EQ(json["vertex_point"], Json({5, 5, nullptr}));
+  EXPECT_EQ(json["certificate"]["edges_outside"], Json({{0, 0}, {1, 1}}));
+}
+
 TEST_F(Skeletons, are_summed_up_with_what_is_proved) {
   Skeleton_answer answer = small_skeleton();
   Skeleton_certificate& certificate = answer.statistics.certificate;

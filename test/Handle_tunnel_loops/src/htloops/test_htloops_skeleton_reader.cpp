@@ -14,7 +14,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace test_htloops_skeleton_reader {
 
@@ -39,6 +41,19 @@ void expect_triangle_with_limb(const Skeleton_lines& lines) {
 }
 
 const std::string limb_end = "0.1 0.33333333333333331 -1e-17";
+
+// The same in JSON; its cycle ends at a node, and passes a point.
+std::string skeleton_json(int node, const std::string& passed) {
+  return R"({"format": "htloops-skeleton/1", "mesh": {"vertices": 5, "faces": 6},
+      "nodes": [{"id": 0, "position": [0, 0, 0], "radius": 1, "kind": "joint"},
+                {"id": 1, "position": [0.1, 0.33333333333333331, -1e-17], "radius": 1,
+                 "kind": "inlet"}],
+      "arcs": [{"source": 0, "target": )" +
+         std::to_string(node) + R"(, "polyline": [[0, 0, 0], )" + passed +
+         R"(, [0, 1, 0], [0, 0, 0]], "component": 2},
+               {"source": 0, "target": 1, "component": 2,
+                "polyline": [[0, 0, 0], [0.1, 0.33333333333333331, -1e-17]]}]})";
+}
 
 TEST(Skeleton_reader, KnowsAllFormats) {
   expect_triangle_with_limb(read("a.obj", "# lines\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv " + limb_end +
@@ -89,15 +104,14 @@ TEST(Skeleton_reader, KnowsAllFormats) {
   const Skeleton_lines graph = read("a.graphml", graphml).lines;
   expect_triangle_with_limb(graph);
   EXPECT_EQ(graph.names[3], "end");
-  const std::string json =
-      R"({"format": "htloops skeleton", "version": 1, "mesh": {"vertices": 5, "faces": 6},
-          "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.1, 0.33333333333333331, -1e-17]],
-          "radii": [1, 1, 1, 1], "edges": [[0, 1], [1, 2], [2, 0], [0, 3]],
-          "components": [0, 0, 0, 2], "inlets": [3]})";
-  const Skeleton_record record = read("a.json", json);
-  expect_triangle_with_limb(record.lines);
-  EXPECT_EQ(record.lines.components, (std::vector<std::size_t>{0, 0, 0, 2}));
-  EXPECT_EQ(record.lines.is_inlet, (std::vector<char>{0, 0, 0, 1}));
+  const Skeleton_record record = read("a.json", skeleton_json(0, "[1, 0, 0]"));
+  const Skeleton_lines& lines = record.lines;
+  ASSERT_EQ(lines.points.size(), 4u);
+  EXPECT_EQ(lines.points[1], Point(0.1, 1. / 3., -1e-17));
+  const std::vector<std::array<std::size_t, 2>> edges = {{0, 2}, {2, 3}, {3, 0}, {0, 1}};
+  EXPECT_EQ(lines.edges, edges); // nodes come first
+  EXPECT_EQ(record.lines.components, (std::vector<std::size_t>{2, 2, 2, 2}));
+  EXPECT_EQ(record.lines.is_inlet, (std::vector<char>{0, 1, 0, 0}));
   EXPECT_EQ((*record.mesh_size)[1], 6u);
   EXPECT_FALSE(is_skeleton_file(Input_file::in_memory("a.json", R"({"format": "htloops/1"})")));
 }
@@ -150,8 +164,11 @@ TEST(Skeleton_reader, SaysWhatIsWrong) {
   expect_problem("a.graphml",
                  "<graphml><graph><edge source=\"n0\" target=\"n1\"/></graph></graphml>",
                  "an edge leads to the node n0, which is not there");
-  expect_problem("a.json", R"({"format": "htloops skeleton", "version": 2})", "version");
-  expect_problem("a.json", R"({"format": "htloops skeleton", "version": 1})", "no member 'points'");
+  expect_problem("a.json", R"({"format": "htloops-skeleton/1"})", "no member 'nodes'");
+  expect_problem("a.json", skeleton_json(2, "[1, 0, 0]"), "arcs, arc 0, target is no node");
+  expect_problem("a.json", skeleton_json(1, "[1, 0, 0]"),
+                 "arc 0 has a polyline that does not lead to its target");
+  expect_problem("a.json", skeleton_json(0, "[1, 0]"), "is not an array of three numbers");
 }
 
 } // namespace test_htloops_skeleton_reader
