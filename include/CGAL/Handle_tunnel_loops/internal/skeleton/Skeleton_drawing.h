@@ -88,9 +88,10 @@ private:
   using Balls = Arc_smoothing::Balls;
   using Arcs = std::vector<std::vector<Index>>;
 
+  // Nodes have the first numbers, and then come the points within arcs, in their order.
   Flat_skeleton lines(const Skeleton_draft& draft, Smoothness smoothness) const {
     Flat_skeleton flat;
-    std::vector<Index> point(draft.size(), no_index);
+    std::vector<Index> node(draft.size(), no_index);
     const auto add = [&](const Inner_ball& ball, const Skeleton_draft::Place& of, bool is_inlet) {
       flat.points.push_back(ball.centre);
       flat.radii.push_back(ball.radius);
@@ -98,26 +99,19 @@ private:
       flat.is_inlet.push_back(is_inlet);
       return static_cast<Index>(flat.points.size() - 1);
     };
-    const auto point_of = [&](Index p) {
-      if(point[p] == no_index)
-        point[p] = add(draft[p].ball, draft[p], draft[p].is_inlet);
-      return point[p];
-    };
     for(Index p = 0; p < draft.size(); ++p)
-      if(draft[p].beside.empty() && draft[p].ball.radius >= 0.)
-        point_of(p);
+      if(draft.is_node(p) && draft[p].ball.radius >= 0.)
+        node[p] = add(draft[p].ball, draft[p], draft[p].is_inlet);
     const Arcs arcs = draft.arcs();
     const std::vector<Balls> balls = balls_along(draft, arcs, smoothness);
+    for(std::size_t i = 0; i < arcs.size(); ++i)
+      if(const Index first = arcs[i].front(); node[first] == no_index) // of a cycle
+        node[first] = add(balls[i].front(), draft[first], false);
     for(std::size_t i = 0; i < arcs.size(); ++i) {
-      const Skeleton_draft::Place& front = draft[arcs[i].front()];
-      const bool is_cycle = !draft.is_node(arcs[i].front());
-      const Index first =
-          is_cycle ? add(balls[i].front(), front, false) : point_of(arcs[i].front());
-      Index before = first;
+      Index before = node[arcs[i].front()];
       for(std::size_t k = 1; k < balls[i].size(); ++k) {
-        const Index next = k + 1 < balls[i].size() ? add(balls[i][k], front, false)
-                           : is_cycle              ? first
-                                                   : point_of(arcs[i].back());
+        const Index next = k + 1 < balls[i].size() ? add(balls[i][k], draft[arcs[i].front()], false)
+                                                   : node[arcs[i].back()];
         flat.edges.push_back({before, next});
         before = next;
       }
