@@ -557,6 +557,18 @@ TEST(Curve_skeleton, HasLimbsInEarsAndNotInWhatIsBroadWhereItBegins) {
   EXPECT_GT(number_of_ends, 0u);
 }
 
+// Faces between so many profiles, each with so many points, that stand in a ring.
+void add_ring(Soup& soup, int profiles, int width) {
+  const auto number = [&](int i, int k) {
+    return static_cast<std::uint32_t>(width * (i % profiles) + k % width);
+  };
+  for(int i = 0; i < profiles; ++i)
+    for(int k = 0; k < width; ++k) {
+      soup.triangles.push_back({number(i, k), number(i + 1, k), number(i + 1, k + 1)});
+      soup.triangles.push_back({number(i, k), number(i + 1, k + 1), number(i, k + 1)});
+    }
+}
+
 // A tube with thick walls, of faces as long as it is.
 Soup pipe(int sides) {
   Soup soup;
@@ -568,14 +580,7 @@ Soup pipe(int sides) {
       const double angle = full_turn * i / sides;
       soup.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
     }
-  using Triangle = std::decay_t<decltype(soup.triangles.front())>;
-  using Number = std::decay_t<decltype(std::declval<Triangle>()[0])>;
-  const auto number = [&](int i, int k) { return static_cast<Number>(4 * (i % sides) + k % 4); };
-  for(int i = 0; i < sides; ++i)
-    for(int k = 0; k < 4; ++k) {
-      soup.triangles.push_back({number(i, k), number(i + 1, k), number(i + 1, k + 1)});
-      soup.triangles.push_back({number(i, k), number(i + 1, k + 1), number(i, k + 1)});
-    }
+  add_ring(soup, sides, 4);
   return soup;
 }
 
@@ -600,17 +605,7 @@ Soup ring_with_arms(int sections) {
         soup.points.push_back({std::cos(around) * out, std::sin(around) * out,
                                std::sin(turn) * x + std::cos(turn) * y});
       }
-  constexpr int width = 12;
-  using Triangle = std::decay_t<decltype(soup.triangles.front())>;
-  using Number = std::decay_t<decltype(std::declval<Triangle>()[0])>;
-  const auto number = [&](int i, int k) {
-    return static_cast<Number>(width * (i % sections) + k % width);
-  };
-  for(int i = 0; i < sections; ++i)
-    for(int k = 0; k < width; ++k) {
-      soup.triangles.push_back({number(i, k), number(i + 1, k), number(i + 1, k + 1)});
-      soup.triangles.push_back({number(i, k), number(i + 1, k + 1), number(i, k + 1)});
-    }
+  add_ring(soup, sections, 12);
   return soup;
 }
 

@@ -123,16 +123,9 @@ private:
     double length = 0.;
     for(Index f = 0; f < wall_.size(); ++f)
       if(!wall_.is_of_cap(f))
-        length += longest_side(f);
+        length += wall_.length_opposite(f, wall_.apex(f));
     return area_ > 0. ? (std::max)(std::sqrt(area_ / pieces), length / (most_times * pieces))
                       : std::numeric_limits<double>::infinity();
-  }
-
-  double longest_side(Index f) const {
-    double longest = 0.;
-    for(int k = 0; k < 3; ++k)
-      longest = (std::max)(longest, norm(wall_.corner(f, (k + 1) % 3) - wall_.corner(f, k)));
-    return longest;
   }
 
   // Where the bounded side of the components is.

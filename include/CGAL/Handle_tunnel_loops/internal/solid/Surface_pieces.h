@@ -173,15 +173,8 @@ private:
   Shape shape(Index f, double spacing) const {
     if(wall_.is_of_cap(f))
       return {0, 0, 0, 0.f};
-    double longest = -1.;
-    int apex = 0;
-    for(int k = 0; k < 3; ++k) {
-      const double length = norm(wall_.corner(f, (k + 1) % 3) - wall_.corner(f, (k + 2) % 3));
-      if(length > longest) {
-        longest = length;
-        apex = k;
-      }
-    }
+    const int apex = wall_.apex(f);
+    const double longest = wall_.length_opposite(f, apex);
     const double height = longest > 0. ? norm(wall_.normal(f)) / longest : 0.;
     const Vector& start = wall_.corner(f, (apex + 1) % 3);
     const double foot =

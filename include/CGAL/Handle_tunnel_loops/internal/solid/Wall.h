@@ -75,6 +75,22 @@ public:
     return cross(corner(f, 1) - corner(f, 0), corner(f, 2) - corner(f, 0));
   }
 
+  /// the corner of a face that is opposite to its longest side.
+  int apex(Index f) const {
+    double longest = -1.;
+    int apex = 0;
+    for(int k = 0; k < 3; ++k)
+      if(const double length = length_opposite(f, k); length > longest) {
+        longest = length;
+        apex = k;
+      }
+    return apex;
+  }
+
+  double length_opposite(Index f, int k) const {
+    return norm(corner(f, (k + 1) % 3) - corner(f, (k + 2) % 3));
+  }
+
   /// A face that is near a point, and where on it.
   struct Nearest
   {
@@ -91,7 +107,7 @@ public:
     double limit = distance * distance;
     faces_.boxes().for_each_nearer(p, limit, [&](Index f) {
       if(!is_of_cap(f)) {
-        const Vector q = nearest_point(p, corner(f, 0), corner(f, 1), corner(f, 2));
+        const Vector q = nearest_on(f, p);
         const double square = dot(q - p, q - p);
         if(square < limit) {
           limit = square;
@@ -111,7 +127,7 @@ public:
     bool is_found = false;
     faces_.boxes().for_each_nearer(p, limit, [&](Index f) {
       if(!is_of_cap(f)) {
-        const Vector q = nearest_point(p, corner(f, 0), corner(f, 1), corner(f, 2));
+        const Vector q = nearest_on(f, p);
         is_found = is_found || dot(q - p, q - p) < limit;
       }
       return is_found ? 0. : limit;
@@ -173,6 +189,10 @@ public:
   }
 
 private:
+  Vector nearest_on(Index f, const Vector& p) const {
+    return nearest_point(p, corner(f, 0), corner(f, 1), corner(f, 2));
+  }
+
   Exact_triangle triangle(Index f) const {
     return {exact_point(corner(f, 0)), exact_point(corner(f, 1)), exact_point(corner(f, 2))};
   }
