@@ -19,6 +19,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/halved_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,8 +69,7 @@ public:
     const Point at = placed(p);
     const double square = scale_ * scale_;
     visit_nearer(
-        levels_.size() - 1, 0, square * limit,
-        [&](const Group& group) { return squared_distances(at, group); },
+        square * limit, [&](const Group& group) { return squared_distances(at, group); },
         [&](Index face) { return square * f(face); });
   }
 
@@ -84,27 +85,70 @@ public:
       inverse[d] = (std::max)(-most, (std::min)(most, i));
     }
     visit_nearer(
-        levels_.size() - 1, 0, scale_ * limit,
-        [&](const Group& group) { return ways(at, inverse, group); },
+        scale_ * limit, [&](const Group& group) { return ways(at, inverse, group); },
         [&](Index face) { return scale_ * f(face); });
   }
 
   /// whether `f(face)` holds for any face of which a box meets the given one, and may hold for
   /// others; ends with the first. Of a long face it may be asked more than once.
   template <typename Predicate> bool any_meeting(const Box<3>& box, const Predicate& f) const {
-    return any_meeting(levels_.size() - 1, 0, placed(box.low), placed(box.high), f);
+    constexpr float none = (std::numeric_limits<float>::min)(); // of a gap
+    const Point low = placed(box.low), high = placed(box.high);
+    bool is_found = false;
+    visit_nearer(
+        none, [&](const Group& group) { return gaps(low, high, group); },
+        [&](Index face) {
+          is_found = f(face);
+          return is_found ? -far_away : none;
+        });
+    return is_found;
   }
 
 private:
-  static constexpr std::size_t group_size = 4;
+  static constexpr std::size_t group_size = 8;
 
   using Point = std::array<float, 3>;
   using Numbers = std::array<float, group_size>;
 
-  // Some boxes, or fewer and empty ones.
+  // Some boxes, or fewer and others far away. Around groups, or in a leaf around faces, of which
+  // the first has number `below`.
   struct Group
   {
     std::array<Numbers, 3> low, high;
+    Index below;
+  };
+  static constexpr float far_away = 1e15f;
+
+  // What is left to look at, the last first.
+  class Open_groups
+  {
+  public:
+    struct Group
+    {
+      float distance;
+      Index number;
+    };
+
+    std::size_t size() const { return size_; }
+    void push(const Group& group) { all_[size_++] = group; }
+    Group pop() { return all_[--size_]; }
+
+    // The nearest last. Nothing branches that can't be foretold.
+    void push_nearer(const Numbers& distances, Index first, float limit) {
+      const std::size_t begin = size_;
+      for(Index k = 0; k < group_size; ++k) {
+        all_[size_] = {distances[k], first + k};
+        size_ += distances[k] < limit ? 1 : 0;
+      }
+      for(std::size_t i = begin; i + 1 < size_; ++i)
+        if(all_[i].distance < all_[size_ - 1].distance)
+          std::swap(all_[i], all_[size_ - 1]);
+    }
+
+  private:
+    static constexpr std::size_t most_levels = 11; // of numbers of 32 bits
+    std::array<Group, most_levels * group_size + 1> all_;
+    std::size_t size_ = 0;
   };
 
   // ---- building
@@ -215,40 +259,43 @@ private:
     return box;
   }
 
+  // Leaves first, the root last.
   template <typename Function> void build(Execution execution, const Function& box) {
-    sizes_.push_back(order_.size());
-    levels_.push_back(groups(execution, order_.size(), box));
-    while(levels_.back().size() > 1) {
-      const std::vector<Group>& below = levels_.back();
-      sizes_.push_back(below.size());
-      std::vector<Group> next =
-          groups(execution, below.size(), [&](std::size_t i) { return union_of(below[i]); });
-      levels_.push_back(std::move(next));
+    add_groups(execution, order_.size(), 0, box);
+    number_of_leaves_ = static_cast<Index>(groups_.size());
+    for(std::size_t begin = 0, n = groups_.size(); n > 1;) {
+      add_groups(execution, n, begin, [&](std::size_t i) { return union_of(groups_[begin + i]); });
+      begin += n;
+      n = groups_.size() - begin;
     }
   }
 
   template <typename Function>
-  static std::vector<Group> groups(Execution execution, std::size_t n, const Function& box) {
-    std::vector<Group> groups((std::max)(std::size_t(1), (n + group_size - 1) / group_size));
-    for_each_index(execution, groups.size(), [&](std::size_t g) {
+  void add_groups(Execution execution, std::size_t n, std::size_t below, const Function& box) {
+    const std::size_t begin = groups_.size(),
+                      number = (std::max)(std::size_t(1), (n + group_size - 1) / group_size);
+    groups_.resize(begin + number);
+    for_each_index(execution, number, [&](std::size_t g) {
+      Group& group = groups_[begin + g];
+      group.below = static_cast<Index>(below + g * group_size);
       for(std::size_t k = 0; k < group_size; ++k) {
-        const std::size_t i = g * group_size + k;
-        const Box<3> b = i < n ? box(i) : Box<3>::empty();
+        const bool is_box = g * group_size + k < n;
+        const Box<3> b = is_box ? box(g * group_size + k) : Box<3>::empty();
         for(int d = 0; d < 3; ++d) {
-          groups[g].low[d][k] = static_cast<float>(b.low[d]);
-          groups[g].high[d][k] = static_cast<float>(b.high[d]);
+          group.low[d][k] = is_box ? static_cast<float>(b.low[d]) : far_away;
+          group.high[d][k] = is_box ? static_cast<float>(b.high[d]) : far_away;
         }
       }
     });
-    return groups;
   }
 
   static Box<3> union_of(const Group& group) {
-    Box<3> box;
-    for(int d = 0; d < 3; ++d) {
-      box.low[d] = *std::min_element(group.low[d].begin(), group.low[d].end());
-      box.high[d] = *std::max_element(group.high[d].begin(), group.high[d].end());
-    }
+    Box<3> box = Box<3>::empty();
+    for(std::size_t k = 0; k < group_size && group.low[0][k] < far_away; ++k)
+      for(int d = 0; d < 3; ++d) {
+        box.low[d] = (std::min)(box.low[d], double(group.low[d][k]));
+        box.high[d] = (std::max)(box.high[d], double(group.high[d][k]));
+      }
     return box;
   }
 
@@ -263,7 +310,7 @@ private:
     return off * off;
   }
 
-  static Numbers squared_distances(const Point& p, const Group& g) {
+  BOOST_NOINLINE static Numbers squared_distances(const Point& p, const Group& g) {
     Numbers squares;
     for(std::size_t k = 0; k < group_size; ++k)
       squares[k] = squared_distance(p[0], g.low[0][k], g.high[0][k]) +
@@ -272,7 +319,7 @@ private:
     return squares;
   }
 
-  static Numbers ways(const Point& p, const Point& inverse, const Group& g) {
+  BOOST_NOINLINE static Numbers ways(const Point& p, const Point& inverse, const Group& g) {
     constexpr float infinite = std::numeric_limits<float>::infinity(), sure = 1.f + 1e-5f;
     Numbers ways;
     for(std::size_t k = 0; k < group_size; ++k) {
@@ -287,7 +334,7 @@ private:
   }
 
   // How far boxes are from a box along some axis, or not.
-  static Numbers gaps(const Point& low, const Point& high, const Group& g) {
+  BOOST_NOINLINE static Numbers gaps(const Point& low, const Point& high, const Group& g) {
     Numbers gaps;
     for(std::size_t k = 0; k < group_size; ++k) {
       const float x = larger(g.low[0][k] - high[0], low[0] - g.high[0][k]),
@@ -300,50 +347,34 @@ private:
 
   // ---- walking
 
-  // Returns the limit from there on.
-  template <typename Distances, typename Function>
-  double visit_nearer(std::size_t level,
-                      std::size_t group,
-                      double limit,
-                      const Distances& distances,
-                      const Function& f) const {
-    const Numbers all = distances(levels_[level][group]);
-    std::array<std::pair<float, std::size_t>, group_size> order;
-    std::size_t n = 0;
-    for(std::size_t k = 0; k < group_size; ++k)
-      if(const std::size_t child = group * group_size + k; all[k] < limit && child < sizes_[level])
-      {
-        std::size_t place = n++;
-        for(; place > 0 && all[k] < order[place - 1].first; --place)
-          order[place] = order[place - 1];
-        order[place] = {all[k], child};
-      }
-    for(std::size_t k = 0; k < n && order[k].first < limit; ++k)
-      limit = level == 0 ? f(order_[order[k].second])
-                         : visit_nearer(level - 1, order[k].second, limit, distances, f);
-    return limit;
-  }
+  Index root() const { return static_cast<Index>(groups_.size() - 1); }
+  bool is_leaf(Index group) const { return group < number_of_leaves_; }
 
-  template <typename Predicate>
-  bool any_meeting(std::size_t level,
-                   std::size_t group,
-                   const Point& low,
-                   const Point& high,
-                   const Predicate& f) const {
-    const Numbers all = gaps(low, high, levels_[level][group]);
-    for(std::size_t k = 0; k < group_size; ++k)
-      if(const std::size_t child = group * group_size + k;
-         !(all[k] > 0.f) && child < sizes_[level] &&
-         (level == 0 ? f(order_[child]) : any_meeting(level - 1, child, low, high, f)))
-        return true;
-    return false;
+  // Calls `f(face)`, which returns the limit from there on.
+  template <typename Distances, typename Function>
+  void visit_nearer(double first_limit, const Distances& distances, const Function& f) const {
+    const auto bounded = [](double limit) {
+      return static_cast<float>((std::min)(limit, 1e-3 * far_away));
+    };
+    float limit = bounded(first_limit);
+    Open_groups open;
+    for(open.push({0.f, root()}); open.size() > 0;) {
+      const auto [distance, number] = open.pop();
+      if(!(distance < limit))
+        continue;
+      const std::size_t begin = open.size();
+      open.push_nearer(distances(groups_[number]), groups_[number].below, limit);
+      while(is_leaf(number) && open.size() > begin)
+        if(const auto box = open.pop(); box.distance < limit)
+          limit = bounded(f(order_[box.number]));
+    }
   }
 
   Vector origin_ = {};
   double scale_ = 1., margin_ = 0.;
-  std::vector<Index> order_;               // the face of each box
-  std::vector<std::vector<Group>> levels_; // the boxes, those around groups of these, ...
-  std::vector<std::size_t> sizes_;         // of the levels, in boxes
+  std::vector<Index> order_; // the face of each box
+  std::vector<Group> groups_;
+  Index number_of_leaves_ = 0;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -96,6 +96,11 @@ public:
 
   /// calls `f(neighbor)` for the pieces beside a piece.
   template <typename Function> void for_each_neighbor(Index piece, const Function& f) const {
+    if(const Index whole = this->face(piece); is_whole(whole)) {
+      for(int k : {1, 0, 2})
+        cross_side(whole, k, {0., 1.}, f);
+      return;
+    }
     const auto [face, row, column] = place(piece);
     const Shape& shape = shapes_[face];
     if(column > row.first)
@@ -134,11 +139,14 @@ private:
     Row(const Shape& shape, Index i)
         : number(i)
         , columns(shape.columns)
-        , low(double(i) / shape.rows)
-        , high((i + 1.) / shape.rows)
-        , begin(shape.foot * low)
-        , end(1. - (1. - shape.foot) * low) {
+        , last(shape.columns - 1u) {
+      if(shape.rows == 1) // most are
+        return;
       constexpr double narrow = 0.25;
+      low = double(i) / shape.rows;
+      high = (i + 1.) / shape.rows;
+      begin = shape.foot * low;
+      end = 1. - (1. - shape.foot) * low;
       first = index_of(begin + narrow / columns, columns);
       last = (std::max)(first, index_of(end - narrow / columns, columns));
     }
@@ -151,9 +159,9 @@ private:
     }
     double high_end(Index column) const { return column == last ? end : (column + 1.) / columns; }
 
-    Index number, columns, first, last;
-    double low, high;  // how far up it is
-    double begin, end; // of its lower side, along the longest one
+    Index number, columns, first = 0, last;
+    double low = 0., high = 1.;  // how far up it is
+    double begin = 0., end = 1.; // of its lower side, along the longest one
   };
 
   struct Place
@@ -241,6 +249,9 @@ private:
       f(begin + column);
   }
 
+  // Whether a face is one piece.
+  bool is_whole(Index f) const { return shapes_[f].rows == 1 && shapes_[f].columns == 1; }
+
   // How far up it is that a piece is at side 0 or 2.
   static Interval part_of_side(const Shape& shape, const Row& row, Index column, int k) {
     const double foot = k == 0 ? shape.foot : 1. - shape.foot; // from the end of the side
@@ -263,6 +274,8 @@ private:
     const Shape& shape = shapes_[other];
     if(shape.rows == 0)
       return;
+    if(is_whole(other))
+      return f(first_of_row_[first_row_[other]]);
     int side = 0;
     while(vertex(other, side) != v)
       ++side;

@@ -80,8 +80,10 @@ public:
           std::vector<Pair> own;
           for(Index p = static_cast<Index>(begin); p < end; ++p)
             pieces_.for_each_neighbor(p, [&](Index q) {
-              if(region_[p] < region_[q] && region_[q] != no_index)
-                own.emplace_back(region_[p], region_[q]);
+              const Pair pair(region_[p], region_[q]);
+              if(pair.first < pair.second && pair.second != no_index &&
+                 (own.empty() || own.back() != pair))
+                own.push_back(pair);
             });
           std::sort(own.begin(), own.end());
           own.erase(std::unique(own.begin(), own.end()), own.end());

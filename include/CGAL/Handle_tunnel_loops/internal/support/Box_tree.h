@@ -45,10 +45,10 @@ template <std::size_t d> struct Box
   }
 
   bool meets(const Box& b) const {
+    bool is_apart = false; // without branches, which can't be foretold
     for(std::size_t i = 0; i < d; ++i)
-      if(low[i] > b.high[i] || b.low[i] > high[i])
-        return false;
-    return true;
+      is_apart |= (low[i] > b.high[i]) | (b.low[i] > high[i]);
+    return !is_apart;
   }
   void extend(const Box& b) {
     for(std::size_t i = 0; i < d; ++i) {
@@ -85,7 +85,17 @@ public:
 
   /// whether `f(i, b)` holds for any of these; ends with the first.
   template <typename Predicate> bool any_meeting(const Box& box, const Predicate& f) const {
-    return !levels_.front().empty() && visit(levels_.size() - 1, 0, box, f);
+    return any_meeting_from(0, box, f);
+  }
+
+  /// the same for the boxes with number `first` or more.
+  template <typename Predicate>
+  bool any_meeting_from(std::size_t first, const Box& box, const Predicate& f) const {
+    std::size_t step = 1; // between the first leaves of the children of the root
+    for(std::size_t level = 2; level < levels_.size(); ++level)
+      step *= group_size;
+    return !levels_.front().empty() && levels_.back().front().meets(box) &&
+           visit({first, box}, levels_.size() - 1, 0, step, f);
   }
 
   /// whether any box meets `box`.
@@ -107,15 +117,25 @@ private:
     return groups;
   }
 
+  struct Query
+  {
+    std::size_t first;
+    const Box& box;
+  };
+
+  // Of a node that meets the box; the first leaves of its children are so many apart.
   template <typename Predicate>
-  bool visit(std::size_t level, std::size_t i, const Box& box, const Predicate& f) const {
-    if(!levels_[level][i].meets(box))
-      return false;
+  bool visit(const Query& query,
+             std::size_t level,
+             std::size_t i,
+             std::size_t step,
+             const Predicate& f) const {
     if(level == 0)
-      return f(static_cast<Index>(i), levels_[0][i]);
-    const std::size_t end = (std::min)((i + 1) * group_size, levels_[level - 1].size());
-    for(std::size_t child = i * group_size; child < end; ++child)
-      if(visit(level - 1, child, box, f))
+      return i >= query.first && f(static_cast<Index>(i), levels_[0][i]);
+    const std::vector<Box>& below = levels_[level - 1];
+    const std::size_t end = (std::min)((i + 1) * group_size, below.size());
+    for(std::size_t child = (std::max)(i * group_size, query.first / step); child < end; ++child)
+      if(below[child].meets(query.box) && visit(query, level - 1, child, step / group_size, f))
         return true;
     return false;
   }

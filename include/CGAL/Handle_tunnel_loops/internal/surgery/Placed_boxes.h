@@ -55,29 +55,35 @@ public:
                    const Predicate& f,
                    Execution execution = Execution()) const {
     std::atomic<bool> is_found(false);
-    for_each_index(
-        execution, others.tree_.size(),
-        [&](std::size_t other) {
-          const std::size_t done = (std::min)((other + 1) * group_size, others.order_.size());
-          if(!is_found && meets_group(others, other, box, other_box,
-                                      [&](Index i, Index j) { return is_found || f(i, j, done); }))
-            is_found = true;
-        },
-        grain);
-    return is_found;
+    return any_group(execution, others, is_found, [&](std::size_t other) {
+      const std::size_t done = (std::min)((other + 1) * group_size, others.order_.size());
+      return meets_group(others, other, 0, box, other_box,
+                         [&](Index i, Index j) { return is_found || f(i, j, done); });
+    });
+  }
+
+  /// whether `f(i, j)` holds for any two of these whose boxes meet; asked once for each pair.
+  template <typename Box_of, typename Predicate>
+  bool any_pair(const Box_of& box, const Predicate& f, Execution execution = Execution()) const {
+    std::atomic<bool> is_found(false);
+    const auto is_pair = [&](Index i, Index j) { return is_found || f(i, j); };
+    return any_group(execution, *this, is_found, [&](std::size_t group) {
+      return is_any_pair_in(group, box, is_pair) ||
+             meets_group(*this, group, group + 1, box, box, is_pair);
+    });
   }
 
   /// about how many of these boxes meet one of them, on average: counted for some of them, and no
   /// further than to \p bound, beyond which the answer is no exact one. The same each time.
   template <typename Box_of> double crowding(const Box_of& box, double bound) const {
-    constexpr std::size_t number_of_samples = 512;
+    constexpr std::size_t number_of_samples = 64;
     const std::size_t step = tree_.size() / number_of_samples + 1;
     double number_of_boxes = 0., number_of_meetings = 0.;
     for(std::size_t group = 0; group < tree_.size(); group += step)
       number_of_boxes += double((std::min)(group_size, order_.size() - group * group_size));
     const auto is_above_bound = [&] { return number_of_meetings > bound * number_of_boxes; };
     for(std::size_t group = 0; group < tree_.size() && !is_above_bound(); group += step)
-      meets_group(*this, group, box, box, [&](Index, Index) {
+      meets_group(*this, group, 0, box, box, [&](Index, Index) {
         ++number_of_meetings;
         return is_above_bound();
       });
@@ -102,9 +108,37 @@ private:
   static constexpr std::size_t group_size = 8;
   static constexpr std::size_t grain = 32; // groups that a thread takes at once
 
+  // Whether it holds for any group of others, which is found then.
+  template <typename Predicate>
+  static bool any_group(Execution execution,
+                        const Placed_boxes& others,
+                        std::atomic<bool>& is_found,
+                        const Predicate& holds) {
+    for_each_index(
+        execution, others.tree_.size(),
+        [&](std::size_t group) {
+          if(!is_found && holds(group))
+            is_found = true;
+        },
+        grain);
+    return is_found;
+  }
+
+  template <typename Box_of, typename Predicate>
+  bool is_any_pair_in(std::size_t group, const Box_of& box, const Predicate& f) const {
+    const std::size_t end = (std::min)((group + 1) * group_size, order_.size());
+    for(std::size_t k = group * group_size; k < end; ++k)
+      for(std::size_t l = k + 1; l < end; ++l)
+        if(box(order_[k]).meets(box(order_[l])) && f(order_[k], order_[l]))
+          return true;
+    return false;
+  }
+
+  // Of these, groups from `first` on.
   template <typename Box_of, typename Box_of_other, typename Predicate>
   bool meets_group(const Placed_boxes& others,
                    std::size_t other,
+                   std::size_t first,
                    const Box_of& box,
                    const Box_of_other& other_box,
                    const Predicate& f) const {
@@ -114,7 +148,7 @@ private:
     std::array<Box<3>, group_size> other_boxes;
     for(std::size_t k = 0; k < number; ++k)
       other_boxes[k] = other_box(others.order_[begin + k]);
-    return tree_.any_meeting(around, [&](Index group, const Box<3>&) {
+    return tree_.any_meeting_from(first, around, [&](Index group, const Box<3>&) {
       return any_of(group, [&](Index i) {
         const Box<3> b = box(i);
         if(b.meets(around))

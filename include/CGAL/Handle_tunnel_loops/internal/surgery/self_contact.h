@@ -68,9 +68,7 @@ bool touches_itself(Execution execution,
   const auto box = [&](std::size_t i) { return boxes[i]; };
   const Placed_boxes placed(execution, all.size(), box);
   if(placed.crowding(box, largest_crowding) <= largest_crowding)
-    return placed.any_meeting(
-        placed, box, box,
-        [&](Index i, Index j, std::size_t) { return i < j && are_touching(i, j); }, execution);
+    return placed.any_pair(box, are_touching, execution);
   return contact_search(execution, all.size(), triangle).any_candidate(execution, are_touching);
 }
 
