@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -116,7 +117,6 @@ public:
   Lattice_reduction(std::vector<Class_vector>& basis, const std::vector<double>& weights)
       : basis_(basis)
       , weights_(weights)
-      , columns_(weights.size())
       , products_(basis.size(), 0.) {
     for(Index k = 0; k < basis.size(); ++k) {
       squares_.push_back(square(basis[k]));
@@ -200,9 +200,10 @@ private:
   }
 
   std::vector<Class_vector>& basis_;
-  const std::vector<double>& weights_;                               // by index
-  std::vector<std::vector<std::pair<Index, std::int64_t>>> columns_; // by index: vectors, values
-  std::vector<double> squares_, products_;                           // by vector
+  const std::vector<double>& weights_; // by index
+  // By index: vectors, and their values there.
+  std::unordered_map<Index, std::vector<std::pair<Index, std::int64_t>>> columns_;
+  std::vector<double> squares_, products_; // by vector
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

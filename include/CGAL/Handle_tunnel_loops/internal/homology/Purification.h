@@ -28,6 +28,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,8 @@ public:
     loops_ = loops_of(pairs);
     classes_ = std::make_unique<Loop_classes>(execution_, mesh_, loops_);
     const Loop_sides sides(*classes_, relations);
+    for(const Crossing_loop& loop : loops_)
+      weights_.push_back(double(loop.size()));
     std::map<std::size_t, std::vector<Index>> pairs_of_component;
     is_pure_.assign(pairs.size(), 0);
     for(Index k = 0; k < pairs.size(); ++k) {
@@ -167,10 +170,7 @@ private:
     std::optional<std::vector<Class_vector>> others = lattice_basis(std::move(generators));
     if(!others)
       return std::nullopt;
-    std::vector<double> weights;
-    for(const Crossing_loop& loop : loops_)
-      weights.push_back(double(loop.size()));
-    Lattice_reduction(*others, weights).reduce();
+    Lattice_reduction(*others, weights_).reduce();
     for(Class_vector& a : *others)
       members.push_back({no_index, std::move(a)});
     // The rank is g, but for surfaces that cross themselves in such a way that no loop shows it.
@@ -200,7 +200,7 @@ private:
   // Puts the tunnels into the order of the handles. Returns `false` if a number became too large.
   bool pair_up(const std::vector<Member>& handles, std::vector<Member>& tunnels) const {
     const Index n = static_cast<Index>(handles.size());
-    std::vector<Class_vector> tunnels_with(loops_.size()); // by loop
+    std::unordered_map<Index, Class_vector> tunnels_with; // by loop
     for(Index j = 0; j < n; ++j)
       for(const auto& [loop, factor] : tunnels[j].coordinates)
         tunnels_with[loop].emplace_back(j, factor);
@@ -303,6 +303,7 @@ private:
   bool do_tighten_;
   Progress& progress_;
   std::vector<Crossing_loop> loops_;     // before
+  std::vector<double> weights_;          // of them
   std::vector<Crossing_loop> projected_; // on the coarse mesh, once one is to be made there
   bool is_any_loose_ = false;
   std::unique_ptr<Loop_classes> classes_;

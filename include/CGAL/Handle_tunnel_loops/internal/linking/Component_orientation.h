@@ -15,7 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Volume_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
@@ -107,7 +107,8 @@ public:
     const auto all = parts_of(faces(tm));
     find_volumes(execution, all);
     find_signs();
-    find_nesting(execution, all);
+    if(parts_.size() > 1)
+      find_nesting(execution, all);
   }
 
   Solid_sides sides() const {
@@ -254,21 +255,23 @@ private:
   }
 
   // The first points of the components that lie in the box of another.
-  std::vector<std::size_t> open_components() const {
+  std::vector<std::size_t> open_components(Execution execution) const {
+    std::vector<Box<3>> boxes;
+    for(const Part& part : parts_)
+      boxes.push_back(part.extent.box);
+    const Sorted_boxes<3> sorted(execution, boxes);
     std::vector<std::size_t> open;
     for(std::size_t i = 0; i < parts_.size(); ++i)
-      for(std::size_t j = 0; is_wanted_[i] && j < parts_.size(); ++j)
-        if(may_contain(j, i)) {
-          open.push_back(i);
-          break;
-        }
+      if(is_wanted_[i] &&
+         sorted.any_meeting(boxes[i], [&](Index j, const Box<3>&) { return may_contain(j, i); }))
+        open.push_back(i);
     return open;
   }
 
   // Turns the sign of a component with each face above its first point that belongs to a component
   // whose box contains it.
   template <typename Faces> void find_nesting(Execution execution, const Faces& all) {
-    const std::vector<std::size_t> open = open_components();
+    const std::vector<std::size_t> open = open_components(execution);
     if(open.empty())
       return;
     std::vector<Box<2>> boxes;
@@ -276,13 +279,13 @@ private:
       const Vector& p = parts_[i].extent.first;
       boxes.push_back({{p[0], p[1]}, {p[0], p[1]}});
     }
-    const Box_tree<2> tree(std::move(boxes));
+    const Sorted_boxes<2> sorted(execution, boxes);
     std::mutex mutex;
     all.for_each(execution, [&](face_descriptor f) {
       const Triangle t = triangle(f);
       const auto [x1, x2] = std::minmax({t[0][0], t[1][0], t[2][0]});
       const auto [y1, y2] = std::minmax({t[0][1], t[1][1], t[2][1]});
-      tree.for_each_meeting({{x1, y1}, {x2, y2}}, [&](Index i, const Box<2>&) {
+      sorted.for_each_meeting({{x1, y1}, {x2, y2}}, [&](Index i, const Box<2>&) {
         if(!may_contain(component_(f), open[i]))
           return;
         const std::lock_guard<std::mutex> lock(mutex);

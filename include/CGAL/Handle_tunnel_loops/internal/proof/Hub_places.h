@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Exact_meeting.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -72,6 +74,17 @@ public:
       places.push_back(p);
     }
     return places;
+  }
+
+  /// a box that all of these are in, and the curve.
+  Box<3> reach() const {
+    constexpr double most = 6., largest = (std::numeric_limits<double>::max)();
+    Box<3> box;
+    for(int d = 0; d < 3; ++d) {
+      box.low[d] = (std::max)(middle_[d] - most * size_, -largest);
+      box.high[d] = (std::min)(middle_[d] + most * size_, largest);
+    }
+    return box;
   }
 
 private:
@@ -156,7 +169,12 @@ public:
     if(mesh_.number_of_hubs == 0)
       return;
     const Face_tree faces(execution_, mesh_, span_of(places_));
-    for(Index hub : caps_met(faces, Contact::NEARLY))
+    to_move_ = caps_met(faces, Contact::NEARLY);
+    std::vector<Box<3>> reaches;
+    for(Index hub : to_move_)
+      reaches.push_back(candidates(hub).reach());
+    reaches_.emplace(execution_, reaches);
+    for(Index hub : to_move_)
       move(faces, hub);
   }
 
@@ -196,10 +214,7 @@ private:
         places_[hub] = p;
         if(is_cap_met(faces, hub, contact))
           continue;
-        if(p != middle) {
-          is_moved_[hub - mesh_.first_hub] = 1;
-          moved_.push_back(hub);
-        }
+        is_moved_[hub - mesh_.first_hub] = p != middle;
         return;
       }
     places_[hub] = middle;
@@ -209,8 +224,11 @@ private:
   bool is_cap_met(const Face_tree& faces, Index hub, Contact contact) const {
     const std::vector<Corners> cap = faces_of_cap(hub);
     std::vector<Box<3>> boxes;
-    for(const Corners& face : cap)
+    Box<3> around = Box<3>::empty();
+    for(const Corners& face : cap) {
       boxes.push_back(box(face));
+      around.extend(boxes.back());
+    }
     const Box_tree<3> tree(boxes);
     const auto is_met_by = [&](const Corners& face) {
       return tree.any_meeting(box(face), [&](Index i, const Box<3>&) {
@@ -224,12 +242,12 @@ private:
                   do_meet_elsewhere(cap[i], faces.corners(f), contact);
          }))
         return true;
-    for(Index other : moved_) {
-      const std::vector<Corners> others = faces_of_cap(other);
-      if(std::any_of(others.begin(), others.end(), is_met_by))
-        return true;
-    }
-    return false;
+    return reaches_ && reaches_->any_meeting(around, [&](Index i, const Box<3>&) {
+      if(is_moved_[to_move_[i] - mesh_.first_hub] == 0)
+        return false;
+      const std::vector<Corners> others = faces_of_cap(to_move_[i]);
+      return std::any_of(others.begin(), others.end(), is_met_by);
+    });
   }
 
   // Whether it is a face other than of this cap, and not of one that has been moved.
@@ -325,7 +343,8 @@ private:
   const Flat_mesh& mesh_;
   std::vector<Vector>& places_;
   std::vector<char> is_moved_; // by hub, from the first one on
-  std::vector<Index> moved_;   // hubs
+  std::vector<Index> to_move_; // hubs, in that order
+  std::optional<Sorted_boxes<3>> reaches_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

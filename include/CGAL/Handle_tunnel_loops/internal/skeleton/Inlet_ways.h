@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -68,20 +69,18 @@ private:
   Index ball_seen_from(Index hub, const Ball_graph& graph) const {
     const auto distance = [&](Index b) { return norm(graph.balls[b].centre - points_[hub]); };
     std::vector<Index> balls = balls_at_curve(hub, graph);
-    std::vector<char> is_known;
+    std::unordered_set<Index> known;
     while(!balls.empty()) {
       std::stable_sort(balls.begin(), balls.end(),
                        [&](Index a, Index b) { return distance(a) < distance(b); });
       for(Index b : balls)
         if(!wall_.is_met_from_hub(hub, graph.balls[b].centre))
           return b;
-      is_known.resize(graph.balls.size(), 0);
-      for(Index b : balls)
-        is_known[b] = 1;
+      known.insert(balls.begin(), balls.end());
       std::vector<Index> next;
       for(Index ball : balls)
         graph.for_each_beside(ball, [&](Index other, Index) {
-          if(std::exchange(is_known[other], 1) == 0)
+          if(known.insert(other).second)
             next.push_back(other);
         });
       balls = std::move(next);

@@ -230,10 +230,17 @@ private:
 
   void close_cycles(const std::vector<std::size_t>& genus) {
     const std::vector<Closing_edge> closing = closing_edges();
-    for(Index c = 0; c < genus.size(); ++c)
-      take_basis(closing, c, genus[c]);
+    auto begin = closing.begin();
+    for(Index c = 0; c < genus.size(); ++c) {
+      const auto end = std::find_if(begin, closing.end(), [&](const Closing_edge& e) {
+        return graph_.component[graph_.edges[e.edge][0]] != c;
+      });
+      take_basis({begin, end}, c, genus[c]);
+      begin = end;
+    }
   }
 
+  // Component by component, the shortest first.
   std::vector<Closing_edge> closing_edges() const {
     std::vector<std::uint64_t> name(graph_.balls.size(), 0);
     for(Index b : down_the_tree()) {
@@ -250,8 +257,12 @@ private:
         closing.push_back(
             {paths_[a].distance + paths_[b].distance + cost(graph_, e), e, (std::min)(n, 0 - n)});
     }
-    std::sort(closing.begin(), closing.end(), [](const Closing_edge& a, const Closing_edge& b) {
-      return std::tie(a.length, a.edge) < std::tie(b.length, b.edge);
+    const auto component = [this](const Closing_edge& c) {
+      return graph_.component[graph_.edges[c.edge][0]];
+    };
+    std::sort(closing.begin(), closing.end(), [&](const Closing_edge& a, const Closing_edge& b) {
+      return std::make_tuple(component(a), a.length, a.edge) <
+             std::make_tuple(component(b), b.length, b.edge);
     });
     std::unordered_set<std::uint64_t> known;
     closing.erase(
@@ -282,9 +293,7 @@ private:
     for(const Closing_edge& c : closing) {
       if(taken == number)
         break;
-      if(graph_.component[graph_.edges[c.edge][0]] == component &&
-         rows.add(linking_numbers(c.edge, component)))
-      {
+      if(rows.add(linking_numbers(c.edge, component))) {
         ++taken;
         take(c.edge);
       }

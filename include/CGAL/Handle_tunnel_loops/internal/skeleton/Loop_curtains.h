@@ -12,18 +12,17 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -51,18 +50,17 @@ public:
         hems_.push_back({project(loops[l][i]),
                          project(loops[l][i + 1 < loops[l].size() ? i + 1 : 0]),
                          static_cast<Index>(l)});
-    sort_along_curve(execution);
     std::vector<Box<2>> boxes;
     for(const Hem& hem : hems_)
       boxes.push_back(box(hem.from, hem.to));
-    tree_ = Box_tree<2>(std::move(boxes));
+    boxes_.emplace(execution, boxes);
   }
 
   /// calls `f(passage)` for each time that a segment passes through a curtain.
   template <typename Function>
   void for_each_passage(const Vector& a, const Vector& b, const Function& f) const {
     const Place p = project(a), q = project(b);
-    tree_.for_each_meeting(box(p, q), [&](Index i, const Box<2>&) {
+    boxes_->for_each_meeting(box(p, q), [&](Index i, const Box<2>&) {
       const Hem& hem = hems_[i];
       const int side = turn(hem.from, hem.to, p);
       if(side == turn(hem.from, hem.to, q) || turn(p, q, hem.from) == turn(p, q, hem.to))
@@ -94,19 +92,6 @@ private:
     return box;
   }
 
-  void sort_along_curve(Execution execution) {
-    Box<2> all = Box<2>::empty();
-    for(const Hem& hem : hems_)
-      all.extend(box(hem.from, hem.to));
-    const auto order = space_filling_order(execution, hems_.size(), [&](std::size_t i) {
-      return Vector{all.part(0, hems_[i].from.x), all.part(1, hems_[i].from.y), 0.};
-    });
-    std::vector<Hem> sorted(hems_.size());
-    for(std::size_t i = 0; i < hems_.size(); ++i)
-      sorted[i] = hems_[order[i]];
-    hems_ = std::move(sorted);
-  }
-
   // Exact for the rounded places. Three in a line are taken to turn to the right, whatever the
   // order of the first two: a curve through a place crosses a line through it once or not at all.
   static int turn(const Place& a, const Place& b, const Place& c) {
@@ -127,7 +112,7 @@ private:
   }
 
   std::vector<Hem> hems_;
-  Box_tree<2> tree_{{}};
+  std::optional<Sorted_boxes<2>> boxes_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

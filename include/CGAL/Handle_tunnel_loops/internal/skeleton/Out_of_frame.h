@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -73,14 +74,15 @@ inline void take_out_of(Execution execution,
                         const std::vector<Vector>& places,
                         Flat_skeleton& flat) {
   const Own_frame frame_of_caller = Own_frame::of_caller(places);
+  std::map<Vector, Index> hub_at;
+  for(Index hub = solid.mesh().first_hub; hub < places.size(); ++hub)
+    hub_at.emplace(solid.points()[hub], hub);
   for_each_index(
       execution, flat.points.size(),
       [&](std::size_t p) {
         const Vector point = flat.points[p];
         if(flat.is_inlet[p] != 0) {
-          const auto hub = std::find(solid.points().begin() + solid.mesh().first_hub,
-                                     solid.points().end(), point);
-          flat.points[p] = places[hub - solid.points().begin()];
+          flat.points[p] = places[hub_at.at(point)];
           flat.radii[p] = frame.length_out_of(flat.radii[p]);
         } else {
           flat.points[p] = frame.out_of(point);

@@ -15,16 +15,15 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -33,8 +32,12 @@ namespace CGAL::Handle_tunnel_loops::internal {
 class Parts_of_surface
 {
 public:
-  Parts_of_surface(const Solid_balls& solid, const Ball_graph& graph, const Flat_skeleton& flat)
-      : solid_(solid)
+  Parts_of_surface(Execution execution,
+                   const Solid_balls& solid,
+                   const Ball_graph& graph,
+                   const Flat_skeleton& flat)
+      : execution_(execution)
+      , solid_(solid)
       , graph_(graph)
       , flat_(flat)
       , paths_(graph.balls.size()) {
@@ -47,15 +50,16 @@ public:
   }
 
   /// by vertex; hubs belong to none.
-  std::vector<Index> points(Execution execution) const {
+  std::vector<Index> points() const {
     const Flat_mesh& mesh = solid_.mesh();
+    const std::vector<Index> first = first_points();
     std::vector<Index> points(mesh.number_of_vertices(), no_index);
-    for_each_index(execution, mesh.first_hub, [&](std::size_t i) {
+    for_each_index(execution_, mesh.first_hub, [&](std::size_t i) {
       const Index v = static_cast<Index>(i), sample = solid_.sample_at(v);
       if(sample != no_index)
         points[v] = paths_[graph_.ball_of_sample[sample]].point;
       if(points[v] == no_index)
-        points[v] = first_point_of(mesh.component[v]);
+        points[v] = first[mesh.component[v]];
     });
     return points;
   }
@@ -67,34 +71,38 @@ private:
     Index point = no_index;
   };
 
-  Index first_point_of(Index component) const {
-    const auto it = std::find(flat_.component_of.begin(), flat_.component_of.end(), component);
-    return it == flat_.component_of.end() ? no_index
-                                          : static_cast<Index>(it - flat_.component_of.begin());
+  // By component, of those that have any.
+  std::vector<Index> first_points() const {
+    std::vector<Index> first(solid_.mesh().seeds.size(), no_index);
+    for(Index p = 0; p < flat_.component_of.size(); ++p)
+      if(Index& known = first[flat_.component_of[p]]; known == no_index)
+        known = p;
+    return first;
   }
 
-  // Balls that hold a point of the skeleton begin with the nearest of these.
+  // Balls that hold a point of the skeleton begin with the nearest of these, the first of several.
   void start() {
     std::vector<Box<3>> boxes;
     for(const Vector& p : flat_.points)
       boxes.push_back({p, p});
-    const Box_tree<3> tree(std::move(boxes));
+    const Sorted_boxes<3> sorted(execution_, boxes);
     for(Index b = 0; b < graph_.balls.size(); ++b) {
       const Inner_ball& ball = graph_.balls[b];
       const Vector corner = {ball.radius, ball.radius, ball.radius};
       Label best;
-      tree.for_each_meeting({ball.centre - corner, ball.centre + corner},
-                            [&](Index p, const Box<3>& box) {
-                              const double distance = norm(box.low - ball.centre);
-                              if(flat_.component_of[p] == graph_.component[b] &&
-                                 distance < ball.radius && distance < best.distance)
-                                best = {distance, p};
-                            });
+      sorted.for_each_meeting(
+          {ball.centre - corner, ball.centre + corner}, [&](Index p, const Box<3>& box) {
+            const double distance = norm(box.low - ball.centre);
+            if(flat_.component_of[p] == graph_.component[b] && distance < ball.radius &&
+               std::tie(distance, p) < std::tie(best.distance, best.point))
+              best = {distance, p};
+          });
       if(best.point != no_index)
         paths_.reach(b, best);
     }
   }
 
+  Execution execution_;
   const Solid_balls& solid_;
   const Ball_graph& graph_;
   const Flat_skeleton& flat_;

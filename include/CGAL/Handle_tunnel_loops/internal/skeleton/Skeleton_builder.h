@@ -89,7 +89,7 @@ private:
         draft.draw_stars(solid.wall());
       found_.skeleton = draw(draft, smoothness);
       found_.point_of_vertex =
-          Parts_of_surface(solid, ways.graph(), found_.skeleton).points(execution_);
+          Parts_of_surface(execution_, solid, ways.graph(), found_.skeleton).points();
       is_inside = is_free(solid.wall(), found_.skeleton);
       take_out_of(execution_, frame, solid, places_, found_.skeleton);
       certify();

@@ -19,12 +19,11 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Way_along_wall.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -195,20 +194,10 @@ private:
 
   void choose_balls() {
     const std::size_t n = samples_.samples().size();
-    std::vector<Box<3>> boxes(n);
-    Box<3> all = Box<3>::empty();
-    for(std::size_t i = 0; i < n; ++i) {
-      const Vector& c = ball(static_cast<Index>(i)).centre;
-      all.extend({c, c});
-    }
-    const Uninitialized_vector<Index> places =
-        space_filling_order(execution_, n, [&](std::size_t i) {
-          const Vector& c = ball(static_cast<Index>(i)).centre;
-          return Vector{all.part(0, c[0]), all.part(1, c[1]), all.part(2, c[2])};
-        });
-    for(std::size_t i = 0; i < n; ++i)
-      boxes[i] = {ball(places[i]).centre, ball(places[i]).centre};
-    const Box_tree<3> tree(std::move(boxes));
+    std::vector<Box<3>> centres;
+    for(Index s = 0; s < n; ++s)
+      centres.push_back({ball(s).centre, ball(s).centre});
+    const Sorted_boxes<3> sorted(execution_, centres);
     std::vector<Index> order(n);
     std::iota(order.begin(), order.end(), Index(0));
     std::stable_sort(order.begin(), order.end(),
@@ -216,16 +205,15 @@ private:
     graph_.ball_of_sample.assign(n, no_index);
     for(Index s : order)
       if(graph_.ball_of_sample[s] == no_index)
-        add_ball(s, places, tree);
+        add_ball(s, sorted);
   }
 
-  void add_ball(Index s, const Uninitialized_vector<Index>& places, const Box_tree<3>& tree) {
+  void add_ball(Index s, const Sorted_boxes<3>& centres) {
     const Index component = component_of(s), number = add_ball(ball(s), component);
     const double extent = part_of_radius * ball(s).radius;
     const Vector& centre = ball(s).centre;
     const Vector corner = {extent, extent, extent};
-    tree.for_each_meeting({centre - corner, centre + corner}, [&](Index i, const Box<3>&) {
-      const Index other = places[i];
+    centres.for_each_meeting({centre - corner, centre + corner}, [&](Index other, const Box<3>&) {
       if(graph_.ball_of_sample[other] == no_index && component_of(other) == component &&
          norm(ball(other).centre - centre) < extent)
         graph_.ball_of_sample[other] = number;
