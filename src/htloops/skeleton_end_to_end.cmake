@@ -185,6 +185,24 @@ file(READ "${FOLDER}/crossing.json" crossing)
 string(JSON inside GET "${crossing}" certificate inside)
 expect_equal("${inside}" OFF)
 
+# Where nothing is inside there is no skeleton, and what is written says so.
+file(WRITE "${FOLDER}/pillow.off" "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n")
+run(0 skeleton pillow.off -o pillow.json)
+expect_match("${output}" "not certified:\n.*\n  the skeleton is missing\n[0-9]")
+run(1 check pillow.off pillow.json)
+expect_match("${errors}" "the skeleton is missing")
+
+# Whatever the unit is, numbers are numbers.
+foreach(unit IN ITEMS e-200 e0 e200)
+  file(WRITE "${FOLDER}/unit.off" "OFF\n4 4 0\n0 0 0\n500${unit} 0 0\n0 500${unit} 0\n0 0 500${unit}\n"
+    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+  run(0 skeleton unit.off --csv unit.csv)
+  expect_match("${output}" "certified: all")
+  file(READ "${FOLDER}/unit.csv" table)
+  set(number "[1-9][-+.e0-9]*")
+  expect_match("${table}" "\n0,0,${number},${number},${number},${number},0,0,end,1,end\n")
+endforeach()
+
 # What is refused.
 foreach(arguments IN ITEMS "--lines;a.png" "--lines;a.json" "--graph;a.swc" "--parts;a.obj" "--csv;a.json"
     "--shortest-limb;-1" "--shortest-limb;nan" "--html;a.png" "--gltf;a.gltf" "-o;a.swc"

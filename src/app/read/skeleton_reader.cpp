@@ -78,7 +78,8 @@ public:
       add_edge(points[i - 1], points[i]);
   }
 
-  Skeleton_lines finish() {
+  /// \p may_be_empty if something else says that it is about a skeleton.
+  Skeleton_lines finish(bool may_be_empty = false) {
     Skeleton_lines used;
     std::vector<std::size_t> number(is_used_.size());
     if(!lines_.components.empty())
@@ -95,7 +96,7 @@ public:
         if(!lines_.is_inlet.empty())
           used.is_inlet.push_back(lines_.is_inlet[i]);
       }
-    if(used.points.empty())
+    if(used.points.empty() && !may_be_empty)
       fail_to_read(file_.name(), "there are no lines in it");
     for(const auto& [p, q] : lines_.edges)
       used.edges.push_back({number[p], number[q]});
@@ -133,7 +134,7 @@ public:
       document.fail("is not of the format " + std::string(json_format));
     document.member("nodes").for_each("node", [&](const Json_node& node) { add_node(node); });
     document.member("arcs").for_each("arc", [&](const Json_node& arc) { add_arc(arc); });
-    Skeleton_record record = {lines_.finish(), {}};
+    Skeleton_record record = {lines_.finish(true), {}};
     if(document.has("mesh")) {
       const Json_node mesh = document.member("mesh");
       record.mesh_size = {mesh.member("vertices").count(), mesh.member("faces").count()};

@@ -26,8 +26,6 @@
 namespace htloops {
 namespace {
 
-double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
-
 using Ends = std::array<std::size_t, 2>;
 
 /// Finds the edges of a graph that are no bridges: each edge that is not in a spanning forest
@@ -150,16 +148,16 @@ private:
 
   void measure(Skeleton_arc& arc) const {
     arc.component = graph_[arc.points.front()].component;
-    arc.smallest_radius = graph_[arc.points.front()].radius;
-    double sum = 0.;
+    arc.smallest_radius = arc.mean_radius = graph_[arc.points.front()].radius;
     for(std::size_t i = 1; i < arc.points.size(); ++i) {
       const auto &from = graph_[arc.points[i - 1]], &to = graph_[arc.points[i]];
       const double length = distance(from.point, to.point);
       arc.length += length;
-      sum += length * (from.radius + to.radius) / 2.;
+      if(length > 0.)
+        arc.mean_radius +=
+            length / arc.length * (from.radius / 2. + to.radius / 2. - arc.mean_radius);
       arc.smallest_radius = (std::min)(arc.smallest_radius, to.radius);
     }
-    arc.mean_radius = arc.length > 0. ? sum / arc.length : arc.smallest_radius;
   }
 
   const Skeleton_graph& graph_;
@@ -217,10 +215,10 @@ private:
     Kernel::Vector_3 direction(0., 0., 0.);
     for(Iterator it = std::next(begin); it != end; ++it) {
       direction = graph_[*it].point - node.point;
-      if(std::sqrt(direction.squared_length()) > node.radius)
+      if(distance(graph_[*it].point, node.point) > node.radius)
         break;
     }
-    const double length = std::sqrt(direction.squared_length());
+    const double length = std::hypot(direction.x(), direction.y(), direction.z());
     arcs_at_[*begin].push_back({arc, length > 0. ? direction / length : direction});
   }
 
@@ -254,6 +252,11 @@ find_skeleton(const Mesh& mesh, const Skeleton_options& options, Progress& progr
 }
 
 std::vector<Skeleton_arc> arcs_of(const Skeleton_graph& graph) { return Arc_finder(graph).find(); }
+
+// Whatever the unit is: squares may be too large, or too small.
+double distance(const Point& p, const Point& q) {
+  return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+}
 
 double chord_of(const Skeleton_graph& graph, const Skeleton_arc& arc) {
   return distance(graph[arc.points.front()].point, graph[arc.points.back()].point);

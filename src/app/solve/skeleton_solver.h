@@ -72,6 +72,9 @@ find_skeleton(const Mesh& mesh, const Skeleton_options& options, Progress& progr
 /// the arcs of a graph, in the order of the points that they begin at.
 std::vector<Skeleton_arc> arcs_of(const Skeleton_graph& graph);
 
+/// the distance of two points.
+double distance(const Point& p, const Point& q);
+
 /// the distance of its ends, as the tortuosity is the length over it; 0 for a cycle.
 double chord_of(const Skeleton_graph& graph, const Skeleton_arc& arc);
 

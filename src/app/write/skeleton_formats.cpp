@@ -92,8 +92,7 @@ template <typename Visit> void for_each_edge(const Skeleton_answer& answer, Visi
     const Numbers& points = answer.arcs[i].points;
     for(std::size_t k = 1; k < points.size(); ++k)
       visit(i, points[k - 1], points[k],
-            std::sqrt(CGAL::squared_distance(answer.graph[points[k - 1]].point,
-                                             answer.graph[points[k]].point)));
+            distance(answer.graph[points[k - 1]].point, answer.graph[points[k]].point));
   }
 }
 

@@ -190,6 +190,8 @@ std::string words_of_certificate(const Skeleton_answer& answer) {
   if(failures.size() > most_lines)
     text += "  and " + std::to_string(failures.size() - most_lines) + " more such lines\n";
   const std::size_t edges = num_edges(answer.graph);
+  if(edges == 0)
+    return text;
   return text + "of " + counted(edges, "edge ", "edges ") +
          std::to_string(edges - answer.certificate().edges_outside.size()) + " lie inside\n";
 }

@@ -158,10 +158,11 @@ std::string words_of_drawing(const Reeb_answer& answer) {
     return "";
   const std::size_t all = answer.embedding->number_of_segments;
   const std::size_t inside = answer.embedding->number_of_segments_inside;
-  return "drawn inside: " +
-         (inside == all ? counted(all, "segment", "segments") + ", all strictly inside\n"
-                        : std::to_string(inside) + " of " + counted(all, "segment", "segments") +
-                              " are known to lie strictly inside\n");
+  return "drawn inside: " + (inside == all
+                                 ? counted(all, "segment", "segments") + ", all strictly inside\n"
+                             : all == 1 ? "its only segment is not known to lie strictly inside\n"
+                                        : std::to_string(inside) + " of " + std::to_string(all) +
+                                              " segments are known to lie strictly inside\n");
 }
 
 std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
