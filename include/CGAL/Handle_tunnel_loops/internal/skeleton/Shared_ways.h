@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -294,11 +295,53 @@ private:
     return !best.empty();
   }
 
-  // The edges of a cheaper way from what begins at no cost back there, of the right class; none if
-  // there is no such way.
+  // The edges of a cheaper way between what begins at no cost, of the right class; none if there is
+  // no such way.
   std::vector<Index> cheaper_way(double cost_of_arc) {
     Bridge best;
     best.cost = gain * cost_of_arc;
+    if(class_ == 0)
+      grow_from_smaller_side(cost_of_arc, best);
+    else
+      grow_from_all(cost_of_arc, best);
+    if(best.edge == no_index)
+      return {};
+    std::vector<Index> way = {best.edge};
+    for(const Index b : graph_.edges[best.edge])
+      graph_.for_each_back(paths_, b, [&](Index, Index e) { way.push_back(e); });
+    return way;
+  }
+
+  // The arc closes no cycle: only ways from one side of it to the other will do, and all of these
+  // come to the smaller one.
+  void grow_from_smaller_side(double cost_of_arc, Bridge& best) {
+    const auto begins = [&](Index b) { return along_[b].distance < cost_of_arc; };
+    std::array<std::size_t, 2> numbers = {0, 0};
+    for(Index b : along_.reached())
+      numbers[along_[b].is_of_end] += begins(b);
+    const bool side = numbers[1] <= numbers[0];
+    for(Index b : along_.reached())
+      if(along_[b].is_of_end == side && begins(b))
+        paths_.reach(b, {0., no_index, side, along_[b].name});
+    paths_.grow([&](double distance) { return distance < best.cost; },
+                [&](Index b) {
+                  graph_.for_each_beside(b, [&](Index other, Index e) {
+                    const double there = paths_[b].distance + cost(e);
+                    if(is_taken_[e] != 0 || !(there < best.cost))
+                      return;
+                    const std::uint64_t n = paths_[b].name + name(e, b);
+                    if(begins(other) && along_[other].is_of_end != side && along_[other].name == n)
+                      best = {there, e};
+                    if(degree_[other] == 0 && there < paths_[other].distance)
+                      paths_.reach(other, {there, e, side, n});
+                  });
+                });
+  }
+
+  void grow_from_all(double cost_of_arc, Bridge& best) {
+    for(Index b : along_.reached())
+      if(along_[b].distance < cost_of_arc)
+        paths_.reach(b, {0., no_index, along_[b].is_of_end, along_[b].name});
     paths_.grow(
         [&](double distance) { return 2. * distance < best.cost; },
         [&](Index b) {
@@ -312,7 +355,7 @@ private:
               const std::uint64_t around = paths_[b].name + name(e, b) - paths_[other].name;
               const bool is_same = paths_[b].is_of_end != paths_[other].is_of_end
                                        ? around == 0
-                                       : around != 0 && (around == class_ || around == 0 - class_);
+                                       : around == class_ || around == 0 - class_;
               if(is_same && all < best.cost)
                 best = {all, e};
             }
@@ -321,12 +364,6 @@ private:
               paths_.reach(other, {there, e, paths_[b].is_of_end, paths_[b].name + name(e, b)});
           });
         });
-    if(best.edge == no_index)
-      return {};
-    std::vector<Index> way = {best.edge};
-    for(const Index b : graph_.edges[best.edge])
-      graph_.for_each_back(paths_, b, [&](Index, Index e) { way.push_back(e); });
-    return way;
   }
 
   // What is taken begins at no cost, as far from the ends of the arc as that is long. If the ends
@@ -341,7 +378,6 @@ private:
     along_.grow(
         [&](double distance) { return distance < cost_of_arc; },
         [&](Index b) {
-          paths_.reach(b, {0., no_index, along_[b].is_of_end, along_[b].name});
           graph_.for_each_beside(b, [&](Index other, Index e) {
             if(is_taken_[e] == 0)
               return;
