@@ -153,6 +153,8 @@ public:
     find_opposites();
     join_neighbors();
     graph_.link();
+    put_balls_into_necks();
+    graph_.link();
     return std::move(graph_);
   }
 
@@ -188,6 +190,7 @@ public:
 private:
   using Pair = std::pair<Index, Index>;
 
+  static constexpr double sure = 0.85;          // part of the radii of balls that meet for sure
   static constexpr double part_of_radius = 0.2; // between centres that are told from each other
 
   const Inner_ball& ball(Index sample) const { return samples_.samples()[sample].ball; }
@@ -302,8 +305,45 @@ private:
     }
   }
 
+  // Between large balls that leave some of an edge open, there may be no place that sees how narrow
+  // it is there: as where two wheels are on one axle.
+  void put_balls_into_necks() {
+    const std::vector<Ball_graph::Edge> edges = graph_.edges;
+    std::vector<Inner_ball> necks(edges.size(), {{}, 0.});
+    for_each_index(
+        execution_, edges.size(), [&](std::size_t e) { necks[e] = neck(edges[e]); }, 256);
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(const auto [a, b] = edges[e]; necks[e].radius > 0.) {
+        const Index between = add_ball(necks[e], graph_.component[a]);
+        graph_.edges[e] = {a, between};
+        graph_.edges.push_back({b, between});
+        for(const Index end : {a, b})
+          for(const Index beside : graph_.edges_at[end])
+            join_if_they_meet(edges[beside][edges[beside][0] == end ? 1 : 0], between);
+      }
+  }
+
+  // On an edge; without a radius if there is none.
+  Inner_ball neck(const Ball_graph::Edge& edge) const {
+    constexpr double longest = 3., narrow = 0.5; // times the radii
+    const Inner_ball &a = graph_.balls[edge[0]], &b = graph_.balls[edge[1]];
+    const double length = norm(b.centre - a.centre), least = (std::min)(a.radius, b.radius),
+                 radii = a.radius + b.radius,
+                 part = (0.5 * (length + a.radius - b.radius)) / length;
+    const Vector middle = a.centre + part * (b.centre - a.centre);
+    if(length > radii && length < longest * radii && wall_.is_within(middle, narrow * least))
+      return {middle, wall_.nearest(middle, narrow * least).distance};
+    return {middle, 0.};
+  }
+
+  void join_if_they_meet(Index a, Index b) {
+    const Inner_ball &p = graph_.balls[a], &q = graph_.balls[b];
+    if(norm(q.centre - p.centre) < sure * (p.radius + q.radius) &&
+       !wall_.meets_cap(p.centre, q.centre))
+      graph_.edges.push_back({a, b});
+  }
+
   bool is_way_free(const Inner_ball& a, const Inner_ball& b) const {
-    constexpr double sure = 0.85;
     return norm(b.centre - a.centre) < sure * (a.radius + b.radius)
                ? !wall_.meets_cap(a.centre, b.centre)
                : !wall_.meets(a.centre, b.centre);
