@@ -189,16 +189,17 @@ private:
     for_each_index(execution, n, [&](std::size_t i) {
       const Triangle t = triangle(static_cast<Index>(i));
       std::array<double, 3> extents;
-      double side = 0.;
+      double square = 0.; // of the longest side
       for(int d = 0; d < 3; ++d) {
         const auto [low, high] = std::minmax({t[0][d], t[1][d], t[2][d]});
         extents[d] = (high - low) * scale_;
-        side = (std::max)(side, norm(scale_ * (t[d] - t[(d + 1) % 3])));
+        const Vector side = scale_ * (t[d] - t[(d + 1) % 3]);
+        square = (std::max)(square, dot(side, side));
       }
       std::sort(extents.begin(), extents.end());
       const Vector normal = cross(scale_ * (t[1] - t[0]), scale_ * (t[2] - t[0]));
       length[i] = static_cast<float>(extents[1]);
-      width[i] = static_cast<float>(side > 0. ? longest * norm(normal) / side : 0.);
+      width[i] = static_cast<float>(square > 0. ? longest * norm(normal) / std::sqrt(square) : 0.);
     });
     double sum = 0.;
     for(std::size_t i = 0; i < n; ++i)

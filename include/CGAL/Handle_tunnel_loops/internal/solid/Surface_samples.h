@@ -85,8 +85,6 @@ public:
                  (own.empty() || own.back() != pair))
                 own.push_back(pair);
             });
-          std::sort(own.begin(), own.end());
-          own.erase(std::unique(own.begin(), own.end()), own.end());
           return own;
         });
     std::sort(pairs.begin(), pairs.end());
