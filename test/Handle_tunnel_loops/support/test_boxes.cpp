@@ -81,8 +81,7 @@ TEST(Face_boxes, FindAllThatMeetABox) {
           }));
           for(Index f = 0; f < all.size(); ++f)
             for(const Place& corner : all[f])
-              if(box.meets({corner, corner}))
-                EXPECT_EQ(met.count(f), 1u);
+              EXPECT_TRUE(met.count(f) == 1 || !box.meets({corner, corner}));
         }
       });
 }
@@ -116,8 +115,7 @@ TEST(Face_boxes, FindAllThatAreNearer) {
           });
           for(Index f = 0; f < all.size(); ++f)
             for(const Place& corner : all[f])
-              if(dot(corner - p, corner - p) < limit)
-                EXPECT_EQ(found.count(f), 1u);
+              EXPECT_TRUE(found.count(f) == 1 || !(dot(corner - p, corner - p) < limit));
         }
       });
 }
