@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Way_along_wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/climb.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
@@ -323,17 +324,22 @@ private:
       }
   }
 
-  // On an edge; without a radius if there is none.
+  // On an edge; without a radius if there is none. Where a larger ball holds the place, it is only
+  // that the edge passes close to the surface.
   Inner_ball neck(const Ball_graph::Edge& edge) const {
     constexpr double longest = 3., narrow = 0.5; // times the radii
+    constexpr int most_steps = 6;
     const Inner_ball &a = graph_.balls[edge[0]], &b = graph_.balls[edge[1]];
-    const double length = norm(b.centre - a.centre), least = (std::min)(a.radius, b.radius),
-                 radii = a.radius + b.radius,
-                 part = (0.5 * (length + a.radius - b.radius)) / length;
+    const double length = norm(b.centre - a.centre), radii = a.radius + b.radius,
+                 most = narrow * (std::min)(a.radius, b.radius);
+    if(!(length > radii && length < longest * radii))
+      return {a.centre, 0.};
+    const double part = 0.5 * (length + a.radius - b.radius) / length;
     const Vector middle = a.centre + part * (b.centre - a.centre);
-    if(length > radii && length < longest * radii && wall_.is_within(middle, narrow * least))
-      return {middle, wall_.nearest(middle, narrow * least).distance};
-    return {middle, 0.};
+    const Inner_ball ball = {middle, wall_.nearest(middle, most).distance};
+    return ball.radius < most && climb_around(wall_, ball, most_steps).radius < most
+               ? ball
+               : Inner_ball{middle, 0.};
   }
 
   void join_if_they_meet(Index a, Index b) {
