@@ -108,7 +108,7 @@ class CurveSkeleton:
 def curve_skeleton(
     V: Any,
     F: Any = None,
-    shortest_limb: float = 1.5,
+    shortest_limb: float = 1.2,
     *,
     threads: Optional[int] = 0,
     progress: Any = None,

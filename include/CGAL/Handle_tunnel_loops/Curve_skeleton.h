@@ -82,7 +82,7 @@ struct Skeleton_options
   /// within 10%, it tells best between the limbs of the surface. So are those shorter than 2.5% of
   /// the diagonal of the box around it, and those that end in the ball that they begin in. Cycles
   /// never are.
-  double shortest_limb = 1.5;
+  double shortest_limb = 1.2;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

@@ -81,7 +81,7 @@ public:
     examine_regions(least_length);
     const std::vector<Index> found = tips(least_slenderness(shortest_limb));
     for(Index tip : found)
-      take(graph_.ball_of_sample[tip], is_taken);
+      take(end_of_limb(graph_.ball_of_sample[tip]), is_taken);
     return !found.empty();
   }
 
@@ -96,6 +96,7 @@ private:
   struct Part
   {
     double distance = 0., area = 0., extent = 0.; // times the area
+    std::size_t samples = 1;
   };
 
   template <typename Function> void for_each_beside(Index sample, const Function& f) const {
@@ -151,17 +152,22 @@ private:
   // distance.
   void examine(Index tip, double level, double least_length) {
     constexpr double step = 1.1, beyond_start = 1.1, two_pi = 6.283185307179586;
-    const double base = (std::max)(level, beyond_start * reach_.radius_at_start(tip)),
+    constexpr std::size_t least_samples = 16; // of which fewer tell no girth
+    const double base = (std::max)(level, beyond_start * reach_.extent_at_start(tip)),
                  most = reach_[tip] - base;
     if(!reach_.is_beyond_start(tip) || !(most > least_length))
       return;
     const std::vector<Part> region = region_beyond(tip, base);
-    for(double length = most; length > least_length; length /= step)
+    for(double length = most; length > least_length; length /= step) {
+      const Part part = part_within(region, length);
+      if(part.samples < least_samples)
+        break;
       if(const double around = girth(region, length); around > 0.) {
-        const double mean = part_within(region, length).area / length;
+        const double mean = part.area / length;
         slenderness_[tip] =
             (std::max)(slenderness_[tip], two_pi * length / around * (std::min)(1., mean / around));
       }
+    }
   }
 
   // Around the end of a limb.
@@ -184,6 +190,7 @@ private:
     for(std::size_t i = 1; i < region.size(); ++i) {
       region[i].area += region[i - 1].area;
       region[i].extent += region[i - 1].extent;
+      region[i].samples += region[i - 1].samples;
     }
     return region;
   }
@@ -258,22 +265,40 @@ private:
   }
 
   Index start_of_way(Index ball) const {
-    for(Index e = paths_[ball].edge; e != no_index; e = paths_[ball].edge)
-      ball = graph_.other_end(e, ball);
+    graph_.for_each_back(paths_, ball, [&](Index before, Index) { ball = before; });
     return ball;
   }
 
   // Takes the way to a ball. Ways to others may go on from there.
   void take(Index ball, std::vector<char>& is_taken) {
     std::vector<Index> way = {ball};
-    for(Index e = paths_[ball].edge; e != no_index; e = paths_[ball].edge) {
+    graph_.for_each_back(paths_, ball, [&](Index before, Index e) {
       is_taken[e] = 1;
-      ball = graph_.other_end(e, ball);
-      way.push_back(ball);
-    }
+      way.push_back(before);
+    });
     for(Index b : way)
       paths_.reach(b, {0., no_index});
     grow();
+  }
+
+  // On the way to the tip, where that does not turn into a corner of a flat end yet: the larger a
+  // ball is against what is left of the way, the more of the limb ends there.
+  Index end_of_limb(Index tip) const {
+    constexpr double times = 2.;
+    const Inner_ball& start = graph_.balls[start_of_way(tip)];
+    Index end = tip;
+    double left = 0., most = times * graph_.balls[tip].radius;
+    graph_.for_each_back(paths_, tip, [&](Index b, Index e) {
+      const Inner_ball& ball = graph_.balls[b];
+      left += graph_.length(e);
+      if(const double value = times * ball.radius - left;
+         value > most && norm(ball.centre - start.centre) > start.radius)
+      {
+        most = value;
+        end = b;
+      }
+    });
+    return end;
   }
 
   const Ball_graph& graph_;

@@ -89,9 +89,13 @@ public:
 
   /// about how far the regions of the ball of a sample extend.
   double extent(Index sample) const { return extents_[graph_.ball_of_sample[sample]]; }
-  /// the radius of the ball where the way to a sample begins, if there is a way.
-  double radius_at_start(Index sample) const {
-    return graph_.balls[paths_[graph_.ball_of_sample[sample]].start].radius;
+  /// how far what a way to a sample begins in extends there, if there is a way: the radius of the
+  /// ball, or of the round plate that is as broad where it is in the middle of a sheet.
+  double extent_at_start(Index sample) const {
+    constexpr double least_breadth = 2.; // of sheets, in radii
+    const Index start = paths_[graph_.ball_of_sample[sample]].start;
+    const double radius = graph_.balls[start].radius;
+    return (std::max)(radius, graph_.breadth(start) - least_breadth * radius);
   }
   /// whether the ball of a sample is outside of that where the way begins.
   bool is_beyond_start(Index sample) const {
