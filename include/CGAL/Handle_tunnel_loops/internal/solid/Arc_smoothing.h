@@ -37,8 +37,8 @@ inline bool is_line_free(const Wall& wall, const std::vector<Inner_ball>& line) 
 Draws the arcs of a skeleton as a person would: smooth, and in the middle.
 
 Each bend stays within a part of its ball, so that a smooth arc is inside if its bends are close
-together; and is moved to the middle across the arc. Where an arc still leaves the solid it is left
-as it was.
+together; and is moved to the middle across the arc. Where an arc still leaves the solid, bends are
+left as they were.
 */
 class Arc_smoothing
 {
@@ -71,17 +71,44 @@ public:
   }
 
 private:
+  // Bends where the smooth arc leaves the solid stay where they were, and more beside them each
+  // time.
   Balls operator()(const Balls& arc) const {
-    Balls smooth = with_bends(pulls_straight_ ? pulled_straight(arc) : arc);
-    make_smooth(smooth);
-    std::vector<char> climbs(smooth.size(), 1);
-    for(int k = 0; k < most_climbs && climb_together(smooth, climbs); ++k)
-      make_smooth(smooth);
-    make_central(smooth);
-    make_smooth(smooth);
+    constexpr int most_trials = 5;
+    const Balls bends = with_bends(pulls_straight_ ? pulled_straight(arc) : arc);
+    std::vector<char> is_free(bends.size(), 1);
+    for(int k = 0; k < most_trials; ++k) {
+      const Balls smooth = smoothed(bends, is_free);
+      for(const Balls& drawn : {without_needless_bends(smooth), smooth})
+        if(is_line_free(wall_, drawn))
+          return drawn;
+      keep_outside(smooth, std::size_t(1) << k, is_free);
+    }
+    return arc;
+  }
+
+  // So many on both sides.
+  void keep_outside(const Balls& arc, std::size_t number, std::vector<char>& is_free) const {
+    for(std::size_t i = 1; i < arc.size(); ++i)
+      if(wall_.meets(arc[i - 1].centre, arc[i].centre))
+        for(std::size_t k = i - (std::min)(i, number); k < (std::min)(i + number, arc.size()); ++k)
+          is_free[k] = 0;
+  }
+
+  Balls smoothed(const Balls& bends, const std::vector<char>& is_free) const {
+    Balls smooth = bends;
+    make_smooth(smooth, is_free);
+    std::vector<char> climbs = is_free;
+    for(int k = 0; k < most_climbs && climb_together(smooth, climbs); ++k) {
+      for(std::size_t i = 0; i < smooth.size(); ++i)
+        if(is_free[i] == 0)
+          smooth[i] = bends[i];
+      make_smooth(smooth, is_free);
+    }
+    make_central(smooth, is_free);
+    make_smooth(smooth, is_free);
     measure(smooth);
-    smooth = without_needless_bends(smooth);
-    return is_line_free(wall_, smooth) ? smooth : arc;
+    return smooth;
   }
 
   static constexpr int rounds_of_smoothing = 12, most_climbs = 4;
@@ -152,7 +179,7 @@ private:
     return all;
   }
 
-  static void make_smooth(Balls& arc) {
+  static void make_smooth(Balls& arc, const std::vector<char>& is_free) {
     std::vector<Vector> points;
     for(const Inner_ball& ball : arc)
       points.push_back(ball.centre);
@@ -163,7 +190,8 @@ private:
         for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
           const Vector way = 0.5 * (before + points[i + 1]) - points[i];
           before = points[i];
-          points[i] = near_centre(arc[i], points[i] + step * way);
+          if(is_free[i] != 0)
+            points[i] = near_centre(arc[i], points[i] + step * way);
         }
       }
     for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
@@ -223,13 +251,13 @@ private:
   }
 
   // Moves bends across the arc, towards the middles of larger balls.
-  void make_central(Balls& arc) const {
+  void make_central(Balls& arc, const std::vector<char>& is_free) const {
     const Balls before = arc;
     for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
       const Vector along = before[i + 1].centre - before[i - 1].centre;
       const double length = norm(along);
       const Inner_ball larger = balls_.pushed({before[i].centre, 2. * before[i].radius});
-      if(!(length > 0.) || !(larger.radius > 0.))
+      if(is_free[i] == 0 || !(length > 0.) || !(larger.radius > 0.))
         continue;
       const Vector tangent = (1. / length) * along, way = larger.centre - before[i].centre,
                    across = way - dot(way, tangent) * tangent;
