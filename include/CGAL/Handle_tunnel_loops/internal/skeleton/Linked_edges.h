@@ -18,7 +18,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -75,18 +74,7 @@ public:
         });
   }
 
-  /// whether two lines with the same ends are linked with loops of any component in the same way.
-  bool are_alike(const std::vector<Inner_ball>& line, const std::vector<Inner_ball>& other) const {
-    std::vector<int> row(components_.size(), 0);
-    const auto add = [&](const std::vector<Inner_ball>& of, int factor) {
-      for(std::size_t i = 1; i < of.size(); ++i)
-        curtains_.for_each_passage(of[i - 1].centre, of[i].centre,
-                                   [&](const Passage& p) { row[p.loop] += factor * p.sign; });
-    };
-    add(line, 1);
-    add(other, -1);
-    return std::all_of(row.begin(), row.end(), [](int x) { return x == 0; });
-  }
+  const Loop_curtains& curtains() const { return curtains_; }
 
   /// numbers of edges that add up along closed ways to a number of their class, 0 - that of the
   /// same way back; of different classes different ones, almost surely. Those of edges are for the

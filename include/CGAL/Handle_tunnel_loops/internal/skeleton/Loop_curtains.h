@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -44,7 +45,8 @@ public:
     int sign;
   };
 
-  Loop_curtains(Execution execution, const std::vector<std::vector<Vector>>& loops) {
+  Loop_curtains(Execution execution, const std::vector<std::vector<Vector>>& loops)
+      : number_of_loops_(loops.size()) {
     for(std::size_t l = 0; l < loops.size(); ++l)
       for(std::size_t i = 0; i < loops[l].size(); ++i)
         hems_.push_back({project(loops[l][i]),
@@ -68,6 +70,20 @@ public:
       if(is_above(p, q, hem))
         f(Passage{hem.loop, side});
     });
+  }
+
+  /// whether two lines with the same ends, or two closed ones, are linked with all loops in the
+  /// same way.
+  bool are_alike(const std::vector<Inner_ball>& line, const std::vector<Inner_ball>& other) const {
+    std::vector<int> row(number_of_loops_, 0);
+    const auto add = [&](const std::vector<Inner_ball>& of, int factor) {
+      for(std::size_t i = 1; i < of.size(); ++i)
+        for_each_passage(of[i - 1].centre, of[i].centre,
+                         [&](const Passage& p) { row[p.loop] += factor * p.sign; });
+    };
+    add(line, 1);
+    add(other, -1);
+    return std::all_of(row.begin(), row.end(), [](int x) { return x == 0; });
   }
 
 private:
@@ -111,6 +127,7 @@ private:
            hem.from.height + t * (hem.to.height - hem.from.height);
   }
 
+  std::size_t number_of_loops_;
   std::vector<Hem> hems_;
   std::optional<Sorted_boxes<2>> boxes_;
 };

@@ -145,7 +145,7 @@ private:
       const Arc_smoothing smoothing(solid_.wall(), solid_.balls(), solid_.least_extent(),
                                     pulls_straight);
       if(Balls smooth = smoothing(line, false, false);
-         is_line_free(solid_.wall(), smooth) && linked_.are_alike(smooth, way))
+         is_line_free(solid_.wall(), smooth) && linked_.curtains().are_alike(smooth, way))
         return smooth;
     }
     return way;

@@ -14,6 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Arcs_side_by_side.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loop_curtains.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loops_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Parts_of_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
@@ -76,17 +79,21 @@ private:
   bool build_in(const Own_frame& frame, Span<const Vector> points) {
     const Solid_balls solid(execution_, mesh_, points,
                             loops_inside(mesh_, pairs_, &Flat_pair::tunnel));
-    const Taken_ways ways(execution_, solid, pairs_, options_.shortest_limb);
+    const Loops_across across(mesh_, points, pairs_);
+    const Taken_ways ways(execution_, solid, across, options_.shortest_limb);
     found_.number_of_balls = ways.graph().balls.size();
-    const Skeleton_drawing draw(execution_, solid);
+    const Loop_curtains curtains(execution_, across.loops);
+    const Skeleton_drawing draw(execution_, solid, curtains);
     bool is_inside = true;
-    for(const Smoothness smoothness : {Smoothness::straight, Smoothness::smooth, Smoothness::none})
-    {
-      if(smoothness == Smoothness::smooth && !is_inside)
+    for(const Smoothness smoothness :
+        {Smoothness::straight, Smoothness::in_class, Smoothness::none}) {
+      if(smoothness == Smoothness::in_class && !is_inside)
         continue; // on a surface that crosses itself
       Skeleton_draft draft(ways.graph(), ways.is_taken(), ways.roots());
-      if(smoothness != Smoothness::none)
+      if(smoothness != Smoothness::none) {
         draft.draw_stars(solid.wall());
+        Arcs_side_by_side(solid.wall(), draft).join();
+      }
       found_.skeleton = draw(draft, smoothness);
       found_.point_of_vertex =
           Parts_of_surface(execution_, solid, ways.graph(), found_.skeleton).points();

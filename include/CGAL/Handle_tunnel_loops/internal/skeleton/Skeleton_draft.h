@@ -72,6 +72,13 @@ public:
   The largest balls first. Caps may cut into balls: \p wall tells.
   */
   void draw_stars(const Wall& wall) {
+    for(Index joint : joints())
+      if(places_[joint].beside.size() > 2)
+        draw_star(joint, middle(joint, wall), no_index, wall);
+  }
+
+  /// those with the largest balls first.
+  std::vector<Index> joints() const {
     std::vector<Index> joints;
     for(Index p = 0; p < places_.size(); ++p)
       if(places_[p].beside.size() > 2)
@@ -79,10 +86,76 @@ public:
     std::stable_sort(joints.begin(), joints.end(), [&](Index a, Index b) {
       return places_[a].ball.radius > places_[b].ball.radius;
     });
-    for(Index joint : joints)
-      if(places_[joint].beside.size() > 2)
-        draw_star(joint, wall);
+    return joints;
   }
+
+  /*!
+  puts the centre of a ball in the place of a joint and of all that is in the ball and joined to it
+  there, but for what is behind \p stem, a place beside it.
+  */
+  void draw_star(Index joint, const Inner_ball& ball, Index stem, const Wall& wall) {
+    std::vector<Index> inside = {joint};
+    std::vector<std::pair<Index, Index>> exits;
+    std::size_t edges = 0;
+    is_inside_.resize(places_.size(), 0);
+    is_inside_[joint] = 1;
+    for(std::size_t i = 0; i < inside.size(); ++i)
+      for(Index p : places_[inside[i]].beside) {
+        if(is_inside_[p] != 0)
+          ++edges;
+        else if(p != stem && is_within(p, ball)) {
+          ++edges;
+          is_inside_[p] = 1;
+          inside.push_back(p);
+        } else
+          exits.emplace_back(inside[i], p);
+      }
+    // Each edge inside has been seen from both ends, but that to a new place from one.
+    const bool is_tree = edges == 2 * (inside.size() - 1);
+    for(Index p : inside)
+      is_inside_[p] = 0;
+    if(!is_tree || (inside.size() == 1 && ball.centre == places_[joint].ball.centre))
+      return;
+    for(const auto& [from, to] : exits)
+      if(wall.meets_cap(ball.centre, way_out(ball, places_[from].ball.centre, to)))
+        return;
+    std::vector<Vector> from_places;
+    for(const auto& exit : exits)
+      from_places.push_back(places_[exit.first].ball.centre);
+    for(Index p : inside)
+      remove(p);
+    places_[joint].ball = ball;
+    for(std::size_t i = 0; i < exits.size(); ++i)
+      lead_out(joint, ball, from_places[i], exits[i].second);
+  }
+
+  // ---- changes
+
+  Index add(const Inner_ball& ball, Index component) {
+    places_.push_back({ball, component, false, {}});
+    return static_cast<Index>(places_.size() - 1);
+  }
+
+  void join(Index p, Index q) {
+    places_[p].beside.push_back(q);
+    places_[q].beside.push_back(p);
+  }
+
+  /// takes a place away, with what joins it to others.
+  void remove(Index p) {
+    while(!places_[p].beside.empty())
+      part(p, places_[p].beside.back());
+    places_[p].ball.radius = -1.; // is no more
+  }
+
+  void part(Index p, Index q) {
+    for(const auto& [a, b] : {std::make_pair(p, q), std::make_pair(q, p)}) {
+      std::vector<Index>& beside = places_[a].beside;
+      beside.erase(std::find(beside.begin(), beside.end(), b));
+    }
+  }
+
+  static constexpr double within = 0.9; ///< the part of the radius of a ball that a star fills
 
   /// the paths between nodes, each once, by the numbers of their places; and the cycles without a
   /// node, which begin and end at the same place.
@@ -113,61 +186,9 @@ public:
   }
 
 private:
-  void join(Index p, Index q) {
-    places_[p].beside.push_back(q);
-    places_[q].beside.push_back(p);
-  }
-
-  void part(Index p, Index q) {
-    for(const auto& [a, b] : {std::make_pair(p, q), std::make_pair(q, p)}) {
-      std::vector<Index>& beside = places_[a].beside;
-      beside.erase(std::find(beside.begin(), beside.end(), b));
-    }
-  }
-
   bool is_within(Index p, const Inner_ball& ball) const {
     return !places_[p].is_inlet &&
            norm(places_[p].ball.centre - ball.centre) < within * ball.radius;
-  }
-
-  void draw_star(Index joint, const Wall& wall) {
-    const Inner_ball ball = middle(joint, wall);
-    std::vector<Index> inside = {joint};
-    std::vector<std::pair<Index, Index>> exits;
-    std::size_t edges = 0;
-    is_inside_.resize(places_.size(), 0);
-    is_inside_[joint] = 1;
-    for(std::size_t i = 0; i < inside.size(); ++i)
-      for(Index p : places_[inside[i]].beside) {
-        if(is_inside_[p] != 0)
-          ++edges;
-        else if(is_within(p, ball)) {
-          ++edges;
-          is_inside_[p] = 1;
-          inside.push_back(p);
-        } else
-          exits.emplace_back(inside[i], p);
-      }
-    // Each edge inside has been seen from both ends, but that to a new place from one.
-    const bool is_tree = edges == 2 * (inside.size() - 1);
-    for(Index p : inside)
-      is_inside_[p] = 0;
-    if(!is_tree || (inside.size() == 1 && ball.centre == places_[joint].ball.centre))
-      return;
-    for(const auto& [from, to] : exits)
-      if(wall.meets_cap(ball.centre, way_out(ball, places_[from].ball.centre, to)))
-        return;
-    for(Index p : inside)
-      while(!places_[p].beside.empty())
-        part(p, places_[p].beside.back());
-    std::vector<Vector> from_places;
-    for(const auto& exit : exits)
-      from_places.push_back(places_[exit.first].ball.centre);
-    for(std::size_t i = 1; i < inside.size(); ++i)
-      places_[inside[i]].ball.radius = -1.; // is no more
-    places_[joint].ball = ball;
-    for(std::size_t i = 0; i < exits.size(); ++i)
-      lead_out(joint, ball, from_places[i], exits[i].second);
   }
 
   // The largest ball found uphill in which the joint still is.
@@ -189,14 +210,10 @@ private:
       join(joint, to);
       return;
     }
-    const Index place = static_cast<Index>(places_.size());
-    places_.push_back(
-        {{leaving, (1. - within) * ball.radius}, places_[joint].component, false, {}});
+    const Index place = add({leaving, (1. - within) * ball.radius}, places_[joint].component);
     join(joint, place);
     join(place, to);
   }
-
-  static constexpr double within = 0.9; // of the radius
 
   std::vector<Place> places_;
   std::vector<char> is_inside_;

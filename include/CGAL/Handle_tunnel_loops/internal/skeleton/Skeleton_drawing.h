@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
+#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loop_curtains.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Points_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>
@@ -64,17 +65,19 @@ inline void contract_points(Flat_skeleton& flat) {
 /// How much arcs are changed to be drawn; the less, the surer are their classes.
 enum class Smoothness {
   none,
-  smooth,
-  straight ///< pulled straight first
+  in_class, ///< each stays in its class
+  straight  ///< pulled straight first, also across what it leads around
 };
 
 /// Draws a draft: its arcs, as smooth as is wanted, with points that are apart.
 class Skeleton_drawing
 {
 public:
-  Skeleton_drawing(Execution execution, const Solid_balls& solid)
+  /// \p curtains are those of the loops that tell classes of lines.
+  Skeleton_drawing(Execution execution, const Solid_balls& solid, const Loop_curtains& curtains)
       : execution_(execution)
-      , solid_(solid) {}
+      , solid_(solid)
+      , curtains_(curtains) {}
 
   Flat_skeleton operator()(const Skeleton_draft& draft, Smoothness smoothness) const {
     Flat_skeleton flat = lines(draft, smoothness);
@@ -122,21 +125,38 @@ private:
   std::vector<Balls>
   balls_along(const Skeleton_draft& draft, const Arcs& arcs, Smoothness smoothness) const {
     std::vector<Balls> balls(arcs.size());
-    const Arc_smoothing smooth(solid_.wall(), solid_.balls(), solid_.least_extent(),
-                               smoothness == Smoothness::straight);
     for_each_index(
         execution_, arcs.size(),
         [&](std::size_t i) {
-          const Index first = arcs[i].front(), last = arcs[i].back();
           for(Index p : arcs[i])
             balls[i].push_back(draft[p].ball);
-          if(smoothness == Smoothness::none)
-            return;
-          balls[i] = smooth(balls[i], draft[first].is_inlet, draft[last].is_inlet);
-          if(!draft.is_node(first)) // a cycle: also where it began
-            balls[i] = smooth(turned_by_half(balls[i]), false, false);
+          if(smoothness == Smoothness::straight)
+            balls[i] = smooth(balls[i], draft, arcs[i], true);
+          if(smoothness == Smoothness::in_class)
+            balls[i] = smooth_in_class(balls[i], draft, arcs[i]);
         },
         1);
+    return balls;
+  }
+
+  Balls smooth(const Balls& balls,
+               const Skeleton_draft& draft,
+               const std::vector<Index>& arc,
+               bool pulls_straight) const {
+    const Arc_smoothing smoothing(solid_.wall(), solid_.balls(), solid_.least_extent(),
+                                  pulls_straight);
+    const Balls drawn = smoothing(balls, draft[arc.front()].is_inlet, draft[arc.back()].is_inlet);
+    return draft.is_node(arc.front())
+               ? drawn
+               : smoothing(turned_by_half(drawn), false, false); // a cycle: also where it began
+  }
+
+  Balls smooth_in_class(const Balls& balls,
+                        const Skeleton_draft& draft,
+                        const std::vector<Index>& arc) const {
+    for(const bool pulls_straight : {true, false})
+      if(Balls drawn = smooth(balls, draft, arc, pulls_straight); curtains_.are_alike(drawn, balls))
+        return drawn;
     return balls;
   }
 
@@ -151,6 +171,7 @@ private:
 
   Execution execution_;
   const Solid_balls& solid_;
+  const Loop_curtains& curtains_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

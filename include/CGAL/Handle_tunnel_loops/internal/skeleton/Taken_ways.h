@@ -12,8 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inlet_ways.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Inner_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Limbs.h>
@@ -39,15 +37,14 @@ class Taken_ways
 public:
   Taken_ways(Execution execution,
              const Solid_balls& solid,
-             const std::vector<Flat_pair>& pairs,
+             const Loops_across& across,
              double shortest_limb)
       : execution_(execution)
-      , mesh_(solid.mesh())
       , graph_(solid.graph()) {
     const std::vector<Index> inlets =
-        Inlet_ways(mesh_, solid.points(), solid.wall(), solid.pieces(), solid.samples())
+        Inlet_ways(solid.mesh(), solid.points(), solid.wall(), solid.pieces(), solid.samples())
             .add(graph_);
-    take_cycles(solid, pairs);
+    take_cycles(solid, across);
     Shared_ways shared_ways(graph_, names_);
     shared_ways.find(is_taken_);
     constexpr int most_rounds = 3;
@@ -71,8 +68,7 @@ public:
 private:
   static constexpr double part_of_diagonal = 0.025; // of the shortest limbs
 
-  void take_cycles(const Solid_balls& solid, const std::vector<Flat_pair>& pairs) {
-    const Loops_across across(mesh_, solid.points(), pairs);
+  void take_cycles(const Solid_balls& solid, const Loops_across& across) {
     const auto choose = [&] {
       const Inner_cycles cycles(execution_, graph_, across);
       is_taken_ = cycles.is_taken();
@@ -109,7 +105,6 @@ private:
   }
 
   Execution execution_;
-  const Flat_mesh& mesh_;
   Ball_graph graph_;
   std::vector<char> is_taken_;       // by edge
   std::vector<Index> roots_;         // by component
