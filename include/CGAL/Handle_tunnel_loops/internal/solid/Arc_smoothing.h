@@ -215,7 +215,7 @@ private:
     bool is_any = false;
     for(std::size_t i = 1; i + 1 < arc.size(); ++i) {
       const Vector along = arc[i + 1].centre - arc[i - 1].centre;
-      if(const double length = norm(along); climbs[i] != 0 && length > 0.) {
+      if(const double length = norm(along); climbs[i] != 0 && length > 0. && !is_thin(arc[i])) {
         shifts[i] = shift_to_wider_place(arc[i], (1. / length) * along);
         is_any = true;
       }
@@ -229,6 +229,13 @@ private:
         move_if_larger(arc[i], arc[i].centre + (way / length) * shifts[i], arc[i].radius + way);
       }
     return is_any;
+  }
+
+  // Whether no way that a ball climbs can be seen: in blades, of which there may be thousands side
+  // by side.
+  bool is_thin(const Inner_ball& ball) const {
+    constexpr double part = 1. / 256.;
+    return ball.radius < part * least_spacing_;
   }
 
   Vector shift_to_wider_place(const Inner_ball& start, const Vector& tangent) const {
