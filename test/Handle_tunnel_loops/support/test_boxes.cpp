@@ -86,6 +86,30 @@ TEST(Face_boxes, FindAllThatMeetABox) {
       });
 }
 
+TEST(Face_boxes, AreOfAnySize) {
+  for(const double scale : {1e-307, 1e-150, 1e-20, 1e20, 1e150, 1e307}) {
+    Random_places place(1);
+    std::vector<Triangle> all = triangles(place);
+    for(Triangle& t : all)
+      for(Place& p : t)
+        p = scale * p;
+    const Face_boxes boxes(Execution(), all.size(), [&](Index i) { return all[i]; });
+    for(int i = 0; i < 100; ++i) {
+      const Place p = place({}, 1.);
+      const Box<3> box = box_around({scale * p, scale * place(p, 0.2)});
+      std::set<Index> met;
+      EXPECT_FALSE(boxes.any_meeting(box, [&](Index f) {
+        met.insert(f);
+        return false;
+      }));
+      EXPECT_LT(2 * met.size(), all.size());
+      for(Index f = 0; f < all.size(); ++f)
+        for(const Place& corner : all[f])
+          EXPECT_TRUE(met.count(f) == 1 || !box.meets({corner, corner}));
+    }
+  }
+}
+
 TEST(Face_boxes, EndWithTheFirstThatHolds) {
   for_triangles(
       [](const std::vector<Triangle>& all, const Face_boxes& boxes, Random_places& place) {

@@ -67,10 +67,10 @@ public:
   template <typename Function>
   void for_each_nearer(const Vector& p, double limit, const Function& f) const {
     const Point at = placed(p);
-    const double square = scale_ * scale_;
+    const auto placed_square = [this](double x) { return scale_ * (scale_ * x); };
     visit_nearer(
-        square * limit, [&](const Group& group) { return squared_distances(at, group); },
-        [&](Index face) { return square * f(face); });
+        placed_square(limit), [&](const Group& group) { return squared_distances(at, group); },
+        [&](Index face) { return placed_square(f(face)); });
   }
 
   /// the same for the faces that are on a way: a direction and, as the limit, how far in that.
@@ -153,9 +153,9 @@ private:
 
   // ---- building
 
-  // The middle of all goes to the origin, and nothing is farther away than 1.
+  // The middle of all goes to the origin, and nothing is much farther away than 1.
   template <typename Function> void place(std::size_t n, const Function& triangle) {
-    constexpr int most = 400; // so that squares are no problem
+    constexpr int most = 1022; // of powers of two without loss
     Box<3> all = Box<3>::empty();
     for(std::size_t i = 0; i < n; ++i)
       for(const Vector& p : triangle(static_cast<Index>(i)))
