@@ -161,7 +161,7 @@ void add_computation_options(CLI::App& command, Skeleton_command_options& option
   command
       .add_option("--shortest-limb", options.skeleton.shortest_limb,
                   "limbs that are shorter than K times the radius of their base are left out,\n"
-                  "cycles never; default: 1.5")
+                  "cycles never; default: 1.2")
       ->option_text("K")
       ->check(why_negative);
   add_threads_option(command, options);
