@@ -110,6 +110,20 @@ TEST(Face_boxes, AreOfAnySize) {
   }
 }
 
+TEST(Face_boxes, AreNotNearAPlaceThatIsNone) {
+  for_triangles(
+      [](const std::vector<Triangle>& all, const Face_boxes& boxes, Random_places& place) {
+        for(std::size_t d = 0; d < 3; ++d) {
+          Place p = place(all.front()[0], 0.1);
+          p[d] = std::numeric_limits<double>::quiet_NaN();
+          boxes.for_each_nearer(p, 1., [](Index) {
+            ADD_FAILURE();
+            return 1.;
+          });
+        }
+      });
+}
+
 TEST(Face_boxes, EndWithTheFirstThatHolds) {
   for_triangles(
       [](const std::vector<Triangle>& all, const Face_boxes& boxes, Random_places& place) {

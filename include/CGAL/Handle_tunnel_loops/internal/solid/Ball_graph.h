@@ -263,7 +263,7 @@ private:
     constexpr double most = 1.5, part = 0.9, step = 0.5; // of the radius
     const Vector out = ball(s).centre - place(s);
     const double radius = ball(s).radius, distance = norm(out);
-    return radius > 0. && distance < most * radius &&
+    return distance > 0. && distance < most * radius &&
            !wall_.is_within(ball(s).centre + (step * radius / distance) * out, part * radius);
   }
 

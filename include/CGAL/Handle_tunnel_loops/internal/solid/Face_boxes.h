@@ -307,8 +307,8 @@ private:
 
   static float squared_distance(float x, float low, float high) {
     const float below = low - x, above = x - high;
-    const float off = (below > 0.f ? below : 0.f) + (above > 0.f ? above : 0.f);
-    return off * off;
+    const float off = (below < 0.f ? 0.f : below) + (above < 0.f ? 0.f : above);
+    return off * off; // not a number where x is none, and so not near
   }
 
   BOOST_NOINLINE static Numbers squared_distances(const Point& p, const Group& g) {
